@@ -6,14 +6,10 @@ use crate::spatial::{CongruenceArrangement, PolygonalComplex, SpatialArrangement
 use coface_algebra::chains::{Cells, ChainComplex};
 use coface_algebra::{Error, RaggedArray};
 
-/// Vertices, edges and bounded faces. A face has the vertices of the edges that it is on one side of.
+/// Vertices, edges and bounded faces, refined until each face is a disk.
 impl Cells for PlanarArrangement {
     fn chain_complex(&self) -> Result<ChainComplex, Error> {
         self.chain_complex()
-    }
-
-    fn f_vector(&self) -> Result<Vec<usize>, Error> {
-        Ok(self.f_vector())
     }
 }
 
@@ -42,14 +38,10 @@ impl Cells for SpatialCells {
     }
 }
 
-/// Vertices, edges, faces and bounded cells.
+/// Vertices, edges, faces and bounded cells, refined until each is a ball.
 impl Cells for SpatialArrangement {
     fn chain_complex(&self) -> Result<ChainComplex, Error> {
         self.chain_complex()
-    }
-
-    fn f_vector(&self) -> Result<Vec<usize>, Error> {
-        Ok(self.f_vector())
     }
 }
 

@@ -16,5 +16,6 @@
 pub mod boolean;
 mod cells;
 pub mod congruence;
+mod face_cells;
 pub mod planar;
 pub mod spatial;

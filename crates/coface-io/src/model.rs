@@ -4,7 +4,7 @@ use super::numbers::Numbers;
 use super::{CellData, FeatureTable, Format, Group, GroupKind};
 use crate::Remark;
 use coface_algebra::RaggedArray;
-use coface_algebra::chains::ChainComplex;
+use coface_algebra::chains::{ChainComplex, ChainRefinement};
 use coface_algebra::{Error, VertexId};
 use coface_complexes::cell_mesh::CellShape;
 use coface_complexes::cubical::CubicalVolume;
@@ -34,6 +34,7 @@ pub struct Model {
     pub(crate) groups: Vec<Group>,
     pub(crate) data: Vec<CellData>,
     pub(crate) structure: Option<Structure>,
+    pub(crate) refinement: Option<ChainRefinement>,
     pub(crate) features: FeatureTable,
     pub(crate) remarks: Vec<Remark>,
 }
@@ -89,6 +90,7 @@ impl ModelParts {
             data,
             structure,
             remarks,
+            refinement: None,
             features: FeatureTable::default(),
         }
     }
@@ -346,6 +348,64 @@ impl Model {
         Ok(Self { vertex_count: points, positions, structure, ..Self::default() })
     }
 
+    /// The model with what the cells of its chain complex are pieces of.
+    ///
+    /// # Errors
+    /// [`coface_algebra::ErrorKind::InvalidInput`] for a model that is no chain complex; those of
+    /// [`ChainRefinement::check`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::{ChainComplex, ChainRefinement};
+    /// use coface_io::{Model, Structure};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // An edge and a bridge.
+    /// let ends = [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)];
+    /// let path = ChainComplex::new(vec![SparseMatrix::from_entries(3, 2, ends)?])?;
+    /// let pieces = ChainRefinement::new(vec![(0..3).map(Some).collect(), vec![Some(0), None]]);
+    /// let model = Model::from_structure(Structure::Chains(path)).with_refinement(pieces)?;
+    /// let coarse = model.coarse()?.expect("it is refined");
+    /// assert!(matches!(coarse.structure(), Some(Structure::Chains(complex)) if complex.f_vector() == [3, 1]));
+    /// # Ok(()) }
+    /// ```
+    pub fn with_refinement(mut self, refinement: ChainRefinement) -> Result<Self, Error> {
+        let Some(Structure::Chains(complex)) = &self.structure else {
+            return Err(Error::invalid("only the cells of a chain complex are pieces of others"));
+        };
+        refinement.check(complex)?;
+        self.refinement = (!refinement.is_trivial()).then_some(refinement);
+        Ok(self)
+    }
+
+    /// What the cells of the chain complex are pieces of, if the file says so.
+    pub fn refinement(&self) -> Option<&ChainRefinement> {
+        self.refinement.as_ref()
+    }
+
+    /// The model of the cells that those of the chain complex are pieces of; `None` if there are no pieces.
+    ///
+    /// # Errors
+    /// Those of [`ChainRefinement::coarse`].
+    pub fn coarse(&self) -> Result<Option<Self>, Error> {
+        let (Some(Structure::Chains(complex)), Some(refinement)) = (&self.structure, &self.refinement) else {
+            return Ok(None);
+        };
+        let coarse = refinement.coarse(complex)?;
+        if self.positions.is_empty() {
+            return Ok(Some(Self::from_structure(Structure::Chains(coarse))));
+        }
+        let dimension = self.positions.dimension();
+        let mut flat = vec![0.0; dimension * coarse.cell_count(0)];
+        for (vertex, place) in refinement.pieces(0).enumerate() {
+            if let Some(place) = place {
+                let at = dimension * place as usize;
+                flat[at..at + dimension].copy_from_slice(self.positions.point(VertexId::new(vertex)));
+            }
+        }
+        Self::from_chains(coarse, Positions::from_flat(dimension, flat)?).map(Some)
+    }
+
     /// Verifies that every index is below the vertex count, that polygons have at least three vertices, lines at least
     /// two, cells as many as their shape, that none repeats a vertex (a line may return to one), that there are as
     /// many positions as vertices, or none, and rows of data as things that they are on, with no name twice; and that
@@ -484,6 +544,7 @@ impl Model {
             groups,
             data,
             structure,
+            refinement: _,
             features: _,
             remarks,
         } = self;
@@ -799,6 +860,7 @@ impl PartialEq for Model {
             && self.groups == other.groups
             && self.data == other.data
             && self.structure == other.structure
+            && self.refinement == other.refinement
             && self.features == other.features
     }
 }

@@ -224,6 +224,9 @@ pub enum RemarkCode {
     IsolatedVertex,
     /// A cell of lower dimension is no face of a cell of the highest dimension.
     LooseCell,
+    /// Cells of a chain complex are no balls: a face has several rims, or a cell voids or tunnels. The homology is that of the
+    /// boundary matrices, not that of the space.
+    CellsNotBalls,
     /// Cells have a negative volume: their vertices are listed inside out.
     NegativeVolume,
     /// The homology is that of the barycentric subdivision, because face classes are identified with themselves.

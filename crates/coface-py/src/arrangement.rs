@@ -22,6 +22,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use serde_json::Value;
+use std::sync::OnceLock;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -256,14 +257,18 @@ pub(crate) fn boolean<'py>(
         (request.open, request.split_pinches, request.keep_walls) = (open, split_pinches, keep_walls);
         let result = SolidBoolean::of(&arrangement, &request)?;
         let (value, provenance) = (value_of(&result.answer()?), value_of(&result.provenance()?));
-        Ok((value, provenance, result.to_mesh()?, result.to_chains()?))
+        let mesh = result.to_mesh()?;
+        drop(result);
+        Ok((value, provenance, mesh, arrangement, request))
     })?;
-    let (value, provenance, mesh, chains) = solid;
+    let (value, provenance, mesh, arrangement, request) = solid;
     let result = SolidBooleanResult {
         value,
         provenance,
         model: Py::new(py, Model::of(mesh))?,
-        chains: Py::new(py, Model::of(chains))?,
+        arrangement,
+        request,
+        cells: OnceLock::new(),
     };
     Ok(Bound::new(py, result)?.into_any())
 }
@@ -408,7 +413,8 @@ answer! { PlanarArrangement {
         to_python(py, &self.arranged.provenance())
     }
 
-    /// The chain complex of vertices, edges and bounded faces.
+    /// The chain complex of vertices, edges and bounded faces, refined until each face is a disk: its homology is that of
+    /// the union of all edges, vertices and bounded faces.
     fn chain_complex(&self, py: Python<'_>) -> PyResult<ChainComplex> {
         run(py, None, || self.arranged.arrangement().chain_complex()).map(ChainComplex::bare)
     }
@@ -627,9 +633,10 @@ answer! { SpatialArrangement {
         to_python(py, &self.arranged.provenance())
     }
 
-    /// The chain complex of vertices, edges, faces and bounded cells.
-    fn chain_complex(&self) -> ChainComplex {
-        ChainComplex::bare(self.arranged.complex().clone())
+    /// The chain complex of vertices, edges, faces and bounded cells, refined until each is a ball: its homology is that of
+    /// the union of all faces and bounded cells.
+    fn chain_complex(&self, py: Python<'_>) -> PyResult<ChainComplex> {
+        run(py, None, || self.arranged.chain_complex()).map(ChainComplex::bare)
     }
 
     /// The faces as a model.
@@ -669,7 +676,10 @@ pub(crate) struct SolidBooleanResult {
     value: Value,
     provenance: Value,
     model: Py<Model>,
-    chains: Py<Model>,
+    arrangement: SceneArrangement,
+    request: SolidRequest,
+    /// Made when they are asked for.
+    cells: OnceLock<Py<Model>>,
 }
 
 answer! { SolidBooleanResult {
@@ -706,10 +716,16 @@ answer! { SolidBooleanResult {
         self.model.clone_ref(py)
     }
 
-    /// The cells of the result as a chain complex with positions.
+    /// The cells of the result as a chain complex with positions, refined until each is a ball, so that its homology is
+    /// that of the result.
     #[getter]
-    fn cells(&self, py: Python<'_>) -> Py<Model> {
-        self.chains.clone_ref(py)
+    fn cells(&self, py: Python<'_>) -> PyResult<Py<Model>> {
+        if let Some(cells) = self.cells.get() {
+            return Ok(cells.clone_ref(py));
+        }
+        let made = run(py, None, || SolidBoolean::of(&self.arrangement, &self.request)?.to_chains())?;
+        let made = Py::new(py, Model::of(made))?;
+        Ok(self.cells.get_or_init(|| made).clone_ref(py))
     }
 
     /// Where everything comes from.

@@ -11,7 +11,7 @@
 //! * [`Cells`] is the trait of all producers: whatever is made of cells and has a chain complex.
 //! * A [`TwoSkeleton`] also knows the order in which the boundary of each face runs along its edges.
 //! * An [`AcyclicMatching`] pairs cells that cancel each other; what is left is a [`MorseComplex`] with the same
-//!   homology. A [`Reduction`] repeats this. A [`Partition`] cuts a complex into [`Part`]s that are reduced one by one.
+//!   homology. A [`Reduction`] repeats this. A [`ChainRefinement`] says what the cells of a finer complex are pieces of. A [`Partition`] cuts a complex into [`Part`]s that are reduced one by one.
 //!
 //! # Examples
 //! An edge with two ends, and the boundary of three times the edge:
@@ -38,6 +38,7 @@ mod morse;
 mod partition;
 mod product;
 mod reduction;
+mod refinement;
 mod selection;
 mod subcomplex;
 mod two_skeleton;
@@ -55,5 +56,6 @@ pub use product::ProductComplex;
 #[doc(hidden)]
 pub use product::ProductNumbers;
 pub use reduction::Reduction;
+pub use refinement::ChainRefinement;
 pub use selection::Selection;
 pub use two_skeleton::TwoSkeleton;

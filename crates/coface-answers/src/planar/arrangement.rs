@@ -300,7 +300,7 @@ impl DrawingArrangement {
     /// # Ok(()) }
     /// ```
     pub fn products_are_zero(&self) -> Result<bool, Error> {
-        let complex = self.arrangement.chain_complex()?;
+        let complex = self.arrangement.coarse_complex()?;
         match (complex.boundary_matrix(1), complex.boundary_matrix(2)) {
             (Some(edges), Some(faces)) => Ok(edges.product(faces)?.is_zero()),
             _ => Ok(true),

@@ -161,6 +161,9 @@ impl PlanarDrawing {
         source: RegionSource,
         flat: &mut Vec<f64>,
     ) -> Result<(), Error> {
+        if let Some(coarse) = model.coarse()? {
+            return self.add(name, &coarse, source, flat);
+        }
         check_plane(model)?;
         let first = self.vertex_starts.last().copied().unwrap_or(0);
         let number = self.names.len() as u32;

@@ -17,7 +17,8 @@ use std::io::Write;
 impl DrawingArrangement {
     /// Writes the arrangement in a format.
     ///
-    /// * JSON: the chain complex with the positions of the vertices.
+    /// * JSON: the chain complex with the positions of the vertices; faces with holes are cut into triangles and what is apart in a face
+    ///   is joined by bridges, with what each cell is a piece of.
     /// * Segments as text: all edges.
     /// * GeoJSON, WKT, SVG: each face as a polygon with holes, then edges that are in no face's rim, and vertices on their own. A polygon of
     ///   GeoJSON has the properties `face`, `area` and `inside` (the names of the regions around it), and those of
@@ -47,7 +48,9 @@ impl DrawingArrangement {
         let positions = arrangement.positions().clone();
         match format {
             Format::Json => {
-                return io::write(&Model::from_chains(arrangement.chain_complex()?, positions)?, out, format);
+                let (complex, refinement) = arrangement.ball_complex()?;
+                let model = Model::from_chains(complex, positions)?.with_refinement(refinement)?;
+                return io::write(&model, out, format);
             }
             Format::Lines => {
                 let edges = (0..arrangement.edge_count())

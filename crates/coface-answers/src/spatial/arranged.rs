@@ -4,7 +4,7 @@ use super::{SpatialRequest, SpatialScene};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, EdgeId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
-use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SplitPolygon};
+use coface_arrange::spatial::{BallComplex, BallRules, SpatialArrangement, SpatialOptions, SplitPolygon};
 use coface_geometry::Positions;
 use std::sync::OnceLock;
 
@@ -40,7 +40,7 @@ impl Arranged {
         if request.snap {
             arrangement = arrangement.snapped(&options)?;
         }
-        let (complex, chains) = rayon::join(|| arrangement.chain_complex(), || arrangement.input_chains());
+        let (complex, chains) = rayon::join(|| arrangement.coarse_complex(), || arrangement.input_chains());
         let (complex, chains) = (complex?, chains?);
         // Walls are inputs of their own there, after the models.
         let count = scene.names().len();
@@ -56,6 +56,11 @@ impl Arranged {
 
     pub(super) fn complex(&self) -> &ChainComplex {
         &self.complex
+    }
+
+    /// Parts of space that cells are put together to, as a complex of balls; see [`SpatialArrangement::ball_complex_of`].
+    pub(super) fn balls(&self, parts: &[Option<u32>], rules: BallRules) -> Result<BallComplex, Error> {
+        self.arrangement.ball_complex_of(parts, rules)
     }
 
     /// Where the vertices of the complex are.

@@ -1,12 +1,13 @@
 //! Arrangements and results as models and provenance.
 
-use super::boolean::{facets_of, refuse_unbounded};
+use super::boolean::refuse_unbounded;
 use super::{SceneArrangement, SolidBoolean};
 use crate::answer::{SolidBooleanProvenance, SpatialArrangementProvenance};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error};
 use coface_algebra::{Sign, SparseMatrix};
 use coface_arrange::boolean::SelectionMesh;
+use coface_arrange::spatial::{BallComplex, BallRules};
 use coface_complexes::surface::PolygonMesh;
 use coface_io::{CellData, Group, GroupKind, Model};
 
@@ -61,10 +62,11 @@ impl SceneArrangement {
         Ok(model)
     }
 
-    /// Vertices, edges, faces and bounded cells with positions; faces keep their holes.
+    /// Vertices, edges, faces and bounded cells with positions, refined until each is a ball, with what each is a piece of. If `triangles`,
+    /// all faces are cut into triangles.
     ///
     /// # Errors
-    /// None for arrangements that were made.
+    /// Those of [`coface_arrange::spatial::SpatialArrangement::ball_complex`].
     ///
     /// # Examples
     /// ```
@@ -74,11 +76,33 @@ impl SceneArrangement {
     /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
     /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
     /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
-    /// assert!(arranged.to_chains()?.structure().is_some());
+    /// assert!(arranged.to_chains(false)?.structure().is_some());
     /// # Ok(()) }
     /// ```
-    pub fn to_chains(&self) -> Result<Model, Error> {
-        Model::from_chains(self.complex().clone(), self.positions().clone())
+    pub fn to_chains(&self, triangles: bool) -> Result<Model, Error> {
+        let cells: Vec<Option<u32>> = (0..self.complex().cell_count(3) as u32).map(Some).collect();
+        model_of(self.arranged.balls(&cells, BallRules::new().keep_faces(true).triangles(triangles))?)
+    }
+
+    /// The chain complex of [`Self::to_chains`].
+    ///
+    /// # Errors
+    /// As there.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// assert_eq!(arranged.chain_complex()?.f_vector(), [4, 6, 4, 1]);
+    /// # Ok(()) }
+    /// ```
+    pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
+        let cells: Vec<Option<u32>> = (0..self.complex().cell_count(3) as u32).map(Some).collect();
+        Ok(self.arranged.balls(&cells, BallRules::new().keep_faces(true))?.into_parts().0)
     }
 
     /// For each face of the arrangement its sources: the model, the polygon in it, and 1 or -1 where the polygon runs with the face
@@ -176,9 +200,8 @@ impl SolidBoolean<'_> {
     }
 
     /// The result as a chain complex with positions. Its cells of degree 3 are the solids, or the selected cells if walls are kept; their
-    /// boundaries run outward.
-    ///
-    /// Faces keep their holes unless they are cut into triangles or pinches are split.
+    /// boundaries run outward. Faces, solids and cells are refined until each is a ball, with what each is a piece of; but not if
+    /// pinches are split.
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::UnsupportedFormat`] if the exterior is in the result.
@@ -198,28 +221,21 @@ impl SolidBoolean<'_> {
     /// ```
     pub fn to_chains(&self) -> Result<Model, Error> {
         refuse_unbounded(self)?;
-        if self.request.triangles || self.request.split_pinches {
+        if self.request.split_pinches {
             return self.chains_of_mesh();
         }
-        let complex = self.arrangement.complex();
-        let walls = if self.request.keep_walls { self.boundary.walls() } else { &[] };
-        let mut faces: Vec<CellId> =
-            self.boundary.facets().iter().map(|facet| facet.0).chain(walls.iter().copied()).collect();
-        faces.sort_unstable();
-        let edges = facets_of(complex, 2, &faces);
-        let vertices = facets_of(complex, 1, &edges);
-        let positions = self.arrangement.positions();
-        let flat = vertices
-            .iter()
-            .flat_map(|vertex| positions.point(coface_algebra::VertexId::from_u32(vertex.to_u32())))
-            .copied();
-        let positions = coface_geometry::Positions::from_flat(3, flat.collect())?;
-        let numbers: Vec<(CellId, Sign)> = faces.iter().map(|&face| (face, Sign::Plus)).collect();
-        let cells = self.cells_on(&numbers)?;
-        let surface = complex.subcomplex(&[vertices, edges, faces])?;
-        let mut boundaries: Vec<SparseMatrix> = surface.boundary_matrices().iter().take(2).cloned().collect();
-        boundaries.push(cells);
-        Model::from_chains(ChainComplex::new(boundaries)?, positions)
+        let mut numbers: Vec<Option<u32>> = vec![None; self.sides.len().max(self.regions.len())];
+        let mut count = 0;
+        let mut parts = vec![None; self.arrangement.complex().cell_count(3)];
+        for cell in self.selection.cells() {
+            let part =
+                if self.request.keep_walls { cell.index() } else { self.regions[cell.index()] as usize };
+            parts[cell.index()] = Some(*numbers[part].get_or_insert_with(|| {
+                count += 1;
+                count - 1
+            }));
+        }
+        model_of(self.arrangement.arranged.balls(&parts, BallRules::new().triangles(self.request.triangles))?)
     }
 
     fn chains_of_mesh(&self) -> Result<Model, Error> {
@@ -303,6 +319,12 @@ impl SolidBoolean<'_> {
         }
         SparseMatrix::from_entries(faces.len(), count, entries)
     }
+}
+
+/// Balls as a model.
+fn model_of(balls: BallComplex) -> Result<Model, Error> {
+    let (complex, positions, refinement) = balls.into_parts();
+    Model::from_chains(complex, positions)?.with_refinement(refinement)
 }
 
 /// The cells on the two sides of each polygon as data, in the direction of the polygon.

@@ -93,6 +93,9 @@ impl SpatialScene {
     }
 
     fn add(&mut self, name: &str, model: &Model, walls: bool) -> Result<(), Error> {
+        if let Some(coarse) = model.coarse()? {
+            return self.add(name, &coarse, walls);
+        }
         model.require_finite()?;
         let dimension = model.positions().dimension();
         if dimension != 3 {

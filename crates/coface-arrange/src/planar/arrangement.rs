@@ -643,10 +643,10 @@ impl PlanarArrangement {
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let corners = Positions::from_flat(2, vec![0., 0., 0., 1., 1., 0.])?;
     /// let triangle = PlanarArrangement::new(&corners, &[[0, 1], [1, 2], [2, 0]])?;
-    /// assert_eq!(triangle.chain_complex()?.f_vector(), [3, 3, 1]);
+    /// assert_eq!(triangle.coarse_complex()?.f_vector(), [3, 3, 1]);
     /// # Ok(()) }
     /// ```
-    pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
+    pub fn coarse_complex(&self) -> Result<ChainComplex, Error> {
         let edge_count = self.edge_count();
         let starts = (0..=edge_count as u32).map(|e| 2 * e).collect();
         let rows = self.ends.as_flattened().to_vec();
@@ -674,6 +674,31 @@ impl PlanarArrangement {
         }
         let faces = SparseMatrix::from_trusted_parts(edge_count, starts, rows, entries)?;
         ChainComplex::new(vec![edges, faces])
+    }
+
+    /// The chain complex of vertices, edges and bounded faces, refined until each face is a disk: faces with holes are cut into
+    /// triangles, and bridges join what is apart in a face. Its homology is that of the union of all edges, faces and
+    /// vertices. [`Self::ball_complex`] says what is a piece of what.
+    ///
+    /// # Errors
+    /// Those of [`Self::ball_complex`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A triangle with a triangular hole in its inner face.
+    /// let corners = vec![0., 0., 6., 0., 0., 6., 1., 1., 2., 1., 1., 2.];
+    /// let corners = Positions::from_flat(2, corners)?;
+    /// let nested = PlanarArrangement::new(&corners, &[[0, 1], [1, 2], [2, 0], [3, 4], [4, 5], [5, 3]])?;
+    /// assert_eq!(nested.coarse_complex()?.f_vector(), [6, 6, 2]);
+    /// // The ring is six triangles.
+    /// assert_eq!(nested.chain_complex()?.f_vector(), [6, 12, 7]);
+    /// # Ok(()) }
+    /// ```
+    pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
+        Ok(self.ball_complex()?.0)
     }
 
     /// The boundary of the unbounded face: edges, rising, with 1 if it is on their left and -1 if it is on their right.

@@ -11,6 +11,7 @@
 
 mod areas;
 mod arrangement;
+mod ball_cells;
 mod crossings;
 mod edges;
 mod face_polygons;

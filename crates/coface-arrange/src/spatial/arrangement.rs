@@ -14,7 +14,7 @@ use coface_algebra::progress::stage;
 use coface_algebra::{CellId, EdgeId, Error, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
 use coface_geometry::Positions;
-use coface_geometry::predicates::{SpatialPoint, plane_axis};
+use coface_geometry::predicates::{SpatialPoint, are_coplanar, plane_axis};
 use std::cmp::Ordering;
 
 /// The vertices, edges, faces and cells that polygons cut space into, exactly.
@@ -68,6 +68,9 @@ pub struct SpatialArrangement {
     without_area: Vec<u32>,
     split: Vec<SplitPolygon>,
     pub(super) round_count: usize,
+    options: SpatialOptions,
+    /// The vertices inside faces that no edge of them ends at, as pairs of face and vertex, rising.
+    points_in_faces: Vec<(u32, u32)>,
 }
 
 impl SpatialArrangement {
@@ -151,6 +154,7 @@ impl SpatialArrangement {
         }
         drop(predicates);
         let cells = SpatialCells::from_parts(ordered, parts);
+        let points_in_faces = points_in_faces(&cut, merged.as_ref());
         Ok(Self {
             cut,
             cells,
@@ -162,7 +166,75 @@ impl SpatialArrangement {
             without_area: Vec::new(),
             split: Vec::new(),
             round_count: 0,
+            options: *options,
+            points_in_faces,
         })
+    }
+
+    /// The arrangement of the same triangles and of rectangles, which are polygons after all others, of an input of their
+    /// own.
+    pub(super) fn with_cuts(&self, cuts: &[[[f64; 3]; 4]]) -> Result<Self, Error> {
+        let (mut points, mut triangles) = self.cut.input(self.patches.patch_of_triangle.len());
+        let mut patches = self.patches.clone();
+        for corners in cuts {
+            let first = points.len() as u32;
+            points.extend(corners);
+            triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
+            let polygon = patches.input_of_polygon.len() as u32;
+            patches.input_of_polygon.push(self.patches.input_count as u32);
+            let patch = match &mut patches.polygons_of_patch {
+                None => polygon,
+                Some(lists) => {
+                    lists.push(&[2 * polygon]);
+                    lists.len() as u32 - 1
+                }
+            };
+            patches.patch_of_triangle.extend([patch; 2]);
+        }
+        patches.input_count += 1;
+        let positions = Positions::from_flat(3, points.into_flattened())?;
+        Self::of_triangles(&positions, &triangles, patches, &self.options)
+    }
+
+    /// Whether all polygons that a fine face is part of have this number or a higher one.
+    pub(super) fn fine_face_is_from(&self, fine: u32, first_polygon: usize) -> bool {
+        let mut is_from = true;
+        self.patches.for_each_polygon(self.patches_of_face.list(fine as usize), |polygon| {
+            is_from &= (polygon >> 1) as usize >= first_polygon;
+        });
+        is_from
+    }
+
+    /// Whether two faces on the two sides of an edge would be one without polygons from this number on.
+    pub(super) fn are_one_without(&self, faces: [u32; 2], first_polygon: usize) -> bool {
+        let fine = faces.map(|face| self.first_fine_face(FaceId::from_u32(face)));
+        let before = |face: FaceId| -> Vec<u32> {
+            let own = self.patches_of_face.list(face.index()).iter();
+            let is_before = |patch: &&u32| {
+                let mut is_before = true;
+                self.patches.for_each_polygon(std::slice::from_ref(*patch), |polygon| {
+                    is_before &= ((polygon >> 1) as usize) < first_polygon;
+                });
+                is_before
+            };
+            own.filter(is_before).copied().collect()
+        };
+        let [x, y] = fine.map(before);
+        if x == y {
+            return true;
+        }
+        let [f, g] = fine.map(|face| self.cut.plane(face));
+        self.options.merge_coplanar
+            && self.patches.inputs(&x, Sign::Plus) == self.patches.inputs(&y, Sign::Plus)
+            && self.patches.fold(&x).is_none()
+            && self.patches.fold(&y).is_none()
+            && are_coplanar(f, g)
+    }
+
+    /// The vertices inside faces that no edge of them ends at, as where the apex of a pyramid touches a face: face and
+    /// vertex, rising.
+    pub(super) fn points_in_faces(&self) -> &[(u32, u32)] {
+        &self.points_in_faces
     }
 
     /// The numbers of vertices, edges, faces and bounded cells.
@@ -311,6 +383,14 @@ impl SpatialArrangement {
         }
     }
 
+    /// The vertex that a fine vertex is, if it is one.
+    pub(super) fn vertex_of_fine(&self, fine: u32) -> Option<u32> {
+        match &self.merged {
+            None => Some(fine),
+            Some(merged) => merged.vertices.binary_search(&fine).ok().map(|vertex| vertex as u32),
+        }
+    }
+
     /// The fine faces that a face is the sum of, rising; minus for those whose fronts are its back.
     ///
     /// # Panics
@@ -395,7 +475,7 @@ impl SpatialArrangement {
             SparseMatrix::from_entries(fine.cell_count(2), faces, (0..faces).flat_map(face))?,
             SparseMatrix::from_entries(cells, cells, (0..cells).map(|i| unit(i, i, Sign::Plus)))?,
         ];
-        ChainMap::new(&self.chain_complex()?, &fine, matrices)
+        ChainMap::new(&self.coarse_complex()?, &fine, matrices)
     }
 
     /// The first fine face of a face; it has the same front.
@@ -510,11 +590,39 @@ impl SpatialArrangement {
         SparseMatrix::from_entries(merged.faces.len(), self.cells.cell_count(), entries)
     }
 
-    /// The chain complex of vertices, edges, faces and cells, without the exterior: its boundary matrices are the
-    /// transposes of EV, FE and CF. The product of two of them one after the other is zero.
+    /// Vertices, edges, faces and cells as they are, without the exterior: the boundary matrices are the transposes of
+    /// EV, FE and CF. The product of two of them one after the other is zero. With holes, voids or tunnels the homology is not that
+    /// of the space: see [`Self::chain_complex`].
     ///
     /// # Errors
     /// [`TooLarge`](coface_algebra::ErrorKind::TooLarge) beyond 2^32 - 1 entries in a matrix.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.coarse_complex()?.f_vector(), [4, 6, 4, 1]);
+    /// # Ok(()) }
+    /// ```
+    pub fn coarse_complex(&self) -> Result<ChainComplex, Error> {
+        let complex = self.complex();
+        let (faces, (edges, cells)) =
+            rayon::join(|| complex.face_boundaries(), || (complex.edge_boundaries(), self.cell_boundaries()));
+        Ok(ChainComplex::from_trusted_boundaries(vec![edges?, faces?, cells?]))
+    }
+
+    /// The chain complex of vertices, edges, faces and cells, without the exterior, refined until each cell is a ball: faces with
+    /// holes are cut into triangles, bridges join what is apart, and cells with tunnels are cut. Its homology is that of
+    /// the union of all faces and bounded cells. [`Self::ball_complex`] says what is a piece of what.
+    ///
+    /// # Errors
+    /// Those of [`Self::ball_complex`].
     ///
     /// # Examples
     /// ```
@@ -530,10 +638,7 @@ impl SpatialArrangement {
     /// # Ok(()) }
     /// ```
     pub fn chain_complex(&self) -> Result<ChainComplex, Error> {
-        let complex = self.complex();
-        let (faces, (edges, cells)) =
-            rayon::join(|| complex.face_boundaries(), || (complex.edge_boundaries(), self.cell_boundaries()));
-        Ok(ChainComplex::from_trusted_boundaries(vec![edges?, faces?, cells?]))
+        Ok(self.ball_complex()?.into_parts().0)
     }
 
     /// The volume of each cell, without its voids, in the cube of the unit of the positions, rounded.
@@ -715,6 +820,39 @@ fn patches_with_triangles(
     }
     (patch_of_triangle, Some(RaggedArray::from_lists(polygon_of_patch.iter().map(|&polygon| [2 * polygon]))))
 }
+
+/// The vertices inside faces that no edge of them ends at.
+fn points_in_faces(cut: &CutTriangles, merged: Option<&Merged>) -> Vec<(u32, u32)> {
+    let fine = cut.points_in_faces();
+    let Some(merged) = merged else { return fine.iter().map(|&[face, vertex]| (face, vertex)).collect() };
+    let complex = cut.complex();
+    let mut points = Vec::new();
+    let mut own = Vec::new();
+    for (face, parts) in (0..).zip(merged.faces.iter()) {
+        own.clear();
+        for &part in parts {
+            let start = fine.partition_point(|point| point[0] < part >> 1);
+            own.extend(fine[start..].iter().take_while(|point| point[0] == part >> 1).map(|point| point[1]));
+            if parts.len() > 1 {
+                let sides = complex.packed_sides().list((part >> 1) as usize).iter();
+                let inside = sides.filter(|&&side| merged.is_inside_face[(side >> 1) as usize]);
+                own.extend(inside.flat_map(|&side| complex.side_ends(side)));
+            }
+        }
+        if own.is_empty() {
+            continue;
+        }
+        own.sort_unstable();
+        own.dedup();
+        let mut on_sides: Vec<u32> = merged.complex.packed_sides().list(face).iter().flat_map(|&side| merged.complex.side_ends(side)).collect();
+        on_sides.sort_unstable();
+        let kept = own.iter().filter_map(|vertex| merged.vertices.binary_search(vertex).ok());
+        let lone = kept.map(|vertex| vertex as u32).filter(|vertex| on_sides.binary_search(vertex).is_err());
+        points.extend(lone.map(|vertex| (face as u32, vertex)));
+    }
+    points
+}
+
 
 fn sign_of_bit(packed: u32) -> Sign {
     Sign::power_of_minus_one((packed & 1) as usize)

@@ -231,7 +231,7 @@ impl SpatialArrangement {
     }
 
     /// The sides of a face as paths of fine vertices.
-    fn paths(&self, face: FaceId) -> Vec<Path> {
+    pub(super) fn paths(&self, face: FaceId) -> Vec<Path> {
         let sides = self.complex().packed_sides().list(face.index()).iter();
         match &self.merged {
             None => sides.map(|&side| self.cut.complex().side_ends(side).to_vec()).collect(),

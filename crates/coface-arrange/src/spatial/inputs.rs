@@ -81,7 +81,7 @@ impl SpatialArrangement {
     /// # Ok(()) }
     /// ```
     pub fn winding_numbers(&self) -> Result<WindingNumbers, Error> {
-        WindingNumbers::new(&self.chain_complex()?, &self.input_chains()?)
+        WindingNumbers::new(&self.coarse_complex()?, &self.input_chains()?)
     }
 
     /// The inputs that are not closed, rising, each with an error that names edges along which it is open.
@@ -108,7 +108,7 @@ impl SpatialArrangement {
     /// # Ok(()) }
     /// ```
     pub fn open_inputs(&self) -> Result<Vec<(u32, Error)>, Error> {
-        Ok(self.winding_of_closed(&self.chain_complex()?)?.1)
+        Ok(self.winding_of_closed(&self.coarse_complex()?)?.1)
     }
 
     /// The closed inputs that each cell is inside of, rising. Inputs that are not closed have no inside:
@@ -132,7 +132,7 @@ impl SpatialArrangement {
     /// # Ok(()) }
     /// ```
     pub fn inside(&self, rule: InsideRule) -> Result<Vec<Vec<usize>>, Error> {
-        let numbers = self.winding_of_closed(&self.chain_complex()?)?.0;
+        let numbers = self.winding_of_closed(&self.coarse_complex()?)?.0;
         let cells = (0..numbers.cell_count()).map(CellId::new);
         Ok(cells.map(|cell| numbers.inputs_around(cell, rule).collect()).collect())
     }

@@ -17,6 +17,7 @@
 
 mod arrangement;
 mod axis_view;
+mod ball_cells;
 mod by_congruence;
 mod cells;
 mod cutting;
@@ -38,6 +39,7 @@ mod shells;
 mod snapping;
 
 pub use arrangement::SpatialArrangement;
+pub use ball_cells::{BallComplex, BallRules};
 pub use by_congruence::{CongruenceArrangement, arrange_by_congruence};
 pub use cells::SpatialCells;
 pub use cutting::{CutOptions, CutTriangles, SpatialVertexSource};

@@ -69,7 +69,7 @@ impl Patches {
     }
 
     /// The inputs of some patches, sorted, packed with 1 for those that run the other way, turned if the sign is minus.
-    fn inputs(&self, patches: &[u32], sign: Sign) -> Vec<u32> {
+    pub(super) fn inputs(&self, patches: &[u32], sign: Sign) -> Vec<u32> {
         let turned = u32::from(sign == Sign::Minus);
         let mut inputs = Vec::new();
         self.for_each_polygon(patches, |polygon| {

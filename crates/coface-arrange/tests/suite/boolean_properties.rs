@@ -107,7 +107,7 @@ fn in_space(walks: &Walks, input_of_polygon: &[usize], is_snapped: bool) -> Arra
         found = found.snapped(&options).unwrap();
     }
     Arranged {
-        complex: found.chain_complex().unwrap(),
+        complex: found.coarse_complex().unwrap(),
         measures: found.volumes().unwrap(),
         winding: found.winding_numbers().unwrap(),
         positions: found.positions().clone(),
@@ -278,7 +278,7 @@ fn in_the_plane(rings: &[Vec<[i64; 2]>], regions: &[u32], region_count: usize) -
     let positions = Positions::from_flat(2, flat).unwrap();
     let found = PlanarRegions::new(&positions, &RaggedArray::from_lists(&lists), regions).unwrap();
     let arrangement = found.arrangement();
-    let complex = arrangement.chain_complex().unwrap();
+    let complex = arrangement.coarse_complex().unwrap();
     // The ends of each side, and its region.
     let sides = lists.iter().zip(regions).flat_map(|(list, &region)| {
         (0..list.len()).map(move |i| (list[i] as usize, list[(i + 1) % list.len()] as usize, region as usize))

@@ -35,7 +35,7 @@ fn rectangle(x: f64, y: f64, width: f64, height: f64) -> Vec<Segment> {
 fn check(arrangement: &PlanarArrangement) {
     let (v, e, f) = (arrangement.vertex_count(), arrangement.edge_count(), arrangement.face_count());
     assert_eq!(v + f, e + arrangement.component_count(), "Euler's relation");
-    let complex = arrangement.chain_complex().unwrap();
+    let complex = arrangement.coarse_complex().unwrap();
     assert_eq!(complex.f_vector(), [v, e, f]);
     // Two sides of each edge: the boundaries of all faces add up to zero.
     let mut sum = vec![0; e];
@@ -182,7 +182,7 @@ fn arranging_again_changes_nothing_where_crossings_are_exact() {
         let second = PlanarArrangement::new(first.positions(), &edges).unwrap();
         assert_eq!(first.positions(), second.positions());
         assert_eq!(first.f_vector(), second.f_vector());
-        assert_eq!(first.chain_complex().unwrap(), second.chain_complex().unwrap());
+        assert_eq!(first.coarse_complex().unwrap(), second.coarse_complex().unwrap());
         assert_eq!(first.areas(), second.areas());
     }
 }
@@ -198,7 +198,7 @@ fn small_drawings_have_their_known_counts() {
         .collect();
     let arrangement = arranged(&grid);
     assert_eq!(arrangement.f_vector(), [16, 24, 9]);
-    let complex = arrangement.chain_complex().unwrap();
+    let complex = arrangement.coarse_complex().unwrap();
     assert_eq!(complex.boundary_matrix(2).unwrap().entry_count(), 36);
     assert_eq!(complex.boundary_matrix(1).unwrap().entry_count(), 48);
 
@@ -207,7 +207,7 @@ fn small_drawings_have_their_known_counts() {
     let arrangement = arranged(&nested);
     assert_eq!(arrangement.f_vector(), [12, 12, 3]);
     assert_eq!(arrangement.areas(), [12., 3.75, 0.25]);
-    assert_eq!(arrangement.chain_complex().unwrap().boundary_matrix(2).unwrap().column(0).rows().len(), 8);
+    assert_eq!(arrangement.coarse_complex().unwrap().boundary_matrix(2).unwrap().column(0).rows().len(), 8);
     assert_eq!(arrangement.hole_count(), 2);
 
     assert_eq!(counts(&[rectangle(0., 0., 1., 1.), rectangle(1., 1., 1., 1.)].concat()), [7, 8, 2]);
@@ -218,7 +218,7 @@ fn small_drawings_have_their_known_counts() {
     let bridged = [rectangle(0., 0., 4., 4.), rectangle(1., 1., 2., 2.), vec![[0., 0., 1., 1.]]].concat();
     let bridged = arranged(&bridged);
     assert_eq!(bridged.f_vector(), [8, 9, 2]);
-    assert_eq!(bridged.chain_complex().unwrap().boundary_matrix(2).unwrap().column(0).rows().len(), 8);
+    assert_eq!(bridged.coarse_complex().unwrap().boundary_matrix(2).unwrap().column(0).rows().len(), 8);
     let pruned = bridged.pruned().unwrap();
     check(&pruned);
     assert_eq!((pruned.f_vector(), pruned.hole_count()), (vec![8, 8, 2], 1));

@@ -52,7 +52,7 @@ fn walks_as_chains(arrangement: &PlanarArrangement) -> Vec<Column> {
 }
 
 fn wrapped(arrangement: &PlanarArrangement) -> SparseMatrix {
-    let complex = arrangement.chain_complex().unwrap();
+    let complex = arrangement.coarse_complex().unwrap();
     let rotation = RaggedArray::from_lists((0..arrangement.vertex_count()).map(|vertex| {
         let around = arrangement.halfedges_around(VertexId::new(vertex));
         around.map(|h| h.to_u32() / 2).collect::<Vec<_>>()
@@ -66,7 +66,7 @@ fn compare_with_gift_wrapping(arrangement: &PlanarArrangement) {
         (0..wrapped.column_count()).map(|cycle| wrapped.column(cycle).iter().collect()).collect();
     cycles.sort();
     assert_eq!(cycles, walks_as_chains(arrangement));
-    let boundary = arrangement.chain_complex().unwrap();
+    let boundary = arrangement.coarse_complex().unwrap();
     let boundary = boundary.boundary_matrix(1).unwrap();
     assert_eq!(boundary.first_nonzero_product_column(&wrapped).unwrap(), None);
 }
@@ -88,7 +88,7 @@ fn gift_wrapping_finds_the_faces_of_grids_and_of_random_segments() {
 #[test]
 fn gift_wrapping_refuses_bridges() {
     let arrangement = arranged(vec![0., 0., 1., 0., 1., 0., 0., 1., 0., 1., 0., 0., 0., 0., 2., 2.]);
-    let complex = arrangement.chain_complex().unwrap();
+    let complex = arrangement.coarse_complex().unwrap();
     let rotation = RaggedArray::from_lists((0..arrangement.vertex_count()).map(|vertex| {
         let around = arrangement.halfedges_around(VertexId::new(vertex));
         around.map(|h| h.to_u32() / 2).collect::<Vec<_>>()
@@ -174,7 +174,7 @@ proptest! {
         let again = PlanarArrangement::new(result.positions(), &edge_ends(result)).unwrap();
         prop_assert!(result.is_exactly_rounded() && again.is_exactly_rounded());
         prop_assert_eq!(again.positions(), result.positions());
-        prop_assert_eq!(again.chain_complex().unwrap(), result.chain_complex().unwrap());
+        prop_assert_eq!(again.coarse_complex().unwrap(), result.coarse_complex().unwrap());
         prop_assert!(again.rounding_certificate().unwrap().is_valid());
         // Provenance: segments whose pieces were not all rounded away are along some edge.
         prop_assert_eq!(snapped.segments_of_edges().len(), result.edge_count());

@@ -55,7 +55,7 @@ fn fault(polygons: &[Polygon], input_count: usize) -> Option<String> {
         return Some(format!("{:?}, not {:?}", found.f_vector(), expected.f_vector()));
     }
     // The product of boundary matrices is zero, or there would be no chain complex.
-    let complex = found.chain_complex().unwrap();
+    let complex = found.coarse_complex().unwrap();
     assert_eq!(*complex.f_vector(), found.f_vector());
     let mut sources: Vec<Vec<(usize, i64)>> = (0..found.f_vector()[2])
         .map(|face| {

@@ -24,6 +24,8 @@ pub(super) enum Content {
     Boundaries {
         matrices: Vec<SparseMatrix>,
         points: Option<PointList>,
+        /// From degree 0 on, what each cell is a piece of.
+        pieces: Option<Vec<Vec<Option<u32>>>>,
     },
     /// Coboundary matrices with the degrees of their keys, in the order of the file.
     Coboundaries {
@@ -159,7 +161,7 @@ fn visit_object<'de, A: MapAccess<'de>>(
 ) -> Result<(Option<String>, Content), A::Error> {
     let (mut name, mut facets, mut next, mut twin, mut boundaries) = (None, None, None, None, None);
     let (mut gluings, mut points, mut coboundaries, mut others) = (None, None, Vec::new(), Vec::new());
-    let mut curves = CurveKeys::default();
+    let (mut curves, mut pieces) = (CurveKeys::default(), None);
     while let Some(key) = map.next_key::<String>()? {
         match key.as_str() {
             "name" => name = map.next_value_seed(Name)?,
@@ -167,6 +169,7 @@ fn visit_object<'de, A: MapAccess<'de>>(
             "next" => next = Some(map.next_value_seed(HalfedgeList { name: "next", faults })?),
             "twin" => twin = Some(map.next_value_seed(HalfedgeList { name: "twin", faults })?),
             "boundaries" => boundaries = Some(map.next_value_seed(MatrixList(faults))?),
+            "pieces_of" => pieces = Some(map.next_value()?),
             "gluings" => gluings = Some(map.next_value_seed(GluingList(faults))?),
             "order" => curves.order = Some(map.next_value()?),
             "plane" => curves.plane = Some(map.next_value()?),
@@ -199,7 +202,7 @@ fn visit_object<'de, A: MapAccess<'de>>(
         _ if has_curves => return Err(several(faults)),
         (Some(facets), None, None, None, true) => Content::Facets(facets),
         (None, Some(next), None, None, true) => Content::Halfedges { next, twin },
-        (None, None, Some(matrices), None, true) => Content::Boundaries { matrices, points },
+        (None, None, Some(matrices), None, true) => Content::Boundaries { matrices, points, pieces },
         (None, None, None, Some(table), true) => Content::Gluings(table),
         (None, None, None, None, false) => Content::Coboundaries { matrices: coboundaries, points },
         (None, None, None, None, true) => Content::Unknown(others),

@@ -21,6 +21,10 @@
 //! Points under `"vertices"` can stand beside `"boundaries"` too. All matrices together have at
 //! most 2^20 rows and columns, and 16 more for each entry: an index that a file merely names takes no memory.
 //!
+//! Beside `"boundaries"`, `"pieces_of": [[cell or null, ..], ..]` says for each cell of degrees 0, 1, .. which cell it is a
+//! piece of, or that it is none of one: a bridge or a cut inside of a cell of higher degree, there so that each piece is
+//! a ball. Homology is that of the pieces; arrangements and Booleans take the cells that they make up.
+//!
 //! Other keys are passed over. Reading is a stream: memory is what the model takes.
 
 mod coboundaries;

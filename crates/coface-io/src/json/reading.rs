@@ -7,7 +7,7 @@ use super::points::PointList;
 use crate::yin::{BoundaryDrawing, model_of_drawing};
 use crate::{Model, Remark, RemarkCode, Structure};
 use coface_algebra::SparseMatrix;
-use coface_algebra::chains::ChainComplex;
+use coface_algebra::chains::{ChainComplex, ChainRefinement};
 use coface_algebra::{Error, ErrorKind};
 use coface_geometry::Positions;
 use serde::de::DeserializeSeed;
@@ -216,7 +216,15 @@ fn to_model(content: Content, tolerance: Option<f64>) -> Result<Model, Error> {
             check_permutation("twin", &twin, next.len())?;
             Structure::Halfedges { next, twin }
         }
-        Content::Boundaries { matrices, points } => return chains(matrices, positions(points)?),
+        Content::Boundaries { matrices, points, pieces } => {
+            let model = chains(matrices, positions(points)?)?;
+            return match pieces {
+                None => Ok(model),
+                Some(pieces) => model.with_refinement(ChainRefinement::new(pieces)).map_err(|error| {
+                    error.with_cure("give an entry or null for each cell under \"pieces_of\", or leave the key out")
+                }),
+            };
+        }
         Content::Coboundaries { matrices, points } => {
             let positions = positions(points)?;
             let count = positions.as_ref().map(Positions::len);

@@ -4,7 +4,7 @@ use crate::decimal::{flush, push_f64};
 use crate::{Model, Structure, segments};
 use coface_algebra::Error;
 use coface_algebra::SparseMatrix;
-use coface_algebra::chains::ChainComplex;
+use coface_algebra::chains::{ChainComplex, ChainRefinement};
 use coface_complexes::cell_mesh::{CellMesh, CellShape};
 use coface_complexes::gluing::GluingTable;
 use coface_complexes::surface::PolygonMesh;
@@ -42,10 +42,12 @@ pub fn write(model: &Model, out: impl Write) -> Result<(), Error> {
             write_list(&mut out, twin)?;
             writeln!(out, "}}")?;
         }
-        Some(Structure::Chains(complex)) => write_chains(&mut out, complex, model.positions())?,
+        Some(Structure::Chains(complex)) => {
+            write_chains(&mut out, complex, model.positions(), model.refinement())?;
+        }
         Some(Structure::Gluings(table)) => write_gluings(&mut out, table)?,
         Some(Structure::Volume(volume)) => {
-            write_chains(&mut out, &volume.chain_complex()?, model.positions())?;
+            write_chains(&mut out, &volume.chain_complex()?, model.positions(), None)?;
         }
         None => write_mesh(&mut out, model)?,
     }
@@ -70,7 +72,7 @@ fn write_mesh(out: &mut impl Write, model: &Model) -> Result<(), Error> {
     if !is_simplicial {
         // JSON has no words for NaN and infinity.
         model.require_finite()?;
-        return write_chains(out, &mesh_complex(model)?, model.positions());
+        return write_chains(out, &mesh_complex(model)?, model.positions(), None);
     }
     let mut isolated = vec![true; model.vertex_count()];
     for list in [model.cells(), model.polygons(), model.lines()] {
@@ -146,8 +148,14 @@ fn write_points(out: &mut impl Write, positions: &Positions) -> Result<(), Error
     Ok(())
 }
 
-/// A complex of points alone, without positions, is written as one matrix without columns. Positions come first, one point a line.
-fn write_chains(out: &mut impl Write, complex: &ChainComplex, positions: &Positions) -> Result<(), Error> {
+/// A complex of points alone, without positions, is written as one matrix without columns. Positions come first, one point a line, and
+/// what cells are pieces of last.
+fn write_chains(
+    out: &mut impl Write,
+    complex: &ChainComplex,
+    positions: &Positions,
+    refinement: Option<&ChainRefinement>,
+) -> Result<(), Error> {
     out.write_all(b"{")?;
     if !positions.is_empty() {
         write_points(out, positions)?;
@@ -173,6 +181,22 @@ fn write_chains(out: &mut impl Write, complex: &ChainComplex, positions: &Positi
         }
         out.write_all(b"]}")?;
     }
-    writeln!(out, "\n]}}")?;
+    write!(out, "\n]")?;
+    if let Some(refinement) = refinement {
+        write!(out, ",\n\"pieces_of\":[")?;
+        for degree in 0..refinement.degree_count() {
+            out.write_all(if degree == 0 { b"\n[" } else { b",\n[" })?;
+            for (i, piece) in refinement.pieces(degree).enumerate() {
+                out.write_all(if i == 0 { b"" } else { b"," })?;
+                match piece {
+                    Some(cell) => write!(out, "{cell}")?,
+                    None => out.write_all(b"null")?,
+                }
+            }
+            out.write_all(b"]")?;
+        }
+        write!(out, "\n]")?;
+    }
+    writeln!(out, "}}")?;
     Ok(())
 }

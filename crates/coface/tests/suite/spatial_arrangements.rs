@@ -21,7 +21,7 @@ fn polygons(points: &[Point], lists: &[Vec<u32>]) -> SpatialPolygons {
 }
 
 /// The six sides of a box, fronts outward, with the corners moved.
-fn cuboid(low: Point, high: Point, motion: impl Fn(Point) -> Point) -> SpatialPolygons {
+pub(crate) fn cuboid(low: Point, high: Point, motion: impl Fn(Point) -> Point) -> SpatialPolygons {
     let corner = |i: usize| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { high[axis] } else { low[axis] });
     let points: Vec<Point> = (0..8).map(|i| motion(corner(i))).collect();
     let squares = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
@@ -74,13 +74,16 @@ fn check(arrangement: &SpatialArrangement) {
     let counts = arrangement.f_vector();
     let (vertices, edges, faces, cells) = (counts[0], counts[1], counts[2], counts[3]);
     // Products are zero, and sums of fine cells commute with boundaries: else these are errors.
-    let complex = arrangement.chain_complex().unwrap();
+    let complex = arrangement.coarse_complex().unwrap();
     assert_eq!(complex.f_vector(), [vertices, edges, faces, cells]);
+    let balls = arrangement.ball_complex().unwrap();
+    assert_eq!(balls.parts_left(), [0u32; 0]);
+    assert_eq!(balls.refinement().coarse(balls.complex()).unwrap().f_vector(), complex.f_vector());
     arrangement.chain_map_to_fine().unwrap();
     // Alexander duality for the faces, and nothing left with the cells.
     let betti = homology(&arrangement.complex().chain_complex().unwrap()).betti_numbers();
     assert_eq!(betti.get(2).copied().unwrap_or(0), cells);
-    let betti = homology(&complex).betti_numbers();
+    let betti = homology(balls.complex()).betti_numbers();
     assert_eq!(betti.get(2..).map_or(0, |high| high.iter().sum::<usize>()), 0);
     // Walks run through each side once.
     let mut holes = 0;
@@ -168,7 +171,7 @@ fn again(arrangement: &SpatialArrangement) {
     assert_eq!(again.f_vector(), arrangement.f_vector());
     assert_eq!(again.positions(), arrangement.positions());
     assert_eq!(sorted(again.volumes().unwrap()), sorted(arrangement.volumes().unwrap()));
-    assert_eq!(again.chain_complex().unwrap(), arrangement.chain_complex().unwrap());
+    assert_eq!(again.coarse_complex().unwrap(), arrangement.coarse_complex().unwrap());
 }
 
 #[test]

@@ -118,6 +118,8 @@ pub struct CutTriangles {
     sheet_of_face: Vec<u32>,
     triangles_of_face: RaggedArray,
     supports: Vec<Support>,
+    /// The vertices inside a face that no edge of it ends at, as pairs of face and vertex, rising.
+    points_in_faces: Vec<[u32; 2]>,
 }
 
 impl CutTriangles {
@@ -184,7 +186,7 @@ impl CutTriangles {
         flat.extend_from_slice(sheets.points.as_flattened());
         flat.extend(vertices.points.iter().flat_map(SpatialPoint::rounded));
         let positions = Positions::from_flat(3, flat)?;
-        let Faces { sides, sheet_of, triangles } = faces;
+        let Faces { sides, sheet_of, triangles, points: points_in_faces } = faces;
         let complex = PolygonalComplex::from_trusted_parts(vertices.count(), lines.ends, sides);
         Ok(Self {
             sheets,
@@ -194,6 +196,7 @@ impl CutTriangles {
             sheet_of_face: sheet_of,
             triangles_of_face: triangles,
             supports,
+            points_in_faces,
         })
     }
 
@@ -380,6 +383,30 @@ impl CutTriangles {
         self.sheets.plane(self.sheet_of_face[face.index()])
     }
 
+    /// The sheet that a face is part of, which has the number of the first triangle of the input among equal ones, not
+    /// counting those without area.
+    pub(in crate::spatial) fn sheet_of_face(&self, face: FaceId) -> u32 {
+        self.sheet_of_face[face.index()]
+    }
+
+    /// The vertices inside a face at which no edge of it ends, as where the apex of a pyramid touches it: face and vertex, rising.
+    pub(in crate::spatial) fn points_in_faces(&self) -> &[[u32; 2]] {
+        &self.points_in_faces
+    }
+
+    /// The distinct points and the triangles on them that were cut, as they were given: those without area left out are
+    /// replaced by a corner three times.
+    pub(in crate::spatial) fn input(&self, count: usize) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+        let mut triangles = vec![[0; 3]; count];
+        for (sheet, corners) in self.sheets.corners.iter().enumerate() {
+            for &source in self.sheets.sources.list(sheet) {
+                let [a, b, c] = *corners;
+                triangles[(source >> 1) as usize] = if source & 1 == 0 { [a, b, c] } else { [a, c, b] };
+            }
+        }
+        (self.sheets.points.clone(), triangles)
+    }
+
     /// The vertex of each point of the input.
     ///
     /// # Examples
@@ -459,6 +486,8 @@ struct Faces {
     sheet_of: Vec<u32>,
     /// The triangles of each face as `2 * triangle + against`.
     triangles: RaggedArray,
+    /// Faces with the vertices inside of them that no edge of them ends at.
+    points: Vec<[u32; 2]>,
 }
 
 impl Faces {
@@ -483,7 +512,7 @@ impl Faces {
             steps.advance(1);
             fragments
         };
-        let fragments: Vec<Vec<Vec<u32>>> = divided.par_iter().with_min_len(16).map(fragments_of).collect();
+        let fragments: Vec<(Vec<Vec<u32>>, Vec<[u32; 2]>)> = divided.par_iter().with_min_len(16).map(fragments_of).collect();
         let mut fragments = fragments.into_iter();
         let (mut starts, mut items) =
             (Vec::with_capacity(whole.len() + 1), Vec::with_capacity(3 * whole.len()));
@@ -493,13 +522,24 @@ impl Faces {
             items.extend_from_slice(list);
             starts.push(u32::try_from(items.len()).expect("sides are fewer than 2^32"));
             sheet_of.push(sheet);
+            sheet_of.len() as u32
         };
+        let mut points: Vec<[u32; 2]> = Vec::new();
+        let mut count = 0;
         for (sheet, own) in (0..).zip(whole) {
             match own {
-                Some(own) => add(sheet, &own),
-                None => fragments.next().into_iter().flatten().for_each(|list| add(sheet, &list)),
+                Some(own) => {
+                    count = add(sheet, &own);
+                    points.extend(all.points_of(sheet).map(|vertex| [count - 1, vertex]));
+                }
+                None => {
+                    let (lists, own_points) = fragments.next().expect("divided sheets have fragments");
+                    points.extend(own_points.into_iter().map(|[fragment, vertex]| [count + fragment, vertex]));
+                    lists.iter().for_each(|list| count = add(sheet, list));
+                }
             }
         }
+        points.sort_unstable();
         let sides = RaggedArray::from_parts(starts, items).expect("starts rise to the number of sides");
         if overlapping.is_empty() {
             let triangles = if sheets.sources.uniform_width() == Some(1) {
@@ -508,13 +548,19 @@ impl Faces {
             } else {
                 RaggedArray::from_lists(sheet_of.iter().map(|&sheet| sheets.sources.list(sheet as usize)))
             };
-            return Self { sides, sheet_of, triangles };
+            return Self { sides, sheet_of, triangles, points };
         }
-        Self::merged(sheets, &sides, &sheet_of, overlapping)
+        Self::merged(sheets, &sides, &sheet_of, overlapping, &points)
     }
 
     /// Makes faces one that have the same edges, on the sheets that overlap others.
-    fn merged(sheets: &Sheets, sides: &RaggedArray, sheet_of: &[u32], overlapping: &[u32]) -> Self {
+    fn merged(
+        sheets: &Sheets,
+        sides: &RaggedArray,
+        sheet_of: &[u32],
+        overlapping: &[u32],
+        points: &[[u32; 2]],
+    ) -> Self {
         let mut candidates: Vec<(Vec<u32>, u32)> = (0..sheet_of.len() as u32)
             .into_par_iter()
             .filter(|&face| overlapping.binary_search(&sheet_of[face as usize]).is_ok())
@@ -563,6 +609,12 @@ impl Faces {
         for own in starts.windows(2) {
             triangles.items_mut()[own[0]..own[1]].sort_unstable();
         }
-        Self { sides: own_sides, sheet_of: own_sheets, triangles }
+        let mut points: Vec<[u32; 2]> = points
+            .iter()
+            .map(|&[face, vertex]| [numbers[(alike[face as usize] >> 1) as usize], vertex])
+            .collect();
+        points.sort_unstable();
+        points.dedup();
+        Self { sides: own_sides, sheet_of: own_sheets, triangles, points }
     }
 }

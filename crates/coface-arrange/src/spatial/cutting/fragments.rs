@@ -53,6 +53,13 @@ impl<'a> Fragmenting<'a> {
         Self { on, lines, meetings, cuts_of, runs_of }
     }
 
+    /// The corners of other sheets inside a sheet.
+    pub(super) fn points_of(&self, sheet: u32) -> impl Iterator<Item = u32> + '_ {
+        let all = &self.meetings.vertices_in_sheets;
+        let start = all.partition_point(|point| point[0] < sheet);
+        all[start..].iter().take_while(move |point| point[0] == sheet).map(|point| point[1])
+    }
+
     /// Whether the sheet is a fragment as it is.
     pub(super) fn is_whole(&self, sheet: u32) -> bool {
         self.is_undivided(sheet)
@@ -74,11 +81,11 @@ impl<'a> Fragmenting<'a> {
     }
 
     /// The sides of each fragment of a sheet as `2 * edge + against`, walk after walk, the outer one first.
-    pub(super) fn fragments(&self, sheet: u32) -> Vec<Vec<u32>> {
+    pub(super) fn fragments(&self, sheet: u32) -> (Vec<Vec<u32>>, Vec<[u32; 2]>) {
         let (mut parts, mut boundary) = (Vec::new(), Vec::new());
         self.add_boundary(sheet, &mut parts, &mut boundary);
         if self.is_undivided(sheet) {
-            return vec![boundary];
+            return (vec![boundary], self.points_of(sheet).map(|vertex| [0, vertex]).collect());
         }
         let mut add = |chain: Chain<'_>, support: Support| {
             for (pair, &edge) in chain.vertices.windows(2).zip(chain.edges) {
@@ -246,7 +253,7 @@ impl<'a, 'b> Graph<'a, 'b> {
     }
 
     /// The sides of each face inside the boundary, which has this side.
-    fn fragments(&self, boundary_side: u32) -> Vec<Vec<u32>> {
+    fn fragments(&self, boundary_side: u32) -> (Vec<Vec<u32>>, Vec<[u32; 2]>) {
         let boundary = self
             .parts
             .binary_search_by_key(&(boundary_side >> 1), |part| part.edge)
@@ -267,7 +274,16 @@ impl<'a, 'b> Graph<'a, 'b> {
             let around = fragment_of[islands.parent(self, island) as usize];
             fragments[around as usize].extend(sides(outer));
         }
-        fragments
+        let mut lone = self.all.points_of(self.sheet).filter(|v| self.vertices.binary_search(v).is_err()).peekable();
+        let mut points = Vec::new();
+        if lone.peek().is_some() {
+            let rays = Rays::new(self, &islands.of_vertex, 1);
+            for vertex in lone {
+                let own = rays.around(vertex, LONE, &islands.is_outer);
+                points.push([fragment_of[islands.deepest(self, &own) as usize], vertex]);
+            }
+        }
+        (fragments, points)
     }
 }
 
@@ -334,14 +350,20 @@ impl Islands {
         let around = lowest
             .par_iter()
             .with_min_len(64)
-            .map(|&vertex| rays.around(vertex as usize, &is_outer))
+            .map(|&vertex| {
+                rays.around(graph.vertices[vertex as usize], of_vertex[vertex as usize], &is_outer)
+            })
             .collect();
         Self { of_vertex, outer, is_outer, around }
     }
 
     /// The orbit that an island lies directly within.
     fn parent(&self, graph: &Graph<'_, '_>, island: usize) -> u32 {
-        let own = &self.around[island];
+        self.deepest(graph, &self.around[island])
+    }
+
+    /// Of the orbits around a point, all of them, the one that lies within the others.
+    fn deepest(&self, graph: &Graph<'_, '_>, own: &[u32]) -> u32 {
         let depth = |orbit: u32| {
             let tail = graph.parts[graph.orbits[orbit as usize][0] as usize / 2].ends[0];
             let at = graph.vertices.binary_search(&tail).expect("it is there");
@@ -353,6 +375,9 @@ impl Islands {
         *own.iter().find(|&&orbit| depth(orbit) + 1 == own.len()).expect("islands are inside the sheet")
     }
 }
+
+/// The component of a vertex on its own.
+const LONE: u32 = NONE - 1;
 
 /// Graphs with as many islands and parts are searched part by part.
 const FEW: usize = 1 << 10;
@@ -379,16 +404,16 @@ impl<'a> Rays<'a> {
         Self { graph, of_vertex, tree }
     }
 
-    /// The orbits of other components, but for their outer ones, that wind around a vertex, rising.
+    /// The orbits of other components than its own, but for their outer ones, that wind around a vertex, rising.
     ///
     /// Each part that the ray crosses counts for the orbits on its sides: inside an orbit that runs counterclockwise,
     /// it leaves through one part more that runs to the right than through parts that run to the left.
-    fn around(&self, vertex: usize, is_outer: &[bool]) -> Vec<u32> {
+    fn around(&self, vertex: u32, component: u32, is_outer: &[bool]) -> Vec<u32> {
         let graph = self.graph;
         let mut terms: Vec<(u32, i32)> = Vec::new();
         let mut visit = |part: u32| {
             let halfedges = [2 * part, 2 * part + 1];
-            if let Some(rightward) = self.crossing(part, vertex) {
+            if let Some(rightward) = self.crossing(part, vertex, component) {
                 for halfedge in halfedges {
                     let sign = if (halfedge & 1 == 0) == rightward { 1 } else { -1 };
                     terms.push((graph.orbit_of[halfedge as usize], sign));
@@ -399,7 +424,7 @@ impl<'a> Rays<'a> {
             None => (0..graph.parts.len() as u32).for_each(visit),
             Some(tree) => {
                 let [right, up] = graph.view.other_axes();
-                let place = graph.all.on.rounded(graph.vertices[vertex]);
+                let place = graph.all.on.rounded(vertex);
                 let below = [[place[right]; 2], [f64::NEG_INFINITY, place[up]], [0.0; 2]];
                 tree.visit(&below, &mut visit);
             }
@@ -418,15 +443,14 @@ impl<'a> Rays<'a> {
 
     /// Whether the ray from a vertex meets a part of another component, and then whether the part runs to the right
     /// there.
-    fn crossing(&self, part: u32, vertex: usize) -> Option<bool> {
+    fn crossing(&self, part: u32, from: u32, component: u32) -> Option<bool> {
         let graph = self.graph;
         let on = &graph.all.on;
         let own = &graph.parts[part as usize];
         let at = graph.vertices.binary_search(&own.ends[0]).expect("it is there");
-        if self.of_vertex[at] == self.of_vertex[vertex] {
+        if self.of_vertex[at] == component {
             return None;
         }
-        let from = graph.vertices[vertex];
         let [right, _] = graph.view.other_axes();
         let [a, b] = own.ends.map(|end| on.compare_coordinate(right, end, from).is_ge());
         if a == b {

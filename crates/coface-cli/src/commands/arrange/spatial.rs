@@ -123,7 +123,7 @@ pub(super) fn run(
         let triangles = verb.space.triangles(arrangement.scene(), output);
         match target {
             Target::Model(Format::Json) => {
-                io::write_path(&arrangement.to_chains()?, path, Some(Format::Json))?;
+                io::write_path(&arrangement.to_chains(verb.space.triangles)?, path, Some(Format::Json))?;
             }
             Target::Model(format) => {
                 let has_groups = matches!(format, Format::Obj | Format::Msh | Format::Medit);

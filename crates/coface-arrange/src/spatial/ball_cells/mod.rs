@@ -1,0 +1,205 @@
+//! Cells refined until each is a ball, so that boundary matrices have the homology of the space.
+//!
+//! A face with holes is no disk, and a cell with voids or tunnels is no ball: the boundary matrices of such cells forget
+//! how the parts of a boundary hang together. Three things mend it, each only where it is needed:
+//! * A **bridge** is an edge through the inside of a face or of a cell, from one part of its boundary to another. It has
+//!   no place in space, but for its ends: a face or a cell without an arc between two parts of its boundary is one with
+//!   a boundary in one piece, whatever arc it is.
+//! * A **cut** is a rectangle across a cell with a tunnel. The arrangement is made once more with it; what lies in other
+//!   cells is left out again.
+//! * Where parts of the boundary touch in a vertex, the boundary is in one piece already.
+
+mod building;
+mod cutting_planes;
+mod matching;
+mod pieces;
+mod touching;
+
+use self::building::build;
+use self::cutting_planes::best_cut;
+use self::matching::cells_of_cut;
+use self::pieces::{Kept, Pieces};
+use super::SpatialArrangement;
+use coface_algebra::chains::{ChainComplex, ChainRefinement};
+use coface_algebra::{CellId, Error, FaceId, Sign, VertexId};
+use coface_geometry::Positions;
+
+/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
+const NONE: u32 = u32::MAX;
+/// Each round cuts every piece that is no ball once.
+const MOST_ROUNDS: usize = 24;
+
+/// Parts of space, made of cells of an arrangement, as a complex whose cells are balls.
+///
+/// # Examples
+/// A square frame, which is a square with a square hole, is an annulus:
+/// ```
+/// use coface_algebra::RaggedArray;
+/// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+/// use coface_geometry::Positions;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let square = |low: f64, high: f64| [low, low, 0., high, low, 0., high, high, 0., low, high, 0.];
+/// let positions = Positions::from_flat(3, [square(0., 3.), square(1., 2.)].concat())?;
+/// let walks = RaggedArray::from_lists([[0, 1, 2, 3], [7, 6, 5, 4]]);
+/// let frame = SpatialPolygons::new(positions, walks, vec![0, 0])?;
+/// let arrangement = SpatialArrangement::new(&frame, &SpatialOptions::new())?;
+/// assert_eq!(arrangement.f_vector(), [8, 8, 1, 0]);
+/// // One bridge from the hole to the rim.
+/// assert_eq!(arrangement.ball_complex()?.complex().f_vector(), [8, 9, 1]);
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug)]
+pub struct BallComplex {
+    pub(super) complex: ChainComplex,
+    pub(super) positions: Positions,
+    pub(super) refinement: ChainRefinement,
+    /// Parts in which a piece is no ball after all.
+    pub(super) others: Vec<u32>,
+}
+
+/// Which faces a complex of balls has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct BallRules {
+    keep_faces: bool,
+    triangles: bool,
+}
+
+impl BallRules {
+    /// Faces with different parts, or nothing, on their two sides, cut into triangles only where they have holes.
+    pub const fn new() -> Self {
+        Self { keep_faces: false, triangles: false }
+    }
+
+    /// Whether faces with the same part, or nothing, on both sides are kept.
+    #[must_use]
+    pub const fn keep_faces(mut self, keep: bool) -> Self {
+        self.keep_faces = keep;
+        self
+    }
+
+    /// Whether all faces are cut into triangles.
+    #[must_use]
+    pub const fn triangles(mut self, triangles: bool) -> Self {
+        self.triangles = triangles;
+        self
+    }
+}
+
+impl BallComplex {
+    /// The boundary matrices. Cells of degree 3 run outward.
+    pub fn complex(&self) -> &ChainComplex {
+        &self.complex
+    }
+
+    /// Where the vertices are, rounded.
+    pub fn positions(&self) -> &Positions {
+        &self.positions
+    }
+
+    /// What each edge, face and cell is a piece of: of edge, face and part; the bridges and cuts of none.
+    pub fn refinement(&self) -> &ChainRefinement {
+        &self.refinement
+    }
+
+    /// The parts of which a piece is no ball, or not known to be one: homology may be wrong there.
+    pub fn parts_left(&self) -> &[u32] {
+        &self.others
+    }
+
+    /// The complex, the positions of the vertices and the refinement.
+    pub fn into_parts(self) -> (ChainComplex, Positions, ChainRefinement) {
+        (self.complex, self.positions, self.refinement)
+    }
+}
+
+impl SpatialArrangement {
+    /// Vertices, edges, faces and bounded cells, refined until each is a ball.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`] where the arrangement is made again with cuts.
+    ///
+    /// # Complexity
+    /// $O(n \log n)$ for n sides of faces; with cells that have tunnels, that of [`Self::new`] a few times.
+    pub fn ball_complex(&self) -> Result<BallComplex, Error> {
+        let parts: Vec<Option<u32>> = (0..self.fine().cell_count() as u32).map(Some).collect();
+        self.ball_complex_of(&parts, BallRules::new().keep_faces(true))
+    }
+
+    /// The parts of space that cells are put together to, as a complex whose cells are balls. `part_of_cell` has the
+    /// part of each bounded cell, numbered from 0, or `None` for cells that are left out.
+    ///
+    /// # Errors
+    /// As [`Self::ball_complex`].
+    ///
+    /// # Panics
+    /// If there are fewer entries than cells.
+    pub fn ball_complex_of(
+        &self,
+        part_of_cell: &[Option<u32>],
+        rules: BallRules,
+    ) -> Result<BallComplex, Error> {
+        let packed: Vec<u32> = part_of_cell.iter().map(|part| part.unwrap_or(NONE)).collect();
+        let part_count = packed.iter().filter(|&&part| part != NONE).max().map_or(0, |&part| part as usize + 1);
+        let mut is_cut = vec![false; part_count];
+        let mut cuts: Vec<[[f64; 3]; 4]> = Vec::new();
+        let mut with_cuts: Option<Self> = None;
+        for round in 0..=MOST_ROUNDS {
+            let arrangement = with_cuts.as_ref().unwrap_or(self);
+            let own = match &with_cuts {
+                None => packed.clone(),
+                Some(cut) => {
+                    let Some(cells) = cells_of_cut(self, cut) else { break };
+                    cells.into_iter().map(|cell| packed.get(cell as usize).copied().unwrap_or(NONE)).collect()
+                }
+            };
+            let kept = Kept::new(arrangement, self.polygon_count(), &own, &is_cut, rules.keep_faces);
+            let pieces = Pieces::new(arrangement, &kept, &own);
+            let bad = pieces.no_balls();
+            let next: Vec<[[f64; 3]; 4]> = if round == MOST_ROUNDS {
+                Vec::new()
+            } else {
+                let cut = |&piece: &u32| {
+                    let through = pieces.vertex_between(piece).filter(|_| round % 2 == 0);
+                    best_cut(arrangement, &kept, piece, through.map(|vertex| (vertex, round / 2 % 3)))
+                };
+                bad.iter().filter_map(cut).collect()
+            };
+            if next.is_empty() {
+                return build(self, arrangement, &kept, &pieces, rules.triangles);
+            }
+            bad.iter().for_each(|&piece| is_cut[pieces.part(piece) as usize] = true);
+            cuts.extend(next);
+            with_cuts = Some(self.with_cuts(&cuts)?);
+        }
+        // The cells cannot be told in the arrangement with cuts: without them, the parts that have tunnels are named.
+        is_cut.fill(false);
+        let kept = Kept::new(self, self.polygon_count(), &packed, &is_cut, rules.keep_faces);
+        let pieces = Pieces::new(self, &kept, &packed);
+        build(self, self, &kept, &pieces, rules.triangles)
+    }
+
+    /// The fine vertex that a vertex is, by number.
+    fn fine_vertex_number(&self, vertex: u32) -> u32 {
+        self.fine_vertex(VertexId::from_u32(vertex)).to_u32()
+    }
+
+    /// Twice the face that a fine face is part of, plus one if that has the other front.
+    fn packed_face_of_fine(&self, fine: u32) -> u32 {
+        let fine = FaceId::from_u32(fine);
+        let own = |face: &u32| self.fine_faces(FaceId::from_u32(*face)).find(|part| part.0 == fine);
+        let face = (0..self.complex().face_count() as u32).find(|face| own(face).is_some());
+        let face = face.expect("each fine face is part of a face");
+        2 * face + u32::from(own(&face).is_some_and(|part| part.1 == Sign::Minus))
+    }
+
+    /// Whether all polygons of a face have these numbers or above.
+    fn is_from(&self, face: FaceId, first_polygon: usize) -> bool {
+        self.polygons_of_face(face).iter().all(|&(polygon, _)| polygon as usize >= first_polygon)
+    }
+
+    /// The cell on a side of a face: behind for 0, in front for 1; no number for the exterior.
+    fn packed_cell(&self, face: u32, side: u32) -> u32 {
+        self.cell_at(FaceId::from_u32(face), Sign::power_of_minus_one(side as usize)).map_or(NONE, CellId::to_u32)
+    }
+}
