@@ -50,14 +50,15 @@ impl FaceCells<'_> {
         let first = self.ends.len() as u32;
         self.ends.extend(&across);
         for &[a, b, c] in triangles {
-            let packed = [[a, b], [b, c], [c, a]].map(|side| match known.binary_search_by_key(&side, |own| own.0) {
-                Ok(at) => known[at].1,
-                Err(_) => {
-                    let ends = [side[0].min(side[1]), side[0].max(side[1])];
-                    let at = across.partition_point(|other| *other < ends) as u32;
-                    2 * (first + at) + u32::from(side != ends)
-                }
-            });
+            let packed =
+                [[a, b], [b, c], [c, a]].map(|side| match known.binary_search_by_key(&side, |own| own.0) {
+                    Ok(at) => known[at].1,
+                    Err(_) => {
+                        let ends = [side[0].min(side[1]), side[0].max(side[1])];
+                        let at = across.partition_point(|other| *other < ends) as u32;
+                        2 * (first + at) + u32::from(side != ends)
+                    }
+                });
             self.of_face.push(face);
             self.sides.push(&packed);
         }
@@ -65,13 +66,15 @@ impl FaceCells<'_> {
     }
 }
 
-/// Whether the sides of a face, but for slits, are in several parts.
-pub(crate) fn has_holes(sides: &[([u32; 2], u32)]) -> bool {
+/// Whether the sides of a face, but for slits, are one closed walk that comes to no vertex twice: boundary matrices tell how
+/// it runs.
+pub(crate) fn has_simple_rim(sides: &[([u32; 2], u32)]) -> bool {
     let mut edges: Vec<(u32, [u32; 2])> = sides.iter().map(|side| (side.1 >> 1, side.0)).collect();
     edges.sort_unstable();
     let rims = edges.chunk_by(|x, y| x.0 == y.0).filter(|own| own.len() == 1);
     let rims: Vec<[u32; 2]> = rims.map(|own| own[0].1).collect();
-    connected(&rims, &[]).len() > 1
+    let groups = connected(&rims, &[]);
+    groups.len() == 1 && groups[0].len() == rims.len()
 }
 
 /// The boundary matrices of edges with these ends, and of disks with these sides.
@@ -122,4 +125,3 @@ pub(crate) fn bridges(positions: &Positions, groups: &[Vec<u32>]) -> Vec<[u32; 2
     }
     edges
 }
-

@@ -22,9 +22,9 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use serde_json::Value;
-use std::sync::OnceLock;
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::OnceLock;
 
 const RULES: [(&str, InsideRule); 3] =
     [("nonzero", InsideRule::Nonzero), ("evenodd", InsideRule::Odd), ("positive", InsideRule::Positive)];

@@ -78,7 +78,9 @@ impl ChainRefinement {
             if let Some(most) = most.filter(|&&most| most as usize >= count) {
                 return Err(Error::new(
                     ErrorKind::Shape,
-                    format!("the refinement names cell {most} of degree {degree}, but there are {count} pieces"),
+                    format!(
+                        "the refinement names cell {most} of degree {degree}, but there are {count} pieces"
+                    ),
                 ));
             }
         }
@@ -98,7 +100,8 @@ impl ChainRefinement {
             let mut is_first = Vec::with_capacity(refined.cell_count(degree));
             let mut is_known = vec![false; count(degree)];
             for piece in self.pieces(degree) {
-                is_first.push(piece.is_some_and(|piece| !std::mem::replace(&mut is_known[piece as usize], true)));
+                is_first
+                    .push(piece.is_some_and(|piece| !std::mem::replace(&mut is_known[piece as usize], true)));
             }
             is_first
         };
@@ -106,7 +109,8 @@ impl ChainRefinement {
         for (degree, matrix) in (1..).zip(refined.boundary_matrices()) {
             let is_first = first_piece(degree - 1);
             let facets = &self.pieces[degree - 1];
-            let row = |facet: usize| facets.get(facet).filter(|&&piece| piece != NONE).map(|&piece| piece as usize);
+            let row =
+                |facet: usize| facets.get(facet).filter(|&&piece| piece != NONE).map(|&piece| piece as usize);
             let entries = self.pieces(degree).enumerate().filter_map(|(cell, piece)| Some((cell, piece?)));
             let entries = entries.flat_map(|(cell, piece)| {
                 let own = matrix.column(cell).iter().filter(|&(facet, _)| is_first[facet]);

@@ -279,12 +279,12 @@ impl Producer {
                 return Err(Error::invalid("loops in a volume of voxels have no words")
                     .with_cure("ask for its homology, or make a mesh of its boundary: coface convert VOLUME -o boundary.obj"));
             }
-            Cells::Chains(_) => {
-                return Err(Error::invalid(
+            Cells::Chains(complex) => TwoSkeleton::from_chain_complex(complex).map_err(|_| {
+                Error::invalid(
                     "boundary matrices do not say in which order faces run along their edges, so loops have no words",
                 )
-                .with_cure("give the complex as facets, polygons, cells or halfedges"));
-            }
+                .with_cure("give the complex as facets, polygons, cells or halfedges")
+            })?,
         })
     }
 

@@ -1,7 +1,7 @@
 //! Faces refined until each is a disk.
 
 use super::PlanarArrangement;
-use crate::face_cells::{FaceCells, bridges, connected, has_holes, low_matrices};
+use crate::face_cells::{FaceCells, bridges, connected, has_simple_rim, low_matrices};
 use coface_algebra::chains::{ChainComplex, ChainRefinement};
 use coface_algebra::{Error, FaceId, RaggedArray, Rational, VertexId};
 use coface_geometry::predicates::{PlanarPoint, orientation};
@@ -24,11 +24,11 @@ impl PlanarArrangement {
         for (face, islands) in (0u32..).zip(islands.iter()) {
             let halfedges = || self.walks(Some(FaceId::from_u32(face))).flatten();
             let sides: Vec<([u32; 2], u32)> = halfedges().map(|&h| (self.halfedge_ends(h), h)).collect();
-            if islands.is_empty() {
+            if islands.is_empty() && has_simple_rim(&sides) {
                 cells.add_whole(face, &sides);
                 continue;
             }
-            let is_cut = has_holes(&sides) && {
+            let is_cut = !has_simple_rim(&sides) && {
                 let lists: Vec<[u32; 2]> = sides.iter().map(|side| side.0).collect();
                 let point = |vertex: u32| &self.vertices[vertex as usize];
                 let compare = |a: u32, b: u32| point(a).compare(point(b));
@@ -49,7 +49,8 @@ impl PlanarArrangement {
         }
         let FaceCells { of_face, sides, .. } = cells;
         groups.iter().for_each(|own| ends.extend(bridges(&self.positions, own)));
-        let pieces = |count: usize, all: usize| (0..all as u32).map(move |e| ((e as usize) < count).then_some(e));
+        let pieces =
+            |count: usize, all: usize| (0..all as u32).map(move |e| ((e as usize) < count).then_some(e));
         let edges = pieces(self.edge_count(), ends.len()).collect();
         let vertices = pieces(self.vertex_count(), self.vertex_count()).collect();
         let refinement = ChainRefinement::new(vec![vertices, edges, of_face.into_iter().map(Some).collect()]);

@@ -844,7 +844,13 @@ fn points_in_faces(cut: &CutTriangles, merged: Option<&Merged>) -> Vec<(u32, u32
         }
         own.sort_unstable();
         own.dedup();
-        let mut on_sides: Vec<u32> = merged.complex.packed_sides().list(face).iter().flat_map(|&side| merged.complex.side_ends(side)).collect();
+        let mut on_sides: Vec<u32> = merged
+            .complex
+            .packed_sides()
+            .list(face)
+            .iter()
+            .flat_map(|&side| merged.complex.side_ends(side))
+            .collect();
         on_sides.sort_unstable();
         let kept = own.iter().filter_map(|vertex| merged.vertices.binary_search(vertex).ok());
         let lone = kept.map(|vertex| vertex as u32).filter(|vertex| on_sides.binary_search(vertex).is_err());
@@ -852,7 +858,6 @@ fn points_in_faces(cut: &CutTriangles, merged: Option<&Merged>) -> Vec<(u32, u32
     }
     points
 }
-
 
 fn sign_of_bit(packed: u32) -> Sign {
     Sign::power_of_minus_one((packed & 1) as usize)

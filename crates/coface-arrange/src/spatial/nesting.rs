@@ -308,7 +308,8 @@ impl Columns {
         for level in 0..=FINEST {
             for_each_key(level, places, |key| {
                 let start = self.entries.partition_point(|entry| (entry.0, entry.1) < (component, key));
-                let own = self.entries[start..].iter().take_while(|entry| (entry.0, entry.1) == (component, key));
+                let own =
+                    self.entries[start..].iter().take_while(|entry| (entry.0, entry.1) == (component, key));
                 faces.extend(own.map(|entry| entry.2 as usize));
             });
         }

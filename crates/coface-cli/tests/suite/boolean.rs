@@ -344,3 +344,81 @@ fn many_solids_are_combined_at_once() {
     let deep = formula("(a ^ b) & !(c | d) | e - d", &row, &[]);
     assert_eq!(deep["measure"], json!(1.0));
 }
+
+/// The Betti numbers that `info` says of a file, without zeros at the end, and its remarks.
+fn betti(path: &PathBuf) -> (Vec<u64>, Vec<String>) {
+    let report = coface(&["info", argument(path), "--json"]).json();
+    let mut betti: Vec<u64> =
+        report["homology"].as_array().unwrap().iter().map(|group| group["betti"].as_u64().unwrap()).collect();
+    while betti.last() == Some(&0) {
+        betti.pop();
+    }
+    let codes = report["remarks"].as_array().unwrap().iter();
+    (betti, codes.map(|remark| remark["code"].as_str().unwrap().to_owned()).collect())
+}
+
+#[test]
+fn a_result_as_json_has_the_homology_of_the_solid() {
+    let folder = Folder::new();
+    let cube = folder.cube("cube.obj", [0.0; 3], 4.0);
+    let rod = folder.cuboid("rod.obj", [1.0, 1.0, -1.0], [2.0, 2.0, 5.0]);
+    let void = folder.cube("void.obj", [1.0, 1.0, 1.0], 2.0);
+    for (other, expected) in [(&rod, vec![1, 1]), (&void, vec![1, 0, 1])] {
+        for option in [&[][..], &["--triangles"]] {
+            let out = folder.path("result.json");
+            assert_eq!(run(&["boolean", "difference"], &[&cube, other], &["-o", argument(&out)]).status, 0);
+            let options: Vec<&str> = ["-o", argument(&out)].iter().chain(option).copied().collect();
+            assert_eq!(run(&["boolean", "difference"], &[&cube, other], &options).status, 0);
+            assert_eq!(betti(&out), (expected.clone(), vec![]), "{option:?}");
+            // The file is an input that means the same.
+            let again = run(&["boolean", "union"], &[&out], &["--json"]).json();
+            let once = run(&["boolean", "difference"], &[&cube, other], &["--json"]).json();
+            assert_eq!(again["measure"], once["measure"]);
+            assert_eq!(again["f_vector"].as_array().unwrap().len(), 3);
+            if option.is_empty() {
+                assert_eq!(again["f_vector"], once["f_vector"]);
+            } else {
+                let text = std::fs::read_to_string(&out).unwrap();
+                let file: Value = serde_json::from_str(&text).unwrap();
+                let faces = file["boundaries"][1]["entries"].as_array().unwrap().len();
+                assert_eq!(faces, 3 * file["boundaries"][1]["cols"].as_u64().unwrap() as usize);
+            }
+        }
+    }
+}
+
+#[test]
+fn nested_squares_as_json_are_one_piece() {
+    let folder = Folder::new();
+    let squares =
+        folder.text("squares.wkt", "POLYGON((0 0,4 0,4 4,0 4,0 0))\nPOLYGON((1 1,3 1,3 3,1 3,1 1))\n");
+    let out = folder.path("nested.json");
+    let once = run(&["arrange"], &[&squares], &["-o", argument(&out), "--json"]).json();
+    assert_eq!(once["f_vector"], json!([8, 8, 2]));
+    assert_eq!(betti(&out), (vec![1], vec![]));
+    let again = run(&["arrange"], &[&out], &["--json"]).json();
+    assert_eq!((&again["f_vector"], &again["measures"]), (&once["f_vector"], &once["measures"]));
+    let group = coface(&["pi1", argument(&out), "--json"]).json();
+    assert_eq!(
+        group["generators"].as_array().map_or(group["generators"].clone(), |list| json!(list.len())),
+        json!(0)
+    );
+}
+
+#[test]
+fn cells_that_are_no_balls_are_a_remark() {
+    let folder = Folder::new();
+    // A square with a square hole, as the matrices of a face with two rims.
+    let ends = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]];
+    let sides: Vec<[i64; 3]> =
+        ends.iter().zip(0..).flat_map(|(&[a, b], edge)| [[a, edge, -1], [b, edge, 1]]).collect();
+    let rims: Vec<[i64; 3]> = (0..8).map(|edge| [edge, 0, if edge < 4 { 1 } else { -1 }]).collect();
+    let file = json!({"boundaries": [
+        {"rows": 8, "cols": 8, "entries": sides},
+        {"rows": 8, "cols": 1, "entries": rims},
+    ]});
+    let path = folder.text("frame.json", &file.to_string());
+    assert_eq!(betti(&path), (vec![2, 1], vec!["cells-not-balls".to_owned()]));
+    let text = coface(&["info", argument(&path)]).stdout;
+    assert!(!text.contains("No problems found"), "{text}");
+}

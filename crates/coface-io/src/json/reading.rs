@@ -221,7 +221,9 @@ fn to_model(content: Content, tolerance: Option<f64>) -> Result<Model, Error> {
             return match pieces {
                 None => Ok(model),
                 Some(pieces) => model.with_refinement(ChainRefinement::new(pieces)).map_err(|error| {
-                    error.with_cure("give an entry or null for each cell under \"pieces_of\", or leave the key out")
+                    error.with_cure(
+                        "give an entry or null for each cell under \"pieces_of\", or leave the key out",
+                    )
                 }),
             };
         }

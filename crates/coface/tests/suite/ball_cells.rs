@@ -2,13 +2,13 @@
 //! compared with voxels.
 
 use crate::spatial_arrangements::cuboid;
+use coface::algebra::chains::{Cells, ChainComplex};
+use coface::algebra::{FaceId, RaggedArray, Sign, UnionFind};
 use coface::arrange::planar::PlanarArrangement;
 use coface::arrange::spatial::{BallRules, SpatialArrangement, SpatialOptions, SpatialPolygons};
 use coface::complexes::cubical::CubicalVolume;
-use coface::topology::homology;
-use coface::algebra::chains::{Cells, ChainComplex};
-use coface::algebra::{FaceId, RaggedArray, Sign, UnionFind};
 use coface::geometry::Positions;
+use coface::topology::homology;
 use proptest::prelude::*;
 
 /// The size of the lattice that boxes are in.
@@ -126,7 +126,7 @@ fn tunnels_voids_and_touching_solids() {
         (low[axis], high[axis]) = (0, 6);
         [low, high]
     };
-    let scenes: [&[Corners]; 9] = [
+    let scenes: [&[Corners]; 10] = [
         &[cube],
         &[cube, [[1; 3], [2; 3]]],
         &[cube, rod(2, [2, 2], 1)],
@@ -135,10 +135,18 @@ fn tunnels_voids_and_touching_solids() {
         // Boxes in a box, in a corner of each other, and one void that touches another in an edge.
         &[cube, [[1; 3], [2; 3]], [[2; 3], [3; 3]], [[1, 1, 3], [2, 2, 4]]],
         // A ring of four beams within a cube, and a beam through it that does not touch.
-        &[cube, [[1, 1, 1], [4, 2, 2]], [[1, 3, 1], [4, 4, 2]], [[1, 1, 1], [2, 4, 2]], [[3, 1, 1], [4, 4, 2]]],
+        &[
+            cube,
+            [[1, 1, 1], [4, 2, 2]],
+            [[1, 3, 1], [4, 4, 2]],
+            [[1, 1, 1], [2, 4, 2]],
+            [[3, 1, 1], [4, 4, 2]],
+        ],
         // Two boxes at a vertex, and a third that closes a ring of vertices.
         &[[[0; 3], [2; 3]], [[2; 3], [4; 3]], [[4, 4, 2], [6, 6, 4]]],
         &[[[0; 3], [2; 3]], [[2; 3], [4; 3]], [[2, 0, 4], [4, 2, 6]], [[0, 0, 2], [2, 2, 4]]],
+        // Boxes that overlap in parts of their faces, edges and vertices.
+        &[[[2, 4, 0], [4, 5, 1]], [[3, 1, 1], [5, 4, 2]], [[3, 3, 1], [6, 4, 2]], [[4, 2, 0], [6, 5, 3]]],
     ];
     for (number, scene) in scenes.iter().enumerate() {
         for shear in [false, true] {
@@ -173,9 +181,16 @@ fn an_apex_and_a_ridge_inside_a_face_touch_it() {
 #[test]
 fn faces_of_the_plane_with_holes_and_islands() {
     let square = |low: f64, high: f64| [[low, low], [high, low], [high, high], [low, high]];
-    let points = [&square(0., 9.)[..], &square(1., 2.), &square(3., 8.), &square(4., 5.), &[[6., 6.], [7., 7.], [1.5, 5.]]];
+    let points = [
+        &square(0., 9.)[..],
+        &square(1., 2.),
+        &square(3., 8.),
+        &square(4., 5.),
+        &[[6., 6.], [7., 7.], [1.5, 5.]],
+    ];
     let positions = Positions::from_flat(2, points.concat().concat()).unwrap();
-    let mut segments: Vec<[u32; 2]> = (0..16u32).map(|i| [i, if i % 4 == 3 { i - 3 } else { i + 1 }]).collect();
+    let mut segments: Vec<[u32; 2]> =
+        (0..16u32).map(|i| [i, if i % 4 == 3 { i - 3 } else { i + 1 }]).collect();
     // A loose edge inside the third square; the last point is used by nothing.
     segments.push([16, 17]);
     let nested = PlanarArrangement::new(&positions, &segments).unwrap();

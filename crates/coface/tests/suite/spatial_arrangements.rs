@@ -174,6 +174,35 @@ fn again(arrangement: &SpatialArrangement) {
     assert_eq!(again.coarse_complex().unwrap(), arrangement.coarse_complex().unwrap());
 }
 
+/// Shells find their cells whatever the order: n boxes in a row along each axis, and n boxes each within the next.
+#[test]
+fn rows_and_dolls_have_a_cell_each() {
+    const COUNT: usize = 60;
+    for axis in 0..3 {
+        let row: Vec<SpatialPolygons> = (0..COUNT)
+            .map(|i| {
+                let mut low = [0.0; 3];
+                low[axis] = 2.0 * i as f64;
+                cube(low, 1.0)
+            })
+            .collect();
+        let row = arrange(&row);
+        assert_eq!(row.f_vector(), [8 * COUNT, 12 * COUNT, 6 * COUNT, COUNT]);
+        assert_eq!(row.volumes().unwrap(), [1.0; COUNT]);
+    }
+    // The smallest last, so that numbers say nothing about who is within whom.
+    let dolls: Vec<SpatialPolygons> =
+        (0..COUNT).rev().map(|i| cube([-1.0 - i as f64; 3], 2.0 * (i + 1) as f64)).collect();
+    let dolls = arrange(&dolls);
+    assert_eq!((dolls.f_vector()[3], dolls.void_count()), (COUNT, COUNT - 1));
+    let cube_of = |i: usize| (2.0 * i as f64).powi(3);
+    let expected: Vec<f64> = (1..=COUNT).map(|i| cube_of(i) - cube_of(i - 1)).collect();
+    assert_eq!(sorted(dolls.volumes().unwrap()), expected);
+    // The innermost is within all.
+    let inside = dolls.inside(InsideRule::Nonzero).unwrap();
+    assert_eq!(inside.iter().map(Vec::len).max(), Some(COUNT));
+}
+
 #[test]
 fn cubes_that_touch_have_the_known_cells() {
     let one = || cube([0.0; 3], 1.0);

@@ -3,7 +3,7 @@
 use super::matching::vertices_of_cut;
 use super::pieces::{Kept, Pieces};
 use super::{BallComplex, NONE};
-use crate::face_cells::{FaceCells, bridges, connected, has_holes, low_matrices};
+use crate::face_cells::{FaceCells, bridges, connected, has_simple_rim, low_matrices};
 use crate::spatial::{PolygonalComplex, SpatialArrangement};
 use coface_algebra::chains::{ChainComplex, ChainRefinement};
 use coface_algebra::{Error, FaceId, ParityUnionFind, RaggedArray, Sign, SparseMatrix, UnionFind, VertexId};
@@ -34,7 +34,10 @@ pub(super) fn build(
     between.iter().for_each(|&edge| is_from_input[edge as usize] = false);
     let edges: Vec<u32> = (0..complex.edge_count() as u32).filter(|&edge| is_edge[edge as usize]).collect();
     let mut number_of_vertex = vec![NONE; complex.vertex_count()];
-    edges.iter().flat_map(|&edge| complex.edges()[edge as usize]).for_each(|v| number_of_vertex[v as usize] = 0);
+    edges
+        .iter()
+        .flat_map(|&edge| complex.edges()[edge as usize])
+        .for_each(|v| number_of_vertex[v as usize] = 0);
     let mut vertices = Vec::new();
     for (vertex, number) in number_of_vertex.iter_mut().enumerate().filter(|(_, number)| **number != NONE) {
         *number = vertices.len() as u32;
@@ -74,18 +77,16 @@ pub(super) fn build(
         let inside = points[start..].iter().take_while(|&&(other, _)| other == face);
         let inside: Vec<u32> =
             inside.map(|&(_, v)| number_of_vertex[v as usize]).filter(|&number| number != NONE).collect();
-        if inside.is_empty() && (sides.len() < 4 || !triangles && sides.len() < 6) {
+        if inside.is_empty() && sides.len() < 4 {
             cells.add_whole(place, &sides);
             continue;
         }
-        let is_cut = (triangles && sides.len() > 3 || has_holes(&sides)) && {
+        let is_cut = (triangles && sides.len() > 3 || !has_simple_rim(&sides)) && {
             // Triangles on vertices before merging; where one is no vertex now, bridges do.
             let number = |fine: u32| arrangement.vertex_of_fine(fine).map(|v| number_of_vertex[v as usize]);
             let own = arrangement.triangulated(FaceId::from_u32(face))?;
-            let own: Option<Vec<[u32; 3]>> = own
-                .into_iter()
-                .map(|[a, b, c]| Some([number(a)?, number(b)?, number(c)?]))
-                .collect();
+            let own: Option<Vec<[u32; 3]>> =
+                own.into_iter().map(|[a, b, c]| Some([number(a)?, number(b)?, number(c)?])).collect();
             own.is_some_and(|own| cells.add_triangles(place, &sides, &own))
         };
         if !is_cut {
@@ -178,12 +179,7 @@ struct EdgePieces {
 
 impl EdgePieces {
     /// Two edges are pieces of one if they alone meet at a vertex that is there because of cuts.
-    fn new(
-        complex: &PolygonalComplex,
-        edges: &[u32],
-        is_from_input: &[bool],
-        is_original: &[bool],
-    ) -> Self {
+    fn new(complex: &PolygonalComplex, edges: &[u32], is_from_input: &[bool], is_original: &[bool]) -> Self {
         let mut at_vertex: Vec<(u32, u32, bool)> = Vec::new();
         for (number, &edge) in (0..).zip(edges).filter(|&(_, &edge)| is_from_input[edge as usize]) {
             let ends = complex.edges()[edge as usize].into_iter().zip([true, false]);

@@ -11,7 +11,7 @@ const MOST_PLANES: usize = 8;
 /// A rectangle across a piece, at right angles to an axis, through a vertex of its boundary or between two: of all tried
 /// the one that leaves the fewest tunnels, with the fewest rims.
 ///
-/// A piece that lies between two parts of the faces at a vertex must be cut through that, so one can be given with an axis.
+/// No plane is taken that is there already. A piece that lies between two parts of the faces at a vertex must be cut through that, so one can be given with an axis.
 ///
 /// Where a rectangle is does not matter for what the cells are, only for how many are made: rounded coordinates do.
 pub(super) fn best_cut(
@@ -19,6 +19,7 @@ pub(super) fn best_cut(
     kept: &Kept,
     piece: u32,
     through: Option<(u32, usize)>,
+    cuts: &[[[f64; 3]; 4]],
 ) -> Option<[[f64; 3]; 4]> {
     let surface = Surface::new(arrangement, kept, piece);
     let mut best: Option<((i64, usize, f64), usize, f64)> = None;
@@ -28,7 +29,8 @@ pub(super) fn best_cut(
     }
     for axis in (0..3).filter(|_| through.is_none()) {
         let [low, high] = surface.range(axis);
-        for level in surface.levels(axis) {
+        let is_new = |level: &f64| cuts.iter().all(|cut| cut.iter().any(|corner| corner[axis] != *level));
+        for level in surface.levels(axis).into_iter().filter(is_new) {
             let Some((tunnels, rims)) = surface.tunnels_after(axis, level) else { continue };
             let off = ((level - low) / (high - low) - 0.5).abs();
             let merit = (tunnels, rims, off);
@@ -108,7 +110,9 @@ impl Surface {
         levels.extend(inner.iter().skip(step / 2).step_by(step));
         let middle = |pair: &[f64]| pair[0] + (pair[1] - pair[0]) / 2.0;
         let gaps = all.windows(2).step_by(step).map(middle);
-        levels.extend(gaps.filter(|level| level.is_finite() && all.binary_search_by(|x| x.total_cmp(level)).is_err()));
+        levels.extend(
+            gaps.filter(|level| level.is_finite() && all.binary_search_by(|x| x.total_cmp(level)).is_err()),
+        );
         levels
     }
 
@@ -203,7 +207,9 @@ impl Surface {
             }
             characteristic -= 1;
             let point = segments[own[0]].1[0];
-            if let Some(&around) = outer.iter().find(|&&other| other != rim && winds_around(&list[other].1, point)) {
+            if let Some(&around) =
+                outer.iter().find(|&&other| other != rim && winds_around(&list[other].1, point))
+            {
                 let other = list[around].1[0];
                 for side in 0..2 {
                     parts.unite(segments[own[0]].2[side], segments[other].2[side]);

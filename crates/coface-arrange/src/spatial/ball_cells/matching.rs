@@ -19,7 +19,9 @@ pub(super) fn cells_of_cut(before: &SpatialArrangement, after: &SpatialArrangeme
     let cell = |arrangement: &SpatialArrangement, face: u32, sign: Sign| {
         arrangement.fine().cell_at(FaceId::from_u32(face), sign).map_or(NONE, coface_algebra::CellId::to_u32)
     };
-    let sheet = |arrangement: &SpatialArrangement, face: u32| arrangement.fine_triangles().sheet_of_face(FaceId::from_u32(face));
+    let sheet = |arrangement: &SpatialArrangement, face: u32| {
+        arrangement.fine_triangles().sheet_of_face(FaceId::from_u32(face))
+    };
     for face in 0..old_complex.face_count() as u32 {
         let sides = [Sign::Plus, Sign::Minus].map(|sign| cell(before, face, sign));
         for &side in old_complex.packed_sides().list(face as usize) {

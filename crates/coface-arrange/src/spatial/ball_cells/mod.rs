@@ -140,7 +140,8 @@ impl SpatialArrangement {
         rules: BallRules,
     ) -> Result<BallComplex, Error> {
         let packed: Vec<u32> = part_of_cell.iter().map(|part| part.unwrap_or(NONE)).collect();
-        let part_count = packed.iter().filter(|&&part| part != NONE).max().map_or(0, |&part| part as usize + 1);
+        let part_count =
+            packed.iter().filter(|&&part| part != NONE).max().map_or(0, |&part| part as usize + 1);
         let mut is_cut = vec![false; part_count];
         let mut cuts: Vec<[[f64; 3]; 4]> = Vec::new();
         let mut with_cuts: Option<Self> = None;
@@ -161,7 +162,7 @@ impl SpatialArrangement {
             } else {
                 let cut = |&piece: &u32| {
                     let through = pieces.vertex_between(piece).filter(|_| round % 2 == 0);
-                    best_cut(arrangement, &kept, piece, through.map(|vertex| (vertex, round / 2 % 3)))
+                    best_cut(arrangement, &kept, piece, through.map(|vertex| (vertex, round / 2 % 3)), &cuts)
                 };
                 bad.iter().filter_map(cut).collect()
             };
@@ -200,6 +201,7 @@ impl SpatialArrangement {
 
     /// The cell on a side of a face: behind for 0, in front for 1; no number for the exterior.
     fn packed_cell(&self, face: u32, side: u32) -> u32 {
-        self.cell_at(FaceId::from_u32(face), Sign::power_of_minus_one(side as usize)).map_or(NONE, CellId::to_u32)
+        self.cell_at(FaceId::from_u32(face), Sign::power_of_minus_one(side as usize))
+            .map_or(NONE, CellId::to_u32)
     }
 }

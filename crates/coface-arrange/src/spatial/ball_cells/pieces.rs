@@ -131,7 +131,8 @@ impl Pieces {
         let mut around: Vec<(u32, usize)> = Vec::new();
         for edge in 0..complex.edge_count() {
             around.clear();
-            let (fine, along) = arrangement.fine_edges(EdgeId::new(edge)).next().expect("an edge has a first piece");
+            let (fine, along) =
+                arrangement.fine_edges(EdgeId::new(edge)).next().expect("an edge has a first piece");
             for &fine_side in arrangement.fine().radial_order().list(fine.index()) {
                 let packed = faces_of_fine[(fine_side >> 1) as usize];
                 let face = (packed >> 1) as usize;
@@ -195,10 +196,12 @@ impl Pieces {
         touching.sort_unstable();
         let mut between = Vec::new();
         for at in touching.chunk_by(|x, y| x.0 == y.0) {
-            let joined = join_at_vertex(arrangement, kept, at, &mut shells, &mut characteristic, &mut is_known);
+            let joined =
+                join_at_vertex(arrangement, kept, at, &mut shells, &mut characteristic, &mut is_known);
             between.extend(joined.into_iter().map(|piece| (piece, at[0].0)));
         }
-        let shell_of_half: Vec<u32> = (0..2 * complex.face_count() as u32).map(|half| shells.find(half)).collect();
+        let shell_of_half: Vec<u32> =
+            (0..2 * complex.face_count() as u32).map(|half| shells.find(half)).collect();
         let mut own_shells = vec![Vec::new(); kept.piece_count];
         let mut is_ball = vec![true; kept.piece_count];
         for half in halves() {
@@ -273,7 +276,11 @@ fn join_within_face(arrangement: &SpatialArrangement, face: u32, corners: &mut C
         return walks.class_count() as i64;
     }
     let face = FaceId::from_u32(face);
-    let walks = face_walks(&arrangement.paths(face), arrangement.view(face), &arrangement.fine_triangles().predicates());
+    let walks = face_walks(
+        &arrangement.paths(face),
+        arrangement.view(face),
+        &arrangement.fine_triangles().predicates(),
+    );
     for walk in &walks {
         for (i, &place) in walk.iter().enumerate() {
             join(place as usize, walk[(i + 1) % walk.len()] as usize);
@@ -402,7 +409,9 @@ fn faces_of_part(arrangement: &SpatialArrangement, kept: &Kept, vertex: u32, som
     let complex = arrangement.complex();
     let edges_at = |face: u32| {
         let list = complex.packed_sides().list(face as usize).iter();
-        list.filter(|&&side| complex.side_ends(side).contains(&vertex)).map(|side| side >> 1).collect::<Vec<u32>>()
+        list.filter(|&&side| complex.side_ends(side).contains(&vertex))
+            .map(|side| side >> 1)
+            .collect::<Vec<u32>>()
     };
     let all: Vec<(u32, Vec<u32>)> = (0..complex.face_count() as u32)
         .filter(|&face| kept.is_kept[face as usize])

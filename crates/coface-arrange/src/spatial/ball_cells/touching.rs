@@ -33,7 +33,9 @@ pub(super) fn facing_halves(
     for own in &corners[0] {
         for other in &corners[1] {
             let ends = [own.beside[0], other.beside[0]];
-            if around.off(ends[0], ends[1]).is_some() && corners.iter().flatten().all(|corner| around.lets_pass(corner, ends)) {
+            if around.off(ends[0], ends[1]).is_some()
+                && corners.iter().flatten().all(|corner| around.lets_pass(corner, ends))
+            {
                 let first = around.half_towards(own.edges[0], ends[0], ends[1], &corners[0])?;
                 let second = around.half_towards(other.edges[0], ends[1], ends[0], &corners[1])?;
                 return Some([first, second]);
@@ -134,12 +136,14 @@ impl<P: SpatialPredicates> Around<'_, P> {
             if !self.kept.is_kept[(packed >> 1) as usize] {
                 continue;
             }
-            let corner = corners.iter().find(|corner| corner.face == packed >> 1 && corner.edges.contains(&edge))?;
+            let corner =
+                corners.iter().find(|corner| corner.face == packed >> 1 && corner.edges.contains(&edge))?;
             let [p, q] = corner.beside;
             list.push((if corner.edges[0] == edge { q } else { p }, packed ^ (side & 1)));
         }
         // The order is counterclockwise seen from where the first fine edge ends; here it is seen from u.
-        let leads_away = (arrangement.complex().edges()[edge as usize][0] == self.vertex) == (along == Sign::Plus);
+        let leads_away =
+            (arrangement.complex().edges()[edge as usize][0] == self.vertex) == (along == Sign::Plus);
         let count = list.len();
         (0..count).find_map(|i| {
             let (from, before) = list[i];

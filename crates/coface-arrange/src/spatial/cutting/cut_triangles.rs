@@ -512,7 +512,8 @@ impl Faces {
             steps.advance(1);
             fragments
         };
-        let fragments: Vec<(Vec<Vec<u32>>, Vec<[u32; 2]>)> = divided.par_iter().with_min_len(16).map(fragments_of).collect();
+        let fragments: Vec<(Vec<Vec<u32>>, Vec<[u32; 2]>)> =
+            divided.par_iter().with_min_len(16).map(fragments_of).collect();
         let mut fragments = fragments.into_iter();
         let (mut starts, mut items) =
             (Vec::with_capacity(whole.len() + 1), Vec::with_capacity(3 * whole.len()));
@@ -534,7 +535,8 @@ impl Faces {
                 }
                 None => {
                     let (lists, own_points) = fragments.next().expect("divided sheets have fragments");
-                    points.extend(own_points.into_iter().map(|[fragment, vertex]| [count + fragment, vertex]));
+                    points
+                        .extend(own_points.into_iter().map(|[fragment, vertex]| [count + fragment, vertex]));
                     lists.iter().for_each(|list| count = add(sheet, list));
                 }
             }

@@ -274,7 +274,8 @@ impl<'a, 'b> Graph<'a, 'b> {
             let around = fragment_of[islands.parent(self, island) as usize];
             fragments[around as usize].extend(sides(outer));
         }
-        let mut lone = self.all.points_of(self.sheet).filter(|v| self.vertices.binary_search(v).is_err()).peekable();
+        let mut lone =
+            self.all.points_of(self.sheet).filter(|v| self.vertices.binary_search(v).is_err()).peekable();
         let mut points = Vec::new();
         if lone.peek().is_some() {
             let rays = Rays::new(self, &islands.of_vertex, 1);
