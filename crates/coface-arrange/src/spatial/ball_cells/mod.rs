@@ -44,8 +44,8 @@ const MOST_ROUNDS: usize = 24;
 /// let frame = SpatialPolygons::new(positions, walks, vec![0, 0])?;
 /// let arrangement = SpatialArrangement::new(&frame, &SpatialOptions::new())?;
 /// assert_eq!(arrangement.f_vector(), [8, 8, 1, 0]);
-/// // One bridge from the hole to the rim.
-/// assert_eq!(arrangement.ball_complex()?.complex().f_vector(), [8, 9, 1]);
+/// // Eight triangles.
+/// assert_eq!(arrangement.ball_complex()?.complex().f_vector(), [8, 16, 8, 0]);
 /// # Ok(()) }
 /// ```
 #[derive(Clone, Debug)]
