@@ -1590,6 +1590,28 @@ export interface YinCombinationAnswer {
   uncertified: YinDecision[];
 }
 
+/** The answer of `yin compare`. */
+export interface YinComparisonAnswer {
+  /** The area of the first set less that of the second; null if it is infinite. */
+  area_signed?: number | null;
+  /** How far that is off at most by rounding. */
+  area_signed_error: number;
+  /** The area of the symmetric difference; null if it is infinite. */
+  area_xor?: number | null;
+  /** An estimate from above of how far that is off. */
+  area_xor_error: number;
+  /** The number of components of each set. */
+  components: [number, number];
+  /** The names of the inputs. */
+  files: string[];
+  /** The Hausdorff distance of the boundaries; null if one set alone has a boundary. */
+  hausdorff?: number | null;
+  /** The number of holes of each set. */
+  holes: [number, number];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
 /** A curve of a boundary. */
 export interface YinCurve {
   /** The area that it encloses, with its sign; null beyond the range of numbers. */
