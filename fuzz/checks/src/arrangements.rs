@@ -22,9 +22,17 @@ pub fn arrange_plane(bytes: &[u8]) {
     let Ok(positions) = Positions::from_flat(2, coordinates[..2 * count].to_vec()) else { return };
     let segments: Vec<[u32; 2]> = (0..count as u32 / 2).map(|i| [2 * i, 2 * i + 1]).collect();
     if let Ok(arrangement) = PlanarArrangement::new(&positions, &segments) {
-        let complex = arrangement.chain_complex().expect("boundaries of boundaries are zero");
+        let complex = arrangement.coarse_complex().expect("boundaries of boundaries are zero");
         let groups = homology(&complex);
         assert_eq!(groups.betti_numbers().first().copied().unwrap_or(0), arrangement.component_count());
+        // With all bounded faces filled nothing is left but the parts that no face lies around.
+        let filled =
+            homology(&arrangement.chain_complex().expect("faces with holes are cut")).betti_numbers();
+        let mut components = 0..arrangement.component_count();
+        let outer =
+            components.by_ref().filter(|&part| arrangement.face_around_component(part).is_none()).count();
+        assert_eq!(filled.iter().sum::<usize>(), outer, "{filled:?}");
+        assert_eq!(filled.first().copied().unwrap_or(0), outer);
         let faces = (0..arrangement.face_count()).map(|face| Some(FaceId::new(face))).chain([None]);
         let sum = sum(faces.map(|face| arrangement.exact_area(face)));
         assert_eq!(sum, Rational::from(0), "what the faces cover is what the outside leaves");

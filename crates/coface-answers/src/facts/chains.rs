@@ -52,7 +52,14 @@ fn cells_not_balls(complex: &ChainComplex) -> Option<Remark> {
         .filter(|&face| parts_of(faces.column(face as usize).rows()) > 1)
         .collect();
     let cells = complex.boundary_matrix(3).map_or(0, |cells| cells.column_count() as u32);
-    let no_ball: Vec<u32> = (0..cells).filter(|&cell| !is_sphere(complex, cell, &no_disk)).collect();
+    // Edges in no face may be bridges from one part of a boundary to another.
+    let mut is_loose = vec![true; edges.column_count()];
+    faces.rows().iter().for_each(|&edge| is_loose[edge as usize] = false);
+    let bridges: Vec<[u32; 2]> = (0..edges.column_count())
+        .filter(|&edge| is_loose[edge])
+        .filter_map(|edge| ends(edge as u32).try_into().ok())
+        .collect();
+    let no_ball: Vec<u32> = (0..cells).filter(|&cell| !is_ball(complex, cell, &no_disk, &bridges)).collect();
     let said = match (no_disk.len(), no_ball.len()) {
         (0, 0) => return None,
         (disks, 0) => counted(disks, "face has a rim in several parts", "faces have rims in several parts"),
@@ -68,9 +75,9 @@ fn cells_not_balls(complex: &ChainComplex) -> Option<Remark> {
     Some(Remark::new(RemarkCode::CellsNotBalls, message).at(no_disk.len() + no_ball.len(), places))
 }
 
-/// Whether the boundary of a 3-cell is one sphere, as far as it can be told: where it is no surface, or has faces that are
-/// no disks, it counts as one if it is connected.
-fn is_sphere(complex: &ChainComplex, cell: u32, no_disk: &[u32]) -> bool {
+/// Whether the boundary of a 3-cell is spheres, connected by vertices and bridges, as far as it can be told: where it is no
+/// surface, or has faces that are no disks, it counts as that if it is connected.
+fn is_ball(complex: &ChainComplex, cell: u32, no_disk: &[u32], bridges: &[[u32; 2]]) -> bool {
     let (Some(edges), Some(faces), Some(cells)) =
         (complex.boundary_matrix(1), complex.boundary_matrix(2), complex.boundary_matrix(3))
     else {
@@ -108,5 +115,19 @@ fn is_sphere(complex: &ChainComplex, cell: u32, no_disk: &[u32]) -> bool {
     }
     // Each edge was seen from both of its ends, with two faces.
     let characteristic = vertices - sides / 4 + own.len() as i64;
-    own.is_empty() || shells.class_count() == 1 && (!is_surface || characteristic == 2)
+    let shell_of = |vertex: u32| {
+        let at = corners.partition_point(|corner| corner.0 < vertex);
+        corners.get(at).filter(|corner| corner.0 == vertex).map(|corner| corner.2)
+    };
+    let mut spheres = 1;
+    if shells.class_count() > 1 {
+        for &[a, b] in bridges {
+            if let (Some(a), Some(b)) = (shell_of(a), shell_of(b))
+                && shells.unite(a, b)
+            {
+                spheres += 1;
+            }
+        }
+    }
+    own.is_empty() || shells.class_count() == 1 && (!is_surface || characteristic == 2 * spheres)
 }

@@ -256,11 +256,10 @@ fn face_pieces(
                 at.iter().map(|side| side.1).filter(|&face| !kept.is_from_cut[face as usize]).collect();
             if let &[f, g] = own.as_slice()
                 && (at.len() > 2 || lies_on_other_cuts(arrangement, first_cut, [f, g]))
+                && arrangement.are_one_without([f, g], first_cut)
             {
-                if arrangement.are_one_without([f, g], first_cut) {
-                    joined.unite(f, g);
-                    between.push(at[0].0);
-                }
+                joined.unite(f, g);
+                between.push(at[0].0);
             }
         }
     }

@@ -63,6 +63,9 @@ pub(super) fn best_cut(
     corners.as_flattened().iter().all(|x| x.is_finite()).then_some(corners)
 }
 
+/// Where a triangle crosses a plane: the crossings at the two ends, where those are, and a vertex below and above.
+type Segment = ([u32; 2], [[f64; 2]; 2], [u32; 2]);
+
 /// The boundary of a piece as triangles, which run counterclockwise seen from outside of it.
 struct Surface {
     points: HashMap<u32, [f64; 3]>,
@@ -133,8 +136,7 @@ impl Surface {
             [u, v].map(|axis| p[axis] + part * (q[axis] - p[axis]))
         };
         let mut links: Vec<[u32; 2]> = Vec::new();
-        // The crossings at the ends of each segment, where those are, and a vertex below and above.
-        let mut segments: Vec<([u32; 2], [[f64; 2]; 2], [u32; 2])> = Vec::new();
+        let mut segments: Vec<Segment> = Vec::new();
         let mut edges: Vec<[u32; 2]> = Vec::with_capacity(3 * self.triangles.len());
         for &[a, b, c] in &self.triangles {
             for [p, q] in [[a, b], [b, c], [c, a]] {

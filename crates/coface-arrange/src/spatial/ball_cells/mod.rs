@@ -1,7 +1,7 @@
 //! Cells refined until each is a ball, so that boundary matrices have the homology of the space.
 //!
 //! A face with holes is no disk, and a cell with voids or tunnels is no ball: the boundary matrices of such cells forget
-//! how the parts of a boundary hang together. Three things mend it, each only where it is needed:
+//! how the parts of a boundary are connected. Three things mend it, each only where it is needed:
 //! * A **bridge** is an edge through the inside of a face or of a cell, from one part of its boundary to another. It has
 //!   no place in space, but for its ends: a face or a cell without an arc between two parts of its boundary is one with
 //!   a boundary in one piece, whatever arc it is.

@@ -404,7 +404,7 @@ fn join(halves: &[u32], piece: u32, kept: &Kept, shells: &mut UnionFind, charact
     characteristic[root as usize] = sum + 2 * (2 - 2 * halves.len() as i64);
 }
 
-/// All kept faces at a vertex that hang together with some there, through edges at it.
+/// All kept faces at a vertex that are connected with some there, through edges at it.
 fn faces_of_part(arrangement: &SpatialArrangement, kept: &Kept, vertex: u32, some: &[u32]) -> Vec<u32> {
     let complex = arrangement.complex();
     let edges_at = |face: u32| {

@@ -1,6 +1,6 @@
 //! Triangles cut against each other: the conforming complex of their fragments.
 
-use super::fragments::Fragmenting;
+use super::fragments::{Fragmenting, Fragments};
 use super::lines::{Lines, OnLines, Support};
 use super::meetings::{Meetings, Place};
 use super::predicates::CutPredicates;
@@ -512,8 +512,7 @@ impl Faces {
             steps.advance(1);
             fragments
         };
-        let fragments: Vec<(Vec<Vec<u32>>, Vec<[u32; 2]>)> =
-            divided.par_iter().with_min_len(16).map(fragments_of).collect();
+        let fragments: Vec<Fragments> = divided.par_iter().with_min_len(16).map(fragments_of).collect();
         let mut fragments = fragments.into_iter();
         let (mut starts, mut items) =
             (Vec::with_capacity(whole.len() + 1), Vec::with_capacity(3 * whole.len()));

@@ -11,6 +11,9 @@ use std::cmp::Ordering;
 
 const NONE: u32 = u32::MAX;
 
+/// The sides of each fragment of a sheet, and pairs of a fragment and a vertex inside of it that no side ends at.
+pub(super) type Fragments = (Vec<Vec<u32>>, Vec<[u32; 2]>);
+
 /// All that fragments are made from.
 pub(super) struct Fragmenting<'a> {
     pub(super) on: OnLines<'a>,
@@ -81,7 +84,7 @@ impl<'a> Fragmenting<'a> {
     }
 
     /// The sides of each fragment of a sheet as `2 * edge + against`, walk after walk, the outer one first.
-    pub(super) fn fragments(&self, sheet: u32) -> (Vec<Vec<u32>>, Vec<[u32; 2]>) {
+    pub(super) fn fragments(&self, sheet: u32) -> Fragments {
         let (mut parts, mut boundary) = (Vec::new(), Vec::new());
         self.add_boundary(sheet, &mut parts, &mut boundary);
         if self.is_undivided(sheet) {
@@ -253,7 +256,7 @@ impl<'a, 'b> Graph<'a, 'b> {
     }
 
     /// The sides of each face inside the boundary, which has this side.
-    fn fragments(&self, boundary_side: u32) -> (Vec<Vec<u32>>, Vec<[u32; 2]>) {
+    fn fragments(&self, boundary_side: u32) -> Fragments {
         let boundary = self
             .parts
             .binary_search_by_key(&(boundary_side >> 1), |part| part.edge)

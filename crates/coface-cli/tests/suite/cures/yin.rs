@@ -18,7 +18,7 @@ const ARCS: Files = &[
     ("a.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M0 0 C3 4 4 1 4 0 L2 -3 Z\"/></svg>"),
     (
         "b.svg",
-        "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M0 1e-14 C3 4 4 1 4 -1e-14 L2 -3 Z\"/></svg>",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M0 1e-13 C3 4 4 1 4 -1e-13 L2 -3 Z\"/></svg>",
     ),
 ];
 /// A drop that becomes a long thin thread in a vortex.
@@ -108,4 +108,8 @@ pub(super) const CASES: &[Case] = &[
         .files(ARCS)
         .refused("coface yin meet a.svg b.svg")
         .cured(&[&["coface yin meet a.svg b.svg --order 2 --flatten 1e-3"]]),
+    Case::new("yin/compare.rs", "ask for it with `coface yin xor`")
+        .files(DISKS)
+        .refused("coface yin compare a.svg b.svg --picture kinks -o out.svg")
+        .cured(&[&["coface yin xor a.svg b.svg --picture kinks -o out.svg"]]),
 ];

@@ -1,0 +1,42 @@
+"""What one call gives, another one takes, and it means the same."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import coface
+
+
+def box(low, high) -> coface.Model:
+    """A box as a model of quadrangles, fronts outward."""
+    corners = [[(low, high)[i >> axis & 1][axis] for axis in range(3)] for i in range(8)]
+    squares = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+    return coface.Model(np.array(corners, dtype=float), squares)
+
+
+def test_a_drilled_cube_is_a_solid_torus() -> None:
+    cube, rod = box((0, 0, 0), (4, 4, 4)), box((1, 1, -1), (2, 2, 5))
+    drilled = coface.boolean("difference", [cube, rod])
+    assert list(drilled.cells.chain_complex().homology().betti_numbers[:2]) == [1, 1]
+    again = coface.boolean("union", drilled.cells)
+    assert again.measure == drilled.measure
+    assert again.f_vector == drilled.f_vector
+
+
+def test_an_arrangement_has_the_homology_of_its_union() -> None:
+    cube, void = box((0, 0, 0), (4, 4, 4)), box((1, 1, 1), (2, 2, 2))
+    nested = coface.arrange([cube, void])
+    assert nested.f_vector == [16, 24, 12, 2]
+    betti = nested.chain_complex().homology().betti_numbers
+    assert (betti[0], sum(betti[1:])) == (1, 0)
+
+
+def test_two_sets_are_compared() -> None:
+    square = coface.YinSet.from_rings([[[0, 0], [2, 0], [2, 2], [0, 2]]])
+    shifted = coface.YinSet.from_rings([[[1, 0], [3, 0], [3, 2], [1, 2]]])
+    far = square.compare(shifted)
+    assert far["area_xor"] == pytest.approx(4.0)
+    assert far["hausdorff"] == pytest.approx(1.0)
+    same = square.compare(square)
+    assert same["area_xor"] == 0.0
