@@ -4,7 +4,7 @@
 use crate::program::{Run, argument, coface};
 use serde_json::{Value, json};
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
 type Motion = fn([f64; 3]) -> [f64; 3];
@@ -346,7 +346,7 @@ fn many_solids_are_combined_at_once() {
 }
 
 /// The Betti numbers that `info` says of a file, without zeros at the end, and its remarks.
-fn betti(path: &PathBuf) -> (Vec<u64>, Vec<String>) {
+fn betti(path: &Path) -> (Vec<u64>, Vec<String>) {
     let report = coface(&["info", argument(path), "--json"]).json();
     let mut betti: Vec<u64> =
         report["homology"].as_array().unwrap().iter().map(|group| group["betti"].as_u64().unwrap()).collect();
