@@ -127,7 +127,7 @@ fn tunnels_voids_and_touching_solids() {
         (low[axis], high[axis]) = (0, 6);
         [low, high]
     };
-    let scenes: [&[Corners]; 10] = [
+    let scenes: [&[Corners]; 11] = [
         &[cube],
         &[cube, [[1; 3], [2; 3]]],
         &[cube, rod(2, [2, 2], 1)],
@@ -146,6 +146,8 @@ fn tunnels_voids_and_touching_solids() {
         // Two boxes at a vertex, and a third that closes a ring of vertices.
         &[[[0; 3], [2; 3]], [[2; 3], [4; 3]], [[4, 4, 2], [6, 6, 4]]],
         &[[[0; 3], [2; 3]], [[2; 3], [4; 3]], [[2, 0, 4], [4, 2, 6]], [[0, 0, 2], [2, 2, 4]]],
+        // A cut through a vertex lies on faces between boxes that are put together.
+        &[[[0, 2, 2], [3, 4, 5]], [[0, 2, 1], [3, 5, 4]], [[3, 4, 3], [4, 5, 5]], [[3, 3, 4], [4, 5, 5]]],
         // Boxes that overlap in parts of their faces, edges and vertices.
         &[[[2, 4, 0], [4, 5, 1]], [[3, 1, 1], [5, 4, 2]], [[3, 3, 1], [6, 4, 2]], [[4, 2, 0], [6, 5, 3]]],
     ];

@@ -194,9 +194,11 @@ impl SpatialArrangement {
         2 * face + u32::from(own(&face).is_some_and(|part| part.1 == Sign::Minus))
     }
 
-    /// Whether all polygons of a face have these numbers or above.
-    fn is_from(&self, face: FaceId, first_polygon: usize) -> bool {
-        self.polygons_of_face(face).iter().all(|&(polygon, _)| polygon as usize >= first_polygon)
+    /// Whether some and whether all polygons of a face have this number or a higher one.
+    fn is_from(&self, face: FaceId, first_polygon: usize) -> [bool; 2] {
+        let polygons = self.polygons_of_face(face);
+        let is_from = |&(polygon, _): &(u32, Sign)| polygon as usize >= first_polygon;
+        [polygons.iter().any(is_from), polygons.iter().all(is_from)]
     }
 
     /// The cell on a side of a face: behind for 0, in front for 1; no number for the exterior.

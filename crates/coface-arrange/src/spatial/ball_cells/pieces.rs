@@ -10,7 +10,7 @@ use coface_algebra::{EdgeId, FaceId, RaggedArray, Sign, UnionFind};
 pub(super) struct Kept {
     /// Whether a face stays.
     pub(super) is_kept: Vec<bool>,
-    /// Whether a face is from cuts alone.
+    /// Whether a face is there because of cuts alone, on a face that would be left out without them perhaps.
     pub(super) is_from_cut: Vec<bool>,
     /// The piece of each cell; of the exterior and of cells that are left out, the last one.
     pub(super) piece_of_cell: Vec<u32>,
@@ -37,14 +37,16 @@ impl Kept {
             pieces.unite(cell, node(cell));
         }
         for face in 0..face_count {
-            is_from_cut[face] = has_cuts && arrangement.is_from(FaceId::new(face), first_cut);
+            let [some, all] = match has_cuts {
+                true => arrangement.is_from(FaceId::new(face), first_cut),
+                false => [false; 2],
+            };
             let sides = [0, 1].map(|side| arrangement.packed_cell(face as u32, side));
             let [behind, before] = sides.map(part);
-            is_kept[face] = if is_from_cut[face] {
-                behind == before && behind != NONE && is_cut[behind as usize]
-            } else {
-                keeps_faces || behind != before
-            };
+            let is_of_result = !all && (keeps_faces || behind != before);
+            let is_on_cut = some && behind == before && behind != NONE && is_cut[behind as usize];
+            is_from_cut[face] = !is_of_result;
+            is_kept[face] = is_of_result || is_on_cut;
             if !is_kept[face] {
                 pieces.unite(node(sides[0]), node(sides[1]));
             }
