@@ -391,7 +391,11 @@ impl Model {
         let (Some(Structure::Chains(complex)), Some(refinement)) = (&self.structure, &self.refinement) else {
             return Ok(None);
         };
-        let coarse = refinement.coarse(complex)?;
+        let coarse = refinement.coarse(complex).map_err(|error| {
+            error.with_cure(
+                "write the file again, or leave out what its cells are pieces of: the key \"pieces_of\"",
+            )
+        })?;
         if self.positions.is_empty() {
             return Ok(Some(Self::from_structure(Structure::Chains(coarse))));
         }

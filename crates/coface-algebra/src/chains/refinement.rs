@@ -3,9 +3,6 @@
 use super::ChainComplex;
 use crate::{Error, ErrorKind, SparseMatrix};
 
-/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
-const NONE: u32 = u32::MAX;
-
 /// For each cell of a refined complex the cell of the same degree that it is a piece of, or none for a cell inside of one
 /// of a higher degree: a bridge, a cut, a vertex where a cut meets an edge. Pieces of one cell run in one direction.
 ///
@@ -32,15 +29,14 @@ const NONE: u32 = u32::MAX;
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ChainRefinement {
-    /// From degree 0 on; no number for none.
-    pieces: Vec<Vec<u32>>,
+    /// From degree 0 on.
+    pieces: Vec<Vec<Option<u32>>>,
 }
 
 impl ChainRefinement {
     /// The refinement with these lists, from degree 0 on.
     pub fn new(pieces: Vec<Vec<Option<u32>>>) -> Self {
-        let packed = |list: Vec<Option<u32>>| list.into_iter().map(|piece| piece.unwrap_or(NONE)).collect();
-        Self { pieces: pieces.into_iter().map(packed).collect() }
+        Self { pieces }
     }
 
     /// The number of degrees that there are lists for.
@@ -51,12 +47,12 @@ impl ChainRefinement {
     /// The cell that each cell of a degree is a piece of.
     pub fn pieces(&self, degree: usize) -> impl ExactSizeIterator<Item = Option<u32>> + '_ {
         let list = self.pieces.get(degree).map_or(&[][..], Vec::as_slice);
-        list.iter().map(|&piece| (piece != NONE).then_some(piece))
+        list.iter().copied()
     }
 
     /// Whether each cell is a cell, under its own number.
     pub fn is_trivial(&self) -> bool {
-        self.pieces.iter().all(|list| (0..).zip(list).all(|(own, &piece)| own == piece))
+        self.pieces.iter().all(|list| (0..).zip(list).all(|(own, &piece)| piece == Some(own)))
     }
 
     /// Verifies that there is an entry for each cell.
@@ -71,15 +67,17 @@ impl ChainRefinement {
             if known != count {
                 return Err(Error::new(
                     ErrorKind::Shape,
-                    format!("the refinement has {known} entries for the {count} cells of degree {degree}"),
+                    format!(
+                        "{known} entries say what cells of degree {degree} are pieces of, but there are {count} cells"
+                    ),
                 ));
             }
-            let most = self.pieces.get(degree).into_iter().flatten().filter(|&&piece| piece != NONE).max();
-            if let Some(most) = most.filter(|&&most| most as usize >= count) {
+            let most = self.pieces(degree).flatten().max();
+            if let Some(most) = most.filter(|&most| most as usize >= count) {
                 return Err(Error::new(
                     ErrorKind::Shape,
                     format!(
-                        "the refinement names cell {most} of degree {degree}, but there are {count} pieces"
+                        "cells of degree {degree} are pieces of cell {most}, but there are {count} pieces: fewer cells"
                     ),
                 ));
             }
@@ -109,8 +107,7 @@ impl ChainRefinement {
         for (degree, matrix) in (1..).zip(refined.boundary_matrices()) {
             let is_first = first_piece(degree - 1);
             let facets = &self.pieces[degree - 1];
-            let row =
-                |facet: usize| facets.get(facet).filter(|&&piece| piece != NONE).map(|&piece| piece as usize);
+            let row = |facet: usize| facets.get(facet).copied().flatten().map(|piece| piece as usize);
             let entries = self.pieces(degree).enumerate().filter_map(|(cell, piece)| Some((cell, piece?)));
             let entries = entries.flat_map(|(cell, piece)| {
                 let own = matrix.column(cell).iter().filter(|&(facet, _)| is_first[facet]);

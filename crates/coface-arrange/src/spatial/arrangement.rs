@@ -69,8 +69,6 @@ pub struct SpatialArrangement {
     split: Vec<SplitPolygon>,
     pub(super) round_count: usize,
     options: SpatialOptions,
-    /// The vertices inside faces that no edge of them ends at, as pairs of face and vertex, rising.
-    points_in_faces: Vec<(u32, u32)>,
 }
 
 impl SpatialArrangement {
@@ -154,7 +152,6 @@ impl SpatialArrangement {
         }
         drop(predicates);
         let cells = SpatialCells::from_parts(ordered, parts);
-        let points_in_faces = points_in_faces(&cut, merged.as_ref());
         Ok(Self {
             cut,
             cells,
@@ -167,7 +164,6 @@ impl SpatialArrangement {
             split: Vec::new(),
             round_count: 0,
             options: *options,
-            points_in_faces,
         })
     }
 
@@ -233,8 +229,8 @@ impl SpatialArrangement {
 
     /// The vertices inside faces that no edge of them ends at, as where the apex of a pyramid touches a face: face and
     /// vertex, rising.
-    pub(super) fn points_in_faces(&self) -> &[(u32, u32)] {
-        &self.points_in_faces
+    pub(super) fn points_in_faces(&self) -> Vec<(u32, u32)> {
+        points_in_faces(&self.cut, self.merged.as_ref())
     }
 
     /// The numbers of vertices, edges, faces and bounded cells.

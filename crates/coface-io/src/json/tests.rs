@@ -111,6 +111,15 @@ fn faults_name_key_and_entry() {
         (r#"{"d0":[[0,0,-1],[0,1,1]],"d1":[[0,0,1]]}"#, "boundary"),
         (r#"{"vertices":[[0]],"boundaries":[{"rows":2,"cols":0,"entries":[]}]}"#, "1 points for 2 vertices"),
         (r#"{"vertices":[[0]]}"#, "but none of"),
+        // The largest number is a cell like any other, and there is no such cell.
+        (
+            r#"{"boundaries":[{"rows":2,"cols":1,"entries":[[0,0,-1],[1,0,1]]}],"pieces_of":[[0,1],[4294967295]]}"#,
+            "cells of degree 1 are pieces of cell 4294967295",
+        ),
+        (
+            r#"{"boundaries":[{"rows":2,"cols":1,"entries":[[0,0,-1],[1,0,1]]}],"pieces_of":[[0],[0]]}"#,
+            "1 entries say what cells of degree 0 are pieces of, but there are 2 cells",
+        ),
     ];
     for (text, expected) in table {
         let message = read(text.as_bytes()).unwrap_err().to_string();

@@ -57,7 +57,7 @@ pub(super) fn build(
             if turned { [b, a] } else { [a, b] }
         })
         .collect();
-    let points = arrangement.points_in_faces();
+    let points = &kept.points;
     let own_sides = |face: u32| {
         let list = complex.packed_sides().list(face as usize).iter();
         list.map(|&side| (side, complex.side_ends(side).map(|v| number_of_vertex[v as usize])))

@@ -21,7 +21,7 @@ use self::matching::cells_of_cut;
 use self::pieces::{Kept, Pieces};
 use super::SpatialArrangement;
 use coface_algebra::chains::{ChainComplex, ChainRefinement};
-use coface_algebra::{CellId, Error, FaceId, Sign, VertexId};
+use coface_algebra::{CellId, Error, FaceId, Sign};
 use coface_geometry::Positions;
 
 /// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
@@ -178,20 +178,6 @@ impl SpatialArrangement {
         let kept = Kept::new(self, self.polygon_count(), &packed, &is_cut, rules.keep_faces);
         let pieces = Pieces::new(self, &kept, &packed);
         build(self, self, &kept, &pieces, rules.triangles)
-    }
-
-    /// The fine vertex that a vertex is, by number.
-    fn fine_vertex_number(&self, vertex: u32) -> u32 {
-        self.fine_vertex(VertexId::from_u32(vertex)).to_u32()
-    }
-
-    /// Twice the face that a fine face is part of, plus one if that has the other front.
-    fn packed_face_of_fine(&self, fine: u32) -> u32 {
-        let fine = FaceId::from_u32(fine);
-        let own = |face: &u32| self.fine_faces(FaceId::from_u32(*face)).find(|part| part.0 == fine);
-        let face = (0..self.complex().face_count() as u32).find(|face| own(face).is_some());
-        let face = face.expect("each fine face is part of a face");
-        2 * face + u32::from(own(&face).is_some_and(|part| part.1 == Sign::Minus))
     }
 
     /// Whether some and whether all polygons of a face have this number or a higher one.

@@ -12,6 +12,10 @@ pub(super) struct Kept {
     pub(super) is_kept: Vec<bool>,
     /// Whether a face is there because of cuts alone, on a face that would be left out without them perhaps.
     pub(super) is_from_cut: Vec<bool>,
+    /// Twice the face that each fine face is part of, plus one if that has the other front.
+    pub(super) faces_of_fine: Vec<u32>,
+    /// Kept faces with the vertices inside of them that no edge of them ends at, rising.
+    pub(super) points: Vec<(u32, u32)>,
     /// The piece of each cell; of the exterior and of cells that are left out, the last one.
     pub(super) piece_of_cell: Vec<u32>,
     pub(super) piece_count: usize,
@@ -61,7 +65,10 @@ impl Kept {
             class => class,
         };
         let piece_of_cell = numbers[..parts.len()].iter().map(number).collect();
-        Self { is_kept, is_from_cut, piece_of_cell, piece_count }
+        let mut points = arrangement.points_in_faces();
+        points.retain(|&(face, _)| is_kept[face as usize]);
+        let faces_of_fine = faces_of_fine(arrangement);
+        Self { is_kept, is_from_cut, faces_of_fine, points, piece_of_cell, piece_count }
     }
 
     /// The piece on a side of a face, [`Self::piece_count`] for the outside.
@@ -89,6 +96,17 @@ pub(super) struct Pieces {
     between: Vec<(u32, u32)>,
     /// Whether it is known how the shells of a piece are joined.
     is_known: Vec<bool>,
+}
+
+/// A corner of a shell at a vertex.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Touch {
+    vertex: u32,
+    /// The part of the kept faces at the vertex that are connected without it.
+    part: u32,
+    piece: u32,
+    /// A half-face of the shell there.
+    half: u32,
 }
 
 /// The corner of a half-face: a vertex of one of its shells.
@@ -129,14 +147,13 @@ impl Pieces {
         }
         // Along each edge the half-faces on the two sides of a sector between kept faces are glued.
         let places = places_at_edges(arrangement, &kept.is_kept);
-        let faces_of_fine = faces_of_fine(arrangement);
         let mut around: Vec<(u32, usize)> = Vec::new();
         for edge in 0..complex.edge_count() {
             around.clear();
             let (fine, along) =
                 arrangement.fine_edges(EdgeId::new(edge)).next().expect("an edge has a first piece");
             for &fine_side in arrangement.fine().radial_order().list(fine.index()) {
-                let packed = faces_of_fine[(fine_side >> 1) as usize];
+                let packed = kept.faces_of_fine[(fine_side >> 1) as usize];
                 let face = (packed >> 1) as usize;
                 if !kept.is_kept[face] {
                     continue;
@@ -168,7 +185,7 @@ impl Pieces {
         let mut characteristic = vec![0i64; 2 * complex.face_count()];
         let mut is_counted = vec![false; 4 * sides.item_count()];
         let mut is_known = vec![true; kept.piece_count + 1];
-        let mut touching: Vec<(u32, u32, u32, u32)> = Vec::new();
+        let mut touching: Vec<Touch> = Vec::new();
         for half in halves() {
             let face = (half >> 1) as usize;
             let shell = shells.find(half) as usize;
@@ -182,25 +199,23 @@ impl Pieces {
                         characteristic[shell] += 2;
                         let vertex = complex.edges()[(side >> 1) as usize][end];
                         let part = corners.around_vertex.find(corner >> 1);
-                        touching.push((vertex, part, piece_at(half), half));
+                        touching.push(Touch { vertex, part, piece: piece_at(half), half });
                     }
                 }
             }
         }
-        for &(face, vertex) in arrangement.points_in_faces() {
-            if kept.is_kept[face as usize] {
-                let part = 2 * sides.item_count() as u32 + face;
-                for half in [2 * face, 2 * face + 1] {
-                    touching.push((vertex, part, piece_at(half), half));
-                }
+        for &(face, vertex) in &kept.points {
+            let part = 2 * sides.item_count() as u32 + face;
+            for half in [2 * face, 2 * face + 1] {
+                touching.push(Touch { vertex, part, piece: piece_at(half), half });
             }
         }
         touching.sort_unstable();
         let mut between = Vec::new();
-        for at in touching.chunk_by(|x, y| x.0 == y.0) {
+        for at in touching.chunk_by(|x, y| x.vertex == y.vertex) {
             let joined =
                 join_at_vertex(arrangement, kept, at, &mut shells, &mut characteristic, &mut is_known);
-            between.extend(joined.into_iter().map(|piece| (piece, at[0].0)));
+            between.extend(joined.into_iter().map(|piece| (piece, at[0].vertex)));
         }
         let shell_of_half: Vec<u32> =
             (0..2 * complex.face_count() as u32).map(|half| shells.find(half)).collect();
@@ -319,8 +334,7 @@ fn places_at_edges(arrangement: &SpatialArrangement, is_kept: &[bool]) -> Ragged
     lists
 }
 
-/// Joins shells that touch in a vertex where a piece lies between them. `at` are the corners of shells at the vertex:
-/// the vertex, the part of the faces at it that are connected without it, the piece, a half-face of the shell.
+/// Joins shells that touch in a vertex where a piece lies between them. `at` are the corners of shells at the vertex.
 ///
 /// On a small sphere around the vertex the faces are curves, in as many connected parts as there are parts here, and the
 /// corners are closed walks around regions. A region whose rim is in k parts joins k corners; over all regions the
@@ -329,18 +343,18 @@ fn places_at_edges(arrangement: &SpatialArrangement, is_kept: &[bool]) -> Ragged
 fn join_at_vertex(
     arrangement: &SpatialArrangement,
     kept: &Kept,
-    at: &[(u32, u32, u32, u32)],
+    at: &[Touch],
     shells: &mut UnionFind,
     characteristic: &mut [i64],
     is_known: &mut [bool],
 ) -> Vec<u32> {
-    let mut faces: Vec<u32> = at.iter().map(|corner| corner.1).collect();
+    let mut faces: Vec<u32> = at.iter().map(|corner| corner.part).collect();
     faces.dedup();
     if faces.len() < 2 {
         return Vec::new();
     }
     let mut by_piece: Vec<(u32, u32, u32, u32)> =
-        at.iter().map(|&(_, part, piece, half)| (piece, part, shells.find(half), half)).collect();
+        at.iter().map(|own| (own.piece, own.part, shells.find(own.half), own.half)).collect();
     by_piece.sort_unstable();
     if by_piece[0].0 as usize == kept.piece_count {
         // Nothing but the outside.
@@ -360,13 +374,13 @@ fn join_at_vertex(
         let between = (faces.len() == 2).then(|| {
             let own = |part: u32| {
                 let mut list: Vec<u32> =
-                    at.iter().filter(|corner| corner.1 == part).map(|corner| corner.3 >> 1).collect();
+                    at.iter().filter(|corner| corner.part == part).map(|corner| corner.half >> 1).collect();
                 list.sort_unstable();
                 list.dedup();
-                faces_of_part(arrangement, kept, at[0].0, &list)
+                faces_of_part(arrangement, kept, at[0].vertex, &list)
             };
             let lists = [own(faces[0]), own(faces[1])];
-            facing_halves(arrangement, kept, at[0].0, [&lists[0], &lists[1]])
+            facing_halves(arrangement, kept, at[0].vertex, [&lists[0], &lists[1]])
         });
         match between.flatten() {
             Some(halves) => {
@@ -374,7 +388,7 @@ fn join_at_vertex(
                 join(&halves, piece, kept, shells, characteristic);
                 return vec![piece];
             }
-            None => at.iter().for_each(|corner| is_known[corner.2 as usize] = false),
+            None => at.iter().for_each(|corner| is_known[corner.piece as usize] = false),
         }
         return Vec::new();
     }

@@ -3,7 +3,7 @@
 use super::pieces::Kept;
 use crate::spatial::SpatialArrangement;
 use crate::spatial::predicates::SpatialPredicates;
-use coface_algebra::{EdgeId, FaceId, Sign};
+use coface_algebra::{EdgeId, FaceId, Sign, VertexId};
 use std::cmp::Ordering;
 
 /// The corner of a face at a vertex: the fine vertices next to it on the two sides that meet there.
@@ -26,7 +26,7 @@ pub(super) fn facing_halves(
     faces: [&[u32]; 2],
 ) -> Option<[u32; 2]> {
     let predicates = arrangement.fine_triangles().predicates();
-    let fine = arrangement.fine_vertex_number(vertex);
+    let fine = arrangement.fine_vertex(VertexId::from_u32(vertex)).to_u32();
     let mut around = Around { arrangement, kept, vertex, fine, predicates, nodes: Vec::new() };
     let corners = [around.corners(faces[0])?, around.corners(faces[1])?];
     around.nodes = corners.iter().flatten().flat_map(|corner| corner.beside).collect();
@@ -132,7 +132,7 @@ impl<P: SpatialPredicates> Around<'_, P> {
         // Directions of the faces around the edge, as they lie there, with the half-face on the side where the list begins.
         let mut list: Vec<(u32, u32)> = Vec::new();
         for &side in arrangement.fine().radial_order().list(fine.index()) {
-            let packed = arrangement.packed_face_of_fine(side >> 1);
+            let packed = self.kept.faces_of_fine[(side >> 1) as usize];
             if !self.kept.is_kept[(packed >> 1) as usize] {
                 continue;
             }
