@@ -1,6 +1,6 @@
-//! Answers whose fields are the words of the program's JSON.
+//! Answers as classes, with the words of the program's JSON.
 
-/// The methods of a class whose answer is JSON: one read-only property for each key, and what stands in the second part.
+/// The methods of a class with the field `answer`: one read-only property for each key of it, and what stands in the second part.
 macro_rules! answer {
     ($type:ident { $($(#[$doc:meta])* $name:ident),* $(,)? } $($rest:tt)*) => {
         #[pymethods]
@@ -9,13 +9,13 @@ macro_rules! answer {
                 $(#[$doc])*
                 #[getter]
                 fn $name<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-                    crate::json::to_python(py, &self.value[stringify!($name)])
+                    crate::objects::to_python(py, &self.answer.$name)
                 }
             )*
 
             /// The answer as a dictionary, in the words of the program's JSON.
             fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-                crate::json::to_python(py, &self.value)
+                crate::objects::to_python(py, &self.answer)
             }
 
             $($rest)*

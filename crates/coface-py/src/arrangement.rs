@@ -5,10 +5,14 @@ use crate::arrays;
 use crate::chain_complex::ChainComplex;
 use crate::congruence::{choice, named_models};
 use crate::errors::{OrRaise, invalid};
-use crate::json::{to_python, value_of};
 use crate::model::{Model, format_of};
+use crate::objects::{text_of, to_python};
 use crate::source::Source;
 use crate::work::run;
+use coface::answers::answer::{
+    PlanarArrangementAnswer, PlanarBooleanAnswer, SolidBooleanAnswer, SolidBooleanProvenance,
+    SpatialArrangementAnswer,
+};
 use coface::answers::{
     ArrangementRequest, BooleanRequest, DrawingArrangement, OpenInputs, PlanarDrawing, RegionBoolean,
     RegionSource, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene, is_planar,
@@ -21,7 +25,6 @@ use coface::{EdgeId, Error, FaceId};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use serde_json::Value;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::OnceLock;
@@ -118,12 +121,12 @@ pub(crate) fn arrange<'py>(
         let mut request = ArrangementRequest::default();
         (request.rule, request.prune, request.snap, request.max_cells) = (rule, prune, snap, max_cells);
         let source = if features { RegionSource::Features } else { RegionSource::Models };
-        let (arranged, value) = run(py, progress, || {
+        let (arranged, answer) = run(py, progress, || {
             let arranged = DrawingArrangement::new(PlanarDrawing::new(borrowed(&models), source)?, &request)?;
-            let value = value_of(&arranged.answer()?);
-            Ok((arranged, value))
+            let answer = arranged.answer()?;
+            Ok((arranged, answer))
         })?;
-        return Ok(Bound::new(py, PlanarArrangement { arranged, value })?.into_any());
+        return Ok(Bound::new(py, PlanarArrangement { arranged, answer })?.into_any());
     }
     if features || prune {
         return Err(invalid(
@@ -133,12 +136,12 @@ pub(crate) fn arrange<'py>(
         ));
     }
     let request = spatial_request(snap, max_cells, split, merge_coplanar);
-    let (arranged, value) = run(py, progress, || {
+    let (arranged, answer) = run(py, progress, || {
         let arranged = SceneArrangement::of_scene(SpatialScene::of(borrowed(&models), true)?, &request)?;
-        let value = value_of(&arranged.answer(rule.unwrap_or_default())?);
-        Ok((arranged, value))
+        let answer = arranged.answer(rule.unwrap_or_default())?;
+        Ok((arranged, answer))
     })?;
-    Ok(Bound::new(py, SpatialArrangement { arranged, value })?.into_any())
+    Ok(Bound::new(py, SpatialArrangement { arranged, answer })?.into_any())
 }
 
 fn spatial_request(
@@ -241,8 +244,8 @@ pub(crate) fn boolean<'py>(
             }
             RegionBoolean::new(drawing, &formula(operation, count)?, &request)
         })?;
-        let value = value_of(&result.answer());
-        return Ok(Bound::new(py, PlanarBoolean { result, value })?.into_any());
+        let answer = result.answer();
+        return Ok(Bound::new(py, PlanarBoolean { result, answer })?.into_any());
     }
     if features {
         return Err(invalid(py, "features are for regions in the plane", "leave features out in space"));
@@ -256,14 +259,14 @@ pub(crate) fn boolean<'py>(
         request.rule = rule.unwrap_or_default();
         (request.open, request.split_pinches, request.keep_walls) = (open, split_pinches, keep_walls);
         let result = SolidBoolean::of(&arrangement, &request)?;
-        let (value, provenance) = (value_of(&result.answer()?), value_of(&result.provenance()?));
+        let (answer, provenance) = (result.answer()?, result.provenance()?);
         let mesh = result.to_mesh()?;
         drop(result);
-        Ok((value, provenance, mesh, arrangement, request))
+        Ok((answer, provenance, mesh, arrangement, request))
     })?;
-    let (value, provenance, mesh, arrangement, request) = solid;
+    let (answer, provenance, mesh, arrangement, request) = solid;
     let result = SolidBooleanResult {
-        value,
+        answer,
         provenance,
         model: Py::new(py, Model::of(mesh))?,
         arrangement,
@@ -300,7 +303,7 @@ pub(crate) fn formula(operation: &str, count: usize) -> Result<BooleanFormula, E
 #[pyclass(frozen, module = "coface", name = "PlanarArrangement")]
 pub(crate) struct PlanarArrangement {
     arranged: DrawingArrangement,
-    value: Value,
+    answer: PlanarArrangementAnswer,
 }
 
 answer! { PlanarArrangement {
@@ -447,7 +450,7 @@ answer! { PlanarArrangement {
     }
 
     fn __repr__(&self) -> String {
-        format!("PlanarArrangement(f-vector {})", self.value["f_vector"])
+        format!("PlanarArrangement(f-vector {})", text_of(&self.answer.f_vector))
     }
 }
 
@@ -474,7 +477,7 @@ pub(crate) fn named_format(py: Python<'_>, path: &std::path::Path, format: Optio
 #[pyclass(frozen, module = "coface", name = "PlanarBoolean")]
 pub(crate) struct PlanarBoolean {
     result: RegionBoolean,
-    value: Value,
+    answer: PlanarBooleanAnswer,
 }
 
 answer! { PlanarBoolean {
@@ -586,7 +589,7 @@ answer! { PlanarBoolean {
     }
 
     fn __repr__(&self) -> String {
-        format!("PlanarBoolean(area {}, f-vector {})", self.value["measure"], self.value["f_vector"])
+        format!("PlanarBoolean(area {}, f-vector {})", text_of(&self.answer.measure), text_of(&self.answer.f_vector))
     }
 }
 
@@ -596,7 +599,7 @@ answer! { PlanarBoolean {
 #[pyclass(frozen, module = "coface", name = "SpatialArrangement")]
 pub(crate) struct SpatialArrangement {
     arranged: SceneArrangement,
-    value: Value,
+    answer: SpatialArrangementAnswer,
 }
 
 answer! { SpatialArrangement {
@@ -664,7 +667,7 @@ answer! { SpatialArrangement {
     }
 
     fn __repr__(&self) -> String {
-        format!("SpatialArrangement(f-vector {})", self.value["f_vector"])
+        format!("SpatialArrangement(f-vector {})", text_of(&self.answer.f_vector))
     }
 }
 
@@ -673,8 +676,8 @@ answer! { SpatialArrangement {
 /// Made by :func:`boolean`.
 #[pyclass(frozen, module = "coface", name = "SolidBoolean")]
 pub(crate) struct SolidBooleanResult {
-    value: Value,
-    provenance: Value,
+    answer: SolidBooleanAnswer,
+    provenance: SolidBooleanProvenance,
     model: Py<Model>,
     arrangement: SceneArrangement,
     request: SolidRequest,
@@ -734,6 +737,6 @@ answer! { SolidBooleanResult {
     }
 
     fn __repr__(&self) -> String {
-        format!("SolidBoolean(volume {}, f-vector {})", self.value["measure"], self.value["f_vector"])
+        format!("SolidBoolean(volume {}, f-vector {})", text_of(&self.answer.measure), text_of(&self.answer.f_vector))
     }
 }

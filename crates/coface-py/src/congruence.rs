@@ -4,15 +4,15 @@ use crate::answer::answer;
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
 use crate::errors::invalid;
-use crate::json::value_of;
 use crate::memory::owned_matrix;
 use crate::model::{Model, source_of};
+use crate::objects::text_of;
 use crate::work::run;
+use coface::answers::answer::CongruenceAnswer;
 use coface::answers::{BlockRule, CongruenceRequest, ModelCongruence};
 use coface::arrange::congruence::{BlockPolicy, ClassRule, Collisions, CongruenceMethod, Representative};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use serde_json::Value;
 
 /// Models merged within a tolerance: vertices nearby become one, and edges, faces and cells with them.
 ///
@@ -20,7 +20,7 @@ use serde_json::Value;
 #[pyclass(frozen, module = "coface", name = "Congruence")]
 pub(crate) struct Congruence {
     congruence: ModelCongruence,
-    value: Value,
+    answer: CongruenceAnswer,
 }
 
 /// What a word stands for.
@@ -139,13 +139,13 @@ pub(crate) fn congruence(
         [("allow", BlockPolicy::Allow), ("warn", BlockPolicy::Warn), ("forbid", BlockPolicy::Forbid)];
     request.within_blocks = choice(py, "within_blocks", within_blocks, &policies)?;
     let models = named_models(models)?;
-    let (congruence, value) = run(py, progress, || {
+    let (congruence, answer) = run(py, progress, || {
         let models = models.iter().map(|(name, source)| (name.clone(), source.model.clone())).collect();
         let congruence = ModelCongruence::of(models, &request)?;
-        let value = value_of(&congruence.answer()?);
-        Ok((congruence, value))
+        let answer = congruence.answer()?;
+        Ok((congruence, answer))
     })?;
-    Ok(Congruence { congruence, value })
+    Ok(Congruence { congruence, answer })
 }
 
 answer! { Congruence {
@@ -207,6 +207,7 @@ answer! { Congruence {
     }
 
     fn __repr__(&self) -> String {
-        format!("Congruence({} from {})", self.value["f_vector"], self.value["f_vector_before"])
+        let [after, before] = [&self.answer.f_vector, &self.answer.f_vector_before].map(text_of);
+        format!("Congruence({after} from {before})")
     }
 }

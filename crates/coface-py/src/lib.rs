@@ -19,6 +19,7 @@ mod incidence;
 mod json;
 mod memory;
 mod model;
+mod objects;
 mod persistence;
 mod pi1;
 mod pictures;

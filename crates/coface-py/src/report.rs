@@ -1,7 +1,7 @@
 //! Reports: everything that `coface info` says.
 
 use crate::arrays;
-use crate::json::to_python;
+use crate::objects::to_python;
 use crate::source::Source;
 use coface::answers as report;
 use coface::answers::text;

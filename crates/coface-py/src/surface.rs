@@ -7,9 +7,9 @@ pub(crate) use opened::{Cocycles, Cover, Domain};
 use crate::arrays;
 use crate::errors::{OrRaise, invalid};
 use crate::homology::Chain;
-use crate::json::object;
 use crate::memory::shared_ids;
 use crate::model::Model;
+use crate::objects::to_python;
 use crate::pi1::FundamentalGroup;
 use crate::source::{Names, Naming, Source};
 use crate::work::run;
@@ -26,10 +26,23 @@ use coface::topology::{
 };
 use coface::{Error, ErrorKind, FaceId, Fault, HalfedgeId, VertexId};
 use numpy::{PyArray1, PyArrayMethods};
+use opened::BasisAnswer;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
-use serde_json::{Value, json};
+use serde::Serialize;
 use std::sync::Arc;
+
+/// What is known of a closed walk among others.
+#[derive(Serialize)]
+struct ComparedWalk {
+    contractible: bool,
+    bounds: bool,
+    class: Vec<i64>,
+    component: Option<usize>,
+    word: Vec<i32>,
+    homotopic: Vec<usize>,
+    freely_homotopic: Vec<usize>,
+}
 
 /// How many vertices searches from all roots may reach in all.
 const MOST_REACHED: usize = 2_000_000_000;
@@ -309,7 +322,7 @@ impl Surface {
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Domain> {
         let along = along.map(|path| arrays::ids(path, "the path")).transpose()?;
-        let (value, model) = run(py, progress, || {
+        let (answer, model) = run(py, progress, || {
             let cut = match &along {
                 Some(path) => self.surface.cut_along(path)?,
                 None => {
@@ -317,9 +330,9 @@ impl Surface {
                     self.surface.cut_open(&CutRequest { simplify, rounds, base })?
                 }
             };
-            Ok((object(&cut.answer()), cut.model()?))
+            Ok((cut.answer(), cut.model()?))
         })?;
-        Ok(Domain { value, model: Py::new(py, Model::of(model))? })
+        Ok(Domain { answer, model: Py::new(py, Model::of(model))? })
     }
 
     /// The universal cover of a component, as far as it is asked for.
@@ -376,15 +389,15 @@ impl Surface {
             }
         };
         let extent = radius.map_or(CoverExtent::Copies(copies.unwrap_or(1)), CoverExtent::Radius);
-        let (value, model) = run(py, progress, || {
+        let (answer, model) = run(py, progress, || {
             let cover = self.surface.cover(component, extent, most_cells)?;
             let placed = match choice.map(|choice| cover.placed(choice)).transpose() {
                 Err(_) if choice == Some(LayoutChoice::Any) => None,
                 placed => placed?,
             };
-            Ok((object(&cover.answer(placed.as_ref())), cover.model(placed.as_ref())?))
+            Ok((cover.answer(placed.as_ref()), cover.model(placed.as_ref())?))
         })?;
-        Ok(Cover { value, model: Py::new(py, Model::of(model))? })
+        Ok(Cover { answer, model: Py::new(py, Model::of(model))? })
     }
 
     /// The cover that has each face twice, once for each of its sides; it can be oriented.
@@ -467,20 +480,23 @@ impl Surface {
             Py::new(py, Chain { degree: 1, terms, cell_count, naming: Arc::clone(&naming), is_cochain: true })
         };
         let chains = basis.cocycles().iter().map(cochain).collect::<PyResult<_>>()?;
-        let value = json!({
-            "rank": basis.cocycles().len(),
-            "method": method,
-            "pairing": basis.pairing(),
-            "determinant": basis.determinant().map(WholeNumber::from),
-            "loops": basis.loops().iter().map(|walk| self.walk_numbers(walk)).collect::<Vec<_>>(),
-            "intersection": found.intersection().map(|(matrix, _)| matrix),
-            "weights": forms.as_ref().map(|(weights, ..)| weights),
-            "closed_residuals": forms.as_ref().map(|(_, forms, _)| forms.iter().map(HarmonicForm::closed_residual).collect::<Vec<_>>()),
-            "coclosed_residuals": forms.as_ref().map(|(_, forms, _)| forms.iter().map(HarmonicForm::coclosed_residual).collect::<Vec<_>>()),
-        });
+        let residuals = |residual: fn(&HarmonicForm) -> f64| {
+            forms.as_ref().map(|(_, forms, _)| forms.iter().map(residual).collect())
+        };
+        let answer = BasisAnswer {
+            rank: basis.cocycles().len(),
+            method: method.to_owned(),
+            pairing: basis.pairing().to_vec(),
+            determinant: basis.determinant().map(WholeNumber::from),
+            loops: basis.loops().iter().map(|walk| self.walk_numbers(walk)).collect(),
+            intersection: found.intersection().map(|(matrix, _)| matrix.to_vec()),
+            weights: forms.as_ref().map(|&(weights, ..)| weights),
+            closed_residuals: residuals(HarmonicForm::closed_residual),
+            coclosed_residuals: residuals(HarmonicForm::coclosed_residual),
+        };
         let forms =
             forms.map(|(_, forms, _)| forms.iter().map(|form| form.values().as_slice().to_vec()).collect());
-        Ok(Cocycles { value, cocycles: chains, forms, edge_count: cell_count })
+        Ok(Cocycles { answer, cocycles: chains, forms, edge_count: cell_count })
     }
 
     /// The fundamental groups of the components in generators of the surface, with their loops.
@@ -636,7 +652,7 @@ impl Surface {
         for walk in walks.try_iter()? {
             lists.push(arrays::ids(&walk?, "a walk")?);
         }
-        let value = run(py, progress, || {
+        let answers = run(py, progress, || {
             let map = self.map();
             let mut closed = Vec::new();
             for list in &lists {
@@ -662,19 +678,19 @@ impl Surface {
                 }
                 let class = homology.class_of_walk(walk)?;
                 let bounds = class.iter().all(|&x| x == 0);
-                answers.push(json!({
-                    "contractible": homotopy.is_contractible(walk)?,
-                    "bounds": bounds,
-                    "class": class,
-                    "component": homotopy.component(walk)?,
-                    "word": homotopy.word(walk)?.letters(),
-                    "homotopic": based,
-                    "freely_homotopic": free,
-                }));
+                answers.push(ComparedWalk {
+                    contractible: homotopy.is_contractible(walk)?,
+                    bounds,
+                    class,
+                    component: homotopy.component(walk)?,
+                    word: homotopy.word(walk)?.letters().to_vec(),
+                    homotopic: based,
+                    freely_homotopic: free,
+                });
             }
-            Ok(Value::from(answers))
+            Ok(answers)
         })?;
-        crate::json::to_python(py, &value)
+        to_python(py, &answers)
     }
 
     /// The surface as a model.

@@ -13,10 +13,11 @@ use crate::arrangement::{formula, named_format, rule_of};
 use crate::arrays;
 use crate::congruence::choice;
 use crate::errors::{OrRaise, invalid};
-use crate::json::{to_python, value_of};
 use crate::model::{Model, read_options};
+use crate::objects::to_python;
 use crate::source::Source;
 use crate::work::run;
+use coface::answers::answer::{YinDecision, YinProvenance, YinSetAnswer};
 use coface::answers::{KinkRequest, PlanarSet, SetRequest};
 use coface::io;
 use coface::io::Format;
@@ -30,7 +31,7 @@ use coface::{Error, VertexId};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyString, PyTuple};
-use serde_json::Value;
+use serde::Serialize;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -113,18 +114,51 @@ fn kinks_of(kinks: &Bound<'_, PyAny>) -> PyResult<KinkRequest> {
 pub(crate) struct YinSet {
     set: Arc<PlanarSet>,
     /// What was known when it was made: where pieces come from, what was decided without proof.
-    provenance: Value,
-    value: Value,
+    provenance: Option<SetProvenance>,
+    answer: YinSetAnswer,
+}
+
+/// Where the pieces of a combination come from, and what was decided without proof.
+#[derive(Serialize)]
+struct SetProvenance {
+    #[serde(flatten)]
+    provenance: YinProvenance,
+    uncertified: Vec<YinDecision>,
+}
+
+/// What came of moving a set.
+#[derive(Serialize)]
+struct MotionFacts {
+    steps: usize,
+    added: usize,
+    removed: usize,
+    vanished: Vec<VanishedCurve>,
+    repairs: Vec<Repair>,
+}
+
+/// A curve that became too small, and when.
+#[derive(Serialize)]
+struct VanishedCurve {
+    time: f64,
+    curve: u32,
+}
+
+/// A set whose curves crossed, and when it was cut and pasted.
+#[derive(Serialize)]
+struct Repair {
+    step: usize,
+    time: f64,
+    fault: String,
 }
 
 impl YinSet {
     fn of(set: PlanarSet) -> Result<Self, Error> {
-        Self::with_provenance(set, Value::Null)
+        Self::with_provenance(set, None)
     }
 
-    fn with_provenance(set: PlanarSet, provenance: Value) -> Result<Self, Error> {
-        let value = value_of(&set.answer()?);
-        Ok(Self { set: Arc::new(set), provenance, value })
+    fn with_provenance(set: PlanarSet, provenance: Option<SetProvenance>) -> Result<Self, Error> {
+        let answer = set.answer()?;
+        Ok(Self { set: Arc::new(set), provenance, answer })
     }
 
     fn inner(&self) -> &yin::YinSet {
@@ -133,9 +167,11 @@ impl YinSet {
 
     fn combined(sets: &[&yin::YinSet], operation: &str) -> Result<Self, Error> {
         let combination = yin::YinSet::combine(sets, &formula(operation, sets.len())?)?;
-        let mut provenance = value_of(&PlanarSet::provenance(&combination));
-        provenance["uncertified"] = value_of(&PlanarSet::decisions(&combination));
-        Self::with_provenance(PlanarSet::from_set(combination.into_set()), provenance)
+        let provenance = SetProvenance {
+            provenance: PlanarSet::provenance(&combination),
+            uncertified: PlanarSet::decisions(&combination),
+        };
+        Self::with_provenance(PlanarSet::from_set(combination.into_set()), Some(provenance))
     }
 
     fn with(&self, py: Python<'_>, other: &Bound<'_, Self>, operation: &str) -> PyResult<Self> {
@@ -193,7 +229,7 @@ answer! { YinSet {
     /// For each curve ``sign``, ``area``, ``length``, ``knots``, ``kinks``, ``parent``, ``depth``, ``name``.
     #[getter]
     fn curve_facts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.value["curves"])
+        to_python(py, &self.answer.curves)
     }
 
     #[new]
@@ -396,8 +432,7 @@ answer! { YinSet {
     /// boundaries), ``components`` and ``holes`` of both.
     fn compare<'py>(&self, py: Python<'py>, other: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         let [first, second] = [&self.set, &other.get().set].map(Arc::clone);
-        let value = run(py, None, || Ok(value_of(&first.compared_with("self", &second, "other")?)))?;
-        to_python(py, &value)
+        to_python(py, &run(py, None, || first.compared_with("self", &second, "other"))?)
     }
 
     fn __invert__(&self, py: Python<'_>) -> PyResult<Self> {
@@ -724,13 +759,19 @@ answer! { YinSet {
             }
         };
         let counts = moved.counts();
-        let facts = serde_json::json!({
-            "steps": counts.steps(),
-            "added": counts.added(),
-            "removed": counts.removed(),
-            "vanished": moved.vanished().iter().map(|curve| serde_json::json!({"time": curve.time(), "curve": curve.curve()})).collect::<Vec<_>>(),
-            "repairs": moved.repairs().iter().map(|repair| serde_json::json!({"step": repair.step(), "time": repair.time(), "fault": repair.fault().to_string()})).collect::<Vec<_>>(),
+        let vanished = |curve: &yin::VanishedCurve| VanishedCurve { time: curve.time(), curve: curve.curve() };
+        let repairs = moved.repairs().iter().map(|repair| Repair {
+            step: repair.step(),
+            time: repair.time(),
+            fault: repair.fault().to_string(),
         });
+        let facts = MotionFacts {
+            steps: counts.steps(),
+            added: counts.added(),
+            removed: counts.removed(),
+            vanished: moved.vanished().iter().map(vanished).collect(),
+            repairs: repairs.collect(),
+        };
         let set = run(py, None, || Self::of(PlanarSet::from_set(moved.into_set())))?;
         Ok((set, to_python(py, &facts)?))
     }

@@ -1156,6 +1156,67 @@ export interface RenderAnswer {
   remarks: Remark[];
 }
 
+/**
+ * What a row of `batch` says of a file that could be read, beside its `path`, `bytes`, `seconds` and `error`: what `info` says of it. A
+ * row has warnings, but no remarks.
+ */
+export interface RowAnswer {
+  /** The area of a surface, in the square of the unit of the file; `null` without positions. */
+  area?: number | null;
+  /** The number of connected components of the graph of edges with one face; `null` unless the dimension is 2. */
+  boundary_loops?: number | null;
+  /** The boundary of a volume; `null` for everything else and where there is none. */
+  boundary_surface?: BoundarySurface | null;
+  /** Whether neighboring top cells agree as the file gives them. */
+  coherently_oriented?: boolean | null;
+  /** The number of connected components; an isolated vertex is one. */
+  components: number;
+  /** The named numbers on vertices, lines, polygons and cells. */
+  data: DataAnswer[];
+  /** The highest degree of a cell; `null` for the empty complex. */
+  dimension?: number | null;
+  /** The alternating sum of the numbers of cells. */
+  euler_characteristic: number;
+  /** The numbers of cells of degrees 0, 1, ... up to the dimension. */
+  f_vector: number[];
+  /** The name of the file, as the row has it in `path`. */
+  file: string;
+  /** The format of the file, such as `off`. */
+  format: string;
+  /** The genus of a connected surface; of a non-orientable one the number of cross-caps. */
+  genus?: number | null;
+  /** The named sets of vertices, lines, polygons and cells. */
+  groups: NamedGroup[];
+  /** The integral homology of degrees 0, 1, ... up to the dimension. */
+  homology: HomologyGroup[];
+  /** What sort of thing the model is: `complex`, `surface`, `volume` or `planar`. */
+  kind: string;
+  /** Whether the model without its isolated vertices is a manifold. */
+  manifold: ManifoldAnswer;
+  /** Volume, center and inertia of the solid of density 1 that the model encloses. */
+  mass?: MassAnswer | null;
+  /** The integrals of monomials that were asked for. */
+  moments: MomentAnswer[];
+  /** The surface in words, such as `torus`; `null` if a component is no surface. */
+  name?: string | null;
+  /** Whether the top cells can be oriented so that neighbors agree; `null` where one of their facets lies in three. */
+  orientable?: boolean | null;
+  /** What is wrong, and where. */
+  problems: ProblemAnswer[];
+  /** Whether every cell is a face of a cell of the highest degree; `null` for a chain complex. */
+  pure?: boolean | null;
+  /** The enclosed volume, in the cube of the unit of the file, positive when faces run counterclockwise seen from outside. */
+  signed_volume?: number | null;
+  /** The center of the area of a surface in space. */
+  surface_centroid?: [number, number, number] | null;
+  /** The components of a model of polygons, isolated vertices left out. */
+  surfaces: SurfaceAnswer[];
+  /** How many cells of the highest degree have which shape. */
+  top_cells: CellsOfShape[];
+  /** What was odd, one sentence each: the reader's remarks, then the first sentence of each problem. */
+  warnings: string[];
+}
+
 /** A path of edges along which a component was cut. */
 export interface SeamAnswer {
   /** The number of its edges. */

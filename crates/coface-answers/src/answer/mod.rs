@@ -45,7 +45,7 @@ pub use arrange::{
     PlanarRounding, SpatialArrangementAnswer, SpatialArrangementProvenance, SpatialInput, SpatialRounding,
     SplitPolygons, VertexOrigin,
 };
-pub use batch::BatchAnswer;
+pub use batch::{BatchAnswer, RowAnswer};
 pub use boolean::{
     BoundaryManifold, BoundaryVerdict, BoundaryWitness, EdgeOrigin, Pinches, PlanarBooleanAnswer,
     PlanarBooleanProvenance, PolygonRounding, SolidBooleanAnswer, SolidBooleanProvenance,

@@ -4,9 +4,10 @@ use super::{
     BatchAnswer, CochainTestAnswer, CocyclesAnswer, CongruenceAnswer, ConvertAnswer, CoverAnswer, CutAnswer,
     CyclesAnswer, DoubleCoverAnswer, GenerateAnswer, HomologyAnswer, HomotopicAnswer, IncidenceAnswer,
     InfoAnswer, InfoReports, LoopsAnswer, PersistenceAnswer, Pi1Answer, PlanarArrangementAnswer,
-    PlanarBooleanAnswer, ReduceAnswer, RenderAnswer, ShardAnswer, SimplicesAnswer, SolidBooleanAnswer,
-    SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer, YinAdvectAnswer, YinCombinationAnswer,
-    YinComparisonAnswer, YinCutCellsAnswer, YinInfoAnswer, YinKinksAnswer, YinSetAnswer,
+    PlanarBooleanAnswer, ReduceAnswer, RenderAnswer, RowAnswer, ShardAnswer, SimplicesAnswer,
+    SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer, YinAdvectAnswer,
+    YinCombinationAnswer, YinComparisonAnswer, YinCutCellsAnswer, YinInfoAnswer, YinKinksAnswer,
+    YinSetAnswer,
 };
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
@@ -82,6 +83,7 @@ answers! {
     "convert" => ConvertAnswer,
     "generate" => GenerateAnswer,
     "batch" => BatchAnswer,
+    "batch (row)" => RowAnswer,
     "congruence" => CongruenceAnswer,
     "arrange (plane)" => PlanarArrangementAnswer,
     "arrange (space)" => SpatialArrangementAnswer,

@@ -3,16 +3,18 @@
 use crate::answer::answer;
 use crate::homology::Chain;
 use crate::model::Model;
+use crate::objects::text_of;
+use coface::answers::answer::{CoverAnswer, CutAnswer, EdgeWeights, WholeNumber};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
-use serde_json::Value;
+use serde::Serialize;
 
 /// A surface cut open: a disk for each component, and seams.
 ///
 /// Made by :meth:`Surface.cut`.
 #[pyclass(frozen, module = "coface", name = "Domain")]
 pub(crate) struct Domain {
-    pub(super) value: Value,
+    pub(super) answer: CutAnswer,
     pub(super) model: Py<Model>,
 }
 
@@ -33,8 +35,8 @@ answer! { Domain {
     }
 
     fn __repr__(&self) -> String {
-        let components = self.value["components"].as_array().map_or(0, Vec::len);
-        format!("Domain(f-vector {}, components {components})", self.value["f_vector"])
+        let f_vector = text_of(&self.answer.f_vector);
+        format!("Domain(f-vector {f_vector}, components {})", self.answer.components.len())
     }
 }
 
@@ -43,7 +45,7 @@ answer! { Domain {
 /// Made by :meth:`Surface.cover`.
 #[pyclass(frozen, module = "coface", name = "Cover")]
 pub(crate) struct Cover {
-    pub(super) value: Value,
+    pub(super) answer: CoverAnswer,
     pub(super) model: Py<Model>,
 }
 
@@ -78,7 +80,7 @@ answer! { Cover {
     }
 
     fn __repr__(&self) -> String {
-        format!("Cover(copies {}, f-vector {})", self.value["copies"], self.value["f_vector"])
+        format!("Cover(copies {}, f-vector {})", self.answer.copies, text_of(&self.answer.f_vector))
     }
 }
 
@@ -87,10 +89,24 @@ answer! { Cover {
 /// Made by :meth:`Surface.cocycles`.
 #[pyclass(frozen, module = "coface", name = "Cocycles")]
 pub(crate) struct Cocycles {
-    pub(super) value: Value,
+    pub(super) answer: BasisAnswer,
     pub(super) cocycles: Vec<Py<Chain>>,
     pub(super) forms: Option<Vec<Vec<f64>>>,
     pub(super) edge_count: usize,
+}
+
+/// What is known of a basis beside its cochains.
+#[derive(Serialize)]
+pub(super) struct BasisAnswer {
+    pub(super) rank: usize,
+    pub(super) method: String,
+    pub(super) pairing: Vec<Vec<i64>>,
+    pub(super) determinant: Option<WholeNumber>,
+    pub(super) loops: Vec<Vec<u32>>,
+    pub(super) intersection: Option<Vec<Vec<i64>>>,
+    pub(super) weights: Option<EdgeWeights>,
+    pub(super) closed_residuals: Option<Vec<f64>>,
+    pub(super) coclosed_residuals: Option<Vec<f64>>,
 }
 
 answer! { Cocycles {

@@ -3,11 +3,11 @@
 use super::journal::Stamp;
 use coface_algebra::Error;
 use coface_answers::Report;
+use coface_answers::answer::{RowAnswer, to_json};
 use coface_io as io;
 use coface_io::{FileEntries, Format, Model, ReadOptions, VolumeReading};
 
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 /// A file to report on, and how.
@@ -244,7 +244,10 @@ impl Examiner {
             };
             report_on(model, &name, request.reading)
         });
-        report.unwrap_or_else(|error| json!({"error": error_to_json(&error)})).to_string()
+        match report {
+            Ok(row) => to_json(&row),
+            Err(error) => Failure { error: Fault::of(&error) }.to_line(),
+        }
     }
 
     /// Reads a file, or one of the models of a file.
@@ -268,29 +271,49 @@ impl Examiner {
 ///
 /// # Errors
 /// What [`Report::of`] finds, in the file of this name.
-pub(crate) fn report_on(model: Model, name: &str, reading: Reading) -> Result<Value, Error> {
+pub(crate) fn report_on(model: Model, name: &str, reading: Reading) -> Result<RowAnswer, Error> {
     let format = model.format().unwrap_or(Format::Json);
     let report = Report::of(model).map_err(|error| error.in_file(name))?;
-    let mut row = json!({"file": name, "format": format.name()});
     let limit = if reading.all_places { usize::MAX } else { PLACES };
-    let facts =
-        serde_json::to_value(report.answer(limit)).map_err(|error| Error::invalid(error.to_string()))?;
-    if let (Value::Object(row), Value::Object(mut facts)) = (&mut row, facts) {
-        // A row has the warnings.
-        facts.remove("remarks");
-        row.extend(facts);
-    }
-    Ok(row)
+    Ok(RowAnswer::of(name, format.name(), report.answer(limit)))
 }
 
-/// An error as an object with `kind`, `message` (with its place) and `cure` (null where there is none).
-pub(crate) fn error_to_json(error: &Error) -> Value {
-    let whole = error.to_string();
-    let message = match error.cure() {
-        Some(cure) => whole.strip_suffix(&format!("; {cure}")).unwrap_or(&whole),
-        None => &whole,
-    };
-    json!({"kind": error.kind().word(), "message": message, "cure": error.cure()})
+/// The answer of a worker on a file that it cannot serve.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Failure {
+    pub(crate) error: Fault,
+}
+
+/// An error in a row.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Fault {
+    /// What to do.
+    pub(crate) cure: Option<String>,
+    pub(crate) kind: String,
+    /// The place and what is wrong there.
+    pub(crate) message: String,
+}
+
+impl Failure {
+    pub(crate) fn to_line(&self) -> String {
+        serde_json::to_string(self).expect("errors have texts as keys")
+    }
+}
+
+impl Fault {
+    /// An error with its cure beside its message.
+    pub(crate) fn of(error: &Error) -> Self {
+        let whole = error.to_string();
+        let message = match error.cure() {
+            Some(cure) => whole.strip_suffix(&format!("; {cure}")).unwrap_or(&whole),
+            None => &whole,
+        };
+        Self {
+            cure: error.cure().map(str::to_owned),
+            kind: error.kind().word().to_owned(),
+            message: message.to_owned(),
+        }
+    }
 }
 
 #[cfg(test)]
@@ -340,11 +363,23 @@ mod tests {
     }
 
     #[test]
+    fn a_row_says_what_info_says() {
+        let read = || coface_io::read(&b"[[0,1,2],[1,2,3],[9]]"[..], Format::Json).unwrap();
+        let row = report_on(read(), "a.json", Reading::default()).unwrap();
+        let row: serde_json::Value = serde_json::from_str(&to_json(&row)).unwrap();
+        let info = Report::of(read()).unwrap().answer(PLACES).of_file("a.json", "json");
+        let mut info = serde_json::to_value(info).unwrap();
+        assert!(info.as_object_mut().unwrap().remove("remarks").is_some());
+        assert_eq!(row, info);
+    }
+
+    #[test]
     fn an_error_has_its_place_in_the_message_and_its_cure_beside_it() {
         let error = Error::parse("bad").at_line(3).in_file("a.off").with_cure("write a number");
-        let expected = json!({"kind": "parse", "message": "a.off:3: bad", "cure": "write a number"});
-        assert_eq!(error_to_json(&error), expected);
+        let line = Failure { error: Fault::of(&error) }.to_line();
+        assert_eq!(line, r#"{"error":{"cure":"write a number","kind":"parse","message":"a.off:3: bad"}}"#);
         let error = Error::new(ErrorKind::Io, "gone");
-        assert_eq!(error_to_json(&error), json!({"kind": "io", "message": "gone", "cure": null}));
+        let line = Failure { error: Fault::of(&error) }.to_line();
+        assert_eq!(line, r#"{"error":{"cure":null,"kind":"io","message":"gone"}}"#);
     }
 }

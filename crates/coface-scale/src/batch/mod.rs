@@ -191,7 +191,10 @@ impl Batch {
             summary.count(row);
             match format {
                 TableFormat::JsonLines => Ok(()),
-                TableFormat::Csv => columns.see(&row.to_json(self.timings)?),
+                TableFormat::Csv => {
+                    columns.see(&row.to_table_row()?);
+                    Ok(())
+                }
             }
         })?;
         coface_io::replace_file(out, |file| {
@@ -200,9 +203,7 @@ impl Batch {
             }
             journal.each(|row| match format {
                 TableFormat::JsonLines => Ok(writeln!(file, "{}", row.to_line(self.timings))?),
-                TableFormat::Csv => {
-                    table::write_row(file, &columns, &row.to_json(self.timings)?, self.timings)
-                }
+                TableFormat::Csv => table::write_row(file, &columns, &row.to_table_row()?, self.timings),
             })
         })
     }

@@ -1,8 +1,7 @@
 //! Rows as lines of a file.
 
-use super::flat::Columns;
+use super::flat::{Cell, Columns, TableRow};
 use coface_algebra::{Error, escaped};
-use serde_json::Value;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
@@ -63,7 +62,7 @@ pub(crate) fn write_header(out: &mut dyn Write, columns: &Columns, timings: bool
 pub(crate) fn write_row(
     out: &mut dyn Write,
     columns: &Columns,
-    row: &Value,
+    row: &TableRow,
     timings: bool,
 ) -> Result<(), Error> {
     let values: Vec<String> = columns.values(row, timings).iter().map(field).collect();
@@ -80,29 +79,35 @@ pub(crate) fn write_row(
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let folder = std::env::temp_dir();
 /// let (lines, out) = (folder.join("coface-rows.jsonl"), folder.join("coface-rows.csv"));
-/// std::fs::write(&lines, "{\"path\":\"a.off\",\"f_vector\":[3,3,1]}\n")?;
-/// coface_scale::batch::csv_of_lines(&lines, &out, false)?;
+/// use coface_scale::batch::{Examiner, ReportRequest, csv_of_lines};
+/// let request = ReportRequest::new("memory://segment.lines").to_line();
+/// let row = Examiner::default().examine_with(&request, |_| Some(Ok(b"0,0,1,1".to_vec())));
+/// std::fs::write(&lines, row + "\n")?;
+/// csv_of_lines(&lines, &out, false)?;
 /// let text = std::fs::read_to_string(&out)?;
-/// assert!(text.starts_with("path,bytes,") && text.contains(",f_0,f_1,f_2,") && text.contains("\na.off,,"));
+/// assert!(text.starts_with("path,bytes,") && text.contains(",f_0,f_1,") && text.contains(",edge=1,"), "{text}");
 /// # std::fs::remove_file(&lines)?;
 /// # std::fs::remove_file(&out)?;
 /// # Ok(()) }
 /// ```
 pub fn csv_of_lines(lines: &Path, out: &Path, timings: bool) -> Result<(), Error> {
-    let each = |take: &mut dyn FnMut(&Value) -> Result<(), Error>| -> Result<(), Error> {
+    let each = |take: &mut dyn FnMut(&TableRow) -> Result<(), Error>| -> Result<(), Error> {
         let in_lines = |error: Error| error.in_file(lines.display().to_string());
         let file = File::open(lines).map_err(|error| in_lines(error.into()))?;
         for (line, number) in BufReader::new(file).lines().zip(1..) {
             let line = line.map_err(|error| in_lines(error.into()))?;
-            let row = serde_json::from_str(&line).map_err(|error| {
-                in_lines(Error::parse(format!("this is no row: {error}")).at_line(number))
+            let row = TableRow::of_line(&line).map_err(|fault| {
+                in_lines(Error::parse(format!("this is no row: {fault}")).at_line(number))
             })?;
             take(&row)?;
         }
         Ok(())
     };
     let mut columns = Columns::default();
-    each(&mut |row| columns.see(row))?;
+    each(&mut |row| {
+        columns.see(row);
+        Ok(())
+    })?;
     coface_io::replace_file(out, |file| {
         write_header(file, &columns, timings)?;
         each(&mut |row| write_row(file, &columns, row, timings))
@@ -111,14 +116,14 @@ pub fn csv_of_lines(lines: &Path, out: &Path, timings: bool) -> Result<(), Error
 
 /// A value as a field: empty for null, in one line, in quotes where it must be. What a spreadsheet would take for a
 /// formula has an apostrophe before it, which says that it is text.
-fn field(value: &Value) -> String {
+fn field(value: &Cell) -> String {
     let text = match value {
-        Value::Null => return String::new(),
-        Value::String(text) => {
+        Cell::Nothing => return String::new(),
+        Cell::Text(text) => {
             let text = escaped(text);
             if is_formula(&text) { format!("'{text}") } else { text.into_owned() }
         }
-        other => other.to_string(),
+        number => serde_json::to_string(number).expect("numbers are JSON"),
     };
     if text.contains([',', '"', '\n', '\r']) || text.is_empty() || text.trim() != text {
         return format!("\"{}\"", text.replace('"', "\"\""));
@@ -138,36 +143,28 @@ fn is_formula(text: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde_json::json;
 
     #[test]
     fn fields_are_quoted_where_they_must_be() {
-        let fields = [
-            json!(null),
-            json!(true),
-            json!(0.1),
-            json!("a b"),
-            json!("a,\"b\""),
-            json!("\n"),
-            json!(""),
-            json!([1, 2]),
-        ];
-        let expected = ["", "true", "0.1", "a b", "\"a,\"\"b\"\"\"", "\\n", "\"\"", "\"[1,2]\""];
+        let text = |text: &str| Cell::from(text);
+        let fields =
+            [Cell::Nothing, true.into(), 0.1.into(), text("a b"), text("a,\"b\""), text("\n"), text("")];
+        let expected = ["", "true", "0.1", "a b", "\"a,\"\"b\"\"\"", "\\n", "\"\""];
         assert_eq!(fields.map(|value| field(&value)), expected);
     }
 
     #[test]
     fn formulas_are_text_and_numbers_are_numbers() {
         for text in ["=1+1", "+cmd|' /C calc'!A0", "-2+3", "@SUM(A1)", "-", "+1-1", "-inf", "-1e5 "] {
-            let cell = field(&json!(text));
+            let cell = field(&text.into());
             assert!(cell.trim_start_matches('"').starts_with(&format!("'{}", &text[..1])), "{text}: {cell}");
         }
-        assert_eq!([field(&json!("\t=1")), field(&json!("\r\n=1"))], ["\\t=1", "\\r\\n=1"]);
-        assert_eq!(field(&json!("=a,b")), "\"'=a,b\"");
+        assert_eq!([field(&"\t=1".into()), field(&"\r\n=1".into())], ["\\t=1", "\\r\\n=1"]);
+        assert_eq!(field(&"=a,b".into()), "\"'=a,b\"");
         for text in ["-1.5", "+2", "-1e-5", "a=b", "1-1", "."] {
-            assert_eq!(field(&json!(text)), text);
+            assert_eq!(field(&text.into()), text);
         }
-        assert_eq!([field(&json!(-1.5)), field(&json!(-3))], ["-1.5", "-3"]);
+        assert_eq!([field(&(-1.5).into()), field(&Cell::Whole(-3))], ["-1.5", "-3"]);
     }
 
     #[test]
