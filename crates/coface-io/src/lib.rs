@@ -81,7 +81,9 @@ pub use drawing::{Shape, shapes};
 pub use entries::{FileEntries, entries_of_path};
 pub use feature_table::FeatureTable;
 #[doc(hidden)]
-pub use files::{FolderLock, MadeFolders, TemporaryFolder, check_output, open_regular, replace_files};
+pub use files::{
+    FolderLock, MadeFolders, StagedFiles, TemporaryFolder, check_output, open_regular, replace_files,
+};
 pub use files::{abandon_files, content_hash, replace_file};
 pub use format::Format;
 pub use group::{Group, GroupKind};

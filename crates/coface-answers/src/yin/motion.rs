@@ -165,10 +165,10 @@ impl MotionRequest {
     }
 }
 
-/// A set on its way: the sets at equal times, the last at the end.
+/// What came of moving a set.
 #[derive(Clone, Debug)]
 pub struct PlanarMotion {
-    frames: Vec<PlanarSet>,
+    last: PlanarSet,
     time: f64,
     scheme: u32,
     counts: [usize; 3],
@@ -180,10 +180,11 @@ pub struct PlanarMotion {
 impl PlanarSet {
     /// Moves the set with a velocity field, which gives the velocity at a point and a time.
     ///
-    /// `progress` is called with the number of each part before it begins, from 1.
+    /// `progress` is called with the number of each part before it begins, from 1, and `take` with this number and the set at its end: the
+    /// last of them is the set at the end. Only one set of the way is in memory at a time.
     ///
     /// # Errors
-    /// Those of [`YinSet::advected`](coface_yin::YinSet::advected).
+    /// Those of [`YinSet::advected`](coface_yin::YinSet::advected), and the errors of `take`, which end the motion.
     ///
     /// # Examples
     /// ```
@@ -193,9 +194,13 @@ impl PlanarSet {
     /// let text = b"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))";
     /// let square = PlanarSet::of(&read_boundary(&text[..], Format::Wkt, &ReadOptions::default())?, &SetRequest::default())?;
     /// let request = MotionRequest::until(1.0).step(Some(0.5)).spacing(Some(1.0)).frames(2);
-    /// let motion = square.moved(|_, _| [3.0, 0.0], &request, |_| ())?;
-    /// assert_eq!(motion.frames().len(), 2);
-    /// assert_eq!(motion.frames()[1].bounding_box(), Some([[3.0, 0.0], [4.0, 1.0]]));
+    /// let mut corners = Vec::new();
+    /// let take = |number, set: &PlanarSet| {
+    ///     corners.push((number, set.bounding_box().map(|[low, _]| low)));
+    ///     Ok(())
+    /// };
+    /// square.moved(|_, _| [3.0, 0.0], &request, |_| (), take)?;
+    /// assert_eq!(corners, [(1, Some([1.5, 0.0])), (2, Some([3.0, 0.0]))]);
     /// # Ok(()) }
     /// ```
     pub fn moved(
@@ -203,6 +208,7 @@ impl PlanarSet {
         velocity: impl Fn([f64; 2], f64) -> [f64; 2] + Sync,
         request: &MotionRequest,
         mut progress: impl FnMut(usize),
+        mut take: impl FnMut(usize, &Self) -> Result<(), Error>,
     ) -> Result<PlanarMotion, Error> {
         let end = request.time;
         // Without time nothing moves, in steps of any length.
@@ -211,7 +217,7 @@ impl PlanarSet {
         let spacing = request.spacing.unwrap_or(f64::max(high[0] - low[0], high[1] - low[1]) / 100.0);
         let scheme = request.scheme.unwrap_or(RungeKutta::for_curves(self.set().order()));
         let mut motion = PlanarMotion {
-            frames: Vec::new(),
+            last: self.clone(),
             time: end,
             scheme: scheme.order(),
             counts: [0; 3],
@@ -231,8 +237,7 @@ impl PlanarSet {
             tracking = tracking.most_turn(request.most_turn);
             tracking = tracking.verification(request.verification);
             tracking = tracking.repair(request.repair);
-            let last = motion.frames.last().unwrap_or(self);
-            let moved = last.set().advected(&velocity, &tracking)?;
+            let moved = motion.last.set().advected(&velocity, &tracking)?;
             let counts = moved.counts();
             let before = motion.counts[0];
             motion.repairs.extend(moved.repairs().iter().map(|repair| YinRepairAnswer {
@@ -254,38 +259,16 @@ impl PlanarSet {
             );
             let curves = moved.curves().to_vec();
             origins = curves.iter().map(|&curve| origin(curve)).collect();
-            let next = last.followed_by(moved.into_set(), &curves);
-            motion.frames.push(next);
+            motion.last = motion.last.followed_by(moved.into_set(), &curves);
+            take(frame, &motion.last)?;
         }
         Ok(motion)
     }
 }
 
 impl PlanarMotion {
-    /// The sets of the way, by time; the last is that at the end.
-    ///
-    /// # Examples
-    /// ```
-    /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// use coface_answers::{MotionRequest, PlanarSet, SetRequest};
-    /// use coface_io::{Format, ReadOptions, read_boundary};
-    /// let text = &b"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"[..];
-    /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
-    /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
-    /// let request = MotionRequest::until(1.0).step(Some(0.5)).spacing(Some(1.0)).frames(2);
-    /// let motion = square.moved(|_, _| [3.0, 0.0], &request, |_| ())?;
-    /// assert_eq!(motion.frames().len(), 2);
-    /// # Ok(()) }
-    /// ```
-    pub fn frames(&self) -> &[PlanarSet] {
-        &self.frames
-    }
-
     /// The set at the end.
     ///
-    /// # Panics
-    /// Never: there is at least one set.
-    ///
     /// # Examples
     /// ```
     /// # fn main() -> Result<(), coface_algebra::Error> {
@@ -295,12 +278,12 @@ impl PlanarMotion {
     /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
     /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
     /// let request = MotionRequest::until(1.0).step(Some(0.5)).spacing(Some(1.0)).frames(2);
-    /// let motion = square.moved(|_, _| [3.0, 0.0], &request, |_| ())?;
+    /// let motion = square.moved(|_, _| [3.0, 0.0], &request, |_| (), |_, _| Ok(()))?;
     /// assert_eq!(motion.last().bounding_box(), Some([[3.0, 0.0], [4.0, 1.0]]));
     /// # Ok(()) }
     /// ```
     pub fn last(&self) -> &PlanarSet {
-        self.frames.last().expect("there is at least one set")
+        &self.last
     }
 
     /// The number of steps in which the boundary was cut and pasted.
@@ -314,7 +297,7 @@ impl PlanarMotion {
     /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
     /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
     /// let request = MotionRequest::until(1.0).step(Some(0.5)).spacing(Some(1.0)).frames(2);
-    /// let motion = square.moved(|_, _| [3.0, 0.0], &request, |_| ())?;
+    /// let motion = square.moved(|_, _| [3.0, 0.0], &request, |_| (), |_, _| Ok(()))?;
     /// assert_eq!(motion.repair_count(), 0);
     /// # Ok(()) }
     /// ```
@@ -336,7 +319,7 @@ impl PlanarMotion {
     /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
     /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
     /// let request = MotionRequest::until(1.0).step(Some(0.5)).spacing(Some(1.0)).frames(2);
-    /// let motion = square.moved(|_, _| [3.0, 0.0], &request, |_| ())?;
+    /// let motion = square.moved(|_, _| [3.0, 0.0], &request, |_| (), |_, _| Ok(()))?;
     /// assert_eq!(motion.answer("square.wkt", Vec::new())?.file, "square.wkt");
     /// # Ok(()) }
     /// ```

@@ -93,6 +93,10 @@ fn what_meets_is_refused_or_repaired() {
     );
     assert!(message.contains("--repair nonzero") && message.contains("drop.json"), "{message}");
     assert!(!output.exists(), "nothing is written");
+    // Nor are the sets of the way before that, which are kept in a folder that goes.
+    let message = fails(&[&common[..], &["--frames", "4"]].concat());
+    assert!(message.contains("at time ") && !message.contains("at time 0.0"), "{message}");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
     let repaired = run(&["--repair", "nonzero"]);
     let repairs = repaired["repairs"].as_array().unwrap();
     assert!(!repairs.is_empty() && repairs[0]["fault"].as_str().unwrap().contains('('), "{repaired}");
@@ -106,6 +110,10 @@ fn what_meets_is_refused_or_repaired() {
     let unseen = fails(&[&common[..], &["--verify", "never"]].concat());
     assert!(unseen.contains("curve 0 comes to (") && unseen.contains("--repair"), "{unseen}");
     assert!(!output.exists(), "nothing is written");
+    // Nor are the sets of the way before that, which are kept in a folder that goes.
+    let message = fails(&[&common[..], &["--frames", "4"]].concat());
+    assert!(message.contains("at time ") && !message.contains("at time 0.0"), "{message}");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
     assert!(
         fails(&[&common[..], &["--verify", "never", "--repair", "nonzero"]].concat())
             .contains("--verify never")

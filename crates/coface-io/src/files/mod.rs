@@ -14,6 +14,7 @@ mod fingerprint;
 mod hold;
 mod lock;
 mod output;
+mod staged;
 mod temporary;
 
 pub(crate) use companion::Companions;
@@ -21,4 +22,5 @@ pub use companion::open_regular;
 pub use fingerprint::content_hash;
 pub use lock::FolderLock;
 pub use output::{check_output, replace_file, replace_files};
+pub use staged::StagedFiles;
 pub use temporary::{MadeFolders, TemporaryFolder, abandon_files};

@@ -5,11 +5,12 @@ use crate::arguments::Common;
 use crate::commands::arrange::Rule;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{remark, write_file};
+use crate::output::remark;
 use crate::progress::Progress;
 use clap::{Args, ValueEnum};
-use coface::answers::MotionRequest;
 use coface::answers::text;
+use coface::answers::{MotionRequest, PlanarSet};
+use coface::io::StagedFiles;
 use coface::yin::{Flow, RungeKutta, Verification};
 use std::path::{Path, PathBuf};
 
@@ -143,29 +144,22 @@ impl Advect {
             .frames(count);
         let name = input::name(&self.input);
         let stage = |frame: usize| progress.stage(format!("moving, part {frame} of {count}"));
-        let motion = planar.moved(|point, time| flow.velocity(point, time), &request, stage);
+        // Sets of the way are written as they come, and appear when all is done.
+        let frames = output.filter(|_| count > 1);
+        let mut staged = frames.map(|(path, _)| StagedFiles::beside(path)).transpose()?;
+        let mut files = Vec::new();
+        let take = |number: usize, set: &PlanarSet| {
+            let (Some((path, format)), Some(staged)) = (frames, &mut staged) else { return Ok(()) };
+            let path = numbered(path, number);
+            staged.write(&path, |out| self.options.write_to(set, out, format, common))?;
+            files.push(path.display().to_string());
+            Ok(())
+        };
+        let motion = planar.moved(|point, time| flow.velocity(point, time), &request, stage, take);
         let motion = motion.map_err(|error| named_rules(error).in_file(name.clone()))?;
-        // Nothing is written before all is done.
-        let mut frames = Vec::new();
-        if let Some((path, format)) = output.filter(|_| count > 1) {
-            progress.stage("writing");
-            let mut texts = Vec::with_capacity(count);
-            for (number, set) in (1..).zip(motion.frames()) {
-                let path = numbered(path, number);
-                let mut text = Vec::new();
-                let written = self.options.write_to(set, &mut text, format, common);
-                written.map_err(|error| error.in_file(path.display().to_string()))?;
-                texts.push((path, text));
-            }
-            // One that the format cannot hold leaves no others behind.
-            for (path, text) in texts {
-                write_file(&path, &text)?;
-                frames.push(path.display().to_string());
-            }
-        }
         let planar = motion.last();
         progress.stage("measuring");
-        let answer = match motion.answer(&name, frames) {
+        let answer = match motion.answer(&name, files) {
             Err(error) if self.verify == When::Never => {
                 // What is no boundary any more has no components to be counted.
                 let fault = planar.set().validate().ok().flatten();
@@ -176,6 +170,10 @@ impl Advect {
             }
             answer => answer?,
         };
+        if let Some(staged) = staged {
+            progress.stage("writing");
+            staged.finish()?;
+        }
         if motion.repair_count() > 0 && !common.quiet {
             remark(&format!(
                 "the boundary was cut and pasted in {}",
