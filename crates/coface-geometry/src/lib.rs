@@ -44,6 +44,7 @@ mod angle;
 mod box_tree;
 mod measure;
 mod moments;
+mod pair_tree;
 mod partial_positions;
 mod positions;
 pub mod predicates;
@@ -56,5 +57,7 @@ pub use box_tree::{AxisBox, BoxTree, boxes_meet, frame_around};
 pub use measure::{Scaled, Sum};
 pub use measure::{cross, determinant, dot, enclosed_volume, polygon_area};
 pub use moments::{MassProperties, enclosed_moment, surface_centroid, surface_moment};
+#[doc(hidden)]
+pub use pair_tree::{Bounds, PairNode, PairTask, PairTree, hilbert};
 pub use partial_positions::PartialPositions;
 pub use positions::Positions;

@@ -1,9 +1,10 @@
 //! Where segments meet: every pair that has a common point, exactly.
 
 use super::PlanarOptions;
-use super::segment_tree::{Part, SegmentTree};
+use super::segment_tree::SegmentTree;
 use coface_algebra::Error;
 use coface_algebra::progress::stage;
+use coface_geometry::PairTask;
 use coface_geometry::predicates::{PlanarLine, PlanarPoint, orientation};
 use rayon::prelude::*;
 use std::cmp::Ordering;
@@ -76,7 +77,7 @@ impl Meetings {
     pub(super) fn of(soup: &Soup, tree: &SegmentTree, options: &PlanarOptions) -> Result<Self, Error> {
         let parts = tree.parts();
         let steps = stage("finding crossings", parts.len());
-        let search = |&part: &Part| {
+        let search = |&part: &PairTask| {
             steps.advance(1);
             let mut found = Self::default();
             tree.search(part, |pair, lines| found.meet(soup, pair, lines));

@@ -5,6 +5,7 @@
 //! them are. So where many runs are near each other, compared with how far each of them is from a segment, their
 //! segments come one by one.
 
+use coface_geometry::hilbert;
 use coface_geometry::predicates::PlanarLine;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -191,19 +192,4 @@ impl Runs {
         }
         Self { starts, count: self.count }
     }
-}
-
-/// The place of a point of the square of side 2^32 on the Hilbert curve.
-fn hilbert(mut x: u32, mut y: u32) -> u64 {
-    let mut place = 0;
-    for level in (0..32).rev() {
-        let [right, up] = [x >> level & 1, y >> level & 1];
-        place = place << 2 | u64::from((3 * right) ^ up);
-        // In the lower half the curve is turned, in the lower right one the other way.
-        let flip = (right & !up & 1).wrapping_neg();
-        (x, y) = (x ^ flip, y ^ flip);
-        let swap = (x ^ y) & (!up & 1).wrapping_neg();
-        (x, y) = (x ^ swap, y ^ swap);
-    }
-    place
 }

@@ -11,6 +11,7 @@
 use super::hilbert_order::{HilbertOrder, LEAF};
 use super::oriented_box::{OrientedBox, dot};
 use coface_geometry::predicates::PlanarLine;
+use coface_geometry::{Bounds, PairNode, PairTask, PairTree};
 use rayon::prelude::*;
 
 /// Into how many parts a search for pairs is cut, at least, when there is that much to do.
@@ -26,8 +27,8 @@ pub(super) struct SegmentTree {
     lines: Vec<PlanarLine>,
     /// What is known of the segments in each leaf.
     runs: Vec<Run>,
-    /// The boxes around [`LEAF`] places each, then around two boxes each, up to one box.
-    levels: Vec<Vec<Bounds>>,
+    /// The boxes around [`LEAF`] places each, and around nodes.
+    tree: PairTree<TwoBoxes>,
 }
 
 /// Whether the segments of a leaf follow each other on a polyline, and which ways all of them go.
@@ -54,26 +55,15 @@ impl Run {
     }
 }
 
-/// A node by its level and its number on it.
-#[derive(Clone, Copy, PartialEq, Eq)]
-struct Node {
-    level: u32,
-    index: u32,
-}
-
-/// A part of the search for pairs: all pairs with one segment below each node.
-#[derive(Clone, Copy)]
-pub(super) struct Part([Node; 2]);
-
 /// Two boxes around the same segments.
 #[derive(Clone, Copy)]
-struct Bounds {
+struct TwoBoxes {
     low: [f64; 2],
     high: [f64; 2],
     oriented: OrientedBox,
 }
 
-impl Bounds {
+impl TwoBoxes {
     /// The boxes around the segments of a leaf.
     fn of_leaf(lines: &[PlanarLine], factor: f64) -> Self {
         let [mut low, mut high] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
@@ -104,6 +94,23 @@ impl Bounds {
         Self { low, high, oriented }
     }
 
+    /// How low and how high a vertical line can meet what is in the boxes.
+    fn heights_at(&self, x: f64, factor: f64) -> [f64; 2] {
+        if self.oriented.is_upright() {
+            return [self.low[1], self.high[1]];
+        }
+        let [low, high] = self.oriented.heights_at(x * factor).map(|height| height / factor);
+        [self.low[1].max(low), self.high[1].min(high)]
+    }
+
+    fn misses(&self, line: PlanarLine, factor: f64) -> bool {
+        (0..2).any(|i| line[0][i].min(line[1][i]) > self.high[i] || line[0][i].max(line[1][i]) < self.low[i])
+            || !self.oriented.is_upright()
+                && self.oriented.misses(line.map(|point| point.map(|x| x * factor)))
+    }
+}
+
+impl Bounds for TwoBoxes {
     fn around(a: &Self, b: &Self) -> Self {
         let low = [0, 1].map(|i| a.low[i].min(b.low[i]));
         let high = [0, 1].map(|i| a.high[i].max(b.high[i]));
@@ -122,21 +129,6 @@ impl Bounds {
             || !(self.oriented.is_upright() && other.oriented.is_upright())
                 && self.oriented.is_apart(&other.oriented)
     }
-
-    /// How low and how high a vertical line can meet what is in the boxes.
-    fn heights_at(&self, x: f64, factor: f64) -> [f64; 2] {
-        if self.oriented.is_upright() {
-            return [self.low[1], self.high[1]];
-        }
-        let [low, high] = self.oriented.heights_at(x * factor).map(|height| height / factor);
-        [self.low[1].max(low), self.high[1].min(high)]
-    }
-
-    fn misses(&self, line: PlanarLine, factor: f64) -> bool {
-        (0..2).any(|i| line[0][i].min(line[1][i]) > self.high[i] || line[0][i].max(line[1][i]) < self.low[i])
-            || !self.oriented.is_upright()
-                && self.oriented.misses(line.map(|point| point.map(|x| x * factor)))
-    }
 }
 
 impl SegmentTree {
@@ -148,116 +140,40 @@ impl SegmentTree {
     ) -> Self {
         let HilbertOrder { factor, order } = HilbertOrder::new(count, &line, &is_joined);
         let lines: Vec<PlanarLine> = order.par_iter().with_min_len(4096).map(|&s| line(s as usize)).collect();
-        let leaves: Vec<Bounds> =
-            lines.par_chunks(LEAF).with_min_len(256).map(|leaf| Bounds::of_leaf(leaf, factor)).collect();
+        let leaves: Vec<TwoBoxes> =
+            lines.par_chunks(LEAF).with_min_len(256).map(|leaf| TwoBoxes::of_leaf(leaf, factor)).collect();
         let runs = (order.par_chunks(LEAF).zip(lines.par_chunks(LEAF)).with_min_len(256))
             .map(|(segments, lines)| Run::of_leaf(segments, lines, &is_joined))
             .collect();
-        let mut levels = vec![leaves];
-        while let Some(below) = levels.last().filter(|below| below.len() > 1) {
-            let above = below.par_chunks(2).with_min_len(256).map(|pair| match pair {
-                [a, b] => Bounds::around(a, b),
-                _ => pair[0],
-            });
-            let above = above.collect();
-            levels.push(above);
-        }
-        Self { factor, order, lines, runs, levels }
-    }
-
-    fn bounds(&self, node: Node) -> &Bounds {
-        &self.levels[node.level as usize][node.index as usize]
-    }
-
-    /// The one or two nodes below a node that is no leaf.
-    fn children(&self, node: Node) -> impl Iterator<Item = Node> + Clone + use<> {
-        let level = node.level - 1;
-        let end = (2 * node.index + 2).min(self.levels[level as usize].len() as u32);
-        (2 * node.index..end).map(move |index| Node { level, index })
-    }
-
-    fn root(&self) -> Option<Node> {
-        (!self.order.is_empty()).then(|| Node { level: self.levels.len() as u32 - 1, index: 0 })
-    }
-
-    /// Calls `found` with the pairs that a pair of nodes falls into; nothing when their boxes are apart. `false` for
-    /// leaves.
-    fn split(&self, [a, b]: [Node; 2], mut found: impl FnMut([Node; 2])) -> bool {
-        if a == b {
-            if a.level == 0 {
-                return false;
-            }
-            let inner = self.children(a);
-            for (i, c) in inner.clone().enumerate() {
-                inner.clone().skip(i).for_each(|d| found([c, d]));
-            }
-            return true;
-        }
-        if self.bounds(a).is_apart(self.bounds(b)) {
-            return true;
-        }
-        if a.level == 0 && b.level == 0 {
-            return false;
-        }
-        if a.level >= b.level {
-            self.children(a).for_each(|c| found([c, b]));
-        } else {
-            self.children(b).for_each(|c| found([a, c]));
-        }
-        true
+        let tree = PairTree::new(count, LEAF, leaves);
+        Self { factor, order, lines, runs, tree }
     }
 
     /// The parts of the search for all pairs of segments that come near each other; they do not depend on the number of
     /// threads.
-    pub(super) fn parts(&self) -> Vec<Part> {
-        let mut parts: Vec<[Node; 2]> = self.root().map(|root| [root, root]).into_iter().collect();
-        while parts.len() < PARTS {
-            let mut finer = Vec::with_capacity(3 * parts.len());
-            let mut is_final = true;
-            for &part in &parts {
-                if self.split(part, |inner| finer.push(inner)) {
-                    is_final = false;
-                } else {
-                    finer.push(part);
-                }
-            }
-            parts = finer;
-            if is_final {
-                break;
-            }
-        }
-        parts.into_iter().map(Part).collect()
+    pub(super) fn parts(&self) -> Vec<PairTask> {
+        self.tree.tasks(PARTS)
     }
 
     /// Calls `found` with the pairs of segments of one part whose boxes along the axes meet, and their ends; the
     /// segment of lower number first. In all parts each pair is found once.
-    pub(super) fn search(&self, Part(nodes): Part, mut found: impl FnMut([u32; 2], [PlanarLine; 2])) {
-        let mut stack = vec![nodes];
-        while let Some(pair) = stack.pop() {
-            if !self.split(pair, |inner| stack.push(inner)) {
-                self.meet_leaves(pair, &mut found);
-            }
-        }
-    }
-
-    fn leaf(&self, node: Node) -> std::ops::Range<usize> {
-        let first = node.index as usize * LEAF;
-        first..(first + LEAF).min(self.order.len())
+    pub(super) fn search(&self, part: PairTask, mut found: impl FnMut([u32; 2], [PlanarLine; 2])) {
+        self.tree.search(part, |leaves| self.meet_leaves(leaves, &mut found));
     }
 
     /// Whether the segments of two leaves, or of one, are known to meet in common corners only.
-    fn is_run(&self, [a, b]: [Node; 2]) -> bool {
-        let [run_a, run_b] = [a, b].map(|leaf| self.runs[leaf.index as usize]);
+    fn is_run(&self, [a, b]: PairTask) -> bool {
+        let [run_a, run_b] = [a, b].map(|leaf| self.runs[leaf.index()]);
         if run_a.ways & run_b.ways == 0 {
             return false;
         }
-        let [of_a, of_b] = [a, b].map(|leaf| &self.order[self.leaf(leaf)]);
+        let [of_a, of_b] = [a, b].map(|leaf| &self.order[self.tree.leaf(leaf)]);
         a == b
             || (run_b.is_joined && of_a[of_a.len() - 1] + 1 == of_b[0])
             || (run_a.is_joined && of_b[of_b.len() - 1] + 1 == of_a[0])
     }
 
-    fn meet_leaves(&self, [a, b]: [Node; 2], found: &mut impl FnMut([u32; 2], [PlanarLine; 2])) {
+    fn meet_leaves(&self, [a, b]: PairTask, found: &mut impl FnMut([u32; 2], [PlanarLine; 2])) {
         if self.is_run([a, b]) {
             return;
         }
@@ -277,15 +193,15 @@ impl SegmentTree {
             }
         };
         if a == b {
-            for i in self.leaf(a) {
-                (i + 1..self.leaf(a).end).for_each(|j| meet(i, j));
+            for i in self.tree.leaf(a) {
+                (i + 1..self.tree.leaf(a).end).for_each(|j| meet(i, j));
             }
             return;
         }
-        let near = |leaf: Node, of: Node| {
-            let bounds = self.bounds(of);
+        let near = |leaf: PairNode, of: PairNode| {
+            let bounds = self.tree.bounds(of);
             let (mut places, mut count) = ([0; LEAF], 0);
-            for i in self.leaf(leaf) {
+            for i in self.tree.leaf(leaf) {
                 if !bounds.misses(self.lines[i], self.factor) {
                     places[count] = i;
                     count += 1;
@@ -310,13 +226,13 @@ impl SegmentTree {
         let [x, y] = point;
         let mut highest: Option<f64> = None;
         // Nodes by how high they reach below the point, the highest last.
-        let mut waiting: Vec<(f64, Node)> = self.root().map(|root| (y, root)).into_iter().collect();
+        let mut waiting: Vec<(f64, PairNode)> = self.tree.root().map(|root| (y, root)).into_iter().collect();
         while let Some((reached, node)) = waiting.pop() {
             if highest.is_some_and(|height| reached < height) {
                 return;
             }
-            if node.level == 0 {
-                for i in self.leaf(node) {
+            if node.is_leaf() {
+                for i in self.tree.leaf(node) {
                     let [p, q] = self.lines[i];
                     if p[0].min(q[0]) <= x && x <= p[0].max(q[0]) && p[1].min(q[1]) <= y {
                         highest = visit(self.order[i], self.lines[i]);
@@ -324,8 +240,8 @@ impl SegmentTree {
                 }
                 continue;
             }
-            for inner in self.children(node) {
-                let bounds = self.bounds(inner);
+            for inner in self.tree.children(node) {
+                let bounds = self.tree.bounds(inner);
                 if !(bounds.low[0] <= x && x <= bounds.high[0] && bounds.low[1] <= y) {
                     continue;
                 }
@@ -529,11 +445,11 @@ mod tests {
             is_joined.extend((0..ring.len()).map(|i| i > 0));
         }
         let tree = SegmentTree::new(lines.len(), |s| lines[s], |s| is_joined[s]);
-        let mut stack: Vec<[Node; 2]> = tree.parts().into_iter().map(|Part(nodes)| nodes).collect();
+        let mut stack: Vec<PairTask> = tree.parts();
         let mut pair_count = 0;
         while let Some(pair) = stack.pop() {
             pair_count += 1;
-            tree.split(pair, |inner| stack.push(inner));
+            tree.tree.split(pair, |inner| stack.push(inner));
         }
         let mut ray_count = 0;
         for ring in rings {

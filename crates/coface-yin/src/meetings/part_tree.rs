@@ -6,14 +6,16 @@
 
 use super::Pieces;
 use super::polynomial::{cross, dot, minus};
+use coface_geometry::{Bounds, PairTask, PairTree, hilbert};
 use rayon::prelude::*;
 
 const LEAF: usize = 4;
 /// Into how many parts a search is cut at least, when there is that much to do.
 const TASKS: usize = 512;
 
+/// Two boxes around the same points.
 #[derive(Clone, Copy)]
-struct Bounds {
+struct TwoBoxes {
     low: [f64; 2],
     high: [f64; 2],
     /// A unit vector.
@@ -23,29 +25,19 @@ struct Bounds {
     across: [f64; 2],
 }
 
-/// A node by its level and its number on it.
-#[derive(Clone, Copy, PartialEq, Eq)]
-struct Node {
-    level: u32,
-    index: u32,
-}
-
-/// A task of the search for pairs.
-#[derive(Clone, Copy)]
-pub(super) struct Task([Node; 2]);
-
 /// A tree on the parts of pieces.
 pub(super) struct PartTree {
     /// The part at each place.
     order: Vec<u32>,
-    /// The boxes of single parts, then around leaves, then around two nodes each.
-    bounds: Vec<Bounds>,
-    levels: Vec<Vec<Bounds>>,
+    /// The boxes of single parts.
+    boxes: Vec<TwoBoxes>,
+    /// The boxes around leaves, and around nodes.
+    tree: PairTree<TwoBoxes>,
 }
 
 const UP: [f64; 2] = [1.0, 0.0];
 
-impl Bounds {
+impl TwoBoxes {
     fn along_axis(axis: [f64; 2], points: impl Iterator<Item = [f64; 2]>) -> [[f64; 2]; 2] {
         let [mut low, mut high] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
         for point in points {
@@ -81,6 +73,17 @@ impl Bounds {
         })
     }
 
+    /// Whether a side of the turned box separates it from the other.
+    fn is_beside(&self, other: &Self) -> bool {
+        let [along, across] = Self::along_axis(self.axis, other.corners());
+        along[0] > self.along[1]
+            || along[1] < self.along[0]
+            || across[0] > self.across[1]
+            || across[1] < self.across[0]
+    }
+}
+
+impl Bounds for TwoBoxes {
     fn around(a: &Self, b: &Self) -> Self {
         let mut best: Option<(f64, [f64; 2], [[f64; 2]; 2])> = None;
         for axis in [UP, a.axis, b.axis] {
@@ -105,29 +108,6 @@ impl Bounds {
             || self.is_beside(other)
             || other.is_beside(self)
     }
-
-    /// Whether a side of the turned box separates it from the other.
-    fn is_beside(&self, other: &Self) -> bool {
-        let [along, across] = Self::along_axis(self.axis, other.corners());
-        along[0] > self.along[1]
-            || along[1] < self.along[0]
-            || across[0] > self.across[1]
-            || across[1] < self.across[0]
-    }
-}
-
-/// The place of a point of the square of side 2^16 on the Hilbert curve.
-fn hilbert(mut x: u32, mut y: u32) -> u32 {
-    let mut place = 0;
-    for level in (0..16).rev() {
-        let [right, up] = [x >> level & 1, y >> level & 1];
-        place = place << 2 | ((3 * right) ^ up);
-        let flip = (right & !up & 1).wrapping_neg();
-        (x, y) = (x ^ flip, y ^ flip);
-        let swap = (x ^ y) & (!up & 1).wrapping_neg();
-        (x, y) = (x ^ swap, y ^ swap);
-    }
-    place
 }
 
 impl PartTree {
@@ -135,7 +115,7 @@ impl PartTree {
     pub(super) fn new(pieces: &Pieces<'_>) -> Self {
         let margin = pieces.frame.resolution;
         let count = pieces.parts().len();
-        let mut runs: Vec<(u32, u32)> = (0..count.div_ceil(LEAF))
+        let mut runs: Vec<(u64, u32)> = (0..count.div_ceil(LEAF))
             .into_par_iter()
             .with_min_len(512)
             .map(|run| {
@@ -150,107 +130,35 @@ impl PartTree {
             let first = run as usize * LEAF;
             order.extend(first as u32..(first + LEAF).min(count) as u32);
         }
-        let bounds: Vec<Bounds> = order
+        let boxes: Vec<TwoBoxes> = order
             .par_iter()
             .with_min_len(512)
-            .map(|&part| Bounds::of_points(pieces.part_points(part as usize), margin))
+            .map(|&part| TwoBoxes::of_points(pieces.part_points(part as usize), margin))
             .collect();
         let around =
-            |inner: &[Bounds]| inner[1..].iter().fold(inner[0], |whole, own| Bounds::around(&whole, own));
-        let mut levels: Vec<Vec<Bounds>> = Vec::new();
-        if count > 0 {
-            levels.push(bounds.par_chunks(LEAF).with_min_len(256).map(around).collect());
-        }
-        while let Some(below) = levels.last().filter(|below| below.len() > 1) {
-            let above = below.par_chunks(2).with_min_len(256).map(around).collect();
-            levels.push(above);
-        }
-        Self { order, bounds, levels }
-    }
-
-    fn node(&self, node: Node) -> &Bounds {
-        &self.levels[node.level as usize][node.index as usize]
-    }
-
-    fn root(&self) -> Option<Node> {
-        (!self.levels.is_empty()).then(|| Node { level: self.levels.len() as u32 - 1, index: 0 })
-    }
-
-    fn children(&self, node: Node) -> impl Iterator<Item = Node> + Clone + use<> {
-        let level = node.level - 1;
-        let end = (2 * node.index + 2).min(self.levels[level as usize].len() as u32);
-        (2 * node.index..end).map(move |index| Node { level, index })
-    }
-
-    fn leaf(&self, node: Node) -> std::ops::Range<usize> {
-        let first = node.index as usize * LEAF;
-        first..(first + LEAF).min(self.order.len())
-    }
-
-    /// Calls `found` with the pairs that a pair falls into, none when the boxes are apart; `false` for leaves.
-    fn split(&self, [a, b]: [Node; 2], mut found: impl FnMut([Node; 2])) -> bool {
-        if a == b {
-            if a.level == 0 {
-                return false;
-            }
-            let inner = self.children(a);
-            for (i, c) in inner.clone().enumerate() {
-                inner.clone().skip(i).for_each(|d| found([c, d]));
-            }
-            return true;
-        }
-        if self.node(a).is_apart(self.node(b)) {
-            return true;
-        }
-        if a.level == 0 && b.level == 0 {
-            return false;
-        }
-        if a.level >= b.level {
-            self.children(a).for_each(|c| found([c, b]));
-        } else {
-            self.children(b).for_each(|c| found([a, c]));
-        }
-        true
+            |inner: &[TwoBoxes]| inner[1..].iter().fold(inner[0], |whole, own| TwoBoxes::around(&whole, own));
+        let leaves = boxes.par_chunks(LEAF).with_min_len(256).map(around).collect();
+        let tree = PairTree::new(count, LEAF, leaves);
+        Self { order, boxes, tree }
     }
 
     /// The tasks of the search for all pairs; they do not depend on the number of threads.
-    pub(super) fn tasks(&self) -> Vec<Task> {
-        let mut tasks: Vec<[Node; 2]> = self.root().map(|root| [root, root]).into_iter().collect();
-        while tasks.len() < TASKS {
-            let mut finer = Vec::with_capacity(3 * tasks.len());
-            let mut is_final = true;
-            for &task in &tasks {
-                if self.split(task, |inner| finer.push(inner)) {
-                    is_final = false;
-                } else {
-                    finer.push(task);
-                }
-            }
-            tasks = finer;
-            if is_final {
-                break;
-            }
-        }
-        tasks.into_iter().map(Task).collect()
+    pub(super) fn tasks(&self) -> Vec<PairTask> {
+        self.tree.tasks(TASKS)
     }
 
     /// Calls `found` for the pairs of different parts of a task whose boxes meet, the lower number first; in all tasks each once.
-    pub(super) fn search(&self, Task(nodes): Task, mut found: impl FnMut(u32, u32)) {
-        let mut stack = vec![nodes];
-        while let Some(pair) = stack.pop() {
-            if self.split(pair, |inner| stack.push(inner)) {
-                continue;
-            }
-            let [a, b] = pair;
-            for i in self.leaf(a) {
-                let first = if a == b { i + 1 } else { self.leaf(b).start };
-                for j in first..self.leaf(b).end {
-                    if !self.bounds[i].is_apart(&self.bounds[j]) {
+    pub(super) fn search(&self, task: PairTask, mut found: impl FnMut(u32, u32)) {
+        self.tree.search(task, |[a, b]| {
+            for i in self.tree.leaf(a) {
+                let first = if a == b { i + 1 } else { self.tree.leaf(b).start };
+                for j in first..self.tree.leaf(b).end {
+                    if !self.boxes[i].is_apart(&self.boxes[j]) {
                         let [p, q] = [self.order[i], self.order[j]];
                         found(p.min(q), p.max(q));
                     }
                 }
             }
-        }
+        });
     }
 }
