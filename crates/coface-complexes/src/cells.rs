@@ -9,7 +9,7 @@ use crate::shapes::PlacedCells;
 use crate::simplicial::{DeltaComplex, Extrusion, FrozenComplex, Prism, SimplicialComplex, SimplicialGrid};
 use crate::surface::{GeneralizedMap, HalfedgeMesh, PolygonMesh};
 use coface_algebra::chains::{ChainComplex, TwoSkeleton};
-use coface_algebra::{Error, FaceId, RaggedArray};
+use coface_algebra::{CellId, Error, FaceId, RaggedArray};
 
 pub use coface_algebra::chains::Cells;
 
@@ -99,7 +99,10 @@ impl Cells for DeltaComplex {
     /// The vertices of each simplex in its order; one may stand several times.
     fn cell_vertices(&self, degree: usize) -> Result<RaggedArray, Error> {
         let cells = 0..self.simplex_count(degree);
-        RaggedArray::uniform(degree + 1, cells.flat_map(|cell| self.vertices(degree, cell)).collect())
+        RaggedArray::uniform(
+            degree + 1,
+            cells.flat_map(|cell| self.vertices(degree, CellId::new(cell))).collect(),
+        )
     }
 }
 
@@ -112,7 +115,10 @@ impl Cells for FaceClasses {
             return self.barycentric_subdivision()?.complex().cell_vertices(degree);
         }
         let classes = 0..self.class_counts().get(degree).copied().unwrap_or(0);
-        RaggedArray::uniform(degree + 1, classes.flat_map(|class| self.vertices(degree, class)).collect())
+        RaggedArray::uniform(
+            degree + 1,
+            classes.flat_map(|class| self.vertices(degree, CellId::new(class))).collect(),
+        )
     }
 
     fn f_vector(&self) -> Result<Vec<usize>, Error> {

@@ -518,7 +518,7 @@ answer! { PlanarBoolean {
     fn polygons<'py>(&self, py: Python<'py>) -> Vec<Vec<Bound<'py, PyArray1<i64>>>> {
         let [_, _, count] = self.result.f_vector();
         let rings = |polygon| {
-            let rings = self.result.rings_of_polygon(polygon);
+            let rings = self.result.rings_of_polygon(FaceId::new(polygon));
             rings.map(|ring| arrays::id_array(py, ring.iter().copied())).collect()
         };
         (0..count).map(rings).collect()
@@ -541,7 +541,7 @@ answer! { PlanarBoolean {
         if polygon >= count {
             return Err(invalid(py, format!("there is no polygon {polygon}"), &format!("there are {count}")));
         }
-        loaded(py, &self.result.properties_of_polygon(polygon).or_raise(py)?)
+        loaded(py, &self.result.properties_of_polygon(FaceId::new(polygon)).or_raise(py)?)
     }
 
     /// Vertices where parts of the result touch.

@@ -179,10 +179,10 @@ impl ChainComplex {
         // Cells that the pair leaves out vanish.
         let kept = chain.terms().iter().filter_map(|(cell, x)| {
             let position = match &self.naming.pair {
-                Some(pair) => pair.position(chain.degree(), cell.index())?,
-                None => cell.index(),
+                Some(pair) => pair.position(chain.degree(), *cell)?,
+                None => *cell,
             };
-            Some((CellId::new(position), x.clone()))
+            Some((position, x.clone()))
         });
         Ok((self.inner(chain.degree()), kept.collect()))
     }

@@ -397,7 +397,7 @@ impl Model {
         let cells = run(py, None, || {
             let (producer, chains) = (source.producer()?, source.chains()?);
             Ok((0..chains.cell_count(degree))
-                .map(|cell| producer.cell_vertices(degree, cell))
+                .map(|cell| producer.cell_vertices(degree, coface::CellId::new(cell)))
                 .collect::<Vec<_>>())
         })?;
         let width = cells.is_empty().then_some(degree + 1);

@@ -338,7 +338,7 @@ fn named<'py>(
     cochain: &Cochain<Integer>,
 ) -> PyResult<Vec<(Bound<'py, PyAny>, Vec<u32>)>> {
     let term = |(cell, x): &(CellId, Integer)| {
-        Ok((arrays::integer(py, x)?, simplices.name(cochain.degree(), cell.index())))
+        Ok((arrays::integer(py, x)?, simplices.name(cochain.degree(), *cell)))
     };
     cochain.terms().iter().map(term).collect()
 }
@@ -628,7 +628,10 @@ pub(crate) fn is_exact<'py>(
     }
     let skeleton = run(py, None, || source.producer()?.two_skeleton())?;
     let names = |degree: usize, cell: usize| {
-        source.producer().map_or_else(|_| vec![cell as u32], |producer| producer.cell_vertices(degree, cell))
+        source.producer().map_or_else(
+            |_| vec![cell as u32],
+            |producer| producer.cell_vertices(degree, coface::CellId::new(cell)),
+        )
     };
     let walk_of = |walk: &coface::topology::ClosedWalk| -> Vec<u32> {
         walk.vertices(&skeleton).into_iter().map(|vertex| names(0, vertex.index())[0]).collect()

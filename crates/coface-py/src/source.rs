@@ -67,7 +67,9 @@ impl Naming {
     /// The number in the model of a cell of the complex.
     pub(crate) fn cell(&self, degree: usize, cell: usize) -> usize {
         match degree.checked_sub(self.shift) {
-            Some(degree) => self.pair.as_ref().map_or(cell, |pair| pair.cell(degree, cell)),
+            Some(degree) => {
+                self.pair.as_ref().map_or(cell, |pair| pair.cell(degree, coface::CellId::new(cell)).index())
+            }
             None => cell,
         }
     }
@@ -79,9 +81,10 @@ impl Naming {
         match &self.names {
             Names::Own => vec![number as u32],
             // A complex with names was made by the producer.
-            Names::Source(source) => source
-                .producer()
-                .map_or_else(|_| vec![number as u32], |made| made.cell_vertices(degree, number)),
+            Names::Source(source) => source.producer().map_or_else(
+                |_| vec![number as u32],
+                |made| made.cell_vertices(degree, coface::CellId::new(number)),
+            ),
             Names::Simplices(complex) => complex.numbers(degree, number).to_vec(),
         }
     }

@@ -727,5 +727,5 @@ pub(crate) fn _surface(py: Python<'_>, model: &Bound<'_, Model>, boundary: bool)
 
 /// The vertices of a producer by their numbers in the file.
 pub(crate) fn numbers_of(producer: &Producer, count: usize) -> Vec<u32> {
-    (0..count).map(|vertex| producer.cell_vertices(0, vertex)[0]).collect()
+    (0..count).map(|vertex| producer.cell_vertices(0, coface::CellId::new(vertex))[0]).collect()
 }

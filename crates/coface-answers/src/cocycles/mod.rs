@@ -385,5 +385,5 @@ impl<'a> FoundCocycles<'a> {
 /// The cells of one degree, by their vertices.
 fn cells(producer: &Producer, complex: &ChainComplex, degree: usize) -> RaggedArray {
     let count = if degree < complex.degree_count() { complex.cell_count(degree) } else { 0 };
-    RaggedArray::from_lists((0..count).map(|cell| producer.cell_vertices(degree, cell)))
+    RaggedArray::from_lists((0..count).map(|cell| producer.cell_vertices(degree, CellId::new(cell))))
 }

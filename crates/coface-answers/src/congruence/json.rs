@@ -3,7 +3,7 @@
 use super::{BlockRule, ModelCongruence};
 use crate::answer::{BlockMergeAnswer, CongruenceAnswer, CongruenceInput, Place, Remark, RemarkCode};
 use crate::text;
-use coface_algebra::{CellId, Error};
+use coface_algebra::{CellId, Error, VertexId};
 use coface_arrange::congruence::{BlockMerge, BlockPolicy};
 use std::io::Write;
 
@@ -67,7 +67,7 @@ impl ModelCongruence {
         let nearest = merges.iter().min_by(|a, b| a.distance.total_cmp(&b.distance));
         let Some(nearest) = nearest else { return Vec::new() };
         let block = if self.request.blocks == BlockRule::Models { "file" } else { "component" };
-        let (name, _) = self.vertex_source(nearest.vertices[0] as usize);
+        let (name, _) = self.vertex_source(VertexId::from_u32(nearest.vertices[0]));
         let message = format!(
             "{} with several vertices of one {block}; the nearest, in {name}, are {} apart",
             text::count(merges.len(), "class"),
@@ -80,8 +80,15 @@ impl ModelCongruence {
         BlockMergeAnswer {
             class: merge.class,
             block: merge.block,
-            file: merge.vertices.first().map(|&vertex| self.vertex_source(vertex as usize).0.to_owned()),
-            vertices: merge.vertices.iter().map(|&vertex| self.vertex_source(vertex as usize).1).collect(),
+            file: merge
+                .vertices
+                .first()
+                .map(|&vertex| self.vertex_source(VertexId::from_u32(vertex)).0.to_owned()),
+            vertices: merge
+                .vertices
+                .iter()
+                .map(|&vertex| self.vertex_source(VertexId::from_u32(vertex)).1)
+                .collect(),
             distance: merge.distance,
         }
     }

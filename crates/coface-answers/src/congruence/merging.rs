@@ -211,17 +211,18 @@ impl ModelCongruence {
     /// # Examples
     /// ```
     /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_algebra::VertexId;
     /// use coface_answers::{CongruenceRequest, ModelCongruence};
     /// // Two triangles with a side in common, whose corners there are 0.001 apart.
     /// let a = coface_io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
     /// let b = coface_io::read(&b"v 1 0 0\nv 1 1 0\nv 0 1 0.001\nf 1 2 3\n"[..], coface_io::Format::Obj)?;
     /// let models = vec![("a".to_owned(), a), ("b".to_owned(), b)];
     /// let merged = ModelCongruence::of(models, &CongruenceRequest::within(0.01))?;
-    /// assert_eq!(merged.vertex_source(4), ("b", 1));
+    /// assert_eq!(merged.vertex_source(VertexId::new(4)), ("b", 1));
     /// # Ok(()) }
     /// ```
-    pub fn vertex_source(&self, vertex: usize) -> (&str, usize) {
-        let (model, number) = source(&self.starts[0], vertex);
+    pub fn vertex_source(&self, vertex: VertexId) -> (&str, usize) {
+        let (model, number) = source(&self.starts[0], vertex.index());
         (&self.names[model], number)
     }
 

@@ -125,7 +125,7 @@ impl ModelCongruence {
         if !matches!(producer.cells, Cells::Polygons(_) | Cells::Solids(_)) {
             return None;
         }
-        let vertices = producer.cell_vertices(degree, cell);
+        let vertices = producer.cell_vertices(degree, CellId::new(cell));
         let vertices: Vec<u32> =
             vertices.into_iter().map(|vertex| self.class_of_vertex(model, vertex)).collect();
         repeated_vertex(&vertices).is_none().then_some((model, cell, vertices))

@@ -104,7 +104,7 @@ fn boundary_loops(table: &GluingTable, faces: &FaceClasses) -> Result<Vec<Bounda
             is_met[at] = true;
             let (triangle, side) = sides[at];
             let corner = if from >= side { from + 1 } else { from };
-            vertices.push(faces.class(triangle, &[corner])?.0 as u32);
+            vertices.push(faces.class(triangle, &[corner])?.0.to_u32());
             // The facet opposite to an end is the other end.
             let (next, images) = rim.neighbor(at, from).expect("a boundary has no boundary");
             (at, from) = (next, images[1 - from] as usize);
@@ -152,9 +152,8 @@ fn one_sided(table: &GluingTable, faces: &FaceClasses, chain: &[CellId]) -> Prob
         "no orientation can be chosen: a closed chain of {} comes back reversed",
         counted(chain.len(), "simplex", "simplices")
     );
-    let cells = RaggedArray::from_lists(
-        chain.iter().map(|simplex| faces.vertices(table.dimension(), simplex.index())),
-    );
+    let cells =
+        RaggedArray::from_lists(chain.iter().map(|simplex| faces.vertices(table.dimension(), *simplex)));
     let tops = RaggedArray::from_lists(chain.iter().map(|simplex| [simplex.to_u32()]));
     Problem::new(ProblemKind::OneSidedChain, message, cells, tops, "cell")
 }

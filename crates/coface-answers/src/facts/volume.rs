@@ -177,6 +177,7 @@ pub(crate) fn report(volume: &CubicalVolume) -> Result<Report, Error> {
 mod tests {
     use super::*;
     use crate::Producer;
+    use coface_algebra::CellId;
     use coface_io::{Model, Structure};
 
     #[test]
@@ -189,7 +190,7 @@ mod tests {
         for degree in 1..3 {
             let matrix = complex.boundary_matrix(degree).unwrap();
             for cell in 0..complex.cell_count(degree) {
-                let mut vertices = producer.cell_vertices(degree, cell);
+                let mut vertices = producer.cell_vertices(degree, CellId::new(cell));
                 if degree == 1 {
                     let ends =
                         [matrix.entry(vertices[0] as usize, cell), matrix.entry(vertices[1] as usize, cell)];
@@ -209,7 +210,7 @@ mod tests {
                     .column(cell)
                     .rows()
                     .iter()
-                    .flat_map(|&face| producer.cell_vertices(degree - 1, face as usize))
+                    .flat_map(|&face| producer.cell_vertices(degree - 1, CellId::from_u32(face)))
                     .collect();
                 of_faces.sort_unstable();
                 of_faces.dedup();

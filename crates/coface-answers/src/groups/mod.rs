@@ -14,7 +14,7 @@ use crate::Producer;
 use crate::answer::{GroupCounts, HomomorphismAnswer, SubgroupCount, TreesAnswer};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::progress::stage;
-use coface_algebra::{Error, VertexId, Word};
+use coface_algebra::{CellId, Error, VertexId, Word};
 use coface_topology::{
     AbelianGroup, EdgePathGroups, Effort, GroupName, HomomorphismCount, PermutationGroup, Presentation,
     Simplification, SubgroupClass, SurfaceGroup, homology,
@@ -252,7 +252,7 @@ impl GroupsRequest {
             return surface::found(self, producer);
         }
         let skeleton = producer.two_skeleton()?;
-        let number = |vertex: VertexId| producer.cell_vertices(0, vertex.index())[0];
+        let number = |vertex: VertexId| producer.cell_vertices(0, CellId::new(vertex.index()))[0];
         let steps = stage("walking around faces", 0);
         let groups = match self.base {
             None => EdgePathGroups::new(&skeleton),

@@ -5,7 +5,7 @@ use super::{Counts, GroupsRequest, ShortPaths, Shown, SurfaceLoops, check, no_ve
 use crate::Producer;
 use crate::answer::{ClosedPath, TreesAnswer};
 use coface_algebra::progress::stage;
-use coface_algebra::{Error, VertexId, Word};
+use coface_algebra::{CellId, Error, VertexId, Word};
 use coface_complexes::surface::GeneralizedMap;
 use coface_topology::{
     AbelianGroup, ClosedWalk, CycleKind, EdgeRole, Effort, Presentation, ShortestCycle, SurfaceGroup,
@@ -55,8 +55,9 @@ pub(super) struct Surface<'a> {
 
 pub(super) fn found(request: &GroupsRequest, producer: &Producer) -> Result<FoundGroups, Error> {
     let skeleton = producer.two_skeleton()?;
-    let numbers: Vec<u32> =
-        (0..skeleton.vertex_count()).map(|vertex| producer.cell_vertices(0, vertex)[0]).collect();
+    let numbers: Vec<u32> = (0..skeleton.vertex_count())
+        .map(|vertex| producer.cell_vertices(0, CellId::new(vertex))[0])
+        .collect();
     let number = |vertex: VertexId| numbers[vertex.index()];
     let vertex_numbered = |wanted: u32, purpose: &str| {
         let place = numbers.iter().position(|&number| number == wanted);

@@ -39,7 +39,7 @@ pub(super) fn cup(
 
 fn terms(simplices: &OrderedSimplices, cochain: &Cochain<Integer>) -> Vec<ChainTerm> {
     let term = |(cell, x): &(CellId, Integer)| {
-        let name = simplices.name(cochain.degree(), cell.index());
+        let name = simplices.name(cochain.degree(), *cell);
         (WholeNumber::from(x), name.iter().map(|&vertex| u64::from(vertex)).collect())
     };
     cochain.terms().iter().map(term).collect()

@@ -12,7 +12,7 @@ use crate::Producer;
 use crate::answer::{PersistenceAnswer, PersistencePairAnswer};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::progress::stage;
-use coface_algebra::{Error, VertexId};
+use coface_algebra::{CellId, Error, VertexId};
 use coface_geometry::Positions;
 use coface_topology::{Coefficients, Filtration, PersistenceDiagram, PersistencePair, persistence};
 
@@ -77,7 +77,7 @@ impl VertexFunction {
     /// # Ok(()) }
     /// ```
     pub fn values(&self, producer: &Producer, count: usize) -> Result<Vec<f64>, Error> {
-        let numbers = (0..count).map(|vertex| producer.cell_vertices(0, vertex)[0] as usize);
+        let numbers = (0..count).map(|vertex| producer.cell_vertices(0, CellId::new(vertex))[0] as usize);
         let positions = producer.positions();
         if matches!(self, Self::Coordinate(_)) {
             producer.require_finite()?;
@@ -325,8 +325,7 @@ impl FoundDiagram<'_> {
     /// # Ok(()) }
     /// ```
     pub fn answer(&self) -> PersistenceAnswer {
-        let vertices =
-            |degree, cell: coface_algebra::CellId| self.producer.cell_vertices(degree, cell.index());
+        let vertices = |degree, cell: CellId| self.producer.cell_vertices(degree, cell);
         let pair = |pair: &PersistencePair| PersistencePairAnswer {
             degree: pair.degree(),
             birth: pair.birth(),

@@ -12,7 +12,7 @@ use crate::answer::{
 };
 use crate::text;
 use coface_algebra::RaggedArray;
-use coface_algebra::{Error, VertexId};
+use coface_algebra::{EdgeId, Error, FaceId, VertexId};
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
 use coface_arrange::planar::{
     PlanarArrangement, PlanarOptions, PlanarOverlay, SnappedArrangement, Step, VertexSource,
@@ -329,17 +329,18 @@ impl RegionBoolean {
     /// # Examples
     /// ```
     /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_algebra::FaceId;
     /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
     /// use coface_arrange::boolean::BooleanFormula;
     /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
     /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
     /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
     /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
-    /// assert_eq!(rest.rings_of_polygon(0).len(), 2, "the outer ring and the hole");
+    /// assert_eq!(rest.rings_of_polygon(FaceId::new(0)).len(), 2, "the outer ring and the hole");
     /// # Ok(()) }
     /// ```
-    pub fn rings_of_polygon(&self, polygon: usize) -> impl ExactSizeIterator<Item = &[u32]> {
-        self.outline.rings_of(polygon)
+    pub fn rings_of_polygon(&self, polygon: FaceId) -> impl ExactSizeIterator<Item = &[u32]> {
+        self.outline.rings_of(polygon.index())
     }
 
     /// The edges of the result by their vertices, the lower first.
@@ -368,17 +369,18 @@ impl RegionBoolean {
     /// # Examples
     /// ```
     /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_algebra::EdgeId;
     /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
     /// use coface_arrange::boolean::BooleanFormula;
     /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
     /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
     /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
     /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
-    /// assert_eq!(rest.segments_of_edge(0).len(), 1);
+    /// assert_eq!(rest.segments_of_edge(EdgeId::new(0)).len(), 1);
     /// # Ok(()) }
     /// ```
-    pub fn segments_of_edge(&self, edge: usize) -> &[u32] {
-        self.segments_of_edge.list(edge)
+    pub fn segments_of_edge(&self, edge: EdgeId) -> &[u32] {
+        self.segments_of_edge.list(edge.index())
     }
 
     /// The regions that contain some of a polygon, rising.
@@ -389,17 +391,18 @@ impl RegionBoolean {
     /// # Examples
     /// ```
     /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_algebra::FaceId;
     /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
     /// use coface_arrange::boolean::BooleanFormula;
     /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
     /// let hole = coface_io::read(&b"POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))"[..], coface_io::Format::Wkt)?;
     /// let drawing = PlanarDrawing::new([("wide", &wide), ("hole", &hole)], RegionSource::Models)?;
     /// let rest = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
-    /// assert_eq!(rest.regions_of_polygon(0), [0]);
+    /// assert_eq!(rest.regions_of_polygon(FaceId::new(0)), [0]);
     /// # Ok(()) }
     /// ```
-    pub fn regions_of_polygon(&self, polygon: usize) -> &[u32] {
-        self.regions_of_polygon.list(polygon)
+    pub fn regions_of_polygon(&self, polygon: FaceId) -> &[u32] {
+        self.regions_of_polygon.list(polygon.index())
     }
 
     /// The vertices at which the boundary is no curve: more than two of its edges meet there.

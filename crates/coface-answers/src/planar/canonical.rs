@@ -2,7 +2,7 @@
 
 use super::outline::Outline;
 use coface_algebra::RaggedArray;
-use coface_algebra::VertexId;
+use coface_algebra::{EdgeId, VertexId};
 use coface_arrange::planar::PlanarPolygons;
 use rayon::prelude::*;
 
@@ -75,7 +75,9 @@ impl<'a> Canonical<'a> {
             edges.push(same[0].0);
             list.clear();
             list.extend(
-                same.iter().flat_map(|&(_, edge)| self.found.sides_of_edge(edge as usize)).map(&source),
+                same.iter()
+                    .flat_map(|&(_, edge)| self.found.sides_of_edge(EdgeId::from_u32(edge)))
+                    .map(&source),
             );
             list.sort_unstable();
             list.dedup();

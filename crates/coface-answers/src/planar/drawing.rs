@@ -368,14 +368,16 @@ impl PlanarDrawing {
     /// # Examples
     /// ```
     /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_algebra::VertexId;
     /// use coface_answers::{PlanarDrawing, RegionSource};
     /// let square = coface_io::read(&b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
     /// let cut = coface_io::read(&b"1,-1,1,3\n"[..], coface_io::Format::Lines)?;
     /// let drawing = PlanarDrawing::new([("square", &square), ("cut", &cut)], RegionSource::Models)?;
-    /// assert_eq!(drawing.vertex_source(5), (1, 1), "the second of the second drawing");
+    /// assert_eq!(drawing.vertex_source(VertexId::new(5)), (1, 1), "the second of the second drawing");
     /// # Ok(()) }
     /// ```
-    pub fn vertex_source(&self, vertex: usize) -> (usize, usize) {
+    pub fn vertex_source(&self, vertex: VertexId) -> (usize, usize) {
+        let vertex = vertex.index();
         assert!(vertex < self.positions.len(), "there are {} vertices", self.positions.len());
         source_in(&self.vertex_starts, vertex)
     }
@@ -468,7 +470,7 @@ impl PlanarDrawing {
     /// The source of a vertex of a result, by inputs.
     pub(super) fn vertex_origin(&self, source: &VertexSource) -> VertexOrigin {
         match *source {
-            VertexSource::Given(vertex) => VertexOrigin::Vertex(self.vertex_source(vertex)),
+            VertexSource::Given(vertex) => VertexOrigin::Vertex(self.vertex_source(VertexId::new(vertex))),
             VertexSource::Crossing(segments) => {
                 VertexOrigin::Segments(segments.map(|segment| self.segment_source(segment)))
             }

@@ -230,6 +230,7 @@ impl RegionBoolean {
     /// # Examples
     /// ```
     /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_algebra::FaceId;
     /// use coface_arrange::boolean::BooleanFormula;
     /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
     /// let text = br#"{"type": "Feature", "properties": {"use": "wood"}, "geometry":
@@ -237,11 +238,11 @@ impl RegionBoolean {
     /// let wood = coface_io::read(&text[..], coface_io::Format::GeoJson)?;
     /// let drawing = PlanarDrawing::new([("wood", &wood)], RegionSource::Models)?;
     /// let same = RegionBoolean::new(drawing, &BooleanFormula::parse("a", &[])?, &BooleanRequest::default())?;
-    /// assert_eq!(same.features_of_polygon(0), [0]);
+    /// assert_eq!(same.features_of_polygon(FaceId::new(0)), [0]);
     /// # Ok(()) }
     /// ```
-    pub fn features_of_polygon(&self, polygon: usize) -> &[u32] {
-        self.features_of_polygon.list(polygon)
+    pub fn features_of_polygon(&self, polygon: FaceId) -> &[u32] {
+        self.features_of_polygon.list(polygon.index())
     }
 
     /// The properties of all features that contain some of a polygon, the text of a JSON object: see
@@ -255,6 +256,7 @@ impl RegionBoolean {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::FaceId;
     /// use coface_arrange::boolean::BooleanFormula;
     /// use coface_io as io;
     /// use coface_io::Format;
@@ -267,14 +269,14 @@ impl RegionBoolean {
     /// let models = [io::read(&wood[..], Format::GeoJson)?, io::read(&road[..], Format::GeoJson)?];
     /// let drawing = PlanarDrawing::new([("wood", &models[0]), ("road", &models[1])], RegionSource::Models)?;
     /// let result = RegionBoolean::new(drawing, &BooleanFormula::difference(2), &BooleanRequest::default())?;
-    /// assert_eq!(result.properties_of_polygon(1)?, r#"{"use":"wood","age":80}"#);
+    /// assert_eq!(result.properties_of_polygon(FaceId::new(1))?, r#"{"use":"wood","age":80}"#);
     /// # Ok(()) }
     /// ```
-    pub fn properties_of_polygon(&self, polygon: usize) -> Result<String, Error> {
+    pub fn properties_of_polygon(&self, polygon: FaceId) -> Result<String, Error> {
         Ok(self.merged_of_polygon(polygon)?.to_string())
     }
 
-    pub(super) fn merged_of_polygon(&self, polygon: usize) -> Result<MergedProperties<'_>, Error> {
+    pub(super) fn merged_of_polygon(&self, polygon: FaceId) -> Result<MergedProperties<'_>, Error> {
         self.drawing.features.merged(self.features_of_polygon(polygon).to_vec())
     }
 }

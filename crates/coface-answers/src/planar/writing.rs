@@ -166,10 +166,10 @@ impl RegionBoolean {
         if is_drawing(format) {
             let names = self.drawing.region_names();
             let properties = |polygon: usize| {
-                let regions = self.regions_of_polygon(polygon).iter();
+                let regions = self.regions_of_polygon(FaceId::new(polygon)).iter();
                 let regions: Vec<&str> = regions.map(|&region| names[region as usize]).collect();
                 let own = PolygonProperties { polygon, area: self.polygon_areas()[polygon], regions };
-                with_own(&own, self.merged_of_polygon(polygon)?)
+                with_own(&own, self.merged_of_polygon(FaceId::new(polygon))?)
             };
             return write_drawing(&self.outline, positions, &[], out, format, properties);
         }

@@ -93,7 +93,7 @@ impl Producer {
 
     /// The orientation of a cell against the order of these vertices.
     fn relative_sign(&self, degree: usize, cell: usize, vertices: &[u32]) -> Result<Sign, Error> {
-        let own = self.cell_vertices(degree, cell);
+        let own = self.cell_vertices(degree, CellId::new(cell));
         if own == vertices || degree == 0 {
             return Ok(Sign::Plus);
         }
@@ -158,7 +158,7 @@ impl Producer {
                 continue;
             }
             for (at, (cell, coefficient)) in chain.terms().iter().enumerate() {
-                let mut vertices = self.cell_vertices(chain.degree(), cell.index());
+                let mut vertices = self.cell_vertices(chain.degree(), *cell);
                 if coefficient.signum() < 0 && chain.degree() < 3 {
                     vertices.reverse();
                 }
@@ -179,7 +179,7 @@ impl Producer {
         let mut next: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
         let mut surplus: BTreeMap<u32, i64> = BTreeMap::new();
         for (cell, x) in chain.terms() {
-            let ends = self.cell_vertices(1, cell.index());
+            let ends = self.cell_vertices(1, *cell);
             let (from, to) = if x.signum() > 0 { (ends[0], ends[1]) } else { (ends[1], ends[0]) };
             let times = x.to_i64().map_or(MOST_TIMES, |x| x.unsigned_abs().min(MOST_TIMES));
             for _ in 0..times {

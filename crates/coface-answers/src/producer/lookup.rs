@@ -70,9 +70,9 @@ impl Producer {
         let mut found: HashMap<&[u32], Vec<(usize, CellId)>> =
             names.iter().map(|name| (&name[..], Vec::new())).collect();
         for degree in degrees {
-            for cell in 0..complex.cell_count(degree) {
+            for cell in (0..complex.cell_count(degree)).map(CellId::new) {
                 if let Some(cells) = found.get_mut(&in_order(&self.cell_vertices(degree, cell))[..]) {
-                    cells.push((degree, CellId::new(cell)));
+                    cells.push((degree, cell));
                 }
             }
         }

@@ -39,14 +39,14 @@ use coface_io::{Model, ModelParts, Remark, Structure, segments};
 ///
 /// # Examples
 /// ```
-/// use coface_algebra::RaggedArray;
+/// use coface_algebra::{CellId, RaggedArray};
 /// use coface_io::{Model, Structure};
 /// use coface_answers::Producer;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let facets = RaggedArray::from_lists([[0, 1, 7], [1, 7, 9]]);
 /// let producer = Producer::of(Model::from_structure(Structure::Facets(facets)))?;
 /// assert_eq!(producer.chain_complex()?.f_vector(), [4, 5, 2]);
-/// assert_eq!(producer.cell_vertices(2, 1), [1, 7, 9]);
+/// assert_eq!(producer.cell_vertices(2, CellId::new(1)), [1, 7, 9]);
 /// # Ok(()) }
 /// ```
 #[derive(Debug)]
@@ -328,13 +328,15 @@ impl Producer {
     /// # Examples
     /// ```
     /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_algebra::CellId;
     /// use coface_answers::Producer;
     /// let strip = coface_io::read(&b"[[0,1,7],[1,7,9]]"[..], coface_io::Format::Json)?;
     /// let strip = Producer::of(strip)?;
-    /// assert_eq!(strip.cell_vertices(2, 1), [1, 7, 9]);
+    /// assert_eq!(strip.cell_vertices(2, CellId::new(1)), [1, 7, 9]);
     /// # Ok(()) }
     /// ```
-    pub fn cell_vertices(&self, degree: usize, cell: usize) -> Vec<u32> {
+    pub fn cell_vertices(&self, degree: usize, cell: CellId) -> Vec<u32> {
+        let cell = cell.index();
         let skeleton = match &self.cells {
             Cells::Polygons(mesh) => mesh,
             Cells::Solids(mesh) if degree == 3 => return mesh.cell(CellId::new(cell)).to_vec(),

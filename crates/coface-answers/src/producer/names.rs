@@ -149,8 +149,8 @@ impl<'a> CellNames<'a> {
     }
 
     /// The number in the model of a cell of the complex.
-    fn cell(&self, degree: usize, cell: CellId) -> usize {
-        self.pair.map_or(cell.index(), |pair| pair.cell(degree, cell.index()))
+    fn cell(&self, degree: usize, cell: CellId) -> CellId {
+        self.pair.map_or(cell, |pair| pair.cell(degree, cell))
     }
 
     /// The name of a cell of the complex: its vertices in the file, or its number where cells have no vertices.
@@ -248,7 +248,7 @@ impl<'a> CellNames<'a> {
         terms: &[(CellId, Integer)],
     ) -> Result<Chain<Integer>, Error> {
         let degree = degree - self.shift;
-        let in_model = |(cell, x): &(CellId, Integer)| (CellId::new(self.cell(degree, *cell)), x.clone());
+        let in_model = |(cell, x): &(CellId, Integer)| (self.cell(degree, *cell), x.clone());
         Chain::new(whole, degree, terms.iter().map(in_model))
     }
 
@@ -272,10 +272,10 @@ impl<'a> CellNames<'a> {
     pub fn of_model(&self, complex: &ChainComplex, chain: &Chain<Integer>) -> Result<Chain<Integer>, Error> {
         let kept = |(cell, x): &(CellId, Integer)| {
             let position = match self.pair {
-                Some(pair) => pair.position(chain.degree(), cell.index())?,
-                None => cell.index(),
+                Some(pair) => pair.position(chain.degree(), *cell)?,
+                None => *cell,
             };
-            Some((CellId::new(position), x.clone()))
+            Some((position, x.clone()))
         };
         Chain::new(complex, chain.degree() + self.shift, chain.terms().iter().filter_map(kept))
     }

@@ -3,7 +3,7 @@
 use super::{Cells, Producer};
 use crate::simplices::{require_tetrahedra, require_triangles};
 use coface_algebra::RaggedArray;
-use coface_algebra::{Error, FaceId};
+use coface_algebra::{CellId, Error, FaceId};
 use coface_complexes::simplicial::{DeltaComplex, FrozenComplex};
 
 /// The simplices of a model with ordered vertices, as products of cochains need them, and their names.
@@ -55,17 +55,19 @@ impl OrderedSimplices {
     /// # Examples
     /// ```
     /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_algebra::CellId;
     /// use coface_answers::Producer;
     /// let strip = coface_io::read(&b"[[0,1,7],[1,7,9]]"[..], coface_io::Format::Json)?;
     /// let strip = Producer::of(strip)?;
     /// let simplices = strip.ordered_simplices()?;
-    /// assert_eq!(simplices.name(2, 1), [1, 7, 9]);
+    /// assert_eq!(simplices.name(2, CellId::new(1)), [1, 7, 9]);
     /// # Ok(()) }
     /// ```
-    pub fn name(&self, dimension: usize, simplex: usize) -> Vec<u32> {
-        self.names
-            .as_ref()
-            .map_or_else(|| vec![simplex as u32], |names| names.numbers(dimension, simplex).to_vec())
+    pub fn name(&self, dimension: usize, simplex: CellId) -> Vec<u32> {
+        self.names.as_ref().map_or_else(
+            || vec![simplex.to_u32()],
+            |names| names.numbers(dimension, simplex.index()).to_vec(),
+        )
     }
 }
 
@@ -79,13 +81,13 @@ impl Producer {
     ///
     /// # Examples
     /// ```
-    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::{CellId, RaggedArray};
     /// use coface_io::{Model, Structure};
     /// use coface_answers::Producer;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let facets = RaggedArray::from_lists([[3, 1, 7]]);
     /// let simplices = Producer::of(Model::from_structure(Structure::Facets(facets)))?.ordered_simplices()?;
-    /// assert_eq!(simplices.name(2, 0), [1, 3, 7]);
+    /// assert_eq!(simplices.name(2, CellId::new(0)), [1, 3, 7]);
     /// # Ok(()) }
     /// ```
     pub fn ordered_simplices(&self) -> Result<OrderedSimplices, Error> {
@@ -131,7 +133,7 @@ impl Producer {
         let mut simplices = RaggedArray::new();
         for (degree, &count) in counts.iter().enumerate() {
             for cell in 0..count {
-                simplices.push(&self.cell_vertices(degree, cell));
+                simplices.push(&self.cell_vertices(degree, CellId::new(cell)));
             }
         }
         FrozenComplex::from_facets(&simplices)

@@ -16,7 +16,7 @@ use coface_io::{Model, Structure};
 /// # Examples
 /// A disk modulo its rim is a sphere but for one point: only degree 2 is left.
 /// ```
-/// use coface_algebra::RaggedArray;
+/// use coface_algebra::{CellId, RaggedArray};
 /// use coface_io::{Model, Structure};
 /// use coface_answers::{Pair, Producer};
 /// use coface_topology::homology;
@@ -25,7 +25,7 @@ use coface_io::{Model, Structure};
 /// let producer = Producer::of(Model::from_structure(Structure::Facets(disk)))?;
 /// let pair = Pair::with_boundary(&producer, &producer.chain_complex()?)?;
 /// assert_eq!(homology(pair.chains()).betti_numbers(), [0, 0, 1]);
-/// assert_eq!(pair.cell(1, 0), 1, "the diagonal is the only edge left");
+/// assert_eq!(pair.cell(1, CellId::new(0)), CellId::new(1), "the diagonal is the only edge left");
 /// # Ok(()) }
 /// ```
 #[derive(Clone, Debug)]
@@ -164,16 +164,17 @@ impl Pair {
     /// # Examples
     /// ```
     /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_algebra::CellId;
     /// use coface_answers::{Pair, Producer};
     /// let disk = coface_io::read(&b"[[0,1,2],[0,2,3]]"[..], coface_io::Format::Json)?;
     /// let disk = Producer::of(disk)?;
     /// let whole = disk.chain_complex()?;
     /// let pair = Pair::with_boundary(&disk, &whole)?;
-    /// assert_eq!(pair.cell(2, 1), 1);
+    /// assert_eq!(pair.cell(2, CellId::new(1)), CellId::new(1));
     /// # Ok(()) }
     /// ```
-    pub fn cell(&self, degree: usize, cell: usize) -> usize {
-        self.kept[degree][cell].index()
+    pub fn cell(&self, degree: usize, cell: CellId) -> CellId {
+        self.kept[degree][cell.index()]
     }
 
     /// The cells of the subcomplex by degree, as numbers in the whole complex.
@@ -201,16 +202,18 @@ impl Pair {
     /// # Examples
     /// ```
     /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_algebra::CellId;
     /// use coface_answers::{Pair, Producer};
     /// let disk = coface_io::read(&b"[[0,1,2],[0,2,3]]"[..], coface_io::Format::Json)?;
     /// let disk = Producer::of(disk)?;
     /// let whole = disk.chain_complex()?;
     /// let pair = Pair::with_boundary(&disk, &whole)?;
-    /// assert_eq!((pair.position(0, 0), pair.position(2, 1)), (None, Some(1)));
+    /// let cell = CellId::new(1);
+    /// assert_eq!((pair.position(0, cell), pair.position(2, cell)), (None, Some(cell)));
     /// # Ok(()) }
     /// ```
-    pub fn position(&self, degree: usize, cell: usize) -> Option<usize> {
-        self.kept.get(degree)?.binary_search(&CellId::new(cell)).ok()
+    pub fn position(&self, degree: usize, cell: CellId) -> Option<CellId> {
+        self.kept.get(degree)?.binary_search(&cell).ok().map(CellId::new)
     }
 }
 

@@ -216,7 +216,7 @@ proptest! {
             let mut vertices: Vec<u32> = found.iter().flat_map(|part| part.vertices()).copied().collect();
             vertices.sort_unstable();
             let on_rim: Vec<u32> =
-                (0..faces.class_counts()[0] as u32).filter(|&v| faces.is_boundary(0, v as usize)).collect();
+                (0..faces.class_counts()[0] as u32).filter(|&v| faces.is_boundary(0, CellId::from_u32(v))).collect();
             prop_assert_eq!(vertices, on_rim);
         }
         if connected(&table) {
@@ -260,7 +260,7 @@ proptest! {
         for (vertex, link) in links.iter().enumerate() {
             link.table().check().unwrap();
             prop_assert!(connected(link.table()));
-            prop_assert_eq!(link.table().is_closed(), !faces.is_boundary(0, vertex));
+            prop_assert_eq!(link.table().is_closed(), !faces.is_boundary(0, CellId::new(vertex)));
         }
     }
 

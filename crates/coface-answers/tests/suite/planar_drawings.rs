@@ -1,7 +1,7 @@
 //! Boolean combinations of drawings, which are made on an overlay, against arrangements of the same drawings.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
-use coface_algebra::{ErrorKind, FaceId};
+use coface_algebra::{EdgeId, ErrorKind, FaceId};
 use coface_answers::answer::RemarkCode;
 use coface_answers::{
     ArrangementRequest, BooleanRequest, DrawingArrangement, PlanarDrawing, RegionBoolean, RegionSource,
@@ -90,7 +90,7 @@ proptest! {
         let [found, expected] =
             [walls.polygon_areas().to_vec(), selected.iter().map(|&face| areas[face]).collect()].map(sorted);
         prop_assert!(found.iter().zip(&expected).all(|(&a, &b)| is_near(a, b)), "{:?} {:?}", found, expected);
-        let mut around: Vec<&[u32]> = (0..selected.len()).map(|i| walls.regions_of_polygon(i)).collect();
+        let mut around: Vec<&[u32]> = (0..selected.len()).map(|i| walls.regions_of_polygon(FaceId::new(i))).collect();
         let mut expected: Vec<&[u32]> = selected.iter().map(|&face| inside(face)).collect();
         around.sort_unstable();
         expected.sort_unstable();
@@ -100,7 +100,7 @@ proptest! {
         for result in [&walls, &merged] {
             let [vertices, edges, polygons] = result.f_vector();
             prop_assert!(!snap || result.is_valid_when_rounded());
-            let rings: Vec<&[u32]> = (0..polygons).flat_map(|polygon| result.rings_of_polygon(polygon)).collect();
+            let rings: Vec<&[u32]> = (0..polygons).flat_map(|polygon| result.rings_of_polygon(FaceId::new(polygon))).collect();
             prop_assert_eq!(rings.len() - polygons, result.hole_count());
             // Rings begin with their lowest vertices; all vertices and edges are on rings.
             prop_assert!(rings.iter().all(|ring| ring.iter().all(|&vertex| vertex >= ring[0])));
@@ -116,7 +116,7 @@ proptest! {
             used.sort_unstable();
             used.dedup();
             prop_assert_eq!(used.len(), vertices);
-            prop_assert!((0..edges).all(|edge| !result.segments_of_edge(edge).is_empty()));
+            prop_assert!((0..edges).all(|edge| !result.segments_of_edge(EdgeId::new(edge)).is_empty()));
         }
     }
 }

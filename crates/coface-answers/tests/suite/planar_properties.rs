@@ -117,7 +117,7 @@ fn two_squares_give_their_faces_what_they_say() {
     assert_eq!(texts(&walls, &OF_POLYGONS), texts(&faces, &OF_FACES));
     // Values come in the order of the inputs.
     let [a, b] = models;
-    let turned = combined("a | b", &[b, a], false).properties_of_polygon(0).unwrap();
+    let turned = combined("a | b", &[b, a], false).properties_of_polygon(FaceId::new(0)).unwrap();
     assert!(turned.contains(r#""zone":["B","A"]"#), "{turned}");
 }
 
@@ -138,8 +138,11 @@ fn three_nested_squares_add_up() {
     ];
     assert_eq!(texts(&faces, &OF_FACES), sorted(expected.map(str::to_owned).to_vec()));
     let whole = combined("a", &models, false);
-    assert_eq!(whole.features_of_polygon(0), [0, 1, 2]);
-    assert_eq!(whole.properties_of_polygon(0).unwrap(), r#"{"land":"x","level":[1,2],"top":true}"#);
+    assert_eq!(whole.features_of_polygon(FaceId::new(0)), [0, 1, 2]);
+    assert_eq!(
+        whole.properties_of_polygon(FaceId::new(0)).unwrap(),
+        r#"{"land":"x","level":[1,2],"top":true}"#
+    );
 }
 
 #[test]

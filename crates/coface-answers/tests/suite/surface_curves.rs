@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 #![allow(clippy::print_stdout, reason = "a skipped test says so, and times are of interest")]
 
+use coface_algebra::CellId;
 use coface_answers::Producer;
 use coface_complexes::surface::GeneralizedMap;
 use coface_io::read_path;
@@ -30,7 +31,7 @@ fn surfaces() -> Vec<(String, GeneralizedMap, Vec<f64>)> {
         }
         let producer = Producer::of(model).ok()?;
         let map = GeneralizedMap::new(producer.two_skeleton().ok()?).ok()?;
-        let number = |&end: &u32| producer.cell_vertices(0, end as usize)[0];
+        let number = |&end: &u32| producer.cell_vertices(0, CellId::from_u32(end))[0];
         let ends: Vec<u32> = map.skeleton().edge_ends().iter().map(number).collect();
         let lengths = producer.positions().distances(&ends).ok()?;
         Some((path.file_name().unwrap().to_string_lossy().into_owned(), map, lengths))

@@ -1,6 +1,7 @@
 //! Sets as phases that share the arcs between them, and boundaries that come to meet.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
+use coface_algebra::{EdgeId, VertexId};
 use coface_answers::{PlanarSet, SetRequest};
 use coface_arrange::boolean::InsideRule;
 use coface_io as io;
@@ -25,7 +26,7 @@ fn check_euler(graph: &InterfaceGraph, sets: &[YinSet]) {
     let count = graph.vertices().len();
     let mut class: Vec<usize> = (0..count).collect();
     for edge in 0..graph.edge_count() {
-        let [a, b] = graph.ends(edge).map(|end| class[end as usize]);
+        let [a, b] = graph.ends(EdgeId::new(edge)).map(|end| class[end.index()]);
         class.iter_mut().filter(|own| **own == a).for_each(|own| *own = b);
     }
     class.sort_unstable();
@@ -37,7 +38,7 @@ fn check_euler(graph: &InterfaceGraph, sets: &[YinSet]) {
     let faces = phases + outside.component_count();
     assert_eq!(count + faces, graph.edge_count() + 1 + class.len());
     // Each end of an edge is at one place around one vertex.
-    let ends: usize = (0..count).map(|vertex| graph.edges_at(vertex).len()).sum();
+    let ends: usize = (0..count).map(|vertex| graph.edges_at(VertexId::new(vertex)).len()).sum();
     assert_eq!(ends, 2 * graph.edge_count());
 }
 
@@ -110,7 +111,9 @@ fn a_staircase_of_bricks_has_shared_walls() {
     // Within each of 5 borders between rows each brick above and each below has two corners, of which no two are one.
     assert!(graph.junctions().all(|vertex| graph.degree(vertex) == 3));
     assert!((0..30).all(|phase| graph.phase_area(phase).unwrap() == 2.0));
-    let shared = (0..graph.edge_count()).filter(|&edge| graph.phases_of(edge).iter().all(Option::is_some));
+    let shared = (0..graph.edge_count())
+        .map(EdgeId::new)
+        .filter(|&edge| graph.phases_of(edge).iter().all(Option::is_some));
     // Neighbors: 4 in each row, 9 between rows.
     assert_eq!(shared.count(), 6 * 4 + 5 * 9);
 }
@@ -203,9 +206,13 @@ fn phases_that_come_to_meet_are_errors_or_repaired() {
     let graph = moved.graph();
     assert_eq!((graph.fault().unwrap(), graph.phases()), (None, vec![0, 1]));
     assert!(graph.junctions().count() == 2 && moved.edges().iter().all(Option::is_none));
-    let shared = (0..graph.edge_count()).any(|edge| graph.phases_of(edge).iter().all(Option::is_some));
+    let shared =
+        (0..graph.edge_count()).any(|edge| graph.phases_of(EdgeId::new(edge)).iter().all(Option::is_some));
     assert!(
         shared
-            && graph.edges_at(0).iter().all(|edge: &DirectedEdge| (edge.edge as usize) < graph.edge_count())
+            && graph
+                .edges_at(VertexId::new(0))
+                .iter()
+                .all(|edge: &DirectedEdge| edge.edge.index() < graph.edge_count())
     );
 }

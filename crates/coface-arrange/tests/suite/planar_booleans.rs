@@ -1,7 +1,7 @@
 //! Overlays of regions against arrangements with winding numbers, and laws of Boolean algebra, in fractions.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
-use coface_algebra::{ErrorKind, FaceId, HalfedgeId, VertexId};
+use coface_algebra::{EdgeId, ErrorKind, FaceId, HalfedgeId, VertexId};
 use coface_algebra::{RaggedArray, Rational, UnionFind};
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
 use coface_arrange::planar::{PlanarOptions, PlanarOverlay, PlanarPolygons, PlanarRegions, VertexSource};
@@ -105,7 +105,7 @@ fn check(polygons: &PlanarPolygons<'_>, input: &Input) {
             let [p, q] = ends.map(|end| end.rounded());
             let axis = usize::from((p[1] - q[1]).abs() > (p[0] - q[0]).abs());
             let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY];
-            for side in polygons.sides_of_edge(edge) {
+            for side in polygons.sides_of_edge(EdgeId::new(edge)) {
                 assert!(ends.iter().all(|end| end.side_of(sides[side]).is_eq()));
                 low = low.min(sides[side][0][axis].min(sides[side][1][axis]));
                 high = high.max(sides[side][0][axis].max(sides[side][1][axis]));

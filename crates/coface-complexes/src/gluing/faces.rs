@@ -26,14 +26,16 @@ const NONE: u32 = u32::MAX;
 /// # Examples
 /// A triangle with its side from 0 to 1 glued to that from 1 to 2: the Moebius band.
 /// ```
+/// use coface_algebra::CellId;
 /// use coface_complexes::gluing::GluingTable;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let mut band = GluingTable::unglued(2, 1)?;
 /// band.glue(0, 2, 0, &[1, 2, 0])?;
 /// let faces = band.faces()?;
 /// assert_eq!(faces.class_counts(), [1, 2, 1]);
-/// assert_eq!(faces.class(0, &[1, 2])?, (0, vec![0, 1]));
-/// assert!(faces.is_boundary(1, 1) && !faces.is_boundary(1, 0));
+/// let [side, rim] = [0, 1].map(CellId::new);
+/// assert_eq!(faces.class(0, &[1, 2])?, (side, vec![0, 1]));
+/// assert!(faces.is_boundary(1, rim) && !faces.is_boundary(1, side));
 /// # Ok(()) }
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -128,12 +130,13 @@ impl FaceClasses {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::CellId;
     /// use coface_complexes::gluing::GluingTable;
     /// let triangle = GluingTable::unglued(2, 1)?.faces()?;
-    /// assert_eq!(triangle.class(0, &[2, 0])?, (1, vec![1, 0]));
+    /// assert_eq!(triangle.class(0, &[2, 0])?, (CellId::new(1), vec![1, 0]));
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn class(&self, simplex: usize, vertices: &[usize]) -> Result<(usize, Vec<u8>), Error> {
+    pub fn class(&self, simplex: usize, vertices: &[usize]) -> Result<(CellId, Vec<u8>), Error> {
         let set = vertices.iter().fold(0_u32, |set, &v| set | if v <= self.dimension { 1 << v } else { 0 });
         if simplex >= self.degrees[self.dimension].first.len()
             || vertices.is_empty()
@@ -146,7 +149,7 @@ impl FaceClasses {
             .with_cure(format!("give distinct vertices from 0 to {}", self.dimension)));
         }
         let (class, order) = self.of_face(simplex, set);
-        Ok((class, vertices.iter().map(|&v| order[rank(set, v)]).collect()))
+        Ok((CellId::new(class), vertices.iter().map(|&v| order[rank(set, v)]).collect()))
     }
 
     /// The class of a face and the places of its rising vertices in the order of the class.
@@ -165,13 +168,14 @@ impl FaceClasses {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::CellId;
     /// use coface_complexes::gluing::GluingTable;
     /// let triangle = GluingTable::unglued(2, 1)?.faces()?;
-    /// assert_eq!(triangle.representative(1, 2), (0, vec![1, 2]));
+    /// assert_eq!(triangle.representative(1, CellId::new(2)), (0, vec![1, 2]));
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn representative(&self, degree: usize, class: usize) -> (usize, Vec<usize>) {
-        let (simplex, set) = self.degrees[degree].first[class];
+    pub fn representative(&self, degree: usize, class: CellId) -> (usize, Vec<usize>) {
+        let (simplex, set) = self.degrees[degree].first[class.index()];
         (simplex as usize, positions(set))
     }
 
@@ -182,12 +186,13 @@ impl FaceClasses {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::CellId;
     /// use coface_complexes::gluing::GluingTable;
-    /// assert!(GluingTable::unglued(2, 1)?.faces()?.is_boundary(0, 2));
+    /// assert!(GluingTable::unglued(2, 1)?.faces()?.is_boundary(0, CellId::new(2)));
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn is_boundary(&self, degree: usize, class: usize) -> bool {
-        self.degrees[degree].boundary[class]
+    pub fn is_boundary(&self, degree: usize, class: CellId) -> bool {
+        self.degrees[degree].boundary[class.index()]
     }
 
     /// The classes of a degree that are identified with themselves by another order of their vertices, rising. There are
@@ -196,15 +201,19 @@ impl FaceClasses {
     /// # Examples
     /// A tetrahedron with facet 012 turned onto facet 013 so that edge 01 is reversed:
     /// ```
+    /// use coface_algebra::CellId;
     /// use coface_complexes::gluing::GluingTable;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let mut table = GluingTable::unglued(3, 1)?;
     /// table.glue(0, 3, 0, &[1, 0, 3, 2])?;
-    /// assert_eq!(table.faces()?.folded(1).collect::<Vec<_>>(), [0]);
+    /// assert_eq!(table.faces()?.folded(1).collect::<Vec<_>>(), [CellId::new(0)]);
     /// # Ok(()) }
     /// ```
-    pub fn folded(&self, degree: usize) -> impl Iterator<Item = usize> + '_ {
-        self.degrees.get(degree).into_iter().flat_map(|faces| faces.folds.keys().map(|&class| class as usize))
+    pub fn folded(&self, degree: usize) -> impl Iterator<Item = CellId> + '_ {
+        self.degrees
+            .get(degree)
+            .into_iter()
+            .flat_map(|faces| faces.folds.keys().map(|&class| CellId::from_u32(class)))
     }
 
     /// Whether a class of some degree is folded.
@@ -226,13 +235,14 @@ impl FaceClasses {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::CellId;
     /// use coface_complexes::gluing::GluingTable;
     /// let triangle = GluingTable::unglued(2, 1)?.faces()?;
-    /// assert_eq!(triangle.vertices(1, 1), [0, 2]);
+    /// assert_eq!(triangle.vertices(1, CellId::new(1)), [0, 2]);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn vertices(&self, degree: usize, class: usize) -> Vec<u32> {
-        let (simplex, set) = self.degrees[degree].first[class];
+    pub fn vertices(&self, degree: usize, class: CellId) -> Vec<u32> {
+        let (simplex, set) = self.degrees[degree].first[class.index()];
         let count = self.dimension + 1;
         positions(set).iter().map(|&v| self.degrees[0].classes[simplex as usize * count + v]).collect()
     }

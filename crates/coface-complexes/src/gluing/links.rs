@@ -215,15 +215,15 @@ impl FaceClasses {
         if !self.has_folds() {
             let counts = self.class_counts();
             let of_degree =
-                |k| (0..counts[k]).filter(|&class| self.is_boundary(k, class)).map(CellId::new).collect();
+                |k| (0..counts[k]).map(CellId::new).filter(|&class| self.is_boundary(k, class)).collect();
             return Ok(degrees.map(of_degree).collect());
         }
         let fine = self.barycentric_subdivision()?;
         let is_boundary = |degree: usize, cell: usize| {
             // The last vertex of a chain is the barycenter of its carrier.
-            let last = VertexId::new(fine.complex().back_face(degree, cell, 0));
+            let last = VertexId::new(fine.complex().back_face(degree, CellId::new(cell), 0).index());
             let (degree, class) = fine.carriers()[last];
-            self.is_boundary(degree, class.index())
+            self.is_boundary(degree, class)
         };
         let of_degree = |k| {
             let cells = 0..fine.complex().simplex_count(k);

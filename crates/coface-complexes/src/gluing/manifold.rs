@@ -6,7 +6,7 @@ use crate::simplicial::collapse::{is_seen_as_ball, is_seen_as_sphere};
 use crate::simplicial::links::homology_sizes;
 use crate::simplicial::{SimplicialComplex, recognize_ball, recognize_sphere};
 use crate::verdict::{Decision, LinkFindings, Verdict};
-use coface_algebra::Error;
+use coface_algebra::{CellId, Error};
 use std::fmt;
 
 /// Whether the space of a gluing table is a manifold, with or without boundary: yes if every vertex link is a sphere or a ball
@@ -51,7 +51,7 @@ impl GluingFault {
 pub struct GluingWitness {
     fault: GluingFault,
     degree: usize,
-    classes: Vec<usize>,
+    classes: Vec<CellId>,
     message: String,
 }
 
@@ -59,7 +59,7 @@ impl GluingWitness {
     /// What a crate above found at a vertex class.
     #[doc(hidden)]
     pub fn at_vertex(fault: GluingFault, vertex: usize, message: String) -> Self {
-        Self { fault, degree: 0, classes: vec![vertex], message }
+        Self { fault, degree: 0, classes: vec![CellId::new(vertex)], message }
     }
 
     /// What is wrong.
@@ -74,7 +74,7 @@ impl GluingWitness {
 
     /// All face classes of this degree with this fault, rising. For [`GluingFault::LinkNotRecognized`] and the faults of
     /// links of dimension 3 and more, the first alone.
-    pub fn classes(&self) -> &[usize] {
+    pub fn classes(&self) -> &[CellId] {
         &self.classes
     }
 
@@ -187,7 +187,7 @@ impl GluingTable {
         }
         if self.dimension() == 3 {
             // A connected surface is a sphere or a disk when its Euler characteristic is that of one.
-            let right = |vertex: usize| if faces.is_boundary(0, vertex) { 1 } else { 2 };
+            let right = |vertex: usize| if faces.is_boundary(0, CellId::new(vertex)) { 1 } else { 2 };
             let found = link_euler_characteristics(faces);
             let ideal: Vec<usize> =
                 (0..found.len()).filter(|&vertex| found[vertex] != right(vertex)).collect();
@@ -199,7 +199,7 @@ impl GluingTable {
                 message: format!(
                     "the link of vertex {first} is {link}, neither a sphere nor a disk: the vertex is ideal"
                 ),
-                classes: ideal,
+                classes: ideal.into_iter().map(CellId::new).collect(),
             }));
         }
         let links = self.vertex_links(faces)?;
@@ -211,7 +211,7 @@ impl GluingTable {
                     let witness = GluingWitness {
                         fault,
                         degree: 0,
-                        classes: vec![vertex],
+                        classes: vec![CellId::new(vertex)],
                         message: format!("the link of vertex {vertex} {message}"),
                     };
                     if fault != GluingFault::LinkNotRecognized {
@@ -232,7 +232,7 @@ fn link_euler_characteristics(faces: &FaceClasses) -> Vec<i64> {
     let mut found = vec![0; counts.first().copied().unwrap_or(0)];
     for (degree, &count) in counts.iter().enumerate().skip(1) {
         let sign = if degree % 2 == 1 { 1 } else { -1 };
-        for class in 0..count {
+        for class in (0..count).map(CellId::new) {
             for vertex in faces.vertices(degree, class) {
                 found[vertex as usize] += sign;
             }
@@ -242,18 +242,20 @@ fn link_euler_characteristics(faces: &FaceClasses) -> Vec<i64> {
 }
 
 fn folded(faces: &FaceClasses, degree: usize) -> GluingWitness {
-    let classes: Vec<usize> = faces.folded(degree).collect();
+    let classes: Vec<CellId> = faces.folded(degree).collect();
     let (simplex, vertices) = faces.representative(degree, classes[0]);
     let message = if degree == 1 {
         format!(
             "edge {}, from vertex {} to vertex {} of simplex {simplex}, is identified with its own reverse",
-            classes[0], vertices[0], vertices[1]
+            classes[0].index(),
+            vertices[0],
+            vertices[1]
         )
     } else {
         format!(
             "face {} of degree {degree}, with the vertices {vertices:?} of simplex {simplex}, is identified with itself \
              by another order of its vertices",
-            classes[0]
+            classes[0].index()
         )
     };
     GluingWitness { fault: GluingFault::FoldedFace, degree, classes, message }

@@ -114,7 +114,7 @@ impl DeltaComplex {
     }
 
     fn check_simplex(&self, degree: usize, cell: usize, below: usize) -> Result<(), Error> {
-        let faces = self.faces(degree, cell);
+        let faces = self.faces(degree, CellId::new(cell));
         if let Some(i) = faces.iter().position(|&face| face as usize >= below) {
             return Err(Error::invalid(format!(
                 "face {i} of simplex {cell} of degree {degree} is {}, but there are {below} simplices of degree {}",
@@ -129,8 +129,8 @@ impl DeltaComplex {
         for j in 1..=degree {
             for i in 0..j {
                 let (first, second) = (
-                    self.face(degree - 1, faces[j] as usize, i),
-                    self.face(degree - 1, faces[i] as usize, j - 1),
+                    self.face(degree - 1, CellId::from_u32(faces[j]), i).index(),
+                    self.face(degree - 1, CellId::from_u32(faces[i]), j - 1).index(),
                 );
                 if first != second {
                     return Err(Error::new(
@@ -193,14 +193,15 @@ impl DeltaComplex {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::CellId;
     /// use coface_complexes::simplicial::DeltaComplex;
     /// // An edge from vertex 0 to vertex 1.
     /// let edge = DeltaComplex::new(2, vec![vec![1, 0]])?;
-    /// assert_eq!(edge.face(1, 0, 0), 1);
+    /// assert_eq!(edge.face(1, CellId::new(0), 0), CellId::new(1));
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn face(&self, degree: usize, cell: usize, i: usize) -> usize {
-        self.faces(degree, cell)[i] as usize
+    pub fn face(&self, degree: usize, cell: CellId, i: usize) -> CellId {
+        CellId::from_u32(self.faces(degree, cell)[i])
     }
 
     /// The faces of a simplex: number i is opposite to its vertex i. A vertex has none.
@@ -210,12 +211,14 @@ impl DeltaComplex {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::CellId;
     /// use coface_complexes::simplicial::DeltaComplex;
     /// let edge = DeltaComplex::new(2, vec![vec![1, 0]])?;
-    /// assert_eq!(edge.faces(1, 0), [1, 0]);
+    /// assert_eq!(edge.faces(1, CellId::new(0)), [1, 0]);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn faces(&self, degree: usize, cell: usize) -> &[u32] {
+    pub fn faces(&self, degree: usize, cell: CellId) -> &[u32] {
+        let cell = cell.index();
         if degree == 0 {
             assert!(cell < self.vertex_count, "there are {} vertices", self.vertex_count);
             return &[];
@@ -233,16 +236,17 @@ impl DeltaComplex {
     ///
     /// # Examples
     /// ```
-    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::{CellId, RaggedArray};
     /// use coface_complexes::simplicial::FrozenComplex;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let triangle = FrozenComplex::from_facets(&RaggedArray::from_lists([[5, 6, 7]]))?.to_delta()?;
-    /// assert_eq!(triangle.face_spanned_by(2, 0, &[1]), 1);
+    /// let face = CellId::new(0);
+    /// assert_eq!(triangle.face_spanned_by(2, face, &[1]), CellId::new(1));
     /// // The edges are {5, 6}, {5, 7}, {6, 7}.
-    /// assert_eq!(triangle.face_spanned_by(2, 0, &[0, 2]), 1);
+    /// assert_eq!(triangle.face_spanned_by(2, face, &[0, 2]), CellId::new(1));
     /// # Ok(()) }
     /// ```
-    pub fn face_spanned_by(&self, degree: usize, cell: usize, positions: &[usize]) -> usize {
+    pub fn face_spanned_by(&self, degree: usize, cell: CellId, positions: &[usize]) -> CellId {
         assert!(!positions.is_empty(), "a face has a vertex");
         let (mut at, mut at_degree, mut kept) = (cell, degree, positions.len());
         for i in (0..=degree).rev() {
@@ -267,12 +271,14 @@ impl DeltaComplex {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::CellId;
     /// use coface_complexes::simplicial::DeltaComplex;
     /// let edge = DeltaComplex::new(2, vec![vec![1, 0]])?;
-    /// assert_eq!((edge.front_face(1, 0, 0), edge.back_face(1, 0, 0)), (0, 1));
+    /// let [start, end] = [0, 1].map(CellId::new);
+    /// assert_eq!((edge.front_face(1, CellId::new(0), 0), edge.back_face(1, CellId::new(0), 0)), (start, end));
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn front_face(&self, degree: usize, cell: usize, p: usize) -> usize {
+    pub fn front_face(&self, degree: usize, cell: CellId, p: usize) -> CellId {
         assert!(p <= degree, "a face of degree {p} of a simplex of degree {degree}");
         (p + 1..=degree).rev().fold(cell, |at, last| self.face(last, at, last))
     }
@@ -287,15 +293,17 @@ impl DeltaComplex {
     ///
     /// # Examples
     /// ```
-    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::{CellId, RaggedArray};
     /// use coface_complexes::simplicial::FrozenComplex;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let triangle = FrozenComplex::from_facets(&RaggedArray::from_lists([[0, 1, 2]]))?.to_delta()?;
     /// // The edges are {0, 1}, {0, 2}, {1, 2}.
-    /// assert_eq!((triangle.front_face(2, 0, 1), triangle.back_face(2, 0, 1)), (0, 2));
+    /// let face = CellId::new(0);
+    /// assert_eq!(triangle.front_face(2, face, 1), CellId::new(0));
+    /// assert_eq!(triangle.back_face(2, face, 1), CellId::new(2));
     /// # Ok(()) }
     /// ```
-    pub fn back_face(&self, degree: usize, cell: usize, q: usize) -> usize {
+    pub fn back_face(&self, degree: usize, cell: CellId, q: usize) -> CellId {
         assert!(q <= degree, "a face of degree {q} of a simplex of degree {degree}");
         (q + 1..=degree).rev().fold(cell, |at, degree| self.face(degree, at, 0))
     }
@@ -310,16 +318,17 @@ impl DeltaComplex {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::CellId;
     /// use coface_complexes::simplicial::DeltaComplex;
     /// let edge = DeltaComplex::new(2, vec![vec![1, 0]])?;
-    /// assert_eq!(edge.vertices(1, 0), [0, 1]);
+    /// assert_eq!(edge.vertices(1, CellId::new(0)), [0, 1]);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn vertices(&self, degree: usize, cell: usize) -> Vec<u32> {
+    pub fn vertices(&self, degree: usize, cell: CellId) -> Vec<u32> {
         let mut vertices = vec![0; degree + 1];
         let mut at = cell;
         for k in (0..=degree).rev() {
-            vertices[k] = self.back_face(k, at, 0) as u32;
+            vertices[k] = self.back_face(k, at, 0).to_u32();
             if k > 0 {
                 at = self.face(k, at, k);
             }
@@ -426,7 +435,8 @@ impl DeltaComplex {
             stack.push((degree, a.index(), b.index()));
             while let Some((degree, a, b)) = stack.pop() {
                 if classes[degree].unite(a as u32, b as u32) && degree > 0 {
-                    let pairs = self.faces(degree, a).iter().zip(self.faces(degree, b));
+                    let pairs = [a, b].map(|cell| self.faces(degree, CellId::new(cell)));
+                    let pairs = pairs[0].iter().zip(pairs[1]);
                     stack.extend(pairs.map(|(&a, &b)| (degree - 1, a as usize, b as usize)));
                 }
             }
@@ -438,7 +448,11 @@ impl DeltaComplex {
             for (cell, &number) in numbers[degree].iter().enumerate() {
                 if number == next {
                     next += 1;
-                    faces.extend(self.faces(degree, cell).iter().map(|&f| numbers[degree - 1][f as usize]));
+                    faces.extend(
+                        self.faces(degree, CellId::new(cell))
+                            .iter()
+                            .map(|&f| numbers[degree - 1][f as usize]),
+                    );
                 }
             }
         }
@@ -476,7 +490,7 @@ impl DeltaComplex {
         for degree in 0..=self.faces.len() {
             let mut sets: Vec<(Vec<u32>, usize)> = Vec::with_capacity(self.simplex_count(degree));
             for cell in 0..self.simplex_count(degree) {
-                let mut vertices = self.vertices(degree, cell);
+                let mut vertices = self.vertices(degree, CellId::new(cell));
                 vertices.sort_unstable();
                 if let Some(pair) = vertices.windows(2).find(|pair| pair[0] == pair[1]) {
                     return Err(Error::invalid(format!(
@@ -520,12 +534,12 @@ impl FrozenComplex {
     ///
     /// # Examples
     /// ```
-    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::{CellId, RaggedArray};
     /// use coface_complexes::simplicial::FrozenComplex;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let triangle = FrozenComplex::from_facets(&RaggedArray::from_lists([[0, 1, 2]]))?;
     /// let delta = triangle.to_delta()?;
-    /// assert_eq!(delta.faces(2, 0), [2, 1, 0]);
+    /// assert_eq!(delta.faces(2, CellId::new(0)), [2, 1, 0]);
     /// assert_eq!(delta.chain_complex()?, triangle.chain_complex()?);
     /// # Ok(()) }
     /// ```
@@ -570,7 +584,7 @@ mod tests {
         fn faces_are_spanned_by_vertices(complex in random_delta_complexes()) {
             complex.check().unwrap();
             for degree in 0..complex.f_vector().len() {
-                for cell in 0..complex.simplex_count(degree) {
+                for cell in (0..complex.simplex_count(degree)).map(CellId::new) {
                     let vertices = complex.vertices(degree, cell);
                     for subset in 1_usize..1 << (degree + 1) {
                         let positions: Vec<usize> = (0..=degree).filter(|i| subset >> i & 1 == 1).collect();
@@ -598,7 +612,7 @@ mod tests {
             prop_assert_eq!(once.complex().simplex_count(0), cells);
             // Barycenters of a chain of faces have carriers of rising degree.
             for degree in 1..once.complex().f_vector().len() {
-                for cell in 0..once.complex().simplex_count(degree) {
+                for cell in (0..once.complex().simplex_count(degree)).map(CellId::new) {
                     let degrees: Vec<usize> = once.complex().vertices(degree, cell).iter()
                         .map(|&v| once.carriers()[coface_algebra::VertexId::from_u32(v)].0).collect();
                     prop_assert!(degrees.is_sorted_by(|a, b| a < b));
@@ -647,7 +661,7 @@ mod tests {
         assert_eq!(kind(1, vec![vec![0, 1]]), ErrorKind::InvalidInput);
         assert_eq!(kind(1, vec![vec![], vec![0, 0, 0]]), ErrorKind::InvalidInput);
         let disk = DeltaComplex::new(3, vec![vec![1, 0, 2, 0, 2, 1], vec![2, 1, 0]]).unwrap();
-        assert_eq!(disk.vertices(2, 0), [0, 1, 2]);
+        assert_eq!(disk.vertices(2, CellId::new(0)), [0, 1, 2]);
         let twice =
             DeltaComplex::new(2, vec![vec![1, 0, 1, 0]]).unwrap().to_simplicial_complex().unwrap_err();
         assert!(twice.message().contains("simplices 0 and 1"));

@@ -56,8 +56,8 @@ impl Subdivision {
         let finer = self.complex.barycentric_subdivision()?;
         // The last vertex of a chain has the greatest carrier, and the interior of the chain lies in it.
         let carrier = |&(degree, cell): &Carrier| {
-            let last = self.complex.back_face(degree, cell.index(), 0);
-            self.carriers[VertexId::new(last)]
+            let last = self.complex.back_face(degree, cell, 0);
+            self.carriers[VertexId::new(last.index())]
         };
         Ok(Self { carriers: finer.carriers.iter().map(carrier).collect(), complex: finer.complex })
     }
@@ -168,12 +168,13 @@ impl DeltaComplex {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::CellId;
     /// use coface_complexes::simplicial::DeltaComplex;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // The circle of one edge becomes two edges from the ends to the middle.
     /// let circle = DeltaComplex::new(1, vec![vec![0, 0]])?.barycentric_subdivision()?;
     /// assert_eq!(circle.complex().f_vector(), [2, 2]);
-    /// assert_eq!(circle.complex().vertices(1, 0), [0, 1]);
+    /// assert_eq!(circle.complex().vertices(1, CellId::new(0)), [0, 1]);
     /// # Ok(()) }
     /// ```
     pub fn barycentric_subdivision(&self) -> Result<Subdivision, Error> {
@@ -204,10 +205,12 @@ impl DeltaComplex {
                     for chain in &within_cell {
                         let same = first[j - 1][k] + cell * width;
                         faces.extend(chain.inner.iter().map(|place| (same + place) as u32));
-                        let carrier = self.face_spanned_by(k, cell, &chain.last_positions);
+                        let carrier = self.face_spanned_by(k, CellId::new(cell), &chain.last_positions);
                         let degree = chain.last_positions.len() - 1;
                         let last_width = flags[degree].chains(j - 1).len();
-                        faces.push((first[j - 1][degree] + carrier * last_width + chain.last_place) as u32);
+                        faces.push(
+                            (first[j - 1][degree] + carrier.index() * last_width + chain.last_place) as u32,
+                        );
                     }
                 }
             }

@@ -2,9 +2,8 @@
 
 use super::DeltaComplex;
 use crate::gluing::FaceClasses;
-use coface_algebra::Error;
-use coface_algebra::RaggedArray;
 use coface_algebra::chains::TwoSkeleton;
+use coface_algebra::{CellId, Error, RaggedArray};
 
 impl DeltaComplex {
     /// The vertices, edges and triangles, numbered as here, with the edges around each triangle, and the triangles around
@@ -28,7 +27,9 @@ impl DeltaComplex {
     /// # Ok(()) }
     /// ```
     pub fn two_skeleton(&self) -> Result<TwoSkeleton, Error> {
-        let all = |degree: usize| (0..self.simplex_count(degree)).map(move |cell| self.faces(degree, cell));
+        let all = |degree: usize| {
+            (0..self.simplex_count(degree)).map(move |cell| self.faces(degree, CellId::new(cell)))
+        };
         let ends = all(1).flat_map(|faces| [faces[1], faces[0]]).collect();
         let rims = all(2).flat_map(|faces| [2 * faces[2], 2 * faces[0], 2 * faces[1] + 1]).collect();
         let solids = all(3).flatten().copied().collect();
@@ -65,9 +66,9 @@ impl FaceClasses {
         let counts = self.class_counts();
         let count = |degree: usize| counts.get(degree).copied().unwrap_or(0);
         let mut ends = Vec::with_capacity(2 * count(1));
-        (0..count(1)).for_each(|edge| ends.extend(self.vertices(1, edge)));
+        (0..count(1)).for_each(|edge| ends.extend(self.vertices(1, CellId::new(edge))));
         let mut rims = Vec::with_capacity(3 * count(2));
-        for triangle in 0..count(2) {
+        for triangle in (0..count(2)).map(CellId::new) {
             let (simplex, corners) = self.representative(2, triangle);
             for (from, to) in [(0, 1), (1, 2), (2, 0)] {
                 let (from, to) = (corners[from], corners[to]);
@@ -78,7 +79,7 @@ impl FaceClasses {
             }
         }
         let mut solids = Vec::with_capacity(4 * count(3));
-        for solid in 0..count(3) {
+        for solid in (0..count(3)).map(CellId::new) {
             let (simplex, corners) = self.representative(3, solid);
             let whole = corners.iter().fold(0, |set, &v| set | 1 << v);
             solids.extend(corners.iter().map(|&v| self.of_face(simplex, whole & !(1 << v)).0 as u32));

@@ -5,10 +5,9 @@ use super::manifest::{ShardManifest, ShardSource};
 use super::owners::Owners;
 use super::place::ShardPlace;
 use super::shard::write_shard;
-use coface_algebra::Error;
-use coface_algebra::RaggedArray;
 use coface_algebra::chains::{ChainComplex, Part, Partition, Parts};
 use coface_algebra::progress;
+use coface_algebra::{CellId, Error, RaggedArray};
 use coface_answers::Producer;
 use coface_io::Model;
 use coface_io::container::hash_array;
@@ -149,7 +148,7 @@ pub fn shard_model(model: Model, folder: &Path, request: &ShardRequest) -> Resul
         request.owners.partition(&complex, producer.positions(), part_count)?
     };
     let are_named = producer.names_cells_by_vertices();
-    let names = |degree: usize, cell: usize| producer.cell_vertices(degree, cell);
+    let names = |degree: usize, cell: usize| producer.cell_vertices(degree, CellId::new(cell));
     let complex_number = number_of(&complex, &partition, place);
     let manifest = ShardManifest::new(complex_number, part_count, request.fan_in, request.source.clone());
     ShardFolder::create(folder, manifest, request.replaces)?.finished(|folder| {

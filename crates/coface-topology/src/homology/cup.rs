@@ -144,10 +144,10 @@ impl CochainAlgebra {
         let (p, q) = (first.degree(), second.degree());
         let (front, back) = (self.values(first)?, self.values(second)?);
         let mut terms = Vec::new();
-        for simplex in 0..self.complex.simplex_count(p + q) {
-            let Some(value) = front[self.complex.front_face(p + q, simplex, p)] else { continue };
-            let Some(other) = back[self.complex.back_face(p + q, simplex, q)] else { continue };
-            terms.push((CellId::new(simplex), value.times(other)?));
+        for simplex in (0..self.complex.simplex_count(p + q)).map(CellId::new) {
+            let Some(value) = front[self.complex.front_face(p + q, simplex, p).index()] else { continue };
+            let Some(other) = back[self.complex.back_face(p + q, simplex, q).index()] else { continue };
+            terms.push((simplex, value.times(other)?));
         }
         Cochain::new(&self.chains, p + q, terms)
     }
@@ -193,9 +193,9 @@ impl CochainAlgebra {
         let front = self.values(cochain)?;
         let mut terms = Vec::new();
         for (simplex, coefficient) in chain.terms() {
-            if let Some(value) = front[self.complex.front_face(n, simplex.index(), p)] {
-                let face = self.complex.back_face(n, simplex.index(), q);
-                terms.push((CellId::new(face), value.times(coefficient)?));
+            if let Some(value) = front[self.complex.front_face(n, *simplex, p).index()] {
+                let face = self.complex.back_face(n, *simplex, q);
+                terms.push((face, value.times(coefficient)?));
             }
         }
         Chain::new(&self.chains, q, terms)
@@ -246,11 +246,11 @@ impl CochainAlgebra {
         self.check_support(n, chain.support().last())?;
         let (front, back) = (self.by_cell(p, first), self.by_cell(q, second));
         for (simplex, coefficient) in chain.terms() {
-            let here = front.at(self.complex.front_face(n, simplex.index(), p));
+            let here = front.at(self.complex.front_face(n, *simplex, p).index());
             if here.is_empty() {
                 continue;
             }
-            let there = back.at(self.complex.back_face(n, simplex.index(), q));
+            let there = back.at(self.complex.back_face(n, *simplex, q).index());
             for (i, value) in here {
                 let value = value.times(coefficient)?;
                 for (j, other) in there {

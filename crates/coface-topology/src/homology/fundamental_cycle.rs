@@ -52,7 +52,10 @@ fn check_pure(complex: &DeltaComplex, dimension: usize) -> Result<(), Error> {
     for degree in 0..dimension {
         let mut covered = vec![false; complex.simplex_count(degree)];
         for cell in 0..complex.simplex_count(degree + 1) {
-            complex.faces(degree + 1, cell).iter().for_each(|&face| covered[face as usize] = true);
+            complex
+                .faces(degree + 1, CellId::new(cell))
+                .iter()
+                .for_each(|&face| covered[face as usize] = true);
         }
         if let Some(cell) = covered.iter().position(|&covered| !covered) {
             return Err(Error::new(
@@ -80,7 +83,7 @@ fn ridge_sides(complex: &DeltaComplex, dimension: usize) -> Result<Vec<[Side; 2]
     let mut counts = vec![0u32; ridge_count];
     let mut sides = vec![[Side { facet: 0, face: 0 }; 2]; ridge_count];
     for facet in facets() {
-        for (face, &ridge) in (0..).zip(complex.faces(dimension, facet)) {
+        for (face, &ridge) in (0..).zip(complex.faces(dimension, CellId::new(facet))) {
             let count = &mut counts[ridge as usize];
             if let Some(side) = sides[ridge as usize].get_mut(*count as usize) {
                 *side = Side { facet: facet as u32, face };
@@ -89,7 +92,7 @@ fn ridge_sides(complex: &DeltaComplex, dimension: usize) -> Result<Vec<[Side; 2]
         }
     }
     let Some(ridge) = counts.iter().position(|&count| count != 2) else { return Ok(sides) };
-    let has_ridge = |facet: &usize| complex.faces(dimension, *facet).contains(&(ridge as u32));
+    let has_ridge = |facet: &usize| complex.faces(dimension, CellId::new(*facet)).contains(&(ridge as u32));
     let names: Vec<String> = facets().filter(has_ridge).map(|facet| facet.to_string()).collect();
     let fault = match counts[ridge] {
         1 => format!("is in facet {} alone, so it lies on the boundary", names[0]),
@@ -113,7 +116,7 @@ fn orient(complex: &DeltaComplex, dimension: usize, ridges: &[[Side; 2]]) -> Res
         queue.push_back(root);
         while let Some(facet) = queue.pop_front() {
             // A vertex has the empty face, which is no ridge.
-            let faces = if dimension == 0 { &[][..] } else { complex.faces(dimension, facet) };
+            let faces = if dimension == 0 { &[][..] } else { complex.faces(dimension, CellId::new(facet)) };
             for (face, &ridge) in (0..).zip(faces) {
                 let [a, b] = ridges[ridge as usize];
                 let other = if (a.facet as usize, a.face) == (facet, face) { b } else { a };

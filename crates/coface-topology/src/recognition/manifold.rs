@@ -74,7 +74,8 @@ pub fn manifold_verdict(
 pub fn gluing_manifold_verdict(table: &GluingTable, faces: &FaceClasses) -> Result<GluingVerdict, Error> {
     let verdict = table.manifold_verdict(faces)?;
     let Some(witness) = verdict.witness() else { return Ok(verdict) };
-    let (GluingFault::LinkNotRecognized, Some(&vertex)) = (witness.fault(), witness.classes().first()) else {
+    let first = witness.classes().first().map(|class| class.index());
+    let (GluingFault::LinkNotRecognized, Some(vertex)) = (witness.fault(), first) else {
         return Ok(verdict);
     };
     let links = table.vertex_links(faces)?;

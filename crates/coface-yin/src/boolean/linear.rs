@@ -5,8 +5,7 @@ use super::rounding::is_doubtful;
 use super::{Combination, PieceSource};
 use crate::set::{CurveArena, parameter};
 use crate::{KnotIndex, YinSet};
-use coface_algebra::Error;
-use coface_algebra::RaggedArray;
+use coface_algebra::{EdgeId, Error, RaggedArray};
 use coface_arrange::boolean::InsideRule;
 use coface_arrange::planar::{PlanarOverlay, PlanarPolygons};
 use coface_geometry::Positions;
@@ -203,7 +202,7 @@ impl Operands {
             // Each curve has one point more than it has pieces.
             let at = piece + curve_of(piece, last);
             let ends = [points[at], points[at + 1]];
-            let sides = polygons.sides_of_edge(outline.edges[piece] as usize);
+            let sides = polygons.sides_of_edge(EdgeId::from_u32(outline.edges[piece]));
             sides.map(move |side| self.source(arenas, side, ends))
         };
         let pieces = || (0..outline.edges.len()).into_par_iter().with_min_len(1 << 12);
@@ -213,7 +212,7 @@ impl Operands {
         );
         let sources = sources.collect();
         let has_others =
-            |piece: &usize| polygons.sides_of_edge(outline.edges[*piece] as usize).nth(1).is_some();
+            |piece: &usize| polygons.sides_of_edge(EdgeId::from_u32(outline.edges[*piece])).nth(1).is_some();
         let others = pieces().filter(has_others).flat_map_iter(|piece| {
             let rest: Vec<_> = along(piece, &mut 0).skip(1).collect();
             rest.into_iter().map(move |source| (piece as u32, source))
@@ -237,7 +236,7 @@ impl Operands {
             sets.get(operand).is_some_and(|set| set.kinks().vertex(knot).is_some())
         };
         let has_kinks = sets.iter().any(|set| !set.kinks().is_empty());
-        let is_result_kink = |before: usize, after: usize| {
+        let is_result_kink = |before: EdgeId, after: EdgeId| {
             let (mut is_smooth, mut is_old_kink) = (false, false);
             for s in polygons.sides_of_edge(before) {
                 for t in polygons.sides_of_edge(after) {
@@ -261,7 +260,8 @@ impl Operands {
             let own = outline.curves.first_piece(curve)..outline.curves.first_piece(curve + 1);
             let knots = (0..).zip(own.clone()).filter(move |&(_, piece)| {
                 let before = if piece == own.start { own.end } else { piece } - 1;
-                is_result_kink(outline.edges[before] as usize, outline.edges[piece] as usize)
+                let [before, after] = [before, piece].map(|at| EdgeId::from_u32(outline.edges[at]));
+                is_result_kink(before, after)
             });
             knots.map(move |(knot, _)| KnotIndex { curve: curve as u32, knot })
         });

@@ -2,8 +2,7 @@
 
 use super::trails::{DirectedEdge, Trail, fitted_edges, trails_of};
 use crate::{Curve, Order};
-use coface_algebra::Error;
-use coface_algebra::Sign;
+use coface_algebra::{EdgeId, Error, Sign, VertexId};
 
 /// An arc of an interface.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,9 +76,10 @@ impl InterfaceGraph {
     /// # Examples
     /// One triangle, whose boundary is an edge from a base point to itself.
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
     /// assert_eq!(graph.phase_area(0)?, 0.5);
     /// # Ok::<(), coface_algebra::Error>(())
@@ -163,9 +163,10 @@ impl InterfaceGraph {
     /// # Examples
     /// One triangle, whose boundary is an edge from a base point to itself.
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
     /// assert_eq!(graph.order(), Order::LINEAR);
     /// # Ok::<(), coface_algebra::Error>(())
@@ -179,9 +180,10 @@ impl InterfaceGraph {
     /// # Examples
     /// One triangle, whose boundary is an edge from a base point to itself.
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
     /// assert_eq!(graph.vertices(), [[0.0, 0.0]]);
     /// # Ok::<(), coface_algebra::Error>(())
@@ -195,9 +197,10 @@ impl InterfaceGraph {
     /// # Examples
     /// One triangle, whose boundary is an edge from a base point to itself.
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
     /// assert_eq!(graph.edge_count(), 1);
     /// # Ok::<(), coface_algebra::Error>(())
@@ -214,15 +217,16 @@ impl InterfaceGraph {
     /// # Examples
     /// One triangle, whose boundary is an edge from a base point to itself.
     /// ```
+    /// use coface_algebra::{EdgeId, VertexId};
     /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
-    /// assert_eq!(graph.ends(0), [0, 0]);
+    /// assert_eq!(graph.ends(EdgeId::new(0)), [VertexId::new(0); 2]);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn ends(&self, edge: usize) -> [u32; 2] {
-        self.ends[edge]
+    pub fn ends(&self, edge: EdgeId) -> [VertexId; 2] {
+        self.ends[edge.index()].map(VertexId::from_u32)
     }
 
     /// The phases on the left and on the right of an edge.
@@ -233,15 +237,16 @@ impl InterfaceGraph {
     /// # Examples
     /// One triangle, whose boundary is an edge from a base point to itself.
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
-    /// assert_eq!(graph.phases_of(0), [Some(0), None]);
+    /// assert_eq!(graph.phases_of(EdgeId::new(0)), [Some(0), None]);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn phases_of(&self, edge: usize) -> [Option<u32>; 2] {
-        self.phases[edge]
+    pub fn phases_of(&self, edge: EdgeId) -> [Option<u32>; 2] {
+        self.phases[edge.index()]
     }
 
     /// The curve of an edge.
@@ -252,15 +257,16 @@ impl InterfaceGraph {
     /// # Examples
     /// One triangle, whose boundary is an edge from a base point to itself.
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
-    /// assert_eq!(graph.curve(0).piece_count(), 3);
+    /// assert_eq!(graph.curve(EdgeId::new(0)).piece_count(), 3);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn curve(&self, edge: usize) -> &Curve<'static> {
-        &self.curves[edge]
+    pub fn curve(&self, edge: EdgeId) -> &Curve<'static> {
+        &self.curves[edge.index()]
     }
 
     /// The edges that were fitted together.
@@ -268,9 +274,10 @@ impl InterfaceGraph {
     /// # Examples
     /// One triangle, whose boundary is an edge from a base point to itself.
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
     /// assert!(graph.trails()[0].is_circuit());
     /// # Ok::<(), coface_algebra::Error>(())
@@ -284,9 +291,10 @@ impl InterfaceGraph {
     /// # Examples
     /// One triangle, whose boundary is an edge from a base point to itself.
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
     /// assert_eq!(graph.smooth_pairs(), [around]);
     /// # Ok::<(), coface_algebra::Error>(())
@@ -303,15 +311,16 @@ impl InterfaceGraph {
     /// # Examples
     /// One triangle, whose boundary is an edge from a base point to itself.
     /// ```
+    /// use coface_algebra::{EdgeId, VertexId};
     /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
-    /// assert_eq!(graph.degree(0), 2);
+    /// assert_eq!(graph.degree(VertexId::new(0)), 2);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn degree(&self, vertex: usize) -> usize {
-        self.around[vertex].len()
+    pub fn degree(&self, vertex: VertexId) -> usize {
+        self.around[vertex.index()].len()
     }
 
     /// The vertices at which three or more edges end.
@@ -319,15 +328,16 @@ impl InterfaceGraph {
     /// # Examples
     /// One triangle, whose boundary is an edge from a base point to itself.
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
     /// assert_eq!(graph.junctions().count(), 0);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn junctions(&self) -> impl Iterator<Item = usize> + '_ {
-        (0..self.vertices.len()).filter(|&vertex| self.around[vertex].len() > 2)
+    pub fn junctions(&self) -> impl Iterator<Item = VertexId> + '_ {
+        (0..self.vertices.len()).map(VertexId::new).filter(|&vertex| self.degree(vertex) > 2)
     }
 
     /// The phases that edges name, rising.
@@ -335,9 +345,10 @@ impl InterfaceGraph {
     /// # Examples
     /// One triangle, whose boundary is an edge from a base point to itself.
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
     /// assert_eq!(graph.phases(), [0]);
     /// # Ok::<(), coface_algebra::Error>(())
@@ -362,20 +373,21 @@ impl InterfaceGraph {
     /// # Examples
     /// One triangle, whose boundary is an edge from a base point to itself.
     /// ```
+    /// use coface_algebra::{EdgeId, VertexId};
     /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
-    /// assert_eq!(graph.edges_at(0).len(), 2);
+    /// assert_eq!(graph.edges_at(VertexId::new(0)).len(), 2);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn edges_at(&self, vertex: usize) -> &[DirectedEdge] {
-        &self.around[vertex]
+    pub fn edges_at(&self, vertex: VertexId) -> &[DirectedEdge] {
+        &self.around[vertex.index()]
     }
 
     /// The vertex from which a directed edge leads.
     pub(super) fn tail(&self, edge: DirectedEdge) -> usize {
-        self.ends[edge.edge as usize][usize::from(edge.sign == Sign::Minus)] as usize
+        self.ends[edge.edge.index()][usize::from(edge.sign == Sign::Minus)] as usize
     }
 
     /// The vertex to which a directed edge leads.
@@ -385,6 +397,6 @@ impl InterfaceGraph {
 
     /// The phase on the left of a directed edge.
     pub(super) fn left(&self, edge: DirectedEdge) -> Option<u32> {
-        self.phases[edge.edge as usize][usize::from(edge.sign == Sign::Minus)]
+        self.phases[edge.edge.index()][usize::from(edge.sign == Sign::Minus)]
     }
 }

@@ -5,8 +5,7 @@ use super::graph::Arcs;
 use super::overlaid::Overlaid;
 use crate::boolean::first_covering;
 use crate::{Curve, Order, YinSet};
-use coface_algebra::Error;
-use coface_algebra::Sign;
+use coface_algebra::{EdgeId, Error, Sign};
 use coface_arrange::planar::RingCells;
 
 /// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
@@ -107,8 +106,9 @@ impl Partition {
                     *vertex
                 });
                 let edges = found.push(&overlaid, &way, ends, [phase(first), phase(first ^ 1)]);
-                edge_of_halfedge[first as usize] = Some(DirectedEdge::along(edges.start));
-                edge_of_halfedge[last as usize ^ 1] = Some(DirectedEdge::against(edges.end - 1));
+                edge_of_halfedge[first as usize] = Some(DirectedEdge::along(EdgeId::from_u32(edges.start)));
+                edge_of_halfedge[last as usize ^ 1] =
+                    Some(DirectedEdge::against(EdgeId::from_u32(edges.end - 1)));
             }
         }
         found.around = vec![Vec::new(); found.arcs.vertices.len()];
@@ -119,7 +119,7 @@ impl Partition {
         for edge in 0..found.curves.len() as u32 {
             for sign in [Sign::Plus, Sign::Minus] {
                 let vertex = found.arcs.ends[edge as usize][usize::from(sign == Sign::Minus)] as usize;
-                let own = DirectedEdge { edge, sign };
+                let own = DirectedEdge { edge: EdgeId::from_u32(edge), sign };
                 if !found.around[vertex].contains(&own) && found.around[vertex].len() < 2 {
                     found.around[vertex].push(own);
                 }

@@ -17,7 +17,7 @@ impl InterfaceGraph {
         let mut around: Vec<Vec<(DirectedEdge, [[f64; 2]; 2])>> = vec![Vec::new(); self.vertices.len()];
         for at in 0..2 * self.edge_count() {
             let edge = DirectedEdge::at(at);
-            let controls = self.curves[edge.edge as usize].controls();
+            let controls = self.curves[edge.edge.index()].controls();
             let start = self.vertices[self.tail(edge)];
             // The first control point elsewhere tells the direction.
             let elsewhere = |control: &&[f64; 2]| **control != start;
@@ -40,7 +40,8 @@ impl InterfaceGraph {
                 if order(pair[0].1, pair[1].1) == Ordering::Equal {
                     return Err(Error::invalid(format!(
                         "edges {} and {} leave vertex {vertex} in the same direction",
-                        pair[0].0.edge, pair[1].0.edge
+                        pair[0].0.edge.index(),
+                        pair[1].0.edge.index()
                     ))
                     .with_cure("give edges that share no arc, with vertices where they meet"));
                 }
@@ -62,8 +63,8 @@ impl InterfaceGraph {
                     };
                     return Err(Error::invalid(format!(
                         "between edges {} and {} at vertex {vertex} there is {} by the first and {} by the second",
-                        edge.edge,
-                        after.edge,
+                        edge.edge.index(),
+                        after.edge.index(),
                         name(left),
                         name(right)
                     ))
@@ -82,11 +83,12 @@ impl InterfaceGraph {
     /// # Examples
     /// One triangle, whose boundary is an edge from a base point to itself.
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
-    /// assert_eq!(graph.phase_walks(0), [[DirectedEdge::along(0)]]);
+    /// assert_eq!(graph.phase_walks(0), [[DirectedEdge::along(EdgeId::new(0))]]);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn phase_walks(&self, phase: u32) -> Vec<Vec<DirectedEdge>> {
@@ -134,9 +136,10 @@ impl InterfaceGraph {
     /// # Examples
     /// One triangle, whose boundary is an edge from a base point to itself.
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
     /// assert_eq!(graph.phase_curves(0)?[0].signed_area(), 0.5);
     /// # Ok::<(), coface_algebra::Error>(())
@@ -154,7 +157,7 @@ impl InterfaceGraph {
     fn walk_curve(&self, walk: &[DirectedEdge]) -> Result<Curve<'static>, Error> {
         let (mut controls, mut knots) = (Vec::<[f64; 2]>::new(), vec![0.0]);
         for edge in walk {
-            let curve = &self.curves[edge.edge as usize];
+            let curve = &self.curves[edge.edge.index()];
             controls.pop();
             match edge.sign {
                 Sign::Plus => controls.extend_from_slice(curve.controls()),
@@ -179,9 +182,10 @@ impl InterfaceGraph {
     /// # Examples
     /// One triangle, whose boundary is an edge from a base point to itself.
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
     /// assert_eq!(graph.phase_area(0)?, 0.5);
     /// # Ok::<(), coface_algebra::Error>(())

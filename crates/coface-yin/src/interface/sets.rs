@@ -176,7 +176,7 @@ impl InterfaceGraph {
                 if next[before.index()] != Some(edge) {
                     kinks.push(knot);
                 }
-                knot += self.curve(edge.edge as usize).piece_count() as u32;
+                knot += self.curve(edge.edge).piece_count() as u32;
             }
             kinks
         };
@@ -195,7 +195,7 @@ impl InterfaceGraph {
                 continue;
             }
             let direction = |edge: DirectedEdge| {
-                let controls = self.curves[edge.edge as usize].controls();
+                let controls = self.curves[edge.edge.index()].controls();
                 let next = if edge == DirectedEdge::along(edge.edge) {
                     controls[1]
                 } else {

@@ -1,14 +1,13 @@
 //! Edges that go on smoothly into each other, and their common splines.
 
 use crate::{Curve, EndCondition, Order};
-use coface_algebra::Error;
-use coface_algebra::Sign;
+use coface_algebra::{EdgeId, Error, Sign};
 
 /// An edge in one of its two directions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct DirectedEdge {
     /// The edge.
-    pub edge: u32,
+    pub edge: EdgeId,
     /// Along it or against it.
     pub sign: Sign,
 }
@@ -18,10 +17,11 @@ impl DirectedEdge {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::DirectedEdge;
-    /// assert_eq!(DirectedEdge::along(3).edge, 3);
+    /// assert_eq!(DirectedEdge::along(EdgeId::new(3)).edge, EdgeId::new(3));
     /// ```
-    pub fn along(edge: u32) -> Self {
+    pub fn along(edge: EdgeId) -> Self {
         Self { edge, sign: Sign::Plus }
     }
 
@@ -29,10 +29,12 @@ impl DirectedEdge {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::DirectedEdge;
-    /// assert_ne!(DirectedEdge::against(3), DirectedEdge::along(3));
+    /// let edge = EdgeId::new(3);
+    /// assert_ne!(DirectedEdge::against(edge), DirectedEdge::along(edge));
     /// ```
-    pub fn against(edge: u32) -> Self {
+    pub fn against(edge: EdgeId) -> Self {
         Self { edge, sign: Sign::Minus }
     }
 
@@ -40,8 +42,10 @@ impl DirectedEdge {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::DirectedEdge;
-    /// assert_eq!(DirectedEdge::against(3).reversed(), DirectedEdge::along(3));
+    /// let edge = EdgeId::new(3);
+    /// assert_eq!(DirectedEdge::against(edge).reversed(), DirectedEdge::along(edge));
     /// ```
     pub fn reversed(self) -> Self {
         Self { sign: self.sign.opposite(), ..self }
@@ -49,11 +53,11 @@ impl DirectedEdge {
 
     /// The place in arrays with two entries an edge.
     pub(super) fn index(self) -> usize {
-        2 * self.edge as usize + usize::from(self.sign == Sign::Minus)
+        2 * self.edge.index() + usize::from(self.sign == Sign::Minus)
     }
 
     pub(super) fn at(index: usize) -> Self {
-        let edge = (index / 2) as u32;
+        let edge = EdgeId::new(index / 2);
         if index.is_multiple_of(2) { Self::along(edge) } else { Self::against(edge) }
     }
 }
@@ -71,11 +75,12 @@ impl Trail {
     /// # Examples
     /// One triangle, whose boundary is an edge from a base point to itself.
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
-    /// assert_eq!(graph.trails()[0].edges(), [DirectedEdge::along(0)]);
+    /// assert_eq!(graph.trails()[0].edges(), [DirectedEdge::along(EdgeId::new(0))]);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn edges(&self) -> &[DirectedEdge] {
@@ -87,9 +92,10 @@ impl Trail {
     /// # Examples
     /// One triangle, whose boundary is an edge from a base point to itself.
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
     /// assert!(graph.trails()[0].is_circuit());
     /// # Ok::<(), coface_algebra::Error>(())
@@ -101,19 +107,20 @@ impl Trail {
 
 /// The maximal chains under smooth pairs, by their lowest edges.
 pub(super) fn trails_of(ends: &[[u32; 2]], pairs: &[[DirectedEdge; 2]]) -> Result<Vec<Trail>, Error> {
-    let tail = |edge: DirectedEdge| ends[edge.edge as usize][usize::from(edge.sign == Sign::Minus)];
+    let tail = |edge: DirectedEdge| ends[edge.edge.index()][usize::from(edge.sign == Sign::Minus)];
     let mut next: Vec<Option<DirectedEdge>> = vec![None; 2 * ends.len()];
     for (number, &[from, to]) in pairs.iter().enumerate() {
-        if let Some(edge) = [from, to].iter().find(|edge| edge.edge as usize >= ends.len()) {
+        if let Some(edge) = [from, to].iter().find(|edge| edge.edge.index() >= ends.len()) {
             return Err(Error::invalid(format!(
                 "smooth pair {number} names edge {}, which there is not",
-                edge.edge
+                edge.edge.index()
             )));
         }
         if tail(from.reversed()) != tail(to) || from == to.reversed() {
             return Err(Error::invalid(format!(
                 "edge {} of smooth pair {number} does not lead to where edge {} begins",
-                from.edge, to.edge
+                from.edge.index(),
+                to.edge.index()
             ))
             .with_cure("give an edge that comes to a vertex and another end there"));
         }
@@ -121,7 +128,7 @@ pub(super) fn trails_of(ends: &[[u32; 2]], pairs: &[[DirectedEdge; 2]]) -> Resul
             if next[from.index()].is_some_and(|known| known != to) {
                 return Err(Error::invalid(format!(
                     "edge {} goes on smoothly into two edges at vertex {}",
-                    from.edge,
+                    from.edge.index(),
                     tail(from.reversed())
                 ))
                 .with_cure("give each end of an edge in one pair at most"));
@@ -131,12 +138,12 @@ pub(super) fn trails_of(ends: &[[u32; 2]], pairs: &[[DirectedEdge; 2]]) -> Resul
     }
     let mut is_used = vec![false; ends.len()];
     let mut trails = Vec::new();
-    for edge in 0..ends.len() as u32 {
-        if is_used[edge as usize] {
+    for edge in 0..ends.len() {
+        if is_used[edge] {
             continue;
         }
         // Back to the beginning, or around to the edge itself.
-        let own = DirectedEdge::along(edge);
+        let own = DirectedEdge::along(EdgeId::new(edge));
         let mut first = own;
         let mut is_circuit = false;
         while let Some(before) = next[first.reversed().index()] {
@@ -147,11 +154,11 @@ pub(super) fn trails_of(ends: &[[u32; 2]], pairs: &[[DirectedEdge; 2]]) -> Resul
             }
         }
         let mut edges = vec![first];
-        is_used[first.edge as usize] = true;
+        is_used[first.edge.index()] = true;
         let mut at = first;
         while let Some(after) = next[at.index()].filter(|&after| after != first) {
             edges.push(after);
-            is_used[after.edge as usize] = true;
+            is_used[after.edge.index()] = true;
             at = after;
         }
         trails.push(Trail { edges, is_circuit });
@@ -169,7 +176,7 @@ pub(super) fn fitted_edges(
     for trail in trails {
         let mut way: Vec<[f64; 2]> = Vec::new();
         for edge in &trail.edges {
-            let own = &points[edge.edge as usize];
+            let own = &points[edge.edge.index()];
             way.pop();
             match edge.sign {
                 Sign::Plus => way.extend_from_slice(own),
@@ -180,7 +187,7 @@ pub(super) fn fitted_edges(
         let named = |error: Error| {
             let said = Error::new(
                 error.kind(),
-                format!("the trail from edge {}: {}", trail.edges[0].edge, error.message()),
+                format!("the trail from edge {}: {}", trail.edges[0].edge.index(), error.message()),
             );
             match error.cure() {
                 Some(cure) => said.with_cure(cure),
@@ -190,12 +197,12 @@ pub(super) fn fitted_edges(
         let spline = Curve::fit_by_length(&way, order, &ends).map_err(named)?;
         let mut from = 0;
         for edge in &trail.edges {
-            let to = from + points[edge.edge as usize].len() - 1;
+            let to = from + points[edge.edge.index()].len() - 1;
             let degree = order.degree();
             let controls = spline.controls()[from * degree..=to * degree].to_vec();
             let knots = spline.knots()[from..=to].iter().map(|knot| knot - spline.knots()[from]).collect();
             let part = Curve::from_controls(order, controls, knots)?;
-            curves[edge.edge as usize] = Some(if edge.sign == Sign::Plus { part } else { part.reversed() });
+            curves[edge.edge.index()] = Some(if edge.sign == Sign::Plus { part } else { part.reversed() });
             from = to;
         }
     }

@@ -6,12 +6,9 @@ use super::{TrackingCounts, TrackingOptions};
 use crate::interface::Arcs;
 use crate::kinks::are_surely_apart;
 use crate::{Curve, DirectedEdge, InterfaceFault, InterfaceGraph, InterfaceOptions, Overlaps, YinSet};
-use coface_algebra::Error;
 use coface_algebra::progress::stage;
+use coface_algebra::{EdgeId, Error, VertexId};
 use coface_arrange::boolean::InsideRule;
-
-/// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
-const NONE: u32 = u32::MAX;
 
 /// After a repair edges go on smoothly into each other where they turn by at most this angle, in radians: those that did before turn by
 /// no more than rounding.
@@ -47,9 +44,9 @@ impl InterfaceRepair {
 pub struct TrackedGraph {
     graph: InterfaceGraph,
     counts: TrackingCounts,
-    vanished: Vec<(f64, Option<u32>)>,
+    vanished: Vec<(f64, Option<EdgeId>)>,
     repairs: Vec<InterfaceRepair>,
-    edges: Vec<Option<u32>>,
+    edges: Vec<Option<EdgeId>>,
 }
 
 impl TrackedGraph {
@@ -57,9 +54,10 @@ impl TrackedGraph {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, Flow, InterfaceEdge, InterfaceGraph, Order, TrackingOptions};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
     /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
     /// let moved = graph.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(1.0, 0.5, 2.0))?;
@@ -74,9 +72,10 @@ impl TrackedGraph {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, Flow, InterfaceEdge, InterfaceGraph, Order, TrackingOptions};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
     /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
     /// let moved = graph.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(1.0, 0.5, 2.0))?;
@@ -92,16 +91,17 @@ impl TrackedGraph {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, Flow, InterfaceEdge, InterfaceGraph, Order, TrackingOptions};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
     /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
     /// let moved = graph.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(1.0, 0.5, 2.0))?;
     /// assert!(moved.vanished().is_empty());
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn vanished(&self) -> &[(f64, Option<u32>)] {
+    pub fn vanished(&self) -> &[(f64, Option<EdgeId>)] {
         &self.vanished
     }
 
@@ -109,9 +109,10 @@ impl TrackedGraph {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, Flow, InterfaceEdge, InterfaceGraph, Order, TrackingOptions};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
     /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
     /// let moved = graph.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(1.0, 0.5, 2.0))?;
@@ -126,16 +127,17 @@ impl TrackedGraph {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, Flow, InterfaceEdge, InterfaceGraph, Order, TrackingOptions};
     /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
-    /// let around = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let around = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[around], Order::LINEAR)?;
     /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
     /// let moved = graph.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(1.0, 0.5, 2.0))?;
-    /// assert_eq!(moved.edges(), [Some(0)]);
+    /// assert_eq!(moved.edges(), [Some(EdgeId::new(0))]);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn edges(&self) -> &[Option<u32>] {
+    pub fn edges(&self) -> &[Option<EdgeId>] {
         &self.edges
     }
 }
@@ -158,11 +160,12 @@ impl InterfaceGraph {
     ///
     /// # Examples
     /// ```
+    /// use coface_algebra::EdgeId;
     /// use coface_yin::{DirectedEdge, Flow, InterfaceEdge, InterfaceGraph, Order, TrackingOptions};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let circle = (0..32).map(|i| f64::from(i) * std::f64::consts::PI / 16.0).map(|t| [t.cos(), t.sin()]).collect::<Vec<_>>();
     /// let edge = InterfaceEdge { ends: [0, 0], markers: circle[1..].to_vec(), phases: [Some(0), Some(1)] };
-    /// let base_point = [DirectedEdge::along(0), DirectedEdge::along(0)];
+    /// let base_point = [DirectedEdge::along(EdgeId::new(0)); 2];
     /// let graph = InterfaceGraph::new(&circle[..1], &[edge], &[base_point], Order::CUBIC)?;
     /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
     /// let moved = graph.advected(|point, time| shift.velocity(point, time), &TrackingOptions::new(2.0, 0.5, 0.2))?;
@@ -180,7 +183,7 @@ impl InterfaceGraph {
         let mut counts = TrackingCounts { steps, ..TrackingCounts::default() };
         let scheme = options.scheme_for(self.order());
         let (mut vanished, mut repairs) = (Vec::new(), Vec::new());
-        let mut numbers: Vec<Option<u32>> = (0..self.edge_count() as u32).map(Some).collect();
+        let mut numbers: Vec<Option<EdgeId>> = (0..self.edge_count()).map(EdgeId::new).map(Some).collect();
         let steps_done = stage("moving", steps);
         for at in 0..steps {
             steps_done.advance(1);
@@ -191,18 +194,19 @@ impl InterfaceGraph {
             let mut points = Vec::with_capacity(graph.edge_count());
             for edge in 0..graph.edge_count() {
                 let MovedMarkers { points: own, .. } =
-                    moved_markers(graph.curve(edge), |_| false, &map, range, &mut counts).map_err(in_step)?;
+                    moved_markers(graph.curve(EdgeId::new(edge)), |_| false, &map, range, &mut counts)
+                        .map_err(in_step)?;
                 points.push(own);
             }
             let mut vertices: Vec<[f64; 2]> = graph.vertices().iter().map(|&vertex| map(vertex)).collect();
             for (edge, own) in points.iter().enumerate() {
                 // Bit for bit what the edges have.
-                let [start, end] = graph.ends(edge).map(|end| end as usize);
+                let [start, end] = graph.ends(EdgeId::new(edge)).map(VertexId::index);
                 (vertices[start], vertices[end]) = (own[0], own[own.len() - 1]);
             }
             let is_gone = |edge: usize| {
-                let [start, end] = graph.ends(edge);
-                let is_alone = start == end && graph.degree(start as usize) == 2;
+                let [start, end] = graph.ends(EdgeId::new(edge));
+                let is_alone = start == end && graph.degree(start) == 2;
                 is_alone && (points[edge].len() < 4 || polyline_length(&points[edge]) < 3.0 * range.least)
             };
             let stays: Vec<bool> = (0..graph.edge_count()).map(|edge| !is_gone(edge)).collect();
@@ -215,8 +219,9 @@ impl InterfaceGraph {
             if !options.is_verified_after(at, steps) {
                 continue;
             }
+            let edges = (0..graph.edge_count()).map(EdgeId::new);
             let edges =
-                (0..graph.edge_count()).map(|edge| (graph.curve(edge).as_borrowed(), graph.ends(edge)));
+                edges.map(|edge| (graph.curve(edge).as_borrowed(), graph.ends(edge).map(VertexId::to_u32)));
             if at + 1 < steps && are_surely_apart(edges) {
                 continue;
             }
@@ -265,28 +270,29 @@ impl InterfaceGraph {
         points: &[Vec<[f64; 2]>],
         stays: &[bool],
     ) -> Result<Self, Error> {
-        let mut numbers = vec![NONE; stays.len()];
         let mut count = 0;
-        for edge in 0..stays.len() {
-            if stays[edge] {
-                numbers[edge] = count;
-                count += 1;
-            }
-        }
-        let renumbered = |edge: DirectedEdge| DirectedEdge { edge: numbers[edge.edge as usize], ..edge };
+        let numbers: Vec<Option<EdgeId>> = (stays.iter())
+            .map(|&stays| {
+                let number = stays.then(|| EdgeId::new(count));
+                count += usize::from(stays);
+                number
+            })
+            .collect();
+        let renumbered =
+            |edge: DirectedEdge| Some(DirectedEdge { edge: numbers[edge.edge.index()]?, ..edge });
         fn kept<T: Clone>(all: impl Iterator<Item = T>, stays: &[bool]) -> Vec<T> {
             all.zip(stays).filter(|(_, stays)| **stays).map(|(item, _)| item).collect()
         }
         let around = (0..vertices.len()).map(|vertex| {
-            let leaving = self.edges_at(vertex).iter().map(|&edge| renumbered(edge));
-            leaving.filter(|edge| edge.edge != NONE).collect()
+            self.edges_at(VertexId::new(vertex)).iter().filter_map(|&edge| renumbered(edge)).collect()
         });
         let around = around.collect();
-        let ends = kept((0..stays.len()).map(|edge| self.ends(edge)), stays);
-        let phases = kept((0..stays.len()).map(|edge| self.phases_of(edge)), stays);
+        let ends =
+            kept((0..stays.len()).map(|edge| self.ends(EdgeId::new(edge)).map(VertexId::to_u32)), stays);
+        let phases = kept((0..stays.len()).map(|edge| self.phases_of(EdgeId::new(edge))), stays);
         let points: Vec<Vec<[f64; 2]>> = kept(points.iter().cloned(), stays);
-        let pairs = self.smooth_pairs().iter().map(|pair| pair.map(renumbered));
-        let pairs = pairs.filter(|pair| pair[0].edge != NONE && pair[1].edge != NONE).collect();
+        let pairs = self.smooth_pairs().iter();
+        let pairs = pairs.filter_map(|&[from, to]| Some([renumbered(from)?, renumbered(to)?])).collect();
         // The flow is a homeomorphism: edges leave vertices in the order in which they did.
         let arcs = Arcs { vertices, ends, phases, smooth_pairs: pairs };
         Self::with_points(arcs, &points, self.order(), Some(around))

@@ -1,6 +1,7 @@
 //! Interfaces of phases: what they bound, how they fit together and how they move.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
+use coface_algebra::{EdgeId, VertexId};
 use coface_yin::{
     Curve, DirectedEdge, Flow, InterfaceEdge, InterfaceGraph, Order, RungeKutta, TrackingOptions,
 };
@@ -19,7 +20,7 @@ fn disk(spacing: f64, order: Order) -> InterfaceGraph {
     let points: Vec<[f64; 2]> =
         (0..count).map(|i| on_circle(TAU * f64::from(i) / f64::from(count))).collect();
     let edge = InterfaceEdge { ends: [0, 0], markers: points[1..].to_vec(), phases: [Some(0), Some(1)] };
-    InterfaceGraph::new(&points[..1], &[edge], &[[DirectedEdge::along(0); 2]], order).unwrap()
+    InterfaceGraph::new(&points[..1], &[edge], &[[DirectedEdge::along(EdgeId::new(0)); 2]], order).unwrap()
 }
 
 /// The disk in three sectors, phases 0, 1 and 2.
@@ -45,8 +46,8 @@ fn sectors(spacing: f64) -> InterfaceGraph {
             phases: [Some(i), None],
         });
     }
-    let smooth =
-        [0, 1, 2].map(|i| [DirectedEdge::along(2 * i + 1), DirectedEdge::along(2 * ((i + 1) % 3) + 1)]);
+    let smooth = [0, 1, 2]
+        .map(|i| [2 * i + 1, 2 * ((i + 1) % 3) + 1].map(|edge| DirectedEdge::along(EdgeId::new(edge))));
     InterfaceGraph::new(&vertices, &edges, &smooth, Order::CUBIC).unwrap()
 }
 
@@ -62,7 +63,7 @@ fn circle_miss(curve: &Curve<'_>) -> f64 {
 fn sectors_share_their_radii_bit_for_bit() {
     let graph = sectors(0.01);
     assert_eq!(graph.phases(), [0, 1, 2]);
-    assert_eq!(graph.junctions().collect::<Vec<_>>(), [0, 1, 2, 3]);
+    assert_eq!(graph.junctions().collect::<Vec<_>>(), [0, 1, 2, 3].map(VertexId::new));
     // Three radii and the circle.
     assert_eq!(graph.trails().len(), 4);
     assert_eq!(graph.trails().iter().filter(|trail| trail.is_circuit()).count(), 1);
@@ -73,7 +74,7 @@ fn sectors_share_their_radii_bit_for_bit() {
         assert!((graph.phase_area(phase).unwrap() - PI * RADIUS * RADIUS / 3.0).abs() < 1e-8);
         total += graph.phase_area(phase).unwrap();
         // The radius on its right is on the left of the next phase, backward.
-        let radius = graph.curve(2 * phase as usize).controls();
+        let radius = graph.curve(EdgeId::from_u32(2 * phase)).controls();
         let backward: Vec<[f64; 2]> = radius.iter().rev().copied().collect();
         let has = |curve: &Curve<'_>, part: &[[f64; 2]]| {
             let twice: Vec<[f64; 2]> =
@@ -87,7 +88,7 @@ fn sectors_share_their_radii_bit_for_bit() {
     assert!((phases - total).abs() < 1e-16 && (phases - border).abs() < 1e-15);
     // The circle is one periodic spline: smooth at its junctions.
     for i in 0..3 {
-        let (a, b) = (graph.curve(2 * i + 1), graph.curve(2 * ((i + 1) % 3) + 1));
+        let (a, b) = (graph.curve(EdgeId::new(2 * i + 1)), graph.curve(EdgeId::new(2 * ((i + 1) % 3) + 1)));
         let end = a.knots()[a.piece_count()];
         let before = a.derivative(end, 2);
         let after = b.derivative(0.0, 2);
@@ -130,10 +131,11 @@ fn faults_of_interfaces_are_named() {
     edges = good.to_vec();
     edges.push(edge([0, 1], Some(1), Some(0)));
     assert!(fault(&edges, &[]).contains("leave vertex 0 in the same direction"));
-    let along = DirectedEdge::along;
+    let along = |edge| DirectedEdge::along(EdgeId::new(edge));
     assert!(fault(&good, &[[along(0), along(2)]]).contains("edge 0 of smooth pair 0"));
     assert!(
-        fault(&good, &[[along(0), along(1)], [along(0), DirectedEdge::against(0)]]).contains("smooth pair 1")
+        fault(&good, &[[along(0), along(1)], [along(0), DirectedEdge::against(EdgeId::new(0))]])
+            .contains("smooth pair 1")
     );
     assert!(fault(&good, &[[along(9), along(1)]]).contains("names edge 9"));
     edges = good.to_vec();
@@ -152,7 +154,7 @@ fn the_vortex_test_converges_at_order_four() {
         let half = graph.advected(|p, t| flow.velocity(p, t), &options).unwrap();
         assert!(half.counts().added() > 0);
         let exact = PI * RADIUS * RADIUS;
-        [circle_miss(back.graph().curve(0)), (half.graph().phase_area(0).unwrap() - exact).abs()]
+        [circle_miss(back.graph().curve(EdgeId::new(0))), (half.graph().phase_area(0).unwrap() - exact).abs()]
     });
     for kind in 0..2 {
         let rate = (errors[0][kind] / errors[2][kind]).log2() / 2.0;
@@ -220,12 +222,13 @@ fn what_shrinks_vanishes_with_a_report() {
     let shrinking = |p: [f64; 2], _: f64| [0, 1].map(|axis| CENTER[axis] - p[axis]);
     let moved = graph.advected(shrinking, &TrackingOptions::new(8.0, 0.1, 0.02)).unwrap();
     assert_eq!(moved.graph().edge_count(), 0);
-    let &[(time, Some(0))] = moved.vanished() else { panic!("one edge vanishes") };
+    let &[(time, Some(edge))] = moved.vanished() else { panic!("one edge vanishes") };
+    assert_eq!(edge, EdgeId::new(0));
     // The length is 2 pi r exp(-t), below three tenths of the spacing from about 5.05; that of the polygon a little earlier.
     let right = (TAU * RADIUS / 0.006).ln();
     assert!((right - 0.3..right + 0.1).contains(&time), "{time} {right}");
     let early = graph.advected(shrinking, &TrackingOptions::new(3.0, 0.1, 0.02)).unwrap();
-    let curve = early.graph().curve(0);
+    let curve = early.graph().curve(EdgeId::new(0));
     assert!(
         early.counts().removed() > 0 && (curve.length(1e-9) - TAU * RADIUS * (-3.0f64).exp()).abs() < 1e-5
     );

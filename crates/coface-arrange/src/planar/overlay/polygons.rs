@@ -4,7 +4,7 @@ use super::PlanarOverlay;
 use crate::planar::VertexSource;
 use crate::planar::areas::walks_area;
 use crate::planar::faces::NONE;
-use coface_algebra::VertexId;
+use coface_algebra::{EdgeId, VertexId};
 use coface_algebra::{RaggedArray, Rational};
 use coface_geometry::Positions;
 use coface_geometry::predicates::PlanarPoint;
@@ -19,7 +19,7 @@ use rayon::prelude::*;
 /// # Examples
 /// A square with a smaller one taken out that touches its side: one ring, which is simple.
 /// ```
-/// use coface_algebra::RaggedArray;
+/// use coface_algebra::{EdgeId, RaggedArray};
 /// use coface_arrange::planar::PlanarOverlay;
 /// use coface_geometry::Positions;
 /// # fn main() -> Result<(), coface_algebra::Error> {
@@ -33,7 +33,7 @@ use rayon::prelude::*;
 /// let both = overlay.select(|windings| !windings.is_empty())?;
 /// assert_eq!(both.rings().list(0).len(), 4);
 /// // The lower side of the second square runs along the middle of one edge.
-/// let sides: Vec<Vec<usize>> = (0..4).map(|edge| both.sides_of_edge(edge).collect()).collect();
+/// let sides: Vec<Vec<usize>> = (0..4).map(|edge| both.sides_of_edge(EdgeId::new(edge)).collect()).collect();
 /// assert!(sides.contains(&vec![0, 4]));
 /// # Ok(()) }
 /// ```
@@ -281,7 +281,7 @@ impl PlanarPolygons<'_> {
     ///
     /// # Examples
     /// ```
-    /// use coface_algebra::RaggedArray;
+    /// use coface_algebra::{EdgeId, RaggedArray};
     /// use coface_arrange::planar::PlanarOverlay;
     /// use coface_geometry::Positions;
     /// # fn main() -> Result<(), coface_algebra::Error> {
@@ -291,12 +291,13 @@ impl PlanarPolygons<'_> {
     /// let overlay = PlanarOverlay::new(&points, &rings, &[0, 1])?;
     /// let both = overlay.select(|windings| windings.len() == 2)?;
     /// // Two sides of each square bound the quarter.
-    /// let mut sides: Vec<usize> = (0..4).flat_map(|edge| both.sides_of_edge(edge)).collect();
+    /// let mut sides: Vec<usize> = (0..4).flat_map(|edge| both.sides_of_edge(EdgeId::new(edge))).collect();
     /// sides.sort_unstable();
     /// assert_eq!(sides, [1, 2, 4, 7]);
     /// # Ok(()) }
     /// ```
-    pub fn sides_of_edge(&self, edge: usize) -> impl Iterator<Item = usize> + '_ {
+    pub fn sides_of_edge(&self, edge: EdgeId) -> impl Iterator<Item = usize> + '_ {
+        let edge = edge.index();
         let others = match self.other_starts.get(edge..edge + 2) {
             Some(ends) => &self.other_sides[ends[0] as usize..ends[1] as usize],
             None => &[],
