@@ -48,6 +48,9 @@ pub(crate) struct Common {
     /// that you trust
     #[arg(long, global = true, help_heading = "Common options")]
     pub(crate) allow_outside: bool,
+    /// Read this level of detail of CityJSON, such as 1.2 [default: the highest of each object]
+    #[arg(long, value_name = "L", global = true, help_heading = "Common options", value_parser = number)]
+    pub(crate) lod: Option<f64>,
     #[command(flatten)]
     pub(crate) voxels: VoxelArguments,
 }
@@ -147,6 +150,7 @@ impl Common {
             .strict(self.strict)
             .partial(self.partial)
             .allow_outside(self.allow_outside)
+            .lod(self.lod)
     }
 }
 

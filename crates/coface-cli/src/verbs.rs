@@ -153,7 +153,7 @@ const WITHOUT_VOLUMES: [&str; 11] = [
 const WITHOUT_INPUTS: [&str; 2] = ["completions", "man"];
 
 /// The options that say how a model is read.
-const OF_INPUTS: [&str; 5] = ["format", "flatten", "strict", "partial", "allow_outside"];
+const OF_INPUTS: [&str; 6] = ["format", "flatten", "strict", "partial", "allow_outside", "lod"];
 
 const AFTER_HELP: &str = "\
 Vertices are numbered from 0 in the order of the file, whatever the format does.

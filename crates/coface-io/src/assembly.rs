@@ -3,11 +3,12 @@
 use super::CellData;
 use super::data::without_repeated_names;
 use super::element_kind::Kind;
+use super::group::Roles;
 use super::lists::Lists;
 use super::model::{Model, placed, repeated_vertex};
 use super::oddities::{Oddities, Oddity, without_repetition, without_standing_still};
 use super::scratch_mesh::ScratchMesh;
-use super::{Group, GroupKind};
+use super::{Group, GroupKind, GroupRole};
 use crate::{Place, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_complexes::cell_mesh::CellShape;
@@ -33,6 +34,8 @@ pub(crate) struct Assembly {
     reduced_count: u64,
     data: Vec<CellData>,
     pub(crate) remarks: Vec<Remark>,
+    /// Whether its groups are objects as well.
+    pub(crate) has_objects: bool,
     pub(crate) oddities: Oddities,
     /// Where vertices and elements go instead of being kept.
     scratch: Option<ScratchMesh>,
@@ -183,6 +186,12 @@ impl Assembly {
     }
 
     /// Adds numbers on all vertices or elements of a kind as they are now.
+    /// Where a vertex of three coordinates is.
+    pub(crate) fn position(&self, vertex: u32) -> [f64; 3] {
+        let at = 3 * vertex as usize;
+        [self.coordinates[at], self.coordinates[at + 1], self.coordinates[at + 2]]
+    }
+
     pub(crate) fn add_data(&mut self, data: CellData) {
         self.data.push(data);
     }
@@ -229,7 +238,11 @@ impl Assembly {
                 members = members.into_iter().filter_map(|v| renumbered[v as usize]).collect();
             }
             let name = self.names.remove(&(kind, number)).unwrap_or_else(|| number.to_string());
-            model.groups.push(Group::new(name, kind, members));
+            let mut group = Group::new(name, kind, members);
+            if self.has_objects {
+                group.roles = group.roles.with(Roles::of(GroupRole::Object));
+            }
+            model.groups.push(group);
         }
         if let Some(renumbered) = renumbered {
             let new = |v: u32| renumbered[v as usize].expect("a corner is kept");

@@ -1,7 +1,9 @@
 //! Detection of the format of a file by its first bytes.
 
 use super::format::names;
-use super::{Format, abaqus, container, foreign, geojson, isosig, lines_text, points_text, volume, wkt, yin};
+use super::{
+    Format, abaqus, cityjson, container, foreign, geojson, isosig, lines_text, points_text, volume, wkt, yin,
+};
 use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 
@@ -64,6 +66,8 @@ impl Format {
             Self::Abaqus if abaqus::is_likely(start) && is_text(start) => Likeness::Possible,
             // Numbers alone are many things: the name tells these.
             Self::Abaqus | Self::TetGen | Self::Points => Likeness::No,
+            Self::CityJson => certain_if(cityjson::is_cityjson(start)),
+            Self::Json | Self::GeoJson if cityjson::is_cityjson(start) => Likeness::No,
             Self::Json if is_gltf(start) => Likeness::No,
             Self::Json => {
                 let first = start.iter().find(|byte| !byte.is_ascii_whitespace());
@@ -148,6 +152,10 @@ pub(super) fn decide(
     };
     if is_told && sure.is_none_or(|sure| matches!(sure, Format::Lines | Format::Json)) {
         return surely(named);
+    }
+    if matches!(named, Format::Json | Format::GeoJson) && cityjson::is_cityjson(start) {
+        // CityJSON is JSON, and its files are named `.city.json`.
+        return surely(Format::CityJson);
     }
     if named == Format::Json && geojson::is_geojson(start) {
         // GeoJSON is JSON, and its files are often named so.

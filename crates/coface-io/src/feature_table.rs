@@ -8,7 +8,8 @@ pub(crate) const NO_FEATURE: u32 = u32::MAX;
 /// The features of a map, each with its properties and its id as the file has them, and which lines and points are of
 /// which feature.
 ///
-/// GeoJSON and TopoJSON have features. The table is empty for other formats, and where no feature has properties or
+/// GeoJSON, TopoJSON and CityJSON have features. The table is empty for other formats, and where no feature has
+/// properties or
 /// an id. Properties are kept as text, without the white space between their parts: numbers have all their digits and
 /// keys their order.
 ///
@@ -32,6 +33,7 @@ struct Table {
     texts: FeatureTexts,
     of_lines: Vec<u32>,
     of_points: Vec<u32>,
+    of_polygons: Vec<u32>,
 }
 
 /// The properties and ids of features, one text after the other.
@@ -69,7 +71,15 @@ impl FeatureTable {
         if texts.text.is_empty() {
             return Self::default();
         }
-        Self(Arc::new(Table { texts, of_lines, of_points }))
+        Self(Arc::new(Table { texts, of_lines, of_points, of_polygons: Vec::new() }))
+    }
+
+    /// The table of these features and the feature of each polygon; empty if they say nothing.
+    pub(crate) fn of_city(texts: FeatureTexts, of_polygons: Vec<u32>) -> Self {
+        if texts.text.is_empty() {
+            return Self::default();
+        }
+        Self(Arc::new(Table { texts, of_lines: Vec::new(), of_points: Vec::new(), of_polygons }))
     }
 
     /// The number of features, those without shapes included.
@@ -159,13 +169,31 @@ impl FeatureTable {
         feature_at(&self.0.of_points, point)
     }
 
-    /// Whether the table says of each of so many lines and points what feature it is of, and names only features that
-    /// are there.
-    pub(crate) fn fits(&self, line_count: usize, point_count: usize) -> bool {
+    /// The feature of a polygon of the model, such as the object of a city; `None` if it is of none, or if there is no
+    /// such polygon.
+    ///
+    /// # Examples
+    /// ```
+    /// let text = r#"{"type": "Feature", "id": 3, "geometry": {"type": "Point", "coordinates": [0, 1]}}"#;
+    /// assert_eq!(coface_io::geojson::read(text.as_bytes())?.features().of_polygon(0), None);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn of_polygon(&self, polygon: usize) -> Option<usize> {
+        feature_at(&self.0.of_polygons, polygon)
+    }
+
+    /// Whether the table says of each of so many lines, points and polygons what feature it is of, and names only
+    /// features that
+    /// are there. A table says it of lines and points, or of polygons.
+    pub(crate) fn fits(&self, line_count: usize, point_count: usize, polygon_count: usize) -> bool {
         let is_known = |&feature: &u32| feature == NO_FEATURE || (feature as usize) < self.len();
-        self.is_empty()
-            || [self.0.of_lines.len(), self.0.of_points.len()] == [line_count, point_count]
-                && self.0.of_lines.iter().chain(&self.0.of_points).all(is_known)
+        let Table { of_lines, of_points, of_polygons, .. } = &*self.0;
+        let fits = if of_polygons.is_empty() {
+            [of_lines.len(), of_points.len()] == [line_count, point_count]
+        } else {
+            of_polygons.len() == polygon_count
+        };
+        self.is_empty() || fits && of_lines.iter().chain(of_points).chain(of_polygons).all(is_known)
     }
 }
 

@@ -77,15 +77,6 @@ const ELEMENTS: [(&[u8], &str, &str); 9] = [
 /// What a file is that no reader here takes for its own, whatever its name.
 pub(super) fn surely(start: &[u8]) -> Option<Known> {
     let text = start.trim_ascii_start();
-    if text.starts_with(b"{") {
-        let has = |word: &[u8]| memchr::memmem::find(text, word).is_some();
-        let is_of_type = |word: &str| {
-            has(format!("\"type\":\"{word}\"").as_bytes()) || has(format!("\"type\": \"{word}\"").as_bytes())
-        };
-        if is_of_type("CityJSON") || is_of_type("CityJSONFeature") {
-            return Some(("CityJSON", "convert it to OBJ first"));
-        }
-    }
     if text.starts_with(b"ISO-10303-21") && memchr::memmem::find(text, b"'IFC").is_some() {
         return Some(("IFC", "export a mesh of it, such as OBJ"));
     }
@@ -149,8 +140,7 @@ mod tests {
     #[test]
     fn what_is_not_read_is_named() {
         for (start, what) in [
-            (&b"{\"type\": \"CityJSON\", \"version\": \"2.0\"}"[..], "CityJSON"),
-            (b"<?xml version='1.0'?><a:b xmlns:gml='http://www.opengis.net/gml'/>", "GML"),
+            (&b"<?xml version='1.0'?><a:b xmlns:gml='http://www.opengis.net/gml'/>"[..], "GML"),
             (b"0101000000000000000000F03F000000000000F03F", "well-known binary"),
             (b"01030000000100000004000000000000000000000000", "well-known binary"),
             (b"ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('IFC4'));", "IFC"),

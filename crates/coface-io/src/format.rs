@@ -60,11 +60,13 @@ pub enum Format {
     TetGen,
     /// Points as text, one a line, read only.
     Points,
+    /// CityJSON and its text sequences: `.city.json`, `.city.jsonl`. It is read only.
+    CityJson,
 }
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 26] = [
+    pub const ALL: [Self; 27] = [
         Self::Off,
         Self::Obj,
         Self::Ply,
@@ -91,6 +93,7 @@ impl Format {
         Self::Abaqus,
         Self::TetGen,
         Self::Points,
+        Self::CityJson,
     ];
 
     /// Whether a file is lines of text without a mark at its end, so that a cut within the last line can look like a whole file.
@@ -158,6 +161,7 @@ impl Format {
             Self::Abaqus => &["inp"],
             Self::TetGen => &["node", "ele", "face", "edge", "poly"],
             Self::Points => &["xyz", "csv", "pts", "asc"],
+            Self::CityJson => &["cityjson"],
         }
     }
 
@@ -196,6 +200,7 @@ impl Format {
             Self::Abaqus => "Abaqus input",
             Self::TetGen => "TetGen text",
             Self::Points => "points as text",
+            Self::CityJson => "CityJSON",
         }
     }
 
@@ -222,6 +227,7 @@ impl Format {
             "abaqus" => return Ok(Self::Abaqus),
             "tetgen" => return Ok(Self::TetGen),
             "points" => return Ok(Self::Points),
+            "city.json" | "city.jsonl" => return Ok(Self::CityJson),
             _ => {}
         }
         Self::ALL.into_iter().find(|format| format.extensions().contains(&lower.as_str())).ok_or_else(|| {
@@ -282,6 +288,7 @@ impl Format {
                 | Self::Abaqus
                 | Self::TetGen
                 | Self::Points
+                | Self::CityJson
                 | Self::Nrrd
                 | Self::Nifti
         )

@@ -8,6 +8,37 @@ pub struct Group {
     pub(crate) name: String,
     pub(crate) kind: GroupKind,
     pub(crate) members: Vec<u32>,
+    pub(crate) roles: Roles,
+}
+
+/// What a file says that a group is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum GroupRole {
+    /// A group and no more: `g` of OBJ, a physical group of Gmsh, a reference number of MEDIT.
+    Group,
+    /// An object: `o` of OBJ, a named mesh of a scene, an object of a city.
+    Object,
+    /// What has one material: `usemtl` of OBJ.
+    Material,
+}
+
+/// A set of roles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub(crate) struct Roles(u8);
+
+impl Roles {
+    pub(crate) const fn of(role: GroupRole) -> Self {
+        Self(1 << role as u8)
+    }
+
+    pub(crate) const fn with(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    const fn contains(self, role: GroupRole) -> bool {
+        self.0 & (1 << role as u8) != 0
+    }
 }
 
 /// What the members of a [`Group`] are, and what [`CellData`](crate::CellData) are on.
@@ -45,7 +76,37 @@ impl Group {
     /// assert_eq!(group.members().len(), 2);
     /// ```
     pub fn new(name: impl Into<String>, kind: GroupKind, members: Vec<u32>) -> Self {
-        Self { name: name.into(), kind, members }
+        Self { name: name.into(), kind, members, roles: Roles::of(GroupRole::Group) }
+    }
+
+    /// The same as an object, or as what has one material; [`Self::new`] makes a group and no more.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{Group, GroupKind, GroupRole};
+    /// let wall = Group::new("wall", GroupKind::Polygons, vec![0, 3]).with_role(GroupRole::Object);
+    /// assert!(wall.has_role(GroupRole::Object) && !wall.has_role(GroupRole::Group));
+    /// ```
+    pub fn with_role(mut self, role: GroupRole) -> Self {
+        self.roles = Roles::of(role);
+        self
+    }
+
+    /// Whether a statement of the file makes it this. It may be several: an object and a group of one name with the
+    /// same members are one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::GroupRole;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\no wall\nusemtl brick\nf 1 2 3\n";
+    /// let model = coface_io::obj::read(text.as_bytes())?;
+    /// assert!(model.groups()[0].has_role(GroupRole::Object));
+    /// assert!(model.groups()[1].has_role(GroupRole::Material));
+    /// # Ok(()) }
+    /// ```
+    pub fn has_role(&self, role: GroupRole) -> bool {
+        self.roles.contains(role)
     }
 
     /// The name, or the number, that the file gives it.

@@ -17,6 +17,7 @@
 pub mod abaqus;
 mod assembly;
 mod blocks;
+pub mod cityjson;
 pub mod collada;
 pub mod container;
 mod counted_stream;
@@ -86,7 +87,7 @@ pub use files::{
 };
 pub use files::{abandon_files, content_hash, replace_file};
 pub use format::Format;
-pub use group::{Group, GroupKind};
+pub use group::{Group, GroupKind, GroupRole};
 pub use model::repeated_vertex;
 pub use model::{Model, Structure};
 #[doc(hidden)]

@@ -479,7 +479,7 @@ impl Model {
         for (i, data) in self.data.iter().enumerate() {
             self.check_data(data, &self.data[..i])?;
         }
-        if !self.features.fits(self.lines.len(), self.points.len()) {
+        if !self.features.fits(self.lines.len(), self.points.len(), self.polygons.len()) {
             return Err(Error::invalid("the features of the model are not those of its lines and points"));
         }
         Ok(())

@@ -6,9 +6,9 @@ use super::scratch_mesh::{self, ScratchMesh, ScratchStream};
 use super::tail::Tail;
 use super::unpacking::{Packing, unpacked};
 use super::{
-    Format, Model, Remark, Structure, VolumeReading, VolumeStream, abaqus, collada, container, detection,
-    format, geojson, gltf, isosig, json, lines_text, medit, msh, obj, off, parts, ply, points_text, stl, svg,
-    tetgen, three_mf, volume, vtk, wkt, yin,
+    Format, Model, Remark, Structure, VolumeReading, VolumeStream, abaqus, cityjson, collada, container,
+    detection, format, geojson, gltf, isosig, json, lines_text, medit, msh, obj, off, parts, ply,
+    points_text, stl, svg, tetgen, three_mf, volume, vtk, wkt, yin,
 };
 use crate::RemarkCode;
 use coface_algebra::{Error, ErrorKind};
@@ -67,6 +67,7 @@ pub struct ReadOptions {
     pub(crate) strict: bool,
     pub(crate) partial: bool,
     pub(crate) allow_outside: bool,
+    pub(crate) lod: Option<f64>,
 }
 
 impl ReadOptions {
@@ -111,6 +112,25 @@ impl ReadOptions {
     #[must_use]
     pub fn flatten(mut self, tolerance: impl Into<Option<f64>>) -> Self {
         self.flatten = tolerance.into();
+        self
+    }
+
+    /// Reads the geometries of this level of detail of CityJSON; with `None` those of the highest level of each object.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{ReadOptions, read_with};
+    /// let text = r#"{"type": "CityJSON", "CityObjects": {"a": {"type": "Road", "geometry": [
+    ///     {"type": "MultiPoint", "lod": "1", "boundaries": [0]}, {"type": "MultiPoint", "lod": "2", "boundaries": [0,
+    /// 1]}]}},
+    ///     "vertices": [[0, 0, 0], [1, 0, 0]]}"#;
+    /// let vertices = |options| read_with(text.as_bytes(), &options).map(|model| model.vertex_count());
+    /// assert_eq!((vertices(ReadOptions::new())?, vertices(ReadOptions::new().lod(1.0))?), (2, 1));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    #[must_use]
+    pub fn lod(mut self, level: impl Into<Option<f64>>) -> Self {
+        self.lod = level.into();
         self
     }
 
@@ -585,7 +605,8 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
         | Format::Collada
         | Format::Abaqus
         | Format::TetGen
-        | Format::Points => {
+        | Format::Points
+        | Format::CityJson => {
             Err(Error::new(ErrorKind::UnsupportedFormat, format!("{} is read, not written", format.title()))
                 .with_cure("write a mesh as OBJ, PLY, MSH or VTK"))
         }
@@ -831,6 +852,7 @@ fn read_mesh(
         Format::Abaqus => abaqus::read(input)?,
         Format::TetGen => tetgen::read_beside(input, path, companions.as_ref())?,
         Format::Points => points_text::read(input)?,
+        Format::CityJson => cityjson::read_with(input, options)?,
         Format::Npy | Format::Nrrd | Format::Nifti => {
             volume_model(VolumeStream::new(input, format)?, options, format)?
         }

@@ -152,6 +152,8 @@ impl RemarkCode {
                 | FacesSplit
                 | UnknownKey
                 | DrawingAssumption
+                | EmptyInput
+                | UnnamedInput
         )
     }
 }
@@ -243,6 +245,13 @@ pub enum RemarkCode {
     LayoutReplaced,
     /// A surface is open, and what lies inside of it was decided in floating point.
     OpenInput,
+    /// An object or group that is an input has no polygons or cells.
+    EmptyInput,
+    /// Polygons or cells are in no object or group, and are one more input.
+    UnnamedInput,
+    /// The objects of a file could be inputs, each by itself, and are one input; or they are inputs because the file
+    /// alone is too few.
+    ObjectsInFile,
     /// A surface is inside out, wholly or in part.
     ReversedInput,
     /// Faces with holes or slits were written as triangles.

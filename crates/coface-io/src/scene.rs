@@ -195,6 +195,7 @@ impl Scene {
     }
 
     pub(crate) fn finish(mut self) -> Result<Model, Error> {
+        self.assembly.has_objects = true;
         if self.welded > 0 {
             let message = format!(
                 "{} points at the place of another one of their mesh are one with it, as they are where normals, colors \

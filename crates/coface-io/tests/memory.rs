@@ -155,12 +155,25 @@ fn dense_files() -> Vec<(Format, &'static str, Vec<u8>)> {
         b = 36 + 3 * n
     );
     add(Format::Gltf, "triangles of bytes", gltf.into_bytes());
+    let city = |geometry: String, vertices: String| {
+        format!(
+            "{{\"type\":\"CityJSON\",\"CityObjects\":{{\"a\":{{\"type\":\"Building\",\"geometry\":[{geometry}]}}}},\"vertices\":[{vertices}]}}"
+        )
+    };
+    let triangles =
+        format!("{{\"type\":\"MultiSurface\",\"boundaries\":[{}[[0,1,2]]]}}", "[[0,1,2]],".repeat(n));
+    let corners = "[0,0,0],[1,0,0],[0,1,0]".to_owned();
+    add(Format::CityJson, "triangles", city(triangles, corners.clone()).into_bytes());
+    let points = format!("{{\"type\":\"MultiPoint\",\"boundaries\":[{}]}}", "0,".repeat(n) + "1");
+    add(Format::CityJson, "points", city(points, "[0,0,0],".repeat(n) + &corners).into_bytes());
+    let empty = "{\"type\":\"Solid\",\"boundaries\":[]}";
+    add(Format::CityJson, "geometries", city(vec![empty; n / 4].join(","), corners).into_bytes());
     add(Format::Isosig, "one tetrahedron a few letters", b"cMcabbgqw\n".repeat(n));
     files
 }
 
 /// The most bytes of memory for each byte of a file, by format. `docs/limits.md` has the same.
-const BOUNDS: [(Format, usize); 19] = [
+const BOUNDS: [(Format, usize); 20] = [
     (Format::Off, 16),
     (Format::Obj, 12),
     (Format::Ply, 20),
@@ -173,6 +186,7 @@ const BOUNDS: [(Format, usize); 19] = [
     (Format::Lines, 40),
     (Format::Points, 12),
     (Format::GeoJson, 32),
+    (Format::CityJson, 100),
     (Format::Wkt, 48),
     (Format::Svg, 400),
     (Format::Npy, 4),

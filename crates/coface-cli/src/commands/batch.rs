@@ -94,6 +94,7 @@ impl Batch {
             strict: self.strict,
             partial: common.partial,
             allow_outside: common.allow_outside,
+            lod: common.lod,
             all_places: self.all,
         };
         (batch.timings, batch.restart) = (!self.no_timings, self.restart);

@@ -31,6 +31,7 @@ mod topology;
 mod writing;
 
 pub use properties::MergedProperties;
+pub(super) use properties::compact;
 pub(super) use reading::is_geojson;
 pub use reading::read;
 pub use writing::write;

@@ -63,7 +63,7 @@ impl Description {
 }
 
 /// A text of JSON without the white space between its parts.
-fn compact(text: &str) -> String {
+pub(crate) fn compact(text: &str) -> String {
     let (mut kept, mut is_in_text, mut is_escaped) = (String::with_capacity(text.len()), false, false);
     kept.extend(text.chars().filter(|&c| {
         let is_kept = is_in_text || !matches!(c, ' ' | '\t' | '\n' | '\r');

@@ -1,6 +1,7 @@
 //! Names for sets of polygons while a file is read.
 
-use crate::{Group, GroupKind};
+use crate::group::Roles;
+use crate::{Group, GroupKind, GroupRole};
 use coface_algebra::{Error, ErrorKind};
 use std::collections::BTreeMap;
 
@@ -21,6 +22,14 @@ impl Statement {
             Self::Group => "g",
             Self::Object => "o",
             Self::Material => "usemtl",
+        }
+    }
+
+    const fn role(self) -> GroupRole {
+        match self {
+            Self::Group => GroupRole::Group,
+            Self::Object => GroupRole::Object,
+            Self::Material => GroupRole::Material,
         }
     }
 }
@@ -96,14 +105,17 @@ impl Groups {
         for ((statement, name), index) in keys {
             let members = std::mem::take(&mut self.members[index]);
             match first_of_name.get(&name) {
-                Some(&first) if groups[first].members == members => {}
+                Some(&first) if groups[first].members == members => {
+                    groups[first].roles = groups[first].roles.with(Roles::of(statement.role()));
+                }
                 Some(_) => {
                     let qualified = format!("{}:{name}", statement.keyword());
-                    groups.push(Group::new(qualified, GroupKind::Polygons, members));
+                    let group = Group::new(qualified, GroupKind::Polygons, members);
+                    groups.push(group.with_role(statement.role()));
                 }
                 None => {
                     first_of_name.insert(name.clone(), groups.len());
-                    groups.push(Group::new(name, GroupKind::Polygons, members));
+                    groups.push(Group::new(name, GroupKind::Polygons, members).with_role(statement.role()));
                 }
             }
         }

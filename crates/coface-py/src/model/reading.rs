@@ -87,6 +87,8 @@ pub(crate) fn entries(py: Python<'_>, path: PathBuf, format: Option<&str>) -> Py
 ///     The format, such as ``"off"``, if it is not to be found out.
 /// flatten : float, optional
 ///     How far the polylines of curved SVG paths may be from the curves.
+/// lod : float, optional
+///     The level of detail of CityJSON; the highest of each object if left out.
 /// strict : bool
 ///     Whether everything that the reader would assume, with an :class:`AssumptionWarning`, is an error instead.
 /// partial : bool
@@ -116,18 +118,19 @@ pub(crate) fn entries(py: Python<'_>, path: PathBuf, format: Option<&str>) -> Py
 /// >>> coface.read(path)
 /// Model(3 vertices, 1 face)
 #[pyfunction]
-#[pyo3(signature = (path, format=None, *, flatten=None, strict=false, partial=false, allow_outside=false, progress=None))]
+#[pyo3(signature = (path, format=None, *, flatten=None, lod=None, strict=false, partial=false, allow_outside=false, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn read(
     py: Python<'_>,
     path: PathBuf,
     format: Option<&str>,
     flatten: Option<f64>,
+    lod: Option<f64>,
     strict: bool,
     partial: bool,
     allow_outside: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Model> {
-    let options = read_options(py, format, flatten, (strict, partial, allow_outside))?;
+    let options = read_options(py, format, flatten, (strict, partial, allow_outside))?.lod(lod);
     warned(py, run(py, progress, || io::read_path_with(&path, &options))?)
 }

@@ -46,6 +46,8 @@ pub struct Reading {
     pub all_places: bool,
     /// Whether files that a file names may lie outside of its folder.
     pub allow_outside: bool,
+    /// The level of detail of CityJSON that is read, instead of the highest.
+    pub lod: Option<f64>,
 }
 
 /// How many places of a problem are reported when not all are asked for.
@@ -54,7 +56,7 @@ const PLACES: usize = 100;
 impl Reading {
     pub(crate) fn options(self) -> ReadOptions {
         let options = ReadOptions::new().format(self.format).flatten(self.flatten).volume(self.volume);
-        options.strict(self.strict).partial(self.partial).allow_outside(self.allow_outside)
+        options.strict(self.strict).partial(self.partial).allow_outside(self.allow_outside).lod(self.lod)
     }
 }
 
@@ -128,6 +130,8 @@ pub(crate) struct ReadingText {
     all_places: bool,
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     allow_outside: bool,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    lod: Option<f64>,
 }
 
 impl ReadingText {
@@ -140,6 +144,7 @@ impl ReadingText {
             partial: reading.partial,
             all_places: reading.all_places,
             allow_outside: reading.allow_outside,
+            lod: reading.lod,
         }
     }
 
@@ -152,6 +157,7 @@ impl ReadingText {
             partial: self.partial,
             all_places: self.all_places,
             allow_outside: self.allow_outside,
+            lod: self.lod,
         })
     }
 }
@@ -344,6 +350,7 @@ mod tests {
                 partial: true,
                 all_places: true,
                 allow_outside: true,
+                lod: Some(1.25),
             };
             let line = request.to_line();
             assert!(!line.contains('\n'));

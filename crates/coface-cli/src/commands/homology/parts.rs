@@ -440,6 +440,7 @@ fn shard(task: &ShardTask) -> Result<Reply, Failure> {
         strict: task.strict,
         partial: task.partial,
         allow_outside: task.allow_outside,
+        lod: None,
         voxels: task.voxels.clone(),
     };
     let progress = Progress::start(true);

@@ -12,6 +12,14 @@ const PLY: Files = &[(
 const REPEATED: Files = &[("repeated.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 3\n")];
 
 pub(super) const CASES: &[Case] = &[
+    Case::new("cityjson/reading.rs", "leave --lod out: the geometries say no level")
+        .files(&[(
+            "road.city.json",
+            "{\"type\":\"CityJSON\",\"CityObjects\":{\"r\":{\"type\":\"Road\",\"geometry\":[\
+             {\"type\":\"MultiSurface\",\"boundaries\":[[[0,1,2]]]}]}},\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}",
+        )])
+        .refused("coface info road.city.json --lod 2")
+        .cured(&[&["coface info road.city.json"]]),
     Case::new("io/src/detection.rs", "say what it is with --format, one of")
         .files(&[("points", "1;2;3\n")])
         .refused("coface info points")
