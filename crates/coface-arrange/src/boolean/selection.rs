@@ -71,7 +71,7 @@ impl CellSelection {
                 winding.input_count()
             )));
         }
-        let is_inside = |cell: CellId, input: usize| rule.is_inside(winding.of_cell(cell)[input]);
+        let is_inside = |cell: CellId, input: usize| rule.is_inside(winding.number(cell, input));
         Ok(Self::by_membership(winding.cell_count(), formula, is_inside))
     }
 

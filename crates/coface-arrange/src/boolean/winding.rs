@@ -1,10 +1,10 @@
 //! Winding numbers of inputs around cells.
 
 use super::InputRim;
-use coface_algebra::SparseMatrix;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::progress::stage;
 use coface_algebra::{CellId, Error, ErrorKind};
+use coface_algebra::{Column, SparseMatrix};
 
 /// Where a facet has the exterior, or one cell on both sides.
 const EXTERIOR: u32 = u32::MAX;
@@ -81,9 +81,10 @@ impl InsideRule {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct WindingNumbers {
     input_count: usize,
-    cell_count: usize,
-    /// Those of one cell after those of another.
-    numbers: Vec<i32>,
+    /// The first of the numbers of each cell, and the count of all.
+    starts: Vec<usize>,
+    /// The numbers that are not zero, each with its input, rising; those of one cell after those of another.
+    numbers: Vec<(u32, i32)>,
 }
 
 impl WindingNumbers {
@@ -100,7 +101,7 @@ impl WindingNumbers {
     /// bits.
     ///
     /// # Complexity
-    /// Linear in the cells times inputs, and in the matrices.
+    /// Linear in the matrices, in the cells, and in the pairs of a facet or cell and an input that winds around it.
     ///
     /// # Examples
     /// ```
@@ -172,8 +173,9 @@ impl WindingNumbers {
         let sides = sides_of_facets(boundaries)?;
         let (cell_count, input_count) = (boundaries.column_count(), inputs.column_count());
         let jumps = inputs.transpose();
-        let mut numbers = vec![0i32; cell_count * input_count];
-        let mut is_known = vec![false; cell_count];
+        // In the order in which cells are reached.
+        let mut numbers: Vec<(u32, i32)> = Vec::new();
+        let mut spans: Vec<Option<[usize; 2]>> = vec![None; cell_count];
         let mut queue: Vec<u32> = Vec::new();
         let outer = (0..sides.len() as u32).filter(|&facet| {
             let [back, front] = sides[facet as usize];
@@ -181,32 +183,20 @@ impl WindingNumbers {
         });
         let mut frontier: Vec<u32> = outer.collect();
         let steps = stage("counting windings", cell_count);
+        let mut sum = Vec::new();
         while !frontier.is_empty() {
             steps.advance(0);
             for facet in frontier.drain(..) {
                 let [back, front] = sides[facet as usize];
-                let knows = |cell: u32| cell == EXTERIOR || is_known[cell as usize];
-                let (from, to, sign) = match (knows(back), knows(front)) {
-                    (false, true) => (front, back, 1i64),
-                    (true, false) => (back, front, -1),
+                let span_of = |cell: u32| if cell == EXTERIOR { Some([0; 2]) } else { spans[cell as usize] };
+                let ([from, end], to, sign) = match (span_of(back), span_of(front)) {
+                    (None, Some(front)) => (front, back, 1),
+                    (Some(back), None) => (back, front, -1),
                     _ => continue,
                 };
-                let start = to as usize * input_count;
-                if from != EXTERIOR {
-                    let source = from as usize * input_count;
-                    numbers.copy_within(source..source + input_count, start);
-                }
-                for (input, multiplicity) in jumps.column(facet as usize).iter() {
-                    let number = &mut numbers[start + input];
-                    let sum = count.of(i64::from(*number) + sign * i64::from(multiplicity));
-                    *number = i32::try_from(sum).map_err(|_| {
-                        Error::new(
-                            ErrorKind::TooLarge,
-                            format!("input {input} winds {sum} times around a cell"),
-                        )
-                    })?;
-                }
-                is_known[to as usize] = true;
+                add_jumps(&numbers[from..end], jumps.column(facet as usize), sign, count, &mut sum)?;
+                spans[to as usize] = Some([numbers.len(), numbers.len() + sum.len()]);
+                numbers.append(&mut sum);
                 queue.push(to);
             }
             steps.advance(queue.len());
@@ -214,13 +204,20 @@ impl WindingNumbers {
                 frontier.extend_from_slice(boundaries.column(cell as usize).rows());
             }
         }
-        if let Some(cell) = is_known.iter().position(|&known| !known) {
-            return Err(Error::new(
-                ErrorKind::Shape,
-                format!("cell c{cell} cannot be reached from the exterior across facets"),
-            ));
+        let (mut starts, mut sorted) =
+            (Vec::with_capacity(cell_count + 1), Vec::with_capacity(numbers.len()));
+        for (cell, span) in spans.into_iter().enumerate() {
+            let Some([from, end]) = span else {
+                return Err(Error::new(
+                    ErrorKind::Shape,
+                    format!("cell c{cell} cannot be reached from the exterior across facets"),
+                ));
+            };
+            starts.push(sorted.len());
+            sorted.extend_from_slice(&numbers[from..end]);
         }
-        let found = Self { input_count, cell_count, numbers };
+        starts.push(sorted.len());
+        let found = Self { input_count, starts, numbers: sorted };
         found.check(&sides, &jumps, count)?;
         Ok(found)
     }
@@ -228,26 +225,25 @@ impl WindingNumbers {
     /// `Shape` naming a facet across which the numbers do not rise by its multiplicity: then the cells are not all
     /// there.
     fn check(&self, sides: &[[u32; 2]], jumps: &SparseMatrix, count: Count) -> Result<(), Error> {
-        let number = |cell: u32, input: usize| {
-            if cell == EXTERIOR {
-                0
-            } else {
-                i64::from(self.numbers[cell as usize * self.input_count + input])
-            }
-        };
+        let around = |cell: u32| if cell == EXTERIOR { &[][..] } else { self.around(CellId::from_u32(cell)) };
+        let mut sum = Vec::new();
         for (facet, &[back, front]) in sides.iter().enumerate() {
-            let column = jumps.column(facet);
-            let fault = (0..self.input_count).find(|&input| {
-                let jump = i64::from(column.entry(input));
-                count.of(number(back, input) - number(front, input) - jump) != 0
-            });
-            if let Some(input) = fault {
+            add_jumps(around(front), jumps.column(facet), 1, count, &mut sum)?;
+            let expected = around(back);
+            if sum != expected {
+                let differ = sum.iter().zip(expected).position(|(a, b)| a != b);
+                let at = differ.unwrap_or(sum.len().min(expected.len()));
+                let input = sum.get(at).into_iter().chain(expected.get(at)).map(|&(input, _)| input).min();
                 return Err(Error::new(
                     ErrorKind::Shape,
-                    format!("input {input} is closed, but does not bound cells: see facet {facet}"),
+                    format!(
+                        "input {} is closed, but does not bound cells: see facet {facet}",
+                        input.unwrap_or_default()
+                    ),
                 )
                 .with_cure("give all bounded cells of the arrangement"));
             }
+            sum.clear();
         }
         Ok(())
     }
@@ -287,7 +283,7 @@ impl WindingNumbers {
     /// # Ok(()) }
     /// ```
     pub fn cell_count(&self) -> usize {
-        self.cell_count
+        self.starts.len() - 1
     }
 
     /// The winding number of each input around a cell.
@@ -308,9 +304,56 @@ impl WindingNumbers {
     /// assert_eq!(winding.of_cell(CellId::new(1)), [0, 1]);
     /// # Ok(()) }
     /// ```
-    pub fn of_cell(&self, cell: CellId) -> &[i32] {
-        assert!(cell.index() < self.cell_count, "there is no cell {cell}");
-        &self.numbers[cell.index() * self.input_count..(cell.index() + 1) * self.input_count]
+    pub fn of_cell(&self, cell: CellId) -> Vec<i32> {
+        let mut all = vec![0; self.input_count];
+        self.around(cell).iter().for_each(|&(input, number)| all[input as usize] = number);
+        all
+    }
+
+    /// The inputs whose winding number around a cell is not zero, rising, each with that number.
+    ///
+    /// # Panics
+    /// If there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::boolean::WindingNumbers;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A line of two edges; the first input is the first edge, the second input the whole line.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let inputs = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (2, 1, 1)])?;
+    /// let winding = WindingNumbers::new(&ChainComplex::new(vec![edges])?, &inputs)?;
+    /// assert_eq!(winding.around(CellId::new(1)), [(1, 1)]);
+    /// # Ok(()) }
+    /// ```
+    pub fn around(&self, cell: CellId) -> &[(u32, i32)] {
+        assert!(cell.index() < self.cell_count(), "there is no cell {cell}");
+        &self.numbers[self.starts[cell.index()]..self.starts[cell.index() + 1]]
+    }
+
+    /// The winding number of an input around a cell.
+    ///
+    /// # Panics
+    /// If there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_arrange::boolean::WindingNumbers;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A line of two edges; the first input is the first edge, the second input the whole line.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let inputs = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (2, 1, 1)])?;
+    /// let winding = WindingNumbers::new(&ChainComplex::new(vec![edges])?, &inputs)?;
+    /// assert_eq!([0, 1].map(|input| winding.number(CellId::new(1), input)), [0, 1]);
+    /// # Ok(()) }
+    /// ```
+    pub fn number(&self, cell: CellId, input: usize) -> i32 {
+        let around = self.around(cell);
+        around.binary_search_by_key(&input, |pair| pair.0 as usize).map_or(0, |at| around[at].1)
     }
 
     /// The inputs that a cell is inside of, rising.
@@ -332,9 +375,39 @@ impl WindingNumbers {
     /// # Ok(()) }
     /// ```
     pub fn inputs_around(&self, cell: CellId, rule: InsideRule) -> impl Iterator<Item = usize> + '_ {
-        let numbers = self.of_cell(cell).iter().enumerate();
-        numbers.filter(move |&(_, &number)| rule.is_inside(number)).map(|(input, _)| input)
+        let numbers = self.around(cell).iter();
+        numbers.filter(move |&&(_, number)| rule.is_inside(number)).map(|&(input, _)| input as usize)
     }
+}
+
+/// Appends the numbers on one side of a facet to `sum`: those of the other side, and the multiplicities of the facet
+/// with a sign.
+fn add_jumps(
+    numbers: &[(u32, i32)],
+    jumps: Column<'_>,
+    sign: i64,
+    count: Count,
+    sum: &mut Vec<(u32, i32)>,
+) -> Result<(), Error> {
+    let mut rest = numbers;
+    for (input, multiplicity) in jumps.iter() {
+        let (before, behind) = rest.split_at(rest.partition_point(|pair| (pair.0 as usize) < input));
+        sum.extend_from_slice(before);
+        rest = behind;
+        let mut number = count.of(sign * i64::from(multiplicity));
+        if let Some((&(_, own), behind)) = rest.split_first().filter(|(pair, _)| pair.0 as usize == input) {
+            number = count.of(i64::from(own) + number);
+            rest = behind;
+        }
+        if number != 0 {
+            let number = i32::try_from(number).map_err(|_| {
+                Error::new(ErrorKind::TooLarge, format!("input {input} winds {number} times around a cell"))
+            })?;
+            sum.push((input as u32, number));
+        }
+    }
+    sum.extend_from_slice(rest);
+    Ok(())
 }
 
 /// The cells behind and in front of each facet.

@@ -145,7 +145,7 @@ proptest! {
         let winding = WindingNumbers::new(&complex, &boundaries(&complex, &chains)).unwrap();
         for cell in 0..27 {
             let expected: Vec<i64> = chains.iter().map(|chain| chain[cell]).collect();
-            let found = winding.of_cell(CellId::new(cell)).iter().map(|&number| i64::from(number));
+            let found = winding.of_cell(CellId::new(cell)).into_iter().map(i64::from);
             prop_assert!(found.eq(expected));
         }
         let formula = BooleanFormula::parse(text, &[]).unwrap();
