@@ -16,6 +16,7 @@ mod facts;
 mod groups;
 mod homology;
 mod incidence;
+mod parts;
 mod persistence;
 mod planar;
 mod producer;
@@ -39,12 +40,12 @@ pub use homology::{
     FoundHomology, GivenChain, GivenRealCochain, GivenVertexMap, HomologyRequest, RelativeTo,
 };
 pub use incidence::{FoundOperator, OperatorKind, OperatorRequest};
+pub use parts::RegionSource;
 pub use persistence::{
     DiagramFormat, FoundDiagram, Growth, PersistenceRequest, VertexFunction, write_diagram,
 };
 pub use planar::{
-    ArrangementRequest, BooleanRequest, DrawingArrangement, PlanarDrawing, RegionBoolean, RegionSource,
-    is_planar,
+    ArrangementRequest, BooleanRequest, DrawingArrangement, PlanarDrawing, RegionBoolean, is_planar,
 };
 pub use producer::{CellNames, OrderedSimplices, Pair, Producer, Term};
 pub use repair::{

@@ -10,7 +10,7 @@ use crate::objects::{text_of, to_python};
 use crate::source::Source;
 use crate::work::run;
 use coface::answers::answer::{
-    PlanarArrangementAnswer, PlanarBooleanAnswer, SolidBooleanAnswer, SolidBooleanProvenance,
+    CellGraph, PlanarArrangementAnswer, PlanarBooleanAnswer, SolidBooleanAnswer, SolidBooleanProvenance,
     SpatialArrangementAnswer,
 };
 use coface::answers::{
@@ -69,7 +69,9 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 /// rule : {"nonzero", "evenodd", "positive"}, optional
 ///     What is inside an input.
 /// features : bool
-///     In the plane, whether each polygon or closed line is an input.
+///     The same as ``inputs="features"``.
+/// inputs : {"files", "features", "objects", "groups", "components"}, optional
+///     What an input is: a model, or its polygons of one name, its objects, groups or connected components.
 /// prune : bool
 ///     In the plane, whether edges that hang on the rest by one end are left out.
 /// snap : bool
@@ -100,7 +102,7 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 /// >>> arranged.f_vector, sorted(zip(arranged.measures, arranged.inside))
 /// ([10, 12, 3], [(1.0, [0, 1]), (3.0, [0]), (3.0, [1])])
 #[pyfunction]
-#[pyo3(signature = (models, *, dimension=None, rule=None, features=false, prune=false, snap=false, max_cells=None, split=true, merge_coplanar=true, progress=None))]
+#[pyo3(signature = (models, *, dimension=None, rule=None, features=false, inputs=None, prune=false, snap=false, max_cells=None, split=true, merge_coplanar=true, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn arrange<'py>(
     py: Python<'py>,
@@ -108,6 +110,7 @@ pub(crate) fn arrange<'py>(
     dimension: Option<u8>,
     rule: Option<&str>,
     features: bool,
+    inputs: Option<&str>,
     prune: bool,
     snap: bool,
     max_cells: Option<usize>,
@@ -116,11 +119,12 @@ pub(crate) fn arrange<'py>(
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let models = named_models(models)?;
+    let inputs = inputs_of(py, inputs, features)?;
     let rule = rule_of(py, rule)?;
     if is_flat(py, &models, dimension)? {
         let mut request = ArrangementRequest::default();
         (request.rule, request.prune, request.snap, request.max_cells) = (rule, prune, snap, max_cells);
-        let source = if features { RegionSource::Features } else { RegionSource::Models };
+        let source = inputs.unwrap_or_default();
         let (arranged, answer) = run(py, progress, || {
             let arranged = DrawingArrangement::new(PlanarDrawing::new(borrowed(&models), source)?, &request)?;
             let answer = arranged.answer()?;
@@ -128,20 +132,55 @@ pub(crate) fn arrange<'py>(
         })?;
         return Ok(Bound::new(py, PlanarArrangement { arranged, answer })?.into_any());
     }
-    if features || prune {
-        return Err(invalid(
-            py,
-            "features and prune are for drawings in the plane",
-            "leave them out in space",
-        ));
+    if prune {
+        return Err(invalid(py, "prune is for drawings in the plane", "leave it out in space"));
     }
     let request = spatial_request(snap, max_cells, split, merge_coplanar);
     let (arranged, answer) = run(py, progress, || {
-        let arranged = SceneArrangement::of_scene(SpatialScene::of(borrowed(&models), true)?, &request)?;
+        let arranged = SceneArrangement::of_scene(scene_of(&models, inputs, 1, true)?, &request)?;
         let answer = arranged.answer(rule.unwrap_or_default())?;
         Ok((arranged, answer))
     })?;
-    Ok(Bound::new(py, SpatialArrangement { arranged, answer })?.into_any())
+    let rule = rule.unwrap_or_default();
+    Ok(Bound::new(py, SpatialArrangement { arranged, rule, answer })?.into_any())
+}
+
+const SOURCES: [(&str, RegionSource); 5] = [
+    ("files", RegionSource::Models),
+    ("features", RegionSource::Features),
+    ("objects", RegionSource::Objects),
+    ("groups", RegionSource::Groups),
+    ("components", RegionSource::Components),
+];
+
+/// What an input is, if it was said.
+fn inputs_of(py: Python<'_>, inputs: Option<&str>, features: bool) -> PyResult<Option<RegionSource>> {
+    match inputs {
+        Some(inputs) => choice(py, "inputs", inputs, &SOURCES).map(Some),
+        None => Ok(features.then_some(RegionSource::Features)),
+    }
+}
+
+/// The polygons of the models; if it was not said what an input is, objects are where a formula names more inputs than
+/// there are models.
+fn scene_of(
+    models: &Named,
+    inputs: Option<RegionSource>,
+    count: usize,
+    walls: bool,
+) -> Result<SpatialScene, Error> {
+    match inputs {
+        Some(inputs) => SpatialScene::with_inputs(borrowed(models), inputs, walls),
+        None => SpatialScene::of_at_least(count, borrowed(models), walls),
+    }
+}
+
+/// The number of inputs that a word or a formula needs.
+fn least_inputs(operation: &str) -> usize {
+    match operation {
+        "union" | "join" | "intersection" | "meet" | "difference" | "xor" => 1,
+        text => BooleanFormula::parse(text, &[]).map_or(1, |formula| formula.input_count()),
+    }
 }
 
 fn spatial_request(
@@ -169,7 +208,9 @@ fn spatial_request(
 /// rule : {"nonzero", "evenodd", "positive"}, optional
 ///     What is inside an input.
 /// features : bool
-///     In the plane, whether each polygon or closed line is an input.
+///     The same as ``inputs="features"``.
+/// inputs : {"files", "features", "objects", "groups", "components"}, optional
+///     What an input is: a model, or its polygons of one name, its objects, groups or connected components.
 /// keep_walls : bool
 ///     Whether what lies inside the result is kept.
 /// snap : bool
@@ -207,7 +248,7 @@ fn spatial_request(
 /// >>> coface._coface.boolean("intersection", [cube, moved]).measure
 /// 0.125
 #[pyfunction]
-#[pyo3(signature = (operation, models, *, dimension=None, rule=None, features=false, keep_walls=false, snap=false, max_cells=None, split=true, merge_coplanar=true, triangles=None, open="refuse", split_pinches=false, progress=None))]
+#[pyo3(signature = (operation, models, *, dimension=None, rule=None, features=false, inputs=None, keep_walls=false, snap=false, max_cells=None, split=true, merge_coplanar=true, triangles=None, open="refuse", split_pinches=false, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn boolean<'py>(
     py: Python<'py>,
@@ -216,6 +257,7 @@ pub(crate) fn boolean<'py>(
     dimension: Option<u8>,
     rule: Option<&str>,
     features: bool,
+    inputs: Option<&str>,
     keep_walls: bool,
     snap: bool,
     max_cells: Option<usize>,
@@ -227,6 +269,7 @@ pub(crate) fn boolean<'py>(
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let models = named_models(models)?;
+    let inputs = inputs_of(py, inputs, features)?;
     let rule = rule_of(py, rule)?;
     let open =
         choice(py, "open", open, &[("refuse", OpenInputs::Refuse), ("winding", OpenInputs::Generalized)])?;
@@ -234,7 +277,7 @@ pub(crate) fn boolean<'py>(
         let mut request = BooleanRequest::default();
         (request.rule, request.keep_walls, request.snap, request.max_cells) =
             (rule, keep_walls, snap, max_cells);
-        let source = if features { RegionSource::Features } else { RegionSource::Models };
+        let source = inputs.unwrap_or_default();
         let result = run(py, progress, || {
             let drawing = PlanarDrawing::new(borrowed(&models), source)?;
             let count = drawing.region_names().len();
@@ -247,13 +290,10 @@ pub(crate) fn boolean<'py>(
         let answer = result.answer();
         return Ok(Bound::new(py, PlanarBoolean { result, answer })?.into_any());
     }
-    if features {
-        return Err(invalid(py, "features are for regions in the plane", "leave features out in space"));
-    }
     let spatial = spatial_request(snap, max_cells, split, merge_coplanar);
     let solid = run(py, progress, || {
-        let scene = SpatialScene::of(borrowed(&models), keep_walls)?;
-        let mut request = SolidRequest::of(formula(operation, models.len())?);
+        let scene = scene_of(&models, inputs, least_inputs(operation), keep_walls)?;
+        let mut request = SolidRequest::of(formula(operation, scene.names().len())?);
         request.triangles = triangles.unwrap_or_else(|| scene.is_triangulated());
         let arrangement = SceneArrangement::of_scene(scene, &spatial)?;
         request.rule = rule.unwrap_or_default();
@@ -274,6 +314,31 @@ pub(crate) fn boolean<'py>(
         cells: OnceLock::new(),
     };
     Ok(Bound::new(py, result)?.into_any())
+}
+
+/// A graph of cells, the text of its JSON, as GraphML.
+///
+/// Parameters
+/// ----------
+/// graph : str
+///     What ``json.dumps(graph.to_dict())`` gives.
+///
+/// Returns
+/// -------
+/// str
+///     The text of the file.
+///
+/// Examples
+/// --------
+/// >>> import coface
+/// >>> coface._coface.graphml('{"inputs": [], "nodes": [], "edges": []}').count("<key ")
+/// 18
+#[pyfunction]
+pub(crate) fn graphml(py: Python<'_>, graph: &str) -> PyResult<String> {
+    let graph: Result<CellGraph, _> = serde_json::from_str(graph);
+    let graph = graph
+        .map_err(|error| invalid(py, format!("this is no graph of cells: {error}"), "give one of arrange"));
+    Ok(graph?.to_graphml())
 }
 
 /// The formula that a word or a text stands for.
@@ -599,6 +664,7 @@ answer! { PlanarBoolean {
 #[pyclass(frozen, module = "coface", name = "SpatialArrangement")]
 pub(crate) struct SpatialArrangement {
     arranged: SceneArrangement,
+    rule: InsideRule,
     answer: SpatialArrangementAnswer,
 }
 
@@ -619,6 +685,14 @@ answer! { SpatialArrangement {
     euler_characteristic,
     /// The number of faces with one cell, or the exterior, on both sides.
     dangling_faces,
+    /// The names of the inputs, if objects, groups, features or components are inputs.
+    regions,
+    /// For each face the inputs that have a polygon there, if objects, groups, features or components are inputs.
+    inputs_of_faces,
+    /// The inputs: names, numbers of polygons, and whether each is closed.
+    files,
+    /// What was assumed or left out.
+    remarks,
     /// What rounding of coordinates does.
     rounding,
     /// Whether products of boundary matrices are zero, found by multiplying.
@@ -640,6 +714,26 @@ answer! { SpatialArrangement {
     /// the union of all faces and bounded cells.
     fn chain_complex(&self, py: Python<'_>) -> PyResult<ChainComplex> {
         run(py, None, || self.arranged.chain_complex()).map(ChainComplex::bare)
+    }
+
+    /// The graph of the bounded cells: which are adjacent, and across how much area.
+    ///
+    /// Returns
+    /// -------
+    /// CellGraph
+    ///     Cells with volumes, centers and the inputs that contain them; pairs of cells with the area between them.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> cube = coface.generate("box", boundary=True)
+    /// >>> graph = coface._coface.arrange([cube, coface.Model(cube.vertices + 0.5, cube.faces)]).graph()
+    /// >>> [round(edge.area, 6) for edge in graph.edges]
+    /// [0.75, 0.75]
+    fn graph<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let graph = run(py, None, || self.arranged.graph(self.rule))?;
+        let class = py.import("coface._buildings")?.getattr("CellGraph")?;
+        class.call_method1("from_dict", (to_python(py, &graph)?,))
     }
 
     /// The faces as a model.

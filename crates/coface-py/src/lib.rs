@@ -75,6 +75,7 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(congruence::congruence, module)?)?;
     module.add_function(wrap_pyfunction!(arrangement::arrange, module)?)?;
     module.add_function(wrap_pyfunction!(arrangement::boolean, module)?)?;
+    module.add_function(wrap_pyfunction!(arrangement::graphml, module)?)?;
     module.add_function(wrap_pyfunction!(yin::_curve, module)?)?;
     module.add_function(wrap_pyfunction!(yin::_yin_set, module)?)?;
     module.add_function(wrap_pyfunction!(products::classes, module)?)?;

@@ -110,6 +110,12 @@ pub struct SpatialArrangementAnswer {
     pub measures: Vec<f64>,
     /// For each bounded cell the inputs that contain it, numbered from 0, rising; inputs that are open contain nothing.
     pub inside: Vec<Vec<usize>>,
+    /// The names of the inputs in their order, if parts of files are inputs.
+    #[serde(default)]
+    pub regions: Vec<String>,
+    /// For each face the inputs that have a polygon there, numbered from 0, rising; if parts of files are inputs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inputs_of_faces: Option<Vec<Vec<usize>>>,
     /// Whether the boundary of every boundary is zero, found by multiplying the matrices.
     pub products_zero: bool,
     /// The number of holes of faces: walks around faces beyond the first of each.
@@ -160,6 +166,10 @@ pub struct SplitPolygons {
 pub struct SpatialInput {
     /// The name of the file.
     pub file: String,
+    /// The name of the object, group, feature or component of the file that is this input, if parts of files are
+    /// inputs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
     /// The number of its polygons.
     pub polygons: usize,
     /// Whether every edge lies in an even number of its polygons.
@@ -175,6 +185,30 @@ pub struct SpatialInput {
     /// How cells inside of it were found; in Booleans only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub inside_by: Option<InsideMethod>,
+}
+
+impl SpatialInput {
+    /// What the input is called: its name in the file if it has one, or the file.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::{RegionSource, SceneArrangement, SpatialRequest, SpatialScene};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\no peak\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = SpatialScene::with_inputs([("a.obj", &solid)], RegionSource::Objects, true)?;
+    /// let arranged = SceneArrangement::of_scene(scene, &SpatialRequest::default())?;
+    /// assert_eq!(arranged.answer(Default::default())?.files[0].label(), "a.obj: peak");
+    /// # Ok(()) }
+    /// ```
+    pub fn label(&self) -> String {
+        match &self.name {
+            // A component is named by its file.
+            Some(name) if name.starts_with(&self.file) => name.clone(),
+            Some(name) => format!("{}: {name}", self.file),
+            None => self.file.clone(),
+        }
+    }
 }
 
 /// How the cells inside of a model are found.

@@ -9,6 +9,7 @@
 mod arrange;
 mod batch;
 mod boolean;
+mod cell_graph;
 mod cocycles;
 mod congruence;
 mod convert;
@@ -50,6 +51,7 @@ pub use boolean::{
     BoundaryManifold, BoundaryVerdict, BoundaryWitness, EdgeOrigin, Pinches, PlanarBooleanAnswer,
     PlanarBooleanProvenance, PolygonRounding, SolidBooleanAnswer, SolidBooleanProvenance,
 };
+pub use cell_graph::{CellEdge, CellGraph, CellNode};
 pub use cocycles::{
     CochainTestAnswer, CochainValue, CocycleBasisMethod, CocyclesAnswer, EdgeWeights, HarmonicFormAnswer,
     LoopAnswer, LoopIntersections,

@@ -1,8 +1,9 @@
 //! What models draw in the plane: segments, rings, polygons and regions.
 
 use super::properties::DrawnFeatures;
+use crate::RegionSource;
 use crate::answer::{DrawingInput, Remark, VertexOrigin, remarks_of_file};
-use coface_algebra::{Error, ErrorKind, VertexId};
+use coface_algebra::{Error, ErrorKind, UnionFind, VertexId};
 use coface_arrange::boolean::InsideRule;
 use coface_arrange::planar::VertexSource;
 use coface_geometry::Positions;
@@ -13,16 +14,6 @@ use std::collections::BTreeMap;
 pub(super) const NO_RING: u32 = u32::MAX;
 /// The feature of what is of none with properties.
 pub(super) const NO_FEATURE: u32 = u32::MAX;
-
-/// What makes one region of a drawing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum RegionSource {
-    /// All polygons of a model are one region.
-    #[default]
-    Models,
-    /// The polygons of a model with one name are a region, and so are those of each feature without a name: a whole `MultiPolygon`.
-    Features,
-}
 
 /// Segments in the plane with the model that each is of, and the regions that rings of them bound.
 ///
@@ -179,6 +170,7 @@ impl PlanarDrawing {
         let mut regions =
             Regions { source, number, name, of_group: BTreeMap::new(), last_feature: None, feature_count: 0 };
         let features = Features::new(model);
+        let labels = ShapeLabels::new(name, model, source)?;
         if source == RegionSource::Models {
             self.regions.push(Region { name: name.to_owned(), model: number, open_at: None, is_empty: true });
         }
@@ -197,8 +189,13 @@ impl PlanarDrawing {
                 _ => Filling::OuterWithoutHoles,
             };
             if matches!(shape, Shape::Rings(_) | Shape::Face(_)) {
-                let name = group.map(|group| model.groups()[group].name());
-                let region = regions.region_of(self, name, features.of(&shape));
+                let region = match labels.name(model, &shape) {
+                    Some(label) => regions.region_of(self, Some(&label), None),
+                    None => {
+                        let name = group.map(|group| model.groups()[group].name());
+                        regions.region_of(self, name, features.of(&shape))
+                    }
+                };
                 self.regions[region as usize].is_empty = false;
                 self.polygons.push(Polygon { region, feature: described, filling, number: polygon_number });
                 polygon_number += 1;
@@ -567,6 +564,104 @@ impl Regions<'_> {
         drawing.regions.push(Region { name, model: self.number, open_at: None, is_empty: true });
         count
     }
+}
+
+/// The names of the polygons of one model where its objects, groups or components are regions.
+enum ShapeLabels<'a> {
+    /// Files or features are regions.
+    Unlabeled,
+    /// The first such group of each line and of each polygon, and the name of what is in none.
+    Groups { of_lines: Vec<Option<usize>>, of_polygons: Vec<Option<usize>>, rest: &'a str },
+    /// The component of each vertex, and the name of the file.
+    Components { of_vertices: Vec<u32>, file: &'a str },
+}
+
+impl<'a> ShapeLabels<'a> {
+    fn new(file: &'a str, model: &Model, source: RegionSource) -> Result<Self, Error> {
+        if source == RegionSource::Components {
+            return Ok(Self::Components { of_vertices: connected_vertices(model), file });
+        }
+        let Some(role) = source.role() else { return Ok(Self::Unlabeled) };
+        let mut is_there = false;
+        let mut first = |kind: GroupKind, count: usize| {
+            let mut first = vec![None; count];
+            for (i, group) in model.groups().iter().enumerate().rev() {
+                if group.kind() == kind && group.has_role(role) {
+                    is_there |= !group.members().is_empty();
+                    group.members().iter().for_each(|&member| first[member as usize] = Some(i));
+                }
+            }
+            first
+        };
+        let of_lines = first(GroupKind::Lines, model.lines().len());
+        let of_polygons = first(GroupKind::Polygons, model.polygons().len());
+        if !is_there {
+            return Err(source.missing(model));
+        }
+        Ok(Self::Groups { of_lines, of_polygons, rest: file })
+    }
+
+    fn name(&self, model: &Model, shape: &Shape) -> Option<String> {
+        let group = |group: Option<usize>, rest: &str| match group {
+            Some(group) => model.groups()[group].name().to_owned(),
+            None => rest.to_owned(),
+        };
+        match (self, shape) {
+            (Self::Unlabeled, _) | (_, Shape::Point(_)) => None,
+            (Self::Groups { of_polygons, rest, .. }, Shape::Face(face)) => {
+                Some(group(of_polygons[*face], rest))
+            }
+            (Self::Groups { of_lines, rest, .. }, Shape::Line(line)) => Some(group(of_lines[*line], rest)),
+            (Self::Groups { of_lines, rest, .. }, Shape::Rings(lines)) => {
+                Some(group(of_lines[lines.start], rest))
+            }
+            (Self::Components { of_vertices, file }, shape) => {
+                let vertex = match shape {
+                    Shape::Face(face) => model.polygons().list(*face).first(),
+                    Shape::Line(line) => model.lines().list(*line).first(),
+                    Shape::Rings(lines) => model.lines().list(lines.start).first(),
+                    Shape::Point(_) => None,
+                };
+                vertex.map(|&vertex| format!("{file}#{}", of_vertices[vertex as usize]))
+            }
+        }
+    }
+}
+
+/// The connected component of each vertex: vertices at one place are one, and the rings of a polygon with holes are
+/// together. Components are
+/// numbered as the first of their lines and polygons come.
+fn connected_vertices(model: &Model) -> Vec<u32> {
+    let mut vertices = UnionFind::new(model.vertex_count());
+    let dimension = model.positions().dimension().max(1);
+    let mut places: BTreeMap<[u64; 2], u32> = BTreeMap::new();
+    for (vertex, point) in (0..).zip(model.positions().as_flat().chunks_exact(dimension)) {
+        if let [x, y, ..] = *point {
+            // Zeros of both signs are equal.
+            let first = *places.entry([(x + 0.0).to_bits(), (y + 0.0).to_bits()]).or_insert(vertex);
+            vertices.unite(first, vertex);
+        }
+    }
+    for list in model.lines().iter().chain(model.polygons().iter()) {
+        for pair in list.windows(2) {
+            vertices.unite(pair[0], pair[1]);
+        }
+    }
+    let shapes = shapes(model);
+    for (shape, _) in &shapes {
+        if let Shape::Rings(lines) = shape {
+            for line in lines.clone() {
+                vertices.unite(model.lines().list(lines.start)[0], model.lines().list(line)[0]);
+            }
+        }
+    }
+    let classes = vertices.class_numbers();
+    let mut numbers: BTreeMap<u32, u32> = BTreeMap::new();
+    for list in model.lines().iter().chain(model.polygons().iter()) {
+        let next = numbers.len() as u32;
+        numbers.entry(classes[list[0] as usize]).or_insert(next);
+    }
+    classes.iter().map(|class| numbers.get(class).copied().unwrap_or_default()).collect()
 }
 
 /// Refuses a model that does not lie in the plane.

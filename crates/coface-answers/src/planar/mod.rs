@@ -27,4 +27,4 @@ mod writing;
 
 pub use arrangement::{ArrangementRequest, DrawingArrangement};
 pub use boolean::{BooleanRequest, RegionBoolean};
-pub use drawing::{PlanarDrawing, RegionSource, is_planar};
+pub use drawing::{PlanarDrawing, is_planar};

@@ -2,8 +2,8 @@
 
 use super::SpatialScene;
 use super::arranged::Arranged;
-use coface_algebra::SparseMatrix;
 use coface_algebra::{CellId, Error, ErrorKind, VertexId};
+use coface_algebra::{RaggedArray, SparseMatrix};
 use coface_arrange::boolean::{
     InputRim, InsideRule, WindingNumbers, generalized_winding_numbers, point_inside,
 };
@@ -58,21 +58,20 @@ pub(super) struct Inputs {
 /// Which cells are inside which inputs.
 #[derive(Clone, Debug)]
 pub(super) struct Membership {
-    input_count: usize,
-    /// The inputs of one cell after those of another.
-    is_inside: Vec<bool>,
+    /// The inputs that each cell is inside of, rising.
+    inputs: RaggedArray,
     /// The inputs that generalized winding numbers decided about.
     pub(super) generalized: Vec<usize>,
 }
 
 impl Membership {
     pub(super) fn is_inside(&self, cell: CellId, input: usize) -> bool {
-        self.is_inside[cell.index() * self.input_count + input]
+        self.inputs.list(cell.index()).binary_search(&(input as u32)).is_ok()
     }
 
     /// The inputs that a cell is inside of, rising.
     pub(super) fn inputs_around(&self, cell: CellId) -> Vec<usize> {
-        (0..self.input_count).filter(|&input| self.is_inside(cell, input)).collect()
+        self.inputs.list(cell.index()).iter().map(|&input| input as usize).collect()
     }
 }
 
@@ -113,11 +112,17 @@ impl Inputs {
         }
     }
 
-    /// How many cells a model winds around less than zero times, and more than once: parts that are inside out, and that overlap.
-    pub(super) fn odd_cells(&self, input: usize) -> [usize; 2] {
-        let numbers =
-            || (0..self.winding.cell_count()).map(|cell| self.winding.of_cell(CellId::new(cell))[input]);
-        [numbers().filter(|&n| n < 0).count(), numbers().filter(|&n| n.abs() > 1).count()]
+    /// How many cells each input winds around less than zero times, and more than once: parts that are inside out, and
+    /// that overlap.
+    pub(super) fn odd_cells(&self) -> Vec<[usize; 2]> {
+        let mut counts = vec![[0; 2]; self.rims.len()];
+        for cell in 0..self.winding.cell_count() {
+            for &(input, number) in self.winding.around(CellId::new(cell)) {
+                counts[input as usize][0] += usize::from(number < 0);
+                counts[input as usize][1] += usize::from(number.abs() > 1);
+            }
+        }
+        counts
     }
 
     pub(super) fn membership(
@@ -127,12 +132,12 @@ impl Inputs {
         rule: InsideRule,
         open: OpenInputs,
     ) -> Result<Membership, Error> {
-        let (cell_count, input_count) = (self.winding.cell_count(), self.rims.len());
-        let mut is_inside = vec![false; cell_count * input_count];
-        for cell in 0..cell_count {
-            for (input, &number) in self.winding.of_cell(CellId::new(cell)).iter().enumerate() {
-                is_inside[cell * input_count + input] = rule.is_inside(number);
-            }
+        let cell_count = self.winding.cell_count();
+        // Pairs of a cell and an input that it is inside of.
+        let mut pairs: Vec<(u32, u32)> = Vec::new();
+        for cell in (0..cell_count).map(CellId::new) {
+            let inside = self.winding.inputs_around(cell, rule);
+            pairs.extend(inside.map(|input| (cell.to_u32(), input as u32)));
         }
         let mut generalized = Vec::new();
         let mut points = None;
@@ -140,14 +145,13 @@ impl Inputs {
             let Some(rim) = rim else { continue };
             let by_parity = rim.is_even() && (rule == InsideRule::Odd || open == OpenInputs::Empty);
             if let Some(parities) = self.parities.as_ref().filter(|_| by_parity) {
-                for cell in 0..cell_count {
-                    is_inside[cell * input_count + input] = parities.of_cell(CellId::new(cell))[input] != 0;
-                }
+                let is_odd = |cell: &u32| parities.number(CellId::from_u32(*cell), input) != 0;
+                pairs.extend((0..cell_count as u32).filter(is_odd).map(|cell| (cell, input as u32)));
                 continue;
             }
             match open {
                 OpenInputs::Empty => {}
-                OpenInputs::Refuse => return Err(refusal(&scene.names()[input], rim, arranged)),
+                OpenInputs::Refuse => return Err(refusal(&scene.label(input), rim, arranged)),
                 OpenInputs::Generalized => {
                     let points = match &points {
                         Some(points) => points,
@@ -155,18 +159,32 @@ impl Inputs {
                     };
                     let numbers =
                         generalized_winding_numbers(&scene.positions()?, &scene.fans(input), points)?;
-                    for (cell, number) in numbers.into_iter().enumerate() {
-                        is_inside[cell * input_count + input] = match rule {
+                    for (cell, number) in (0..).zip(numbers) {
+                        let is_inside = match rule {
                             InsideRule::Nonzero => number.abs() >= 0.5,
                             InsideRule::Positive => number >= 0.5,
                             InsideRule::Odd => number.round().rem_euclid(2.0) == 1.0,
                         };
+                        if is_inside {
+                            pairs.push((cell, input as u32));
+                        }
                     }
                     generalized.push(input);
                 }
             }
         }
-        Ok(Membership { input_count, is_inside, generalized })
+        pairs.sort_unstable();
+        let mut rest = &pairs[..];
+        let mut inputs = RaggedArray::new();
+        let mut own = Vec::new();
+        for cell in 0..cell_count as u32 {
+            let (of_cell, behind) = rest.split_at(rest.partition_point(|pair| pair.0 == cell));
+            own.clear();
+            own.extend(of_cell.iter().map(|pair| pair.1));
+            inputs.push(&own);
+            rest = behind;
+        }
+        Ok(Membership { inputs, generalized })
     }
 }
 

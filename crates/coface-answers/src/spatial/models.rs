@@ -9,14 +9,17 @@ use coface_algebra::{Sign, SparseMatrix};
 use coface_arrange::boolean::SelectionMesh;
 use coface_arrange::spatial::{BallComplex, BallRules};
 use coface_complexes::surface::PolygonMesh;
-use coface_io::{CellData, Group, GroupKind, Model};
+use coface_io::{CellData, Group, GroupKind, GroupRole, Model};
+use std::collections::BTreeMap;
 
 /// Where a face has the exterior, in data on polygons.
 const NO_CELL: i64 = -1;
 
 impl SceneArrangement {
     /// All faces as a mesh: each polygon with the data `cell_back` and `cell_front`, the cells on its two sides (-1 for the exterior),
-    /// `input` and `polygon`, the first model that it is from and its number there; with `groups` in a group for each cell.
+    /// `input` and `polygon`, the first model that it is from and its number there; with `groups` in a group for each
+    /// cell, and for each
+    /// input if parts of models are inputs.
     ///
     /// Faces with holes or slits are cut into triangles, all faces if `triangles`.
     ///
@@ -58,6 +61,19 @@ impl SceneArrangement {
         }
         for (cell, members) in members.into_iter().enumerate() {
             model = model.with_group(Group::new(format!("cell_{cell}"), GroupKind::Polygons, members))?;
+        }
+        if !self.scene.has_parts() {
+            return Ok(model);
+        }
+        let mut members = vec![Vec::new(); self.scene.names().len()];
+        for (polygon, (face, _)) in mesh.facets().iter().enumerate() {
+            for input in self.inputs_of_face(*face) {
+                members[input].push(polygon as u32);
+            }
+        }
+        for (name, members) in group_names(self.scene.names()).into_iter().zip(members) {
+            let group = Group::new(name, GroupKind::Polygons, members).with_role(GroupRole::Object);
+            model = model.with_group(group)?;
         }
         Ok(model)
     }
@@ -179,11 +195,14 @@ impl SolidBoolean<'_> {
         let mut model = Model::from_polygons(positions, mesh.polygons().clone())?;
         let [inputs, polygons] = arrangement.source_data(&mesh)?;
         let names = arrangement.scene().names();
-        for (input, name) in names.iter().enumerate() {
-            let is_own = |polygon: &usize| inputs.integer_row(*polygon) == Some(vec![input as i64]);
-            let members = (0..mesh.polygons().len()).filter(is_own).map(|polygon| polygon as u32).collect();
-            let unique = names.iter().filter(|other| *other == name).count() == 1;
-            let name = if unique { name.clone() } else { format!("{name}_{input}") };
+        let mut members = vec![Vec::new(); names.len()];
+        for polygon in 0..mesh.polygons().len() {
+            let input = inputs.integer_row(polygon).and_then(|row| usize::try_from(row[0]).ok());
+            if let Some(members) = input.and_then(|input| members.get_mut(input)) {
+                members.push(polygon as u32);
+            }
+        }
+        for (name, members) in group_names(names).into_iter().zip(members) {
             model = model.with_group(Group::new(name, GroupKind::Polygons, members))?;
         }
         model = model.with_data(inputs)?.with_data(polygons)?;
@@ -319,6 +338,19 @@ impl SolidBoolean<'_> {
         }
         SparseMatrix::from_entries(faces.len(), count, entries)
     }
+}
+
+/// Names of groups of the inputs with these names: those that OBJ would not tell apart have the number of the input
+/// behind them.
+fn group_names(names: &[String]) -> Vec<String> {
+    let word = |name: &str| name.split_whitespace().collect::<Vec<_>>().join("_");
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    names.iter().for_each(|name| *counts.entry(word(name)).or_default() += 1);
+    let name = |(input, name): (usize, &String)| match counts[&word(name)] {
+        1 => name.clone(),
+        _ => format!("{name}_{input}"),
+    };
+    names.iter().enumerate().map(name).collect()
 }
 
 /// Balls as a model.

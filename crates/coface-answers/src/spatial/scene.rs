@@ -1,14 +1,16 @@
 //! Models as polygons in space.
 
+use crate::RegionSource;
 use crate::answer::{Place, Remark, RemarkCode, remarks_of_file};
+use crate::parts::{Part, closed_objects, parts_of};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, FaceId, VertexId};
-use coface_algebra::{RaggedArray, Sign};
+use coface_algebra::{RaggedArray, Sign, SparseMatrix};
 use coface_arrange::spatial::{NonPlanar, SpatialPolygons};
 use coface_complexes::cell_mesh::CellMesh;
 use coface_geometry::predicates::Dyadic;
 use coface_geometry::{Positions, determinant};
-use coface_io::{Model, Structure};
+use coface_io::{GroupKind, Model, Structure};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
@@ -33,7 +35,14 @@ use std::collections::BTreeMap;
 /// ```
 #[derive(Clone, Debug)]
 pub struct SpatialScene {
+    /// Those of the inputs: of models, or of parts of them.
     names: Vec<String>,
+    /// What makes an input.
+    source: RegionSource,
+    /// The names of the models.
+    files: Vec<String>,
+    /// The model that each input is of, and what its file calls it there.
+    parts: Vec<(u32, Option<String>)>,
     flat: Vec<f64>,
     /// The first point of each model.
     point_starts: Vec<u32>,
@@ -68,8 +77,43 @@ impl SpatialScene {
         models: impl IntoIterator<Item = (&'a str, &'a Model)>,
         walls: bool,
     ) -> Result<Self, Error> {
+        Self::with_inputs(models, RegionSource::Models, walls)
+    }
+
+    /// The same where each object, group, feature or component of a model is an input. Those have the names that their
+    /// files give them; components,
+    /// and names that several files have, are behind the name of the file and `#`. What is in no object or group of
+    /// its file is one more
+    /// input.
+    ///
+    /// # Errors
+    /// As [`Self::of`]; [`ErrorKind::InvalidInput`] naming a file without such parts.
+    ///
+    /// # Complexity
+    /// Linear, and that of [`CellMesh::new`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{RegionSource, SpatialScene};
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nv 0 0 -6\n\
+    ///     o up\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\no down\nf 1 2 3\nf 2 1 5\nf 3 2 5\nf 1 3 5\n";
+    /// let both = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = SpatialScene::with_inputs([("both.obj", &both)], RegionSource::Objects, true)?;
+    /// assert_eq!(scene.names(), ["up", "down"]);
+    /// assert_eq!(scene.input_of_polygon(), [0, 0, 0, 0, 1, 1, 1, 1]);
+    /// # Ok(()) }
+    /// ```
+    pub fn with_inputs<'a>(
+        models: impl IntoIterator<Item = (&'a str, &'a Model)>,
+        source: RegionSource,
+        walls: bool,
+    ) -> Result<Self, Error> {
         let mut scene = Self {
             names: Vec::new(),
+            source,
+            files: Vec::new(),
+            parts: Vec::new(),
             flat: Vec::new(),
             point_starts: Vec::new(),
             walks: RaggedArray::new(),
@@ -83,13 +127,76 @@ impl SpatialScene {
         scene.flat.reserve(models.iter().map(|(_, model)| model.positions().as_flat().len()).sum());
         for (name, model) in models {
             scene.add(name, model, walls).map_err(|error| error.in_file(name))?;
-            scene.names.push(name.to_owned());
+            scene.files.push(name.to_owned());
             scene.remarks.extend(remarks_of_file(name, model));
         }
         if u32::try_from(scene.walks.item_count()).is_err() {
             return Err(too_large());
         }
+        scene.tell_names_apart();
         Ok(scene)
+    }
+
+    /// The same where nobody said what an input is. Models are, unless they are fewer than `count` and their objects
+    /// are enough: then
+    /// objects are. A remark says so, or names the models whose closed objects are one input.
+    ///
+    /// # Errors
+    /// As [`Self::of`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SpatialScene;
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nv 0 0 -6\n\
+    ///     o up\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\no down\nf 1 2 3\nf 2 1 5\nf 3 2 5\nf 1 3 5\n";
+    /// let both = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = |count| SpatialScene::of_at_least(count, [("both.obj", &both)], true);
+    /// assert_eq!((scene(1)?.names().len(), scene(2)?.names().len()), (1, 2));
+    /// assert_eq!(scene(1)?.remarks().len(), 1);
+    /// # Ok(()) }
+    /// ```
+    pub fn of_at_least<'a>(
+        count: usize,
+        models: impl IntoIterator<Item = (&'a str, &'a Model)>,
+        walls: bool,
+    ) -> Result<Self, Error> {
+        let models: Vec<(&str, &Model)> = models.into_iter().collect();
+        let objects: Vec<Option<usize>> = models.iter().map(|(_, model)| closed_objects(model)).collect();
+        let in_all = objects.iter().try_fold(0, |sum, &count| Some(sum + count?));
+        let of_objects = models.len() < count && in_all.is_some_and(|in_all| in_all >= count);
+        let source = if of_objects { RegionSource::Objects } else { RegionSource::Models };
+        let mut scene = Self::with_inputs(models.iter().copied(), source, walls)?;
+        for ((name, _), count) in models.iter().zip(objects) {
+            let Some(count) = count else { continue };
+            let message = match of_objects {
+                true => format!(
+                    "{name}: each of its {count} objects is an input, as if --inputs objects were given"
+                ),
+                false => format!(
+                    "{name} has {count} objects and is one input; --inputs objects makes each an input"
+                ),
+            };
+            scene
+                .remarks
+                .push(Remark::new(RemarkCode::ObjectsInFile, message).at(count, [Place::file(*name)]));
+        }
+        Ok(scene)
+    }
+
+    /// Puts the name of the file in front of names that several files have.
+    fn tell_names_apart(&mut self) {
+        let mut file_of_name: BTreeMap<&str, Option<u32>> = BTreeMap::new();
+        for (name, &(file, _)) in self.names.iter().zip(&self.parts) {
+            let known = file_of_name.entry(name).or_insert(Some(file));
+            *known = known.filter(|&known| known == file);
+        }
+        let is_shared: Vec<bool> = self.names.iter().map(|name| file_of_name[&name[..]].is_none()).collect();
+        for ((name, (file, part)), is_shared) in self.names.iter_mut().zip(&self.parts).zip(is_shared) {
+            if is_shared && part.is_some() {
+                *name = format!("{}#{name}", self.files[*file as usize]);
+            }
+        }
     }
 
     fn add(&mut self, name: &str, model: &Model, walls: bool) -> Result<(), Error> {
@@ -115,7 +222,7 @@ impl SpatialScene {
         let before = self.is_wall.len();
         let (lines, points, polygons) = (model.lines().len(), model.points().len(), model.polygons().len());
         match model.structure() {
-            Some(Structure::Chains(complex)) => self.add_complex(complex, model.positions(), first, walls)?,
+            Some(Structure::Chains(complex)) => self.add_complex(name, model, complex, first, walls)?,
             Some(_) => {
                 return Err(Error::new(
                     ErrorKind::UnsupportedFormat,
@@ -123,16 +230,26 @@ impl SpatialScene {
                 )
                 .with_cure("give a mesh or a chain complex with positions"));
             }
-            None if model.cells().is_empty() => {
+            None if model.cells().is_empty() && self.source == RegionSource::Models => {
                 let numbers = before as u32..(before + polygons) as u32;
                 self.walks.append_moved(model.polygons(), first);
                 self.polygon_of_walk.extend(numbers);
                 self.input_of_polygon.resize(before + polygons, self.names.len() as u32);
                 self.source_of_polygon.extend(0..polygons as u32);
                 self.is_wall.resize(before + polygons, false);
+                self.end_input(name, None);
+            }
+            None if model.cells().is_empty() => {
+                let list = (model.polygons(), GroupKind::Polygons);
+                for part in self.parts_of(name, model, list)? {
+                    for &polygon in &part.members {
+                        self.push(polygon as usize, 1, first, &[model.polygons().list(polygon as usize)]);
+                    }
+                    self.end_input(name, part.name);
+                }
             }
             None => {
-                let used = self.add_volume(model, first, walls)?;
+                let used = self.add_volume(name, model, first, walls)?;
                 self.remark(name, polygons - used, "polygon", "that no cell has is left out");
             }
         }
@@ -144,6 +261,52 @@ impl SpatialScene {
         }
         self.flat.extend_from_slice(model.positions().as_flat());
         Ok(())
+    }
+
+    /// The parts of a model that are inputs; none if there are none, or if models are inputs.
+    fn parts_of(
+        &mut self,
+        name: &str,
+        model: &Model,
+        elements: (&RaggedArray, GroupKind),
+    ) -> Result<Vec<Part>, Error> {
+        if elements.0.is_empty() {
+            // The caller says that there is nothing.
+            return Ok(Vec::new());
+        }
+        let (parts, remarks) = parts_of(name, model, self.source, elements)?;
+        self.remarks.extend(remarks);
+        Ok(parts)
+    }
+
+    /// The polygons that were added since the last one are an input of the model that is being read.
+    fn end_input(&mut self, file: &str, part: Option<String>) {
+        let number = self.files.len() as u32;
+        let own = self.parts.len() - self.parts.partition_point(|part| part.0 < number);
+        self.names.push(match (&part, self.source) {
+            (Some(part), _) => part.clone(),
+            (None, RegionSource::Components) => format!("{file}#{own}"),
+            (None, _) => file.to_owned(),
+        });
+        self.parts.push((number, part));
+    }
+
+    /// The number and the name of the model that an input is of.
+    fn file(&self, input: usize) -> (usize, &str) {
+        let file = self.parts[input].0 as usize;
+        (file, &self.files[file])
+    }
+
+    /// What an input is called in messages: its file, and the object or group in it.
+    pub(super) fn label(&self, input: usize) -> String {
+        let file = self.file(input).1;
+        match &self.parts[input].1 {
+            Some(part) => {
+                format!("{file}: {} \"{}\"", self.source.word().trim_end_matches('s'), part.escape_debug())
+            }
+            None if self.source == RegionSource::Components => self.names[input].clone(),
+            None => file.to_owned(),
+        }
     }
 
     fn remark(&mut self, name: &str, count: usize, what: &str, fate: &str) {
@@ -183,36 +346,60 @@ impl SpatialScene {
     }
 
     /// Adds the faces of the cells of a volume mesh; the number of polygons of the file that are among all faces.
-    fn add_volume(&mut self, model: &Model, first: u32, walls: bool) -> Result<usize, Error> {
+    fn add_volume(&mut self, name: &str, model: &Model, first: u32, walls: bool) -> Result<usize, Error> {
         let (shapes, cells) = (model.shapes().to_vec(), model.cells().clone());
         let mesh = CellMesh::new(model.vertex_count(), shapes, cells, model.polygons(), &[])?;
         let mut multiplicities = vec![0; mesh.face_count()];
-        for cell in (0..mesh.cell_count()).map(CellId::new) {
-            let faces = || mesh.faces_of_cell(cell).map(|(face, sign)| (sign, mesh.skeleton().face(face)));
-            let outward = volume_sign(model.positions(), faces);
-            for (face, sign) in mesh.faces_of_cell(cell) {
-                multiplicities[face.index()] += outward * sign.to_i32();
+        for part in self.parts_of(name, model, (model.cells(), GroupKind::Cells))? {
+            let mut touched = Vec::new();
+            for cell in part.members.into_iter().map(CellId::from_u32) {
+                let faces =
+                    || mesh.faces_of_cell(cell).map(|(face, sign)| (sign, mesh.skeleton().face(face)));
+                let outward = volume_sign(model.positions(), faces);
+                for (face, sign) in mesh.faces_of_cell(cell) {
+                    multiplicities[face.index()] += outward * sign.to_i32();
+                    touched.push(face.to_u32());
+                }
             }
-        }
-        for (face, multiplicity) in multiplicities.into_iter().enumerate() {
-            let has_cells = mesh.cells_of_face(FaceId::new(face)).len() > 0;
-            if has_cells && (walls || multiplicity != 0) {
-                self.push(face, multiplicity, first, &[mesh.skeleton().face(FaceId::new(face))]);
-            }
+            self.push_faces(&mut multiplicities, touched, walls, first, |face| {
+                [mesh.skeleton().face(FaceId::new(face))]
+            });
+            self.end_input(name, part.name);
         }
         let sides =
             (0..model.polygons().len()).filter(|&i| mesh.cells_of_face(mesh.face_of_polygon(i).0).len() > 0);
         Ok(sides.count())
     }
 
+    /// Adds faces of cells, as often as they are in a sum, or as walls; the sum is zero afterwards.
+    fn push_faces<'b, I: IntoIterator<Item = &'b [u32]> + Clone>(
+        &mut self,
+        multiplicities: &mut [i32],
+        mut touched: Vec<u32>,
+        walls: bool,
+        first: u32,
+        face_walks: impl Fn(usize) -> I,
+    ) {
+        touched.sort_unstable();
+        touched.dedup();
+        for face in touched.into_iter().map(|face| face as usize) {
+            let multiplicity = std::mem::take(&mut multiplicities[face]);
+            if walls || multiplicity != 0 {
+                self.push(face, multiplicity, first, &face_walks(face));
+            }
+        }
+    }
+
     /// Adds the cells of degree 2 of a chain complex.
     fn add_complex(
         &mut self,
+        name: &str,
+        model: &Model,
         complex: &ChainComplex,
-        positions: &Positions,
         first: u32,
         walls: bool,
     ) -> Result<(), Error> {
+        let positions = model.positions();
         let (Some(edges), Some(faces)) = (complex.boundary_matrix(1), complex.boundary_matrix(2)) else {
             return Ok(());
         };
@@ -245,6 +432,15 @@ impl SpatialScene {
             }
             walks.push(closed_walks(&mut sides));
         }
+        if self.source != RegionSource::Models {
+            return self.add_parts_of_complex(
+                name,
+                model,
+                (&walks, complex.boundary_matrix(3)),
+                first,
+                walls,
+            );
+        }
         let mut multiplicities = vec![1; walks.len()];
         if let Some(cells) = complex.boundary_matrix(3).filter(|cells| cells.column_count() > 0) {
             multiplicities.fill(0);
@@ -266,10 +462,66 @@ impl SpatialScene {
                 self.push(face, multiplicities[face], first, &(0..walks.len()).map(|walk| walks.list(walk)));
             }
         }
+        self.end_input(name, None);
         Ok(())
     }
 
-    /// The names of the models.
+    /// Adds the components of a chain complex, by the walks around its faces and its cells of degree 3.
+    fn add_parts_of_complex(
+        &mut self,
+        name: &str,
+        model: &Model,
+        (face_walks, cells): (&[RaggedArray], Option<&SparseMatrix>),
+        first: u32,
+        walls: bool,
+    ) -> Result<(), Error> {
+        let lists = |face: usize| (0..face_walks[face].len()).map(move |walk| face_walks[face].list(walk));
+        let Some(cells) = cells.filter(|cells| cells.column_count() > 0) else {
+            let corners = RaggedArray::from_lists(face_walks.iter().map(RaggedArray::items));
+            for part in self.parts_of(name, model, (&corners, GroupKind::Polygons))? {
+                for face in part.members.into_iter().map(|face| face as usize) {
+                    if !face_walks[face].is_empty() {
+                        self.push(face, 1, first, &lists(face));
+                    }
+                }
+                self.end_input(name, part.name);
+            }
+            return Ok(());
+        };
+        let mut corners = RaggedArray::new();
+        for column in cells.columns() {
+            corners.push(
+                &column
+                    .rows()
+                    .iter()
+                    .flat_map(|&face| face_walks[face as usize].items())
+                    .copied()
+                    .collect::<Vec<u32>>(),
+            );
+        }
+        let mut multiplicities = vec![0; face_walks.len()];
+        for part in self.parts_of(name, model, (&corners, GroupKind::Cells))? {
+            let mut touched = Vec::new();
+            for column in part.members.into_iter().map(|cell| cells.column(cell as usize)) {
+                let faces = || {
+                    column.iter().flat_map(|(face, entry)| {
+                        let sign = Sign::power_of_minus_one(usize::from(entry < 0));
+                        lists(face).map(move |walk| (sign, walk))
+                    })
+                };
+                let outward = volume_sign(model.positions(), faces);
+                for (face, entry) in column.iter().filter(|&(face, _)| !face_walks[face].is_empty()) {
+                    multiplicities[face] += outward * entry;
+                    touched.push(face as u32);
+                }
+            }
+            self.push_faces(&mut multiplicities, touched, walls, first, lists);
+            self.end_input(name, part.name);
+        }
+        Ok(())
+    }
+
+    /// The names of the inputs: of the models, or of their parts.
     ///
     /// # Examples
     /// ```
@@ -282,6 +534,45 @@ impl SpatialScene {
     /// ```
     pub fn names(&self) -> &[String] {
         &self.names
+    }
+
+    /// The name of the model that an input is of.
+    ///
+    /// # Panics
+    /// If there is no such input.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{RegionSource, SpatialScene};
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\no peak\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = SpatialScene::with_inputs([("a.obj", &solid)], RegionSource::Objects, true)?;
+    /// assert_eq!((&scene.names()[0][..], scene.file_of_input(0)), ("peak", "a.obj"));
+    /// # Ok(()) }
+    /// ```
+    pub fn file_of_input(&self, input: usize) -> &str {
+        self.file(input).1
+    }
+
+    /// Whether parts of models are inputs.
+    pub(super) fn has_parts(&self) -> bool {
+        self.source != RegionSource::Models
+    }
+
+    /// What makes an input.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{RegionSource, SpatialScene};
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// assert_eq!(SpatialScene::of([("a", &solid)], true)?.source(), RegionSource::Models);
+    /// # Ok(()) }
+    /// ```
+    pub fn source(&self) -> RegionSource {
+        self.source
     }
 
     /// The number of polygons of all models.
@@ -329,23 +620,25 @@ impl SpatialScene {
     /// # Errors
     /// Those of [`SpatialPolygons::check`].
     pub(super) fn check(&self, non_planar: NonPlanar) -> Result<(), Error> {
-        for (input, name) in self.names.iter().enumerate() {
-            let is_own = |polygon: &u32| self.input_of_polygon[*polygon as usize] as usize == input;
-            let walks: Vec<usize> =
-                (0..self.walks.len()).filter(|&walk| is_own(&self.polygon_of_walk[walk])).collect();
-            let Some(&first) = walks.first() else { continue };
-            // Points and polygons of one model are numbered one after the other.
-            let point = self.point_starts[input];
+        let walks_of_input = RaggedArray::grouped(
+            self.names.len(),
+            self.polygon_of_walk.iter().map(|&polygon| self.input_of_polygon[polygon as usize]),
+        );
+        for (input, walks) in walks_of_input.iter().enumerate() {
+            let Some(&walk) = walks.first() else { continue };
+            // Points are numbered as in the file, polygons of this input from 0.
+            let file = self.file(input).0;
+            let point = self.point_starts[file];
+            let end = self.point_starts.get(file + 1).map_or(self.flat.len(), |&next| 3 * next as usize);
+            let positions = Positions::from_flat(3, self.flat[3 * point as usize..end].to_vec())?;
             let lists = walks
                 .iter()
-                .map(|&walk| self.walks.list(walk).iter().map(|v| v - point).collect::<Vec<u32>>());
-            let start = self.polygon_of_walk[first];
-            let polygons = walks.iter().map(|&walk| self.polygon_of_walk[walk] - start).collect();
-            let end = self.point_starts.get(input + 1).map_or(self.flat.len(), |&next| 3 * next as usize);
-            let positions = Positions::from_flat(3, self.flat[3 * point as usize..end].to_vec())?;
+                .map(|&walk| self.walks.list(walk as usize).iter().map(|v| v - point).collect::<Vec<u32>>());
+            let start = self.polygon_of_walk[walk as usize];
+            let polygons = walks.iter().map(|&walk| self.polygon_of_walk[walk as usize] - start).collect();
             SpatialPolygons::new(positions, RaggedArray::from_lists(lists), polygons)?
                 .check(non_planar)
-                .map_err(|error| error.in_file(name.clone()))?;
+                .map_err(|error| error.in_file(self.label(input)))?;
         }
         Ok(())
     }
@@ -420,7 +713,7 @@ impl SpatialScene {
     pub(super) fn corners(&self, polygon: u32) -> Vec<u32> {
         let walks = self.polygon_of_walk.partition_point(|&other| other < polygon);
         let own = (walks..self.walks.len()).take_while(|&walk| self.polygon_of_walk[walk] == polygon);
-        let first = self.point_starts[self.input_of_polygon[polygon as usize] as usize];
+        let first = self.point_starts[self.file(self.input_of_polygon[polygon as usize] as usize).0];
         own.flat_map(|walk| self.walks.list(walk)).map(|vertex| vertex - first).collect()
     }
 

@@ -281,6 +281,8 @@ impl SceneArrangement {
             f_vector,
             measures: self.volumes().to_vec(),
             inside: (0..cells).map(|cell| membership.inputs_around(CellId::new(cell))).collect(),
+            regions: if self.scene.has_parts() { self.scene.names().to_vec() } else { Vec::new() },
+            inputs_of_faces: self.scene.has_parts().then(|| self.inputs_of_faces()),
             products_zero: self.products_are_zero()?,
             holes: self.arranged.hole_count(),
             voids: self.arranged.void_count(),
@@ -305,7 +307,7 @@ impl SceneArrangement {
         for file in files.iter().filter(|file| file.reversed_cells > 0) {
             let message = format!(
                 "{} is inside out, wholly or in part: it winds less than zero times around cells",
-                file.file
+                file.label()
             );
             remarks.push(
                 Remark::new(RemarkCode::ReversedInput, message)
@@ -362,19 +364,47 @@ impl SceneArrangement {
         is_side.iter().filter(|is_side| !**is_side).count()
     }
 
-    /// The models in their order.
+    /// For each face the inputs that have a polygon there, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1, twice.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let twice = SceneArrangement::of([("a", &solid), ("b", &solid)], &SpatialRequest::default())?;
+    /// assert_eq!(twice.inputs_of_faces(), vec![vec![0, 1]; 4]);
+    /// # Ok(()) }
+    /// ```
+    pub fn inputs_of_faces(&self) -> Vec<Vec<usize>> {
+        (0..self.complex().cell_count(2)).map(|face| self.inputs_of_face(CellId::new(face))).collect()
+    }
+
+    pub(super) fn inputs_of_face(&self, face: CellId) -> Vec<usize> {
+        let polygons = self.arranged.polygons_of_face(face).into_iter();
+        let mut inputs: Vec<usize> =
+            polygons.map(|(polygon, _)| self.scene.input_of_polygon()[polygon as usize] as usize).collect();
+        inputs.sort_unstable();
+        inputs.dedup();
+        inputs
+    }
+
+    /// The inputs in their order.
     pub(super) fn input_answers(&self) -> Vec<SpatialInput> {
         let mut polygons = vec![0usize; self.scene.names().len()];
         self.scene.input_of_polygon().iter().for_each(|&input| polygons[input as usize] += 1);
+        let odd_cells = self.inputs.odd_cells();
         let file = |(input, name): (usize, &String)| {
             let (closed, coherent, rim_edges) = match self.inputs.state(input) {
                 InputState::Closed => (true, true, 0),
                 InputState::Incoherent { edges } => (true, false, edges),
                 InputState::Open { edges } => (false, false, edges),
             };
-            let [reversed_cells, overlapping_cells] = self.inputs.odd_cells(input);
+            let [reversed_cells, overlapping_cells] = odd_cells[input];
             SpatialInput {
-                file: name.clone(),
+                file: self.scene.file_of_input(input).to_owned(),
+                name: self.scene.has_parts().then(|| name.clone()),
                 polygons: polygons[input],
                 closed,
                 coherent,

@@ -12,6 +12,7 @@ mod repairs;
 mod schema;
 mod shapes;
 mod solid_booleans;
+mod spatial_inputs;
 mod surface_curves;
 mod verdicts;
 mod volumes;

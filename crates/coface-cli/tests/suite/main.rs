@@ -4,6 +4,7 @@ mod arrange;
 mod bad_input;
 mod batch;
 mod boolean;
+mod buildings;
 mod congruence;
 mod cures;
 mod exports;

@@ -105,6 +105,14 @@ from coface._view import repr_html as _repr_html
 from coface._volumes import volume
 
 # The adapters import the names above.
+from coface._buildings import (  # isort: skip
+    CellEdge,
+    CellGraph,
+    CellNode,
+    from_ifcopenshell,
+    from_topologic,
+    to_topologic,
+)
 from coface._doors import (  # isort: skip
     from_gudhi,
     from_meshio,
@@ -128,6 +136,9 @@ __all__ = [
     "AssumptionWarning",
     "BatchSummary",
     "BoundaryOfBoundaryError",
+    "CellEdge",
+    "CellGraph",
+    "CellNode",
     "Chain",
     "ChainComplex",
     "Cocycles",
@@ -190,11 +201,13 @@ __all__ = [
     "extruded",
     "families",
     "from_gudhi",
+    "from_ifcopenshell",
     "from_meshio",
     "from_networkx",
     "from_open3d",
     "from_pyvista",
     "from_shapely",
+    "from_topologic",
     "from_trimesh",
     "generate",
     "harmonic",
@@ -222,6 +235,7 @@ __all__ = [
     "to_open3d",
     "to_pyvista",
     "to_shapely",
+    "to_topologic",
     "to_trimesh",
     "view",
     "volume",

@@ -448,10 +448,11 @@ def congruence(
 
 
 def arrange(
-    *inputs: Any,
+    *models: Any,
     dimension: int | None = None,
     rule: str | None = None,
     features: bool = False,
+    inputs: str | None = None,
     prune: bool = False,
     snap: bool = False,
     max_cells: int | None = None,
@@ -463,14 +464,19 @@ def arrange(
 
     Parameters
     ----------
-    *inputs
+    *models
         Anything that :func:`as_model` understands, or one list or dictionary of such.
     dimension
-        2 or 3; by the inputs if left out.
+        2 or 3; by the models if left out.
     rule
         What is inside an input: ``"nonzero"``, ``"evenodd"`` or ``"positive"``.
     features
-        In the plane, whether each polygon or closed line is an input.
+        The same as ``inputs="features"``.
+    inputs
+        What an input is: ``"files"`` (each model), ``"features"`` (its polygons of one name), ``"objects"``,
+        ``"groups"`` or
+        ``"components"`` of models. If left out, models are, and objects where a formula names more inputs than there
+        are models.
     prune
         In the plane, whether edges that hang on the rest by one end are left out.
     snap
@@ -499,10 +505,11 @@ def arrange(
     [5, 5, 1]
     """
     found: PlanarArrangement | SpatialArrangement = _coface.arrange(
-        _inputs(inputs),
+        _inputs(models),
         dimension=dimension,
         rule=rule,
         features=features,
+        inputs=inputs,
         prune=prune,
         snap=snap,
         max_cells=max_cells,
@@ -515,10 +522,11 @@ def arrange(
 
 def boolean(
     operation: str,
-    *inputs: Any,
+    *models: Any,
     dimension: int | None = None,
     rule: str | None = None,
     features: bool = False,
+    inputs: str | None = None,
     keep_walls: bool = False,
     snap: bool = False,
     max_cells: int | None = None,
@@ -535,14 +543,19 @@ def boolean(
     ----------
     operation
         ``"union"``, ``"intersection"``, ``"difference"``, ``"xor"``, or a formula such as ``"(a | b) - c"`` or ``"(0 | 1) & !2"``.
-    *inputs
+    *models
         Anything that :func:`as_model` understands, or one list or dictionary of such.
     dimension
-        2 or 3; by the inputs if left out.
+        2 or 3; by the models if left out.
     rule
         What is inside an input: ``"nonzero"``, ``"evenodd"`` or ``"positive"``.
     features
-        In the plane, whether each polygon or closed line is an input.
+        The same as ``inputs="features"``.
+    inputs
+        What an input is: ``"files"`` (each model), ``"features"`` (its polygons of one name), ``"objects"``,
+        ``"groups"`` or
+        ``"components"`` of models. If left out, models are, and objects where a formula names more inputs than there
+        are models.
     keep_walls
         Whether what lies inside the result is kept.
     snap, max_cells, split, merge_coplanar
@@ -571,10 +584,11 @@ def boolean(
     """
     found: PlanarBoolean | SolidBoolean = _coface.boolean(
         operation,
-        _inputs(inputs),
+        _inputs(models),
         dimension=dimension,
         rule=rule,
         features=features,
+        inputs=inputs,
         keep_walls=keep_walls,
         snap=snap,
         max_cells=max_cells,

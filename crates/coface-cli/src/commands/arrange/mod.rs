@@ -3,7 +3,7 @@
 mod planar;
 mod spatial;
 
-pub(crate) use spatial::{SpaceOptions, in_space, named, rounding};
+pub(crate) use spatial::{SpaceOptions, in_space, rounding, scene_of};
 
 use crate::arguments::Common;
 use crate::failure::Failure;
@@ -39,6 +39,15 @@ use std::path::{Path, PathBuf};
 /// cells it winds less than zero times, or more than once), "degenerate_polygons", "split_polygons", "rounding". OBJ has a group for each
 /// cell; VTK and PLY have the cells on both sides of each polygon and where it is from.
 ///
+/// With --inputs each object, group or component of a file is an input, so that the walls of a building may be one
+/// file: "regions" has their
+/// names, "inputs_of_faces" the inputs of each face in space, and OBJ a group for each.
+///
+/// With --graph in space: "nodes", the bounded cells with volume, centroid, bounds, the inputs that contain them and
+/// the area of their faces on
+/// the exterior; "edges", pairs of cells with the area and number of the faces between them and the inputs that these
+/// are of; "inputs", the names.
+///
 /// A file contains what its polygons contain. A file of lines alone contains what they enclose an odd number of times, if they are
 /// closed: if an even number of them ends at every point.
 #[derive(Args)]
@@ -48,15 +57,18 @@ pub(crate) struct Arrange {
     inputs: Vec<PathBuf>,
     #[command(flatten)]
     cells: CellOptions,
-    /// What contains faces: files, or features (the polygons of one name, or those of a feature without a name), then named in "regions"
-    #[arg(long = "inputs", value_name = "WHAT", default_value = "files")]
-    source: Inputs,
+    /// What an input is, then named in "regions" [default: files]
+    #[arg(long = "inputs", value_name = "WHAT")]
+    source: Option<Inputs>,
     /// Leave out edges with one face on both sides: bridges and dangling edges
     #[arg(long)]
     prune: bool,
     /// Write where each vertex, edge and face comes from: .json
     #[arg(long, value_name = "FILE")]
     provenance: Option<PathBuf>,
+    /// In space, write the graph of the cells, which are adjacent across how much area: .json or .graphml
+    #[arg(long, value_name = "FILE")]
+    graph: Option<PathBuf>,
     #[command(flatten)]
     space: SpaceOptions,
 }
@@ -81,16 +93,27 @@ pub(crate) struct CellOptions {
 /// What an input is.
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 pub(crate) enum Inputs {
+    /// Each file
     Files,
+    /// The polygons of one name, or those of a feature without a name
     Features,
+    /// Each object of a file: o of OBJ, a named mesh of glTF, 3MF or COLLADA, an object of CityJSON
+    Objects,
+    /// Each group of a file: g of OBJ, a physical group of Gmsh, a kind of surface of CityJSON
+    Groups,
+    /// Polygons or cells that are connected through vertices
+    Components,
 }
 
 impl Inputs {
-    /// What makes an input in the plane.
+    /// What makes an input.
     pub(crate) fn source(self) -> RegionSource {
         match self {
             Self::Files => RegionSource::Models,
             Self::Features => RegionSource::Features,
+            Self::Objects => RegionSource::Objects,
+            Self::Groups => RegionSource::Groups,
+            Self::Components => RegionSource::Components,
         }
     }
 }
@@ -122,6 +145,9 @@ impl Arrange {
         let output = output_target(common)?;
         if let Some(path) = &self.provenance {
             check_json(path)?;
+        }
+        if let Some(path) = &self.graph {
+            spatial::check_graph(path)?;
         }
         let progress = Progress::start(common.quiet);
         let models = read_all(&self.inputs, common, &progress)?;

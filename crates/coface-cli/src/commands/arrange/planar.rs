@@ -20,9 +20,15 @@ pub(super) fn run(
     models: &[(String, Model)],
     progress: Progress,
 ) -> Result<(), Failure> {
+    if verb.graph.is_some() {
+        return Err(Failure::new(
+            "--graph is for cells in space, and the inputs lie in the plane: leave it out",
+        ));
+    }
     progress.stage("arranging");
     let models = models.iter().map(|(name, model)| (name.as_str(), model));
-    let drawing = PlanarDrawing::new(models, verb.source.source())?;
+    let drawing =
+        PlanarDrawing::new(models, verb.source.map_or_else(Default::default, super::Inputs::source))?;
     let mut request = ArrangementRequest::default();
     request.strict = common.strict;
     request.rule = verb.cells.rule.map(super::Rule::inside);

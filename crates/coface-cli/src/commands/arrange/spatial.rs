@@ -1,6 +1,6 @@
 //! `coface arrange` in space.
 
-use super::{Arrange, CellOptions, Rule};
+use super::{Arrange, CellOptions, Inputs, Rule};
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, write_json};
@@ -15,6 +15,9 @@ use coface::arrange::spatial::NonPlanar;
 use coface::io;
 use coface::io::{Format, Model};
 use std::path::Path;
+
+/// So many inputs are on the page.
+const MOST_FILES: usize = 20;
 
 /// Options of polygons in space.
 #[derive(Args)]
@@ -68,8 +71,34 @@ impl SpaceOptions {
 }
 
 /// The models with their names as borrowed pairs.
-pub(crate) fn named(models: &[(String, Model)]) -> impl Iterator<Item = (&str, &Model)> {
+fn named(models: &[(String, Model)]) -> impl Iterator<Item = (&str, &Model)> {
     models.iter().map(|(name, model)| (name.as_str(), model))
+}
+
+/// Refuses a file of a graph that is not named as one of its formats.
+pub(super) fn check_graph(path: &Path) -> Result<(), Failure> {
+    let is_graphml = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("graphml"));
+    if is_graphml || crate::output::is_json(path) {
+        return Ok(());
+    }
+    Err(Failure::new(format!(
+        "{}: a graph is written as JSON or GraphML: name a .json or .graphml file",
+        path.display()
+    )))
+}
+
+/// The polygons of the models; without `--inputs` objects are inputs if a formula needs more inputs than there are
+/// files.
+pub(crate) fn scene_of(
+    inputs: Option<Inputs>,
+    count: usize,
+    models: &[(String, Model)],
+    walls: bool,
+) -> Result<SpatialScene, Failure> {
+    Ok(match inputs {
+        Some(inputs) => SpatialScene::with_inputs(named(models), inputs.source(), walls)?,
+        None => SpatialScene::of_at_least(count, named(models), walls)?,
+    })
 }
 
 /// Refuses formats of drawings in the plane; SVG is a picture of what is in space.
@@ -101,11 +130,6 @@ pub(super) fn run(
     models: &[(String, Model)],
     progress: Progress,
 ) -> Result<(), Failure> {
-    if verb.source == super::Inputs::Features {
-        return Err(Failure::new(
-            "--inputs features is for regions in the plane; in space each file is an input: leave it out",
-        ));
-    }
     if verb.prune {
         return Err(Failure::new(
             "--prune is for drawings in the plane; faces in space with one cell on both sides are kept: leave it out",
@@ -113,10 +137,11 @@ pub(super) fn run(
     }
     let output = output.map(in_space).transpose()?;
     progress.stage("arranging");
-    let scene = SpatialScene::of(named(models), true)?;
+    let scene = scene_of(verb.source, 1, models, true)?;
     let arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells, common))?;
     progress.stage("multiplying boundaries");
-    let answer = arrangement.answer(verb.cells.rule.map(Rule::inside).unwrap_or_default())?;
+    let rule = verb.cells.rule.map(Rule::inside).unwrap_or_default();
+    let answer = arrangement.answer(rule)?;
     accept(&answer.remarks, common)?;
     progress.stage("writing");
     if let Some((path, target)) = output {
@@ -135,12 +160,20 @@ pub(super) fn run(
     if let Some(path) = &verb.provenance {
         write_json(path, &arrangement.provenance())?;
     }
+    if let Some(path) = &verb.graph {
+        let graph = arrangement.graph(rule)?;
+        if crate::output::is_json(path) {
+            write_json(path, &graph)?;
+        } else {
+            io::replace_file(path, |out| Ok(out.write_all(graph.to_graphml().as_bytes())?))?;
+        }
+    }
     drop(progress);
     say_remarks(&answer.remarks, common);
     if common.json {
         return print_json(&answer);
     }
-    if common.output.is_some() || verb.provenance.is_some() {
+    if common.output.is_some() || verb.provenance.is_some() || verb.graph.is_some() {
         return Ok(());
     }
     print_text(&page(&answer))
@@ -192,18 +225,25 @@ fn page(answer: &SpatialArrangementAnswer) -> String {
         let gloss = format!("not planar by up to {:e}", split.largest_deviation);
         fact("split", text::count(split.count, "polygon"), &gloss);
     }
-    for file in &answer.files {
+    for file in answer.files.iter().take(MOST_FILES) {
         let edges = text::count(file.rim_edges, "edge");
         let (value, gloss) = match (file.closed, file.coherent) {
             (true, true) => ("closed", String::new()),
             (true, false) => ("closed", format!("polygons disagree in direction across {edges}")),
             _ => ("open", format!("along {edges}: it contains no cell")),
         };
-        fact("file", format!("{}: {value}", file.file), &gloss);
+        let label = if file.name.is_some() { "input" } else { "file" };
+        fact(label, format!("{}: {value}", file.label()), &gloss);
+    }
+    if answer.files.len() > MOST_FILES {
+        let open = answer.files.iter().filter(|file| !file.closed).count();
+        let value = format!("and {} more", text::grouped(answer.files.len() - MOST_FILES));
+        fact("inputs", value, &format!("{} of all are open", text::grouped(open)));
     }
     let title = match &answer.files[..] {
-        [one] => format!("arrangement of {}", one.file),
-        many => format!("arrangement of {} models", many.len()),
+        [one] => format!("arrangement of {}", one.label()),
+        many if answer.regions.is_empty() => format!("arrangement of {} models", many.len()),
+        many => format!("arrangement of {} inputs", many.len()),
     };
     text::facts(&title, &facts)
 }

@@ -46,9 +46,9 @@ pub(crate) struct Boolean {
     formula: Option<String>,
     #[command(flatten)]
     cells: CellOptions,
-    /// What an input of the formula is: a file, or a feature (the polygons of one name, or those of a feature without a name)
-    #[arg(long, value_name = "WHAT", default_value = "files")]
-    inputs: Inputs,
+    /// What an input of the formula is [default: files; objects if the formula names more inputs than there are files]
+    #[arg(long, value_name = "WHAT")]
+    inputs: Option<Inputs>,
     /// Keep the walls between cells that are selected both
     #[arg(long)]
     keep_walls: bool,
@@ -77,6 +77,14 @@ enum Task {
 }
 
 impl Task {
+    /// The number of inputs that it needs.
+    fn least_inputs(&self) -> usize {
+        match self {
+            Self::Formula(formula) => formula.input_count(),
+            Self::Named(_) => 1,
+        }
+    }
+
     /// The formula on so many inputs.
     fn formula(&self, count: usize) -> BooleanFormula {
         match self {
@@ -125,13 +133,8 @@ impl Boolean {
         Ok((Task::Named(operation), &self.arguments[1..]))
     }
 
-    /// Whether features are inputs.
-    fn has_features(&self) -> bool {
-        self.inputs == Inputs::Features
-    }
-
     /// What makes an input of a formula in the plane.
     fn region_source(&self) -> RegionSource {
-        self.inputs.source()
+        self.inputs.map_or_else(RegionSource::default, Inputs::source)
     }
 }

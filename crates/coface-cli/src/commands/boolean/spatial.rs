@@ -2,7 +2,7 @@
 
 use super::{Boolean, Task};
 use crate::arguments::Common;
-use crate::commands::arrange::{Rule, in_space, named, rounding};
+use crate::commands::arrange::{Rule, in_space, rounding, scene_of};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, write_json};
 use crate::progress::Progress;
@@ -11,7 +11,7 @@ use crate::target::{Target, write_seen};
 use clap::{Args, ValueEnum};
 use coface::answers::answer::{BoundaryVerdict, Remark, RemarkCode, SolidBooleanAnswer};
 use coface::answers::text;
-use coface::answers::{OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialScene};
+use coface::answers::{OpenInputs, SceneArrangement, SolidBoolean, SolidRequest};
 use coface::io;
 use coface::io::{Format, Model};
 use std::path::Path;
@@ -51,17 +51,13 @@ pub(super) fn run(
     progress: Progress,
 ) -> Result<(), Failure> {
     let output = output.map(in_space).transpose()?;
-    if verb.has_features() {
-        return Err(Failure::new(
-            "--inputs features is for regions in the plane; in space each file is an input: leave it out",
-        ));
-    }
     progress.stage("arranging");
-    let scene = SpatialScene::of(named(models), verb.keep_walls)?;
+    let scene = scene_of(verb.inputs, task.least_inputs(), models, verb.keep_walls)?;
+    let count = scene.names().len();
     let triangles = verb.space.triangles(&scene, output);
     let arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells, common))?;
     progress.stage("combining");
-    let mut request = SolidRequest::of(task.formula(models.len()));
+    let mut request = SolidRequest::of(task.formula(count));
     request.rule = verb.cells.rule.map(Rule::inside).unwrap_or_default();
     request.open = match verb.solids.open {
         Open::Refuse => OpenInputs::Refuse,

@@ -15,6 +15,12 @@ const THIN: Files = &[(
 const CURVED: Files =
     &[("disk.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"><circle cx=\"5\" cy=\"5\" r=\"3\"/></svg>")];
 const WARPED: Files = &[("warped.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0.5\n0 1 0\n4 0 1 2 3\n")];
+/// Two tetrahedra with a common face.
+const TWO_OBJECTS: Files = &[(
+    "two.obj",
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nv 0 0 -6\no up\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n\
+     o down\nf 1 2 3\nf 2 1 5\nf 3 2 5\nf 1 3 5\n",
+)];
 /// A cube without its top.
 const OPEN: Files = &[(
     "open.off",
@@ -76,10 +82,33 @@ pub(super) const CASES: &[Case] = &[
         .files(WARPED)
         .refused("coface arrange warped.off --strict")
         .cured(&[&["coface arrange warped.off --strict --non-planar split"]]),
-    Case::new("arrange/spatial.rs", "--inputs features is for regions in the plane")
-        .files(OPEN)
-        .refused("coface arrange open.off --inputs features")
-        .cured(&[&["coface arrange open.off"]]),
+    Case::new("src/parts.rs", "; it has {count} {}: --inputs {}")
+        .files(TWO_OBJECTS)
+        .refused("coface arrange two.obj --inputs groups")
+        .cured(&[&["coface arrange two.obj --inputs objects"]]),
+    Case::new(
+        "src/parts.rs",
+        "--inputs files takes it as one input, --inputs components its connected parts",
+    )
+    .files(OPEN)
+    .refused("coface arrange open.off --inputs objects")
+    .cured(&[&["coface arrange open.off --inputs files"], &["coface arrange open.off --inputs components"]]),
+    Case::new("spatial/scene.rs", "--inputs objects makes each an input")
+        .files(TWO_OBJECTS)
+        .answered("coface arrange two.obj --json")
+        .cured(&[&["coface arrange two.obj --inputs objects --json"]])
+        .shows("\"regions\":[\"up\",\"down\"]"),
+    Case::new(
+        "spatial/scene.rs",
+        "each of its {count} objects is an input, as if --inputs objects were given",
+    )
+    .files(TWO_OBJECTS)
+    .answered("coface boolean two.obj --formula 'a - b' --json")
+    .cured(&[&["coface boolean two.obj --formula 'a - b' --inputs objects --json"]]),
+    Case::new("arrange/planar.rs", "--graph is for cells in space")
+        .files(BOW)
+        .refused("coface arrange bow.wkt --graph g.json")
+        .cured(&[&["coface arrange bow.wkt"]]),
     Case::new("arrange/spatial.rs", "--prune is for drawings in the plane")
         .files(OPEN)
         .refused("coface arrange open.off --prune")
@@ -92,10 +121,6 @@ pub(super) const CASES: &[Case] = &[
         .answered("coface arrange crossing.off")
         .cured(&[&["coface arrange crossing.off --snap --json"]])
         .shows("\"exact\":true"),
-    Case::new("boolean/spatial.rs", "--inputs features is for regions in the plane")
-        .before(&["coface generate box -o box.mesh"])
-        .refused("coface boolean union box.mesh --inputs features")
-        .cured(&[&["coface boolean union box.mesh"]]),
     Case::new("boolean/spatial.rs", "--pinches split makes copies")
         .files(PINCHED)
         .answered("coface boolean union pinched.mesh")

@@ -13,12 +13,14 @@ from typing import Any
 #: The first part of a class's module, and the file here that reads it.
 ADAPTERS = {
     "gudhi": "gudhi",
+    "ifcopenshell": "ifcopenshell",
     "meshio": "meshio",
     "networkx": "networkx",
     "open3d": "open3d",
     "pyvista": "pyvista",
     "vtkmodules": "pyvista",
     "shapely": "shapely",
+    "topologic_core": "topologic",
     "trimesh": "trimesh",
 }
 
