@@ -28,6 +28,11 @@ impl Nested {
         self.0.len()
     }
 
+    /// All numbers, whatever lists they are in.
+    pub(super) fn numbers(&self) -> impl Iterator<Item = u32> + '_ {
+        self.0.iter().copied().filter(|&token| token < NULL)
+    }
+
     pub(super) fn cursor(&self) -> Cursor<'_> {
         Cursor(&self.0)
     }

@@ -47,11 +47,10 @@ const MOST_LISTED: usize = 8;
 /// # Examples
 /// ```
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let text = r#"{"type": "CityJSON", "version": "2.0", "transform": {"scale": [0.1, 0.1, 0.1], "translate": [0, 0,
-/// 0]},
-///     "CityObjects": {"shed": {"type": "Building", "attributes": {"year": 1998}, "geometry": [{"type": "Solid",
-/// "lod": "1",
-///         "boundaries": [[[[0, 2, 1]], [[0, 1, 3]], [[1, 2, 3]], [[2, 0, 3]]]]}]}},
+/// let text = r#"{"type": "CityJSON", "version": "2.0",
+///     "transform": {"scale": [0.1, 0.1, 0.1], "translate": [0, 0, 0]},
+///     "CityObjects": {"shed": {"type": "Building", "attributes": {"year": 1998}, "geometry": [
+///         {"type": "Solid", "lod": "1", "boundaries": [[[[0, 2, 1]], [[0, 1, 3]], [[1, 2, 3]], [[2, 0, 3]]]]}]}},
 ///     "vertices": [[0, 0, 0], [10, 0, 0], [0, 10, 0], [0, 0, 60]]}"#;
 /// let model = coface_io::cityjson::read(text.as_bytes())?;
 /// assert_eq!((model.polygons().len(), model.positions().as_flat()[3]), (4, 1.0));
@@ -249,15 +248,32 @@ impl City {
             map: None,
             number: vec![None; vertices.len()],
         };
+        let mut chosen = Vec::with_capacity(objects.len());
+        let mut is_used = vec![false; vertices.len()];
         for (id, object) in &objects {
-            self.add_object(id, object, &mut points)?;
+            let of_object = self.choose(id, object)?;
+            for &(geometry, _) in of_object.iter().filter(|&&(_, shape)| shape != Shape::Instance) {
+                for index in object.geometry[geometry].boundaries.numbers() {
+                    // What is out of range is an error further down, with its place.
+                    if let Some(is_used) = is_used.get_mut(index as usize) {
+                        *is_used = true;
+                    }
+                }
+            }
+            chosen.push(of_object);
+        }
+        // Vertices come in the order of the file.
+        for index in (0..vertices.len() as u32).filter(|&index| is_used[index as usize]) {
+            points.vertex(index, &mut self.assembly, &String::new)?;
+        }
+        for ((id, object), chosen) in objects.iter().zip(&chosen) {
+            self.add_object(id, object, chosen, &mut points)?;
         }
         Ok(())
     }
 
-    fn add_object(&mut self, id: &str, object: &CityObject, points: &mut Points<'_>) -> Result<(), Error> {
-        let number = self.texts.len() as u32;
-        self.texts.push(&properties(object), &serde_json::Value::from(id).to_string());
+    /// The geometries of an object that are read, with what they hold.
+    fn choose(&mut self, id: &str, object: &CityObject) -> Result<Vec<(usize, Shape)>, Error> {
         let mut first_of_kind = Vec::new();
         let mut best: Option<f64> = None;
         for (i, geometry) in object.geometry.iter().enumerate() {
@@ -288,28 +304,38 @@ impl City {
             }
         }
         if object.geometry.is_empty() {
-            return Ok(());
+            return Ok(Vec::new());
         }
         let Some(best) = best else {
             self.without_lod += 1;
-            return Ok(());
+            return Ok(Vec::new());
         };
         self.has_lod = true;
-        let chosen: Vec<(usize, Shape)> = first_of_kind
-            .into_iter()
-            .filter(|&(_, _, lod)| lod == best)
-            .map(|(i, shape, _)| (i, shape))
-            .collect();
-        let is_solid = |shape: Shape| matches!(shape, Shape::Surfaces(1..));
-        let has_solid = chosen.iter().any(|&(_, shape)| is_solid(shape));
+        let of_level = first_of_kind.into_iter().filter(|&(_, _, lod)| lod == best);
+        let mut chosen: Vec<(usize, Shape)> = of_level.map(|(i, shape, _)| (i, shape)).collect();
+        if chosen.iter().any(|&(_, shape)| matches!(shape, Shape::Surfaces(1..))) {
+            // Surfaces of a level that has solids are their sides once more.
+            chosen.retain(|&(_, shape)| shape != Shape::Surfaces(0));
+        }
+        Ok(chosen)
+    }
+
+    fn add_object(
+        &mut self,
+        id: &str,
+        object: &CityObject,
+        chosen: &[(usize, Shape)],
+        points: &mut Points<'_>,
+    ) -> Result<(), Error> {
+        let number = self.texts.len() as u32;
+        self.texts.push(&properties(object), &serde_json::Value::from(id).to_string());
+        if chosen.is_empty() {
+            return Ok(());
+        }
         self.object_count += 1;
         let group = self.object_count as i64;
         self.assembly.name_group(GroupKind::Polygons, group, id.to_owned());
-        for (i, shape) in chosen {
-            // Surfaces of a level that has solids are their sides once more.
-            if has_solid && matches!(shape, Shape::Surfaces(0)) {
-                continue;
-            }
+        for &(i, shape) in chosen {
             let geometry = &object.geometry[i];
             let place = || place_of(id, i, geometry);
             if shape == Shape::Instance {
