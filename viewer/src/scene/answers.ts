@@ -1142,7 +1142,7 @@ export interface Remark {
 }
 
 /** What sort of remark a [`Remark`] is. The word in the JSON is the name in kebab case: `isolated-vertex`. */
-export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "reversed-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "data-left-out" | "merged-within-block" | "topology-repaired" | "decision-uncertified" | "model-repaired" | "not-drawn" | "earlier-run-ignored" | "input-refused";
+export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "data-left-out" | "merged-within-block" | "topology-repaired" | "decision-uncertified" | "model-repaired" | "not-drawn" | "earlier-run-ignored" | "input-refused";
 
 /** A still picture. */
 export interface RenderAnswer {
@@ -1353,12 +1353,16 @@ export interface SpatialArrangementAnswer {
   files: SpatialInput[];
   /** The number of holes of faces: walks around faces beyond the first of each. */
   holes: number;
+  /** For each face the inputs that have a polygon there, numbered from 0, rising; if parts of files are inputs. */
+  inputs_of_faces?: number[][] | null;
   /** For each bounded cell the inputs that contain it, numbered from 0, rising; inputs that are open contain nothing. */
   inside: number[][];
   /** The volumes of the bounded cells without their voids, in the cube of the unit of the inputs. */
   measures: number[];
   /** Whether the boundary of every boundary is zero, found by multiplying the matrices. */
   products_zero: boolean;
+  /** The names of the inputs in their order, if parts of files are inputs. */
+  regions?: string[];
   /** What was assumed or left out. */
   remarks: Remark[];
   /** What was rounded. */
@@ -1379,6 +1383,11 @@ export interface SpatialInput {
   file: string;
   /** How cells inside of it were found; in Booleans only. */
   inside_by?: InsideMethod | null;
+  /**
+   * The name of the object, group, feature or component of the file that is this input, if parts of files are
+   * inputs.
+   */
+  name?: string | null;
   /** The number of cells that it winds around more than once. */
   overlapping_cells: number;
   /** The number of its polygons. */

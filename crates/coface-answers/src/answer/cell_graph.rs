@@ -45,7 +45,7 @@ pub struct CellNode {
     pub centroid: [f64; 3],
     /// The least and the largest coordinates.
     pub bounds: [[f64; 3]; 2],
-    /// The inputs that contain the cell, numbered from 0, rising: none for a room between walls.
+    /// The inputs that contain the cell, numbered from 0, rising: none for a room of a building.
     pub inputs: Vec<usize>,
     /// Whether it has a face in common with the exterior.
     pub exterior: bool,

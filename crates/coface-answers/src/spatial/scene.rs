@@ -371,7 +371,7 @@ impl SpatialScene {
         Ok(sides.count())
     }
 
-    /// Adds faces of cells, as often as they are in a sum, or as walls; the sum is zero afterwards.
+    /// Adds faces of cells, as often as they are in a sum, or as shared faces; the sum is zero afterwards.
     fn push_faces<'b, I: IntoIterator<Item = &'b [u32]> + Clone>(
         &mut self,
         multiplicities: &mut [i32],

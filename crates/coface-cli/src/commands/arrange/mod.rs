@@ -39,7 +39,7 @@ use std::path::{Path, PathBuf};
 /// cells it winds less than zero times, or more than once), "degenerate_polygons", "split_polygons", "rounding". OBJ has a group for each
 /// cell; VTK and PLY have the cells on both sides of each polygon and where it is from.
 ///
-/// With --inputs each object, group or component of a file is an input, so that the walls of a building may be one
+/// With --inputs each object, group or component of a file is an input, so that a building may be one
 /// file: "regions" has their
 /// names, "inputs_of_faces" the inputs of each face in space, and OBJ a group for each.
 ///
