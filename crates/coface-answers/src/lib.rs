@@ -32,8 +32,8 @@ pub use cocycles::{
 };
 pub use congruence::{BlockRule, CongruenceRequest, ModelCongruence};
 pub use facts::{
-    Answer, BoundaryPart, DataSummary, GroupSummary, Kind, Moment, Problem, ProblemKind, Report,
-    ReportRequest, Skin, Witness, homology_of_volume,
+    Answer, BoundaryPart, DataSummary, GeometryCheck, GeometryFacts, GeometryUnchecked, GroupSummary, Kind,
+    Moment, Problem, ProblemKind, Report, ReportRequest, Skin, Witness, homology_of_volume,
 };
 pub use groups::{FoundGroups, GivenWalks, GroupsRequest, ShortPaths, SurfaceLoops};
 pub use homology::{

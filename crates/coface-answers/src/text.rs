@@ -1,8 +1,10 @@
 //! The report for people: aligned, at 80 columns, with a gloss for each word a newcomer may not know.
 
-use crate::{Answer, Kind, Problem, ProblemKind, Report};
+use crate::facts::geometry_sentence;
+use crate::{Answer, GeometryFacts, Kind, Problem, ProblemKind, Report};
 use anstyle::{AnsiColor, Style};
 use coface_algebra::escaped;
+use coface_arrange::spatial::checks::{Fault, FaultScope};
 use coface_complexes::simplicial::SimplexSet;
 use coface_io::GroupKind;
 use coface_topology::{AbelianGroup, Coefficients};
@@ -670,28 +672,77 @@ pub fn number(value: f64) -> String {
 }
 
 fn problems(page: &mut Page, report: &Report, limit: usize) {
+    let faults = report.geometry().map_or(&[][..], GeometryFacts::faults);
+    let (of_surface, of_solid): (Vec<&Fault>, Vec<&Fault>) =
+        faults.iter().partition(|fault| fault.scope() == FaultScope::Surface);
     let said: Vec<&str> = report.problems().iter().map(Problem::message).collect();
-    let remarks: Vec<&String> =
-        report.warnings().iter().filter(|warning| !said.contains(&warning.as_str())).collect();
+    let of_geometry: Vec<String> = of_surface.iter().map(|fault| geometry_sentence(fault)).collect();
+    let remarks: Vec<&String> = (report.warnings().iter())
+        .filter(|warning| !said.contains(&warning.as_str()) && !of_geometry.contains(warning))
+        .collect();
     page.blank();
-    if said.is_empty() && remarks.is_empty() {
+    let has_problems = !said.is_empty() || !remarks.is_empty() || !of_surface.is_empty();
+    if has_problems {
+        page.heading("problems");
+        for problem in report.problems() {
+            let emphasis = match problem.kind() {
+                ProblemKind::NonManifoldRidge
+                | ProblemKind::NonManifoldEdge
+                | ProblemKind::NonManifoldVertex => BAD,
+                _ => ODD,
+            };
+            bullet(page, emphasis, problem.message());
+            places(page, problem, limit);
+        }
+        for (fault, sentence) in of_surface.iter().zip(&of_geometry) {
+            bullet(page, BAD, sentence);
+            fault_places(page, fault, limit);
+        }
+        for remark in remarks {
+            bullet(page, ODD, remark);
+        }
+    }
+    if let Some(GeometryFacts::Unchecked(reason)) = report.geometry() {
+        if !has_problems {
+            page.paragraph(2, GOOD, "The cells have no problems.");
+        }
+        let cure = if reason.is_a_choice() { " (--check geometry checks it)" } else { "" };
+        page.paragraph(2, GLOSS, &format!("The geometry is not checked: {reason}{cure}."));
+    } else if !of_solid.is_empty() {
+        if !has_problems {
+            page.paragraph(2, GOOD, "The surface has no faults.");
+        }
+        page.heading("not the boundary of one solid");
+        for fault in &of_solid {
+            bullet(page, ODD, &geometry_sentence(fault));
+            fault_places(page, fault, limit);
+        }
+    } else if !has_problems {
         page.paragraph(2, GOOD, "No problems found.");
-        return;
     }
-    page.heading("problems");
-    for problem in report.problems() {
-        let emphasis = match problem.kind() {
-            ProblemKind::NonManifoldRidge | ProblemKind::NonManifoldEdge | ProblemKind::NonManifoldVertex => {
-                BAD
-            }
-            _ => ODD,
+}
+
+/// The first places of a fault: its faces, else its vertices, with a point.
+fn fault_places(page: &mut Page, fault: &Fault, limit: usize) {
+    let list = |letter: char, numbers: &[u32]| -> String {
+        let shown: Vec<String> = numbers.iter().take(8).map(|number| format!("{letter}{number}")).collect();
+        shown.join(NO_BREAK)
+    };
+    for place in fault.places().iter().take(limit) {
+        let mut line = match (&place.faces[..], &place.vertices[..]) {
+            ([], vertices) => list('v', vertices),
+            (faces, []) => list('f', faces),
+            (faces, vertices) => format!("{{{}}} in {}", list('v', vertices), list('f', faces)),
         };
-        bullet(page, emphasis, problem.message());
-        places(page, problem, limit);
+        if let Some(point) = place.point {
+            line += &format!(" at ({})", point.map(number).join(", "));
+        }
+        if let Some(distance) = place.distance {
+            line += &format!(", {} off the plane", number(distance));
+        }
+        page.paragraph(6, PLAIN, &line);
     }
-    for remark in remarks {
-        bullet(page, ODD, remark);
-    }
+    more_of(page, 6, fault.count(), limit, "place");
 }
 
 fn bullet(page: &mut Page, emphasis: Emphasis, words: &str) {

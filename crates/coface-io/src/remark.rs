@@ -226,6 +226,8 @@ pub enum RemarkCode {
     IsolatedVertex,
     /// A cell of lower dimension is no face of a cell of the highest dimension.
     LooseCell,
+    /// Faces in space cross, overlap, or are not as ISO 19107 asks; the message has its code.
+    GeometryFault,
     /// Cells of a chain complex are no balls: a face has several rims, or a cell voids or tunnels. The homology is that of the
     /// boundary matrices, not that of the space.
     CellsNotBalls,

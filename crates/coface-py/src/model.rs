@@ -13,7 +13,7 @@ use crate::chain_complex::ChainComplex;
 use crate::complex::Complex;
 use crate::errors::{OrRaise, invalid};
 use crate::memory::{shared, shared_ids};
-use crate::report::Report;
+use crate::report::{Report, report_request};
 use crate::source::{Names, Naming, Source};
 use crate::volumes::voxels_of;
 use crate::work::run;
@@ -22,8 +22,7 @@ use coface::algebra::RaggedArray;
 use coface::answers::{Pair, repaired, simplicial_complex, triangulated};
 use coface::complexes::cell_mesh::CellShape;
 use coface::complexes::gluing::GluingTable;
-use coface::io;
-use coface::io::{CellData, Format, Group, Structure};
+use coface::io::{self, CellData, Format, Group, Structure};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyString, PyTuple};
@@ -76,18 +75,12 @@ impl Model {
         if lists.is_empty() {
             return Ok(flat.reshape([0, empty])?.into_any());
         }
-        if let Some(width) = lists.uniform_width().or_else(|| common_length(lists)) {
+        if let Some(width) = lists.uniform_width().or_else(|| cells::common_length(lists)) {
             return Ok(flat.reshape([lists.len(), width])?.into_any());
         }
         let offsets = (0..=lists.len()).map(|i| lists.start(i) as i64).collect();
         Ok((flat, PyArray1::from_vec(py, offsets)).into_pyobject(py)?.into_any())
     }
-}
-
-/// The length of all lists, if they have one.
-fn common_length(lists: &RaggedArray) -> Option<usize> {
-    let length = lists.iter().next()?.len();
-    lists.iter().all(|list| list.len() == length).then_some(length)
 }
 
 #[pymethods]
@@ -675,6 +668,10 @@ impl Model {
     /// ----------
     /// moments : sequence of (int, int, int), optional
     ///     Exponents of further moments, each x^a y^b z^c over the volume and the surface.
+    /// check : {"usual", "geometry", "topology"}
+    ///     Whether faces in space are checked, as :attr:`Report.geometry`: on surfaces of up to 200,000 faces, always, never.
+    /// flatness : float, optional
+    ///     How far points of a flat face may be from its plane; by default a hundredth of the face.
     /// progress : bool or callable, optional
     ///     ``True`` shows a bar; a function is called with (stage, done, total).
     ///
@@ -688,15 +685,18 @@ impl Model {
     /// >>> import coface
     /// >>> coface.Model.from_facets([[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]).report().name
     /// 'sphere'
-    #[pyo3(signature = (moments=Vec::new(), *, progress=None))]
+    #[pyo3(signature = (moments=Vec::new(), *, check="usual", flatness=None, progress=None))]
     fn report(
         &self,
         py: Python<'_>,
         moments: Vec<[u32; 3]>,
+        check: &str,
+        flatness: Option<f64>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Report> {
+        let request = report_request(py, moments, check, flatness)?;
         let model = self.model();
-        let report = run(py, progress, || coface::answers::Report::with_moments(model.clone(), &moments))?;
+        let report = run(py, progress, || coface::answers::Report::answering(model.clone(), &request))?;
         Ok(Report::of(report, Arc::clone(&self.source)))
     }
 

@@ -5,7 +5,7 @@ use crate::errors::invalid;
 use crate::json::from_python;
 use crate::model::source_of;
 use crate::work::run;
-use coface::answers::Report;
+use coface::answers::{GeometryCheck, Report, ReportRequest};
 use coface::pictures::{Camera, Picture, PictureStyle, Scene, matrix_picture};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -75,7 +75,8 @@ pub(crate) fn render<'py>(
             scene.add_result("the answer", result)?;
         }
         if witness {
-            scene = scene.with_report(&Report::of(source.model.clone())?.answer(100));
+            let request = ReportRequest::new().geometry(GeometryCheck::Never);
+            scene = scene.with_report(&Report::answering(source.model.clone(), &request)?.answer(100));
         }
         let mut style = PictureStyle::default();
         style.size = [size.0, size.1];

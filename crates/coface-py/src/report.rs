@@ -1,6 +1,7 @@
 //! Reports: everything that `coface info` says.
 
 use crate::arrays;
+use crate::errors::invalid;
 use crate::objects::to_python;
 use crate::source::Source;
 use coface::answers as report;
@@ -11,6 +12,31 @@ use std::sync::Arc;
 
 /// How many places of a problem are listed.
 const PLACES: usize = 100;
+
+/// What a report is asked for.
+pub(crate) fn report_request(
+    py: Python<'_>,
+    moments: Vec<[u32; 3]>,
+    check: &str,
+    flatness: Option<f64>,
+) -> PyResult<report::ReportRequest> {
+    let check = match check {
+        "usual" => report::GeometryCheck::Usual,
+        "geometry" => report::GeometryCheck::Always,
+        "topology" => report::GeometryCheck::Never,
+        other => {
+            return Err(invalid(
+                py,
+                format!("check={other:?} is not known"),
+                "say usual, geometry or topology",
+            ));
+        }
+    };
+    if flatness.is_some_and(|flatness| !flatness.is_finite() || flatness < 0.0) {
+        return Err(invalid(py, "flatness is negative or not finite", "give a length from 0"));
+    }
+    Ok(report::ReportRequest::new().moments(moments).geometry(check).flatness(flatness))
+}
 
 /// Everything that ``coface info`` says about a model.
 ///
@@ -183,6 +209,13 @@ impl Report {
     #[getter]
     fn moments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         to_python(py, &self.report.answer(PLACES).moments)
+    }
+
+    /// Whether faces in space are sound: a dictionary with ``checked``, ``reason``, ``sound_surface``, ``valid_solid``, and
+    /// ``faults``, each with ``code`` (of ISO 19107), ``name``, ``of``, ``count``, ``message`` and ``places``.
+    #[getter]
+    fn geometry<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.report.answer(PLACES).geometry)
     }
 
     /// What is wrong and where: dictionaries with ``kind``, ``count``, ``message``, ``cells`` and ``top_cells`` (lists of vertices).

@@ -440,6 +440,54 @@ export interface GeneratorAnswer {
   order: WholeNumber;
 }
 
+/** Whether the faces of a model are sound in space. */
+export interface GeometryAnswer {
+  /** Whether the faces were checked. */
+  checked: boolean;
+  /** How many faces have no area, or rings that cross: where they meet others was not looked at. */
+  faces_left_out: number;
+  /** What is wrong, by rising code. */
+  faults: GeometryFaultAnswer[];
+  /** Why they were not. */
+  reason?: string | null;
+  /** How many shells touch too many others: how they lie to each other was not looked at. */
+  shells_left_out: number;
+  /** Whether no faces cross, overlap or contradict each other; `null` if that was not checked. */
+  sound_surface?: boolean | null;
+  /** Whether the faces bound one valid solid; `null` if that was not checked. */
+  valid_solid?: boolean | null;
+}
+
+/** One code of faults of faces in space. */
+export interface GeometryFaultAnswer {
+  /** The code of ISO 19107, from 101 to 405. */
+  code: number;
+  /** Whether all places are counted. */
+  complete: boolean;
+  /** In how many places it is. */
+  count: number;
+  /** One sentence that says how many places have it and what it means. */
+  message: string;
+  /** The word for it, such as `faces_cross`; several words can have one code. */
+  name: string;
+  /** `surface` for what is wrong with the surface, `solid` for what only keeps it from bounding one solid. */
+  of: string;
+  /** The first places. */
+  places: GeometryPlace[];
+}
+
+/** Where a fault of faces in space is. */
+export interface GeometryPlace {
+  /** How far a point is from the plane of its face, for faces that are not flat. */
+  distance?: number | null;
+  /** The faces of the file, from 0. */
+  faces: number[];
+  /** A point of the place, rounded. */
+  point?: [number, number, number] | null;
+  /** The vertices that show it. */
+  vertices: number[];
+}
+
 /** A Cartesian grid. */
 export interface GridAnswer {
   /** The numbers of columns and of rows. */
@@ -664,6 +712,8 @@ export interface InfoAnswer {
   format?: string | null;
   /** The genus of a connected surface; of a non-orientable one the number of cross-caps. */
   genus?: number | null;
+  /** Whether the faces are sound in space; `null` for what has no faces with coordinates. */
+  geometry?: GeometryAnswer | null;
   /** The named sets of vertices, lines, polygons and cells. */
   groups?: NamedGroup[];
   /** The integral homology of degrees 0, 1, ... up to the dimension. */
@@ -1142,7 +1192,7 @@ export interface Remark {
 }
 
 /** What sort of remark a [`Remark`] is. The word in the JSON is the name in kebab case: `isolated-vertex`. */
-export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "data-left-out" | "merged-within-block" | "topology-repaired" | "decision-uncertified" | "model-repaired" | "not-drawn" | "earlier-run-ignored" | "input-refused";
+export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "data-left-out" | "merged-within-block" | "topology-repaired" | "decision-uncertified" | "model-repaired" | "not-drawn" | "earlier-run-ignored" | "input-refused";
 
 /** A still picture. */
 export interface RenderAnswer {
@@ -1185,6 +1235,8 @@ export interface RowAnswer {
   format: string;
   /** The genus of a connected surface; of a non-orientable one the number of cross-caps. */
   genus?: number | null;
+  /** Whether the faces are sound in space; `null` for what has no faces with coordinates. */
+  geometry?: GeometryAnswer | null;
   /** The named sets of vertices, lines, polygons and cells. */
   groups: NamedGroup[];
   /** The integral homology of degrees 0, 1, ... up to the dimension. */

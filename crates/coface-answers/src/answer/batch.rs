@@ -1,8 +1,8 @@
 //! What `batch` answers: how many rows were written, and what each of them says.
 
 use super::{
-    BoundarySurface, CellsOfShape, DataAnswer, HomologyGroup, InfoAnswer, ManifoldAnswer, MassAnswer,
-    MomentAnswer, NamedGroup, ProblemAnswer, Remark, SurfaceAnswer,
+    BoundarySurface, CellsOfShape, DataAnswer, GeometryAnswer, HomologyGroup, InfoAnswer, ManifoldAnswer,
+    MassAnswer, MomentAnswer, NamedGroup, ProblemAnswer, Remark, SurfaceAnswer,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -106,6 +106,9 @@ pub struct RowAnswer {
     pub groups: Vec<NamedGroup>,
     /// What is wrong, and where.
     pub problems: Vec<ProblemAnswer>,
+    /// Whether the faces are sound in space; `null` for what has no faces with coordinates.
+    #[serde(default)]
+    pub geometry: Option<GeometryAnswer>,
     /// What was odd, one sentence each: the reader's remarks, then the first sentence of each problem.
     pub warnings: Vec<String>,
 }
@@ -151,6 +154,7 @@ impl RowAnswer {
             data,
             groups,
             problems,
+            geometry,
             warnings,
             remarks: _,
         } = answer;
@@ -181,6 +185,7 @@ impl RowAnswer {
             data,
             groups,
             problems,
+            geometry,
             warnings,
         }
     }

@@ -1,7 +1,8 @@
 //! The answer of `info`: the report on a model.
 
 use super::{HomologyGroup, Remark};
-use crate::{Problem, Report};
+use crate::{GeometryFacts, Problem, Report};
+use coface_arrange::spatial::checks::{Fault, FaultPlace, GeometryFaults};
 use coface_complexes::surface::{SurfaceComponent, SurfaceType};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -65,6 +66,9 @@ pub struct InfoAnswer {
     pub groups: Vec<NamedGroup>,
     /// What is wrong, and where.
     pub problems: Vec<ProblemAnswer>,
+    /// Whether the faces are sound in space; `null` for what has no faces with coordinates.
+    #[serde(default)]
+    pub geometry: Option<GeometryAnswer>,
     /// What was odd, one sentence each: the reader's remarks, then the first sentence of each problem.
     pub warnings: Vec<String>,
     /// The warnings with their codes, counts and first places.
@@ -208,6 +212,97 @@ pub struct ProblemAnswer {
     pub top_cells: Vec<Vec<u32>>,
 }
 
+/// Whether the faces of a model are sound in space.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct GeometryAnswer {
+    /// Whether the faces were checked.
+    pub checked: bool,
+    /// Why they were not.
+    pub reason: Option<String>,
+    /// Whether no faces cross, overlap or contradict each other; `null` if that was not checked.
+    pub sound_surface: Option<bool>,
+    /// Whether the faces bound one valid solid; `null` if that was not checked.
+    pub valid_solid: Option<bool>,
+    /// How many faces have no area, or rings that cross: where they meet others was not looked at.
+    pub faces_left_out: usize,
+    /// How many shells touch too many others: how they lie to each other was not looked at.
+    pub shells_left_out: usize,
+    /// What is wrong, by rising code.
+    pub faults: Vec<GeometryFaultAnswer>,
+}
+
+/// One code of faults of faces in space.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct GeometryFaultAnswer {
+    /// The code of ISO 19107, from 101 to 405.
+    pub code: u16,
+    /// The word for it, such as `faces_cross`; several words can have one code.
+    pub name: String,
+    /// `surface` for what is wrong with the surface, `solid` for what only keeps it from bounding one solid.
+    pub of: String,
+    /// In how many places it is.
+    pub count: usize,
+    /// Whether all places are counted.
+    pub complete: bool,
+    /// One sentence that says how many places have it and what it means.
+    pub message: String,
+    /// The first places.
+    pub places: Vec<GeometryPlace>,
+}
+
+/// Where a fault of faces in space is.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct GeometryPlace {
+    /// The faces of the file, from 0.
+    pub faces: Vec<u32>,
+    /// The vertices that show it.
+    pub vertices: Vec<u32>,
+    /// A point of the place, rounded.
+    pub point: Option<[f64; 3]>,
+    /// How far a point is from the plane of its face, for faces that are not flat.
+    pub distance: Option<f64>,
+}
+
+impl GeometryAnswer {
+    fn of(facts: &GeometryFacts, limit: usize) -> Self {
+        let found = match facts {
+            GeometryFacts::Checked(found) => Some(found),
+            GeometryFacts::Unchecked(_) => None,
+        };
+        let reason = match facts {
+            GeometryFacts::Checked(_) => None,
+            GeometryFacts::Unchecked(reason) => Some(reason.to_string()),
+        };
+        let place = |place: &FaultPlace| GeometryPlace {
+            faces: place.faces.clone(),
+            vertices: place.vertices.clone(),
+            point: place.point.filter(|point| point.iter().all(|x| x.is_finite())),
+            distance: place.distance.filter(|distance| distance.is_finite()),
+        };
+        let fault = |fault: &Fault| GeometryFaultAnswer {
+            code: fault.code().number(),
+            name: fault.code().name().to_owned(),
+            of: fault.scope().word().to_owned(),
+            count: fault.count(),
+            complete: fault.is_complete(),
+            message: fault.sentence(),
+            places: fault.places().iter().take(limit).map(place).collect(),
+        };
+        Self {
+            checked: found.is_some(),
+            reason,
+            sound_surface: found.map(GeometryFaults::is_sound_surface),
+            valid_solid: found.map(GeometryFaults::is_valid_solid),
+            faces_left_out: found.map_or(0, GeometryFaults::faces_left_out),
+            shells_left_out: found.map_or(0, GeometryFaults::shells_left_out),
+            faults: facts.faults().iter().map(fault).collect(),
+        }
+    }
+}
+
 /// The reports on several inputs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct InfoReports {
@@ -335,6 +430,7 @@ impl Report {
                 })
                 .collect(),
             problems: self.problems.iter().map(|problem| ProblemAnswer::of(problem, limit)).collect(),
+            geometry: self.geometry.as_ref().map(|facts| GeometryAnswer::of(facts, limit)),
             warnings: self.warnings.clone(),
             remarks: self.remarks.clone(),
         }

@@ -1,5 +1,6 @@
 //! From a model to its report.
 
+use super::geometry::{GeometryCheck, GeometryFacts, GeometryRequest, GeometryUnchecked};
 use super::moments::{Moment, check_exponents};
 use super::report::{DataSummary, GroupSummary, Kind, Report};
 use super::{cells, chains, gluings, halfedges, polygons, simplicial, volume};
@@ -17,20 +18,25 @@ use coface_io::{Model, Structure};
 /// let request = ReportRequest::new().moments(vec![[2, 0, 0]]).full_verdict(true);
 /// assert_ne!(request, ReportRequest::new());
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ReportRequest {
     moments: Vec<[u32; 3]>,
     link_budget: u64,
+    geometry: GeometryRequest,
 }
+
+/// How many places of a fault of the geometry are kept.
+const PLACES: usize = 1000;
 
 impl Default for ReportRequest {
     fn default() -> Self {
-        Self { moments: Vec::new(), link_budget: LINK_BUDGET }
+        let geometry = GeometryRequest { places: PLACES, ..GeometryRequest::default() };
+        Self { moments: Vec::new(), link_budget: LINK_BUDGET, geometry }
     }
 }
 
 impl ReportRequest {
-    /// No moments, and a verdict within [`LINK_BUDGET`].
+    /// No moments, a verdict within [`LINK_BUDGET`], and a check of the geometry of surfaces that are not large.
     ///
     /// # Examples
     /// ```
@@ -65,6 +71,52 @@ impl ReportRequest {
     pub fn full_verdict(mut self, is_full: bool) -> Self {
         self.link_budget = if is_full { u64::MAX } else { LINK_BUDGET };
         self
+    }
+
+    /// Which surfaces have their geometry checked.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::{GeometryCheck, ReportRequest};
+    /// assert_ne!(ReportRequest::new().geometry(GeometryCheck::Always), ReportRequest::new());
+    /// ```
+    #[must_use]
+    pub fn geometry(mut self, check: GeometryCheck) -> Self {
+        self.geometry.check = check;
+        self
+    }
+
+    /// A face is flat when its points are within this distance from a plane, in the unit of the file; `None` for a
+    /// hundredth of its diameter.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::ReportRequest;
+    /// assert_ne!(ReportRequest::new().flatness(Some(0.01)), ReportRequest::new());
+    /// ```
+    #[must_use]
+    pub fn flatness(mut self, tolerance: Option<f64>) -> Self {
+        self.geometry.flatness = tolerance;
+        self
+    }
+
+    /// Lists up to this many places of each fault of the geometry; all are counted.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::ReportRequest;
+    /// assert_ne!(ReportRequest::new().geometry_places(usize::MAX), ReportRequest::new());
+    /// ```
+    #[must_use]
+    pub fn geometry_places(mut self, most: usize) -> Self {
+        self.geometry.places = most;
+        self
+    }
+}
+
+impl ReportRequest {
+    fn parts(&self) -> (&[[u32; 3]], &GeometryRequest) {
+        (&self.moments, &self.geometry)
     }
 }
 
@@ -172,6 +224,10 @@ impl Report {
                 .at(problem.count(), problem.cells().iter().map(Place::cell))
         }));
         remarks.append(&mut report.remarks);
+        if let Some(geometry) = report.geometry.take() {
+            remarks.extend(geometry.remarks());
+            report.geometry = Some(geometry.with_corrections(&remarks));
+        }
         report.warnings = remarks.iter().map(|remark| remark.message.clone()).collect();
         report.remarks = remarks;
         (report.data, report.groups) = (data, groups);
@@ -182,16 +238,27 @@ impl Report {
 /// The report on cells whose faces are identified.
 fn report_of(producer: Producer, kind: Kind, request: &ReportRequest) -> Result<Report, Error> {
     let exponents = &request.moments[..];
-    let Producer { cells, labels, positions, .. } = producer;
-    Ok(match cells {
-        Cells::Polygons(mesh) => polygons::report(mesh, positions, &labels, kind, exponents),
-        Cells::Solids(mesh) => cells::report(*mesh, &positions, exponents),
+    let Producer { cells, labels, positions, partial_positions, .. } = producer;
+    let has_partial_positions = partial_positions.is_some();
+    let mut report = match cells {
+        Cells::Polygons(mesh) => polygons::report(mesh, positions, &labels, kind, request.parts())?,
+        Cells::Solids(mesh) => {
+            let mut report = cells::report(*mesh, &positions, exponents);
+            if !positions.is_empty() {
+                report.geometry = Some(GeometryFacts::Unchecked(GeometryUnchecked::Volume));
+            }
+            report
+        }
         Cells::Simplices(complex) => simplicial::report(&complex, request.link_budget)?,
         Cells::Halfedges(mesh) => halfedges::report(&mesh),
         Cells::Gluings(gluings) => gluings::report(&gluings.0, &gluings.1)?,
         Cells::Chains(complex) => chains::report(&complex),
         Cells::Voxels(cells) => volume::report(cells.volume())?,
-    })
+    };
+    if has_partial_positions && report.geometry.is_none() {
+        report.geometry = Some(GeometryFacts::Unchecked(GeometryUnchecked::NotFinite));
+    }
+    Ok(report)
 }
 
 /// What sort of thing a model is.

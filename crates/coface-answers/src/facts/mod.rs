@@ -1,5 +1,6 @@
 //! The report on a model: what `coface info` says, as data.
 //!
+//! * [`GeometryFacts`] are the faults of faces in space; [`GeometryCheck`] says which surfaces are looked at.
 //! * A [`Report`] is what [`Report::of`] finds out about a model. A [`Problem`] is one sort of fault in it, with all its
 //!   places; a [`Witness`] shows why a model is no manifold; a [`Moment`] is an integral over it.
 //! * The **top cells** are those of the highest degree: the faces of a surface, the cells of a volume. A **ridge** is a
@@ -10,6 +11,7 @@
 mod cells;
 mod chains;
 mod examination;
+mod geometry;
 mod gluings;
 mod halfedges;
 mod moments;
@@ -20,6 +22,8 @@ mod simplicial;
 mod volume;
 
 pub use examination::ReportRequest;
+pub(crate) use geometry::sentence as geometry_sentence;
+pub use geometry::{GeometryCheck, GeometryFacts, GeometryUnchecked};
 pub use moments::Moment;
 pub(crate) use polygons::witness;
 pub use problem::{Problem, ProblemKind};

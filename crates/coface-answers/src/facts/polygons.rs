@@ -1,29 +1,34 @@
 //! The report on polygons, edges and vertices.
 
+use super::geometry::{GeometryFacts, GeometryRequest};
 use super::moments::Integrals;
 use super::report::{Answer, BoundaryPart, Kind, Report, Witness};
 use super::{Problem, ProblemKind};
 use crate::producer::Labels;
 use coface_algebra::RaggedArray;
-use coface_algebra::{EdgeId, FaceId, VertexId};
+use coface_algebra::{EdgeId, Error, FaceId, VertexId};
 use coface_complexes::surface::{PolygonMesh, SurfaceDefect, SurfaceOrientation, SurfaceSurvey};
 use coface_geometry::{Positions, enclosed_volume, polygon_area};
 use coface_topology::homology;
 
 /// The report on a mesh, whose vertices have these labels in the file.
+///
+/// # Errors
+/// Those of a check of the geometry.
 pub(crate) fn report(
     mesh: PolygonMesh,
     positions: Positions,
     labels: &Labels,
     kind: Kind,
-    exponents: &[[u32; 3]],
-) -> Report {
+    (exponents, geometry): (&[[u32; 3]], &GeometryRequest),
+) -> Result<Report, Error> {
     let degrees = VertexDegrees::of(&mesh);
     let mut report = match (mesh.face_count(), mesh.edge_count()) {
         (0, 0) => of_points(&mesh),
         (0, _) => of_graph(&mesh, &degrees, labels),
         _ => of_faces(&mesh, &positions, labels, exponents),
     };
+    report.geometry = GeometryFacts::of(&mesh, &positions, labels, geometry)?;
     drop(positions);
     report.kind = kind;
     duplicates(&mesh, labels, &mut report.problems);
@@ -42,7 +47,7 @@ pub(crate) fn report(
     let complex = mesh.into_chain_complex().expect("a mesh has a chain complex");
     report.euler_characteristic = complex.euler_characteristic();
     report.homology = homology(&complex).groups().to_vec();
-    report
+    Ok(report)
 }
 
 /// A facet list with facets of lower dimension is no manifold; says so, and whether the other facets alone are one.

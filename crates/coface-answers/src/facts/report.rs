@@ -1,6 +1,6 @@
 //! The report as data.
 
-use super::{Moment, Problem};
+use super::{GeometryFacts, Moment, Problem};
 use crate::answer::Remark;
 use coface_complexes::surface::{SurfaceComponent, SurfaceType};
 use coface_geometry::MassProperties;
@@ -473,6 +473,7 @@ pub struct Report {
     /// The permutations of the halfedges of a small surface in cycles: name, cycles, what the cycles are.
     pub(crate) permutations: Vec<[String; 3]>,
     pub(crate) problems: Vec<Problem>,
+    pub(crate) geometry: Option<GeometryFacts>,
     pub(crate) warnings: Vec<String>,
     pub(crate) remarks: Vec<Remark>,
 }
@@ -507,6 +508,7 @@ impl Report {
             groups: Vec::new(),
             permutations: Vec::new(),
             problems: Vec::new(),
+            geometry: None,
             warnings: Vec::new(),
             remarks: Vec::new(),
         }
@@ -883,6 +885,19 @@ impl Report {
     /// ```
     pub fn problems(&self) -> &[Problem] {
         &self.problems
+    }
+
+    /// What is wrong with faces in space; `None` for what has no faces with coordinates.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let facets = coface_io::read(&b"[[0,1,2]]"[..], coface_io::Format::Json)?;
+    /// assert_eq!(coface_answers::Report::of(facets)?.geometry(), None);
+    /// # Ok(()) }
+    /// ```
+    pub fn geometry(&self) -> Option<&GeometryFacts> {
+        self.geometry.as_ref()
     }
 
     /// What was odd, one sentence each: the reader's remarks, then the first sentence of each problem.

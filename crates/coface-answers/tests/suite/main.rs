@@ -2,6 +2,7 @@
 
 mod covering;
 mod fundamental_groups;
+mod geometry;
 mod gluings;
 mod harmonic;
 mod lar;

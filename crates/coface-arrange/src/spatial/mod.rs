@@ -12,6 +12,7 @@
 //! * [`CutTriangles`] makes a conforming complex of any triangles, by cutting them against each other.
 //! * A [`SpatialArrangement`] is all of it for [`SpatialPolygons`]: they are triangulated, cut and their pieces
 //!   **merged** again, so that faces and edges are those of the polygons; the cells before that are **fine**.
+//! * [`checks`] says what is wrong with faces, shells and solids, by the codes of ISO 19107.
 //! * All decisions are [`SpatialPredicates`]: exact signs about vertices by their numbers. [`GivenPoints`] are vertices
 //!   with coordinates.
 
@@ -20,6 +21,7 @@ mod axis_view;
 mod ball_cells;
 mod by_congruence;
 mod cells;
+pub mod checks;
 mod cutting;
 mod drawing;
 mod face_planes;

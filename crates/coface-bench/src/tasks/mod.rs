@@ -91,6 +91,7 @@ pub(crate) const ALL: &[Task] = &[
     yin::FIT,
     solids::INTERSECTION,
     solids::UNION,
+    solids::CHECKS,
     parts::TORUS,
     parts::SIMPLICIAL_TORUS,
     parts::VOLUME,

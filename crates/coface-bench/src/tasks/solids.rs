@@ -6,6 +6,7 @@ use coface::Error;
 use coface::algebra::RaggedArray;
 use coface::answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
 use coface::arrange::boolean::BooleanFormula;
+use coface::arrange::spatial::checks::{CheckedFaces, GeometryChecks};
 use coface::geometry::Positions;
 use coface::io::Model;
 use std::path::Path;
@@ -26,6 +27,14 @@ pub(super) const UNION: Task = Task {
     work: Work::Inside(|path, clock| combined(path, clock, BooleanFormula::union(2))),
 };
 
+pub(super) const CHECKS: Task = Task {
+    name: "info-checks",
+    about: "whether two closed meshes that overlap are sound in space: crossings, overlaps, shells, from vertices and triangles",
+    extension: "raw3",
+    inputs: INPUTS,
+    work: Work::Inside(checked),
+};
+
 const INPUTS: &[&str] = &["spheres5", "spheres6", "spheres7", "spheres8"];
 
 fn combined(path: &Path, clock: &mut Clock, formula: BooleanFormula) -> Result<String, Error> {
@@ -43,6 +52,16 @@ fn combined(path: &Path, clock: &mut Clock, formula: BooleanFormula) -> Result<S
         Ok::<_, Error>((found.volume().unwrap_or(f64::INFINITY), found.surface().polygons().len()))
     })?;
     Ok(format!("volume {volume:.12} F {count}"))
+}
+
+fn checked(path: &Path, clock: &mut Clock) -> Result<String, Error> {
+    let mesh = Mesh::read_raw3(path)?;
+    let positions = Positions::from_flat(3, mesh.coordinates.clone())?;
+    let faces = CheckedFaces::from_polygons(mesh.lists.clone());
+    let found = clock.time(mesh.lists.len(), || GeometryChecks::new().check(&positions, &faces))?;
+    let counts: Vec<String> =
+        found.faults().iter().map(|fault| format!("{} x {}", fault.code().number(), fault.count())).collect();
+    Ok(counts.join(", "))
 }
 
 /// The first or second half of the vertices and triangles.

@@ -11,7 +11,7 @@ use base64::engine::general_purpose::STANDARD;
 use clap::{Args, ValueEnum};
 use coface::answers::answer::{FailedInput, InfoAnswer, InfoEntry, InfoReports, to_pretty_json};
 use coface::answers::text;
-use coface::answers::{Producer, Report, ReportRequest};
+use coface::answers::{GeometryCheck, Producer, Report, ReportRequest};
 use coface::io::{Format, Model};
 use coface::pictures::pages::html::{self, Figure, Section};
 use coface::pictures::{Picture, PictureStyle, Scene, matrix_picture};
@@ -22,7 +22,8 @@ use std::path::{Path, PathBuf};
 ///
 /// The report: counts, dimension, components, Euler characteristic, whether it is a manifold, boundary loops,
 /// orientation, genus and name of a surface, integral homology, area, volume and mass properties, and every problem with
-/// its place. Center of mass and inertia are those of a solid of density 1, the inertia about the center.
+/// its place: of a surface in space also faces that cross, overlap, are not flat, and what keeps it from bounding a
+/// solid, with the codes of ISO 19107. Center of mass and inertia are those of a solid of density 1, the inertia about the center.
 ///
 /// With --json one input gives one report object; several give {"reports":[..]}, where an input that cannot be served
 /// has the keys "file" and "error" alone and the exit status is 1. With -o the report goes to the file, as JSON if its
@@ -44,6 +45,29 @@ pub(crate) struct Info {
     /// How hard to try for the manifold verdict above dimension 3: `full` looks at all links, however long it takes
     #[arg(long, value_name = "EFFORT", default_value = "usual")]
     verdict: VerdictEffort,
+    /// What is checked beside the cells: whether the faces of a surface cross, overlap, are flat and bound a solid
+    #[arg(long, value_name = "WHAT", default_value = "usual")]
+    check: Check,
+    /// How far points of a flat face may be from its plane, in the unit of the file [default: a hundredth of the face]
+    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    flatness: Option<f64>,
+}
+
+/// What is checked beside the cells.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Check {
+    /// The geometry of surfaces of up to 200,000 faces
+    Usual,
+    /// The geometry of all surfaces
+    Geometry,
+    /// No geometry
+    Topology,
+}
+
+/// A length from 0.
+fn length(text: &str) -> Result<f64, String> {
+    let length = text.parse::<f64>().ok().filter(|length| length.is_finite() && *length >= 0.0);
+    length.ok_or_else(|| "give a number from 0, like 0.01".to_owned())
 }
 
 /// How many links are looked at.
@@ -150,7 +174,14 @@ impl Info {
         let model = if is_drawn { Some(loaded.model.clone()) } else { None };
         let request = ReportRequest::new()
             .moments(self.moment.clone())
-            .full_verdict(self.verdict == VerdictEffort::Full);
+            .full_verdict(self.verdict == VerdictEffort::Full)
+            .geometry(match self.check {
+                Check::Usual => GeometryCheck::Usual,
+                Check::Geometry => GeometryCheck::Always,
+                Check::Topology => GeometryCheck::Never,
+            })
+            .flatness(self.flatness)
+            .geometry_places(self.limit(PLACES_IN_JSON));
         let report = Report::answering(loaded.model, &request).map_err(in_file)?;
         accept(report.remarks(), common)?;
         let mut figures = Vec::new();

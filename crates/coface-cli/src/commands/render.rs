@@ -10,7 +10,9 @@ use crate::progress::Progress;
 use crate::remarks::say_remarks;
 use clap::Args;
 use coface::answers::answer::{Remark, RemarkCode, RenderAnswer};
-use coface::answers::{Growth, PersistenceRequest, PlanarSet, Report, SetRequest};
+use coface::answers::{
+    GeometryCheck, Growth, PersistenceRequest, PlanarSet, Report, ReportRequest, SetRequest,
+};
 use coface::io::Format;
 use coface::pictures::{
     Camera, DiagramPoint, FlatPicture, Pane, Picture, PictureStyle, Scene, SetPicture, diagram_picture,
@@ -260,7 +262,9 @@ impl Render {
         }
         if self.witness {
             progress.stage(format!("examining {}", loaded.name));
-            scene = scene.with_report(&Report::of(loaded.model).map_err(in_file)?.answer(100));
+            let request = ReportRequest::new().geometry(GeometryCheck::Never);
+            let report = Report::answering(loaded.model, &request).map_err(in_file)?;
+            scene = scene.with_report(&report.answer(100));
             progress.stage("drawing");
         }
         let picture = Picture::new(&scene, &self.style(&scene))?;

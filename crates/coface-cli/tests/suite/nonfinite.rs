@@ -68,8 +68,10 @@ fn topology_is_that_of_the_whole_and_measures_are_null() {
     let moment = json!([{"exponents": [1, 0, 0], "surface": null, "volume": null}]);
     assert_eq!(broken["moments"], moment);
     assert_ne!(whole["moments"], moment);
-    for key in ["area", "signed_volume", "mass", "surface_centroid", "moments", "file", "remarks", "warnings"]
-    {
+    assert_eq!(broken["geometry"]["reason"], "some coordinates are not finite");
+    assert_eq!(whole["geometry"]["checked"], true);
+    let of_places = ["area", "signed_volume", "mass", "surface_centroid", "moments", "geometry"];
+    for key in of_places.into_iter().chain(["file", "remarks", "warnings"]) {
         broken.as_object_mut().unwrap().remove(key);
         whole.as_object_mut().unwrap().remove(key);
     }

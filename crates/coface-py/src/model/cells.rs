@@ -146,3 +146,9 @@ pub(super) fn permutations_of(model: &io::Model) -> [&[u32]; 2] {
         _ => [&[], &[]],
     }
 }
+
+/// The length of all lists, if they have one.
+pub(super) fn common_length(lists: &RaggedArray) -> Option<usize> {
+    let length = lists.iter().next()?.len();
+    lists.iter().all(|list| list.len() == length).then_some(length)
+}

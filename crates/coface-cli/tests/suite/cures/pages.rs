@@ -39,7 +39,15 @@ const COMMUTING: &str = "coface generate presentation --generators 6 \
      --relator 2,3,-2,-3 --relator 2,4,-2,-4 --relator 2,5,-2,-5 --relator 2,6,-2,-6 --relator 3,4,-3,-4 \
      --relator 3,5,-3,-5 --relator 3,6,-3,-6 --relator 4,5,-4,-5 --relator 4,6,-4,-6 --relator 5,6,-5,-6 -o a.json";
 
+const TETRAHEDRON: Files =
+    &[("t.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")];
+
 pub(super) const CASES: &[Case] = &[
+    Case::new("answers/src/text.rs", "(--check geometry checks it)")
+        .files(TETRAHEDRON)
+        .answered("coface info t.off --check topology")
+        .cured(&[&["coface info t.off --check geometry"]])
+        .shows("No problems found."),
     Case::new("answers/src/text.rs", "and {} more {noun} (--all lists them)")
         .files(TRIANGLES)
         .answered("coface info a.json")
