@@ -121,6 +121,14 @@ impl VoxelArguments {
     }
 }
 
+/// A tolerance.
+pub(crate) fn length(text: &str) -> Result<f64, String> {
+    text.parse()
+        .ok()
+        .filter(|length: &f64| length.is_finite() && *length >= 0.0)
+        .ok_or_else(|| "a tolerance is a finite length that is not negative".to_owned())
+}
+
 fn number(text: &str) -> Result<f64, String> {
     let number: Option<f64> = text.parse().ok().filter(|number: &f64| number.is_finite());
     number.ok_or_else(|| "give a finite number".to_owned())

@@ -268,6 +268,10 @@ pub enum RemarkCode {
     EmptyBoundary,
     /// Coordinates were rounded, and the rounded result is not valid.
     RoundedInvalid,
+    /// Features that were nearly one were put together: within the tolerance asked for, or to make rounded coordinates valid.
+    FeaturesJoined,
+    /// Cells are so thin that they are not meant, as a rule.
+    ThinCells,
     /// Groups and data on cells were left out.
     DataLeftOut,
     /// Vertices of one block, a file or a connected component, were merged with each other.

@@ -76,6 +76,8 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 ///     In the plane, whether edges that hang on the rest by one end are left out.
 /// snap : bool
 ///     Whether coordinates are rounded so that the result stays as it is.
+/// tolerance : float, optional
+///     In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
 /// max_cells : int, optional
 ///     More cells than this are refused.
 /// split : bool
@@ -102,7 +104,7 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 /// >>> arranged.f_vector, sorted(zip(arranged.measures, arranged.inside))
 /// ([10, 12, 3], [(1.0, [0, 1]), (3.0, [0]), (3.0, [1])])
 #[pyfunction]
-#[pyo3(signature = (models, *, dimension=None, rule=None, features=false, inputs=None, prune=false, snap=false, max_cells=None, split=true, merge_coplanar=true, progress=None))]
+#[pyo3(signature = (models, *, dimension=None, rule=None, features=false, inputs=None, prune=false, snap=false, tolerance=None, max_cells=None, split=true, merge_coplanar=true, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn arrange<'py>(
     py: Python<'py>,
@@ -113,6 +115,7 @@ pub(crate) fn arrange<'py>(
     inputs: Option<&str>,
     prune: bool,
     snap: bool,
+    tolerance: Option<f64>,
     max_cells: Option<usize>,
     split: bool,
     merge_coplanar: bool,
@@ -135,9 +138,12 @@ pub(crate) fn arrange<'py>(
     if prune {
         return Err(invalid(py, "prune is for drawings in the plane", "leave it out in space"));
     }
-    let request = spatial_request(snap, max_cells, split, merge_coplanar);
+    let request = spatial_request(snap, tolerance, max_cells, split, merge_coplanar);
     let (arranged, answer) = run(py, progress, || {
-        let arranged = SceneArrangement::of_scene(scene_of(&models, inputs, 1, true)?, &request)?;
+        let mut arranged = SceneArrangement::of_scene(scene_of(&models, inputs, 1, true)?, &request)?;
+        if arranged.crossings()?.count > 0 {
+            arranged = arranged.snapped()?;
+        }
         let answer = arranged.answer(rule.unwrap_or_default())?;
         Ok((arranged, answer))
     })?;
@@ -185,6 +191,7 @@ fn least_inputs(operation: &str) -> usize {
 
 fn spatial_request(
     snap: bool,
+    tolerance: Option<f64>,
     max_cells: Option<usize>,
     split: bool,
     merge_coplanar: bool,
@@ -192,6 +199,7 @@ fn spatial_request(
     let mut request = SpatialRequest::default();
     request.non_planar = if split { NonPlanar::Split } else { NonPlanar::Refuse };
     (request.merge_coplanar, request.snap, request.max_cells) = (merge_coplanar, snap, max_cells);
+    request.tolerance = tolerance;
     request
 }
 
@@ -215,6 +223,8 @@ fn spatial_request(
 ///     Whether what lies inside the result is kept.
 /// snap : bool
 ///     Whether coordinates are rounded so that the result stays as it is.
+/// tolerance : float, optional
+///     In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
 /// max_cells : int, optional
 ///     More cells than this are refused.
 /// split : bool
@@ -248,7 +258,7 @@ fn spatial_request(
 /// >>> coface._coface.boolean("intersection", [cube, moved]).measure
 /// 0.125
 #[pyfunction]
-#[pyo3(signature = (operation, models, *, dimension=None, rule=None, features=false, inputs=None, keep_walls=false, snap=false, max_cells=None, split=true, merge_coplanar=true, triangles=None, open="refuse", split_pinches=false, progress=None))]
+#[pyo3(signature = (operation, models, *, dimension=None, rule=None, features=false, inputs=None, keep_walls=false, snap=false, tolerance=None, max_cells=None, split=true, merge_coplanar=true, triangles=None, open="refuse", split_pinches=false, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn boolean<'py>(
     py: Python<'py>,
@@ -260,6 +270,7 @@ pub(crate) fn boolean<'py>(
     inputs: Option<&str>,
     keep_walls: bool,
     snap: bool,
+    tolerance: Option<f64>,
     max_cells: Option<usize>,
     split: bool,
     merge_coplanar: bool,
@@ -290,14 +301,17 @@ pub(crate) fn boolean<'py>(
         let answer = result.answer();
         return Ok(Bound::new(py, PlanarBoolean { result, answer })?.into_any());
     }
-    let spatial = spatial_request(snap, max_cells, split, merge_coplanar);
+    let spatial = spatial_request(snap, tolerance, max_cells, split, merge_coplanar);
     let solid = run(py, progress, || {
         let scene = scene_of(&models, inputs, least_inputs(operation), keep_walls)?;
         let mut request = SolidRequest::of(formula(operation, scene.names().len())?);
         request.triangles = triangles.unwrap_or_else(|| scene.is_triangulated());
-        let arrangement = SceneArrangement::of_scene(scene, &spatial)?;
+        let mut arrangement = SceneArrangement::of_scene(scene, &spatial)?;
         request.rule = rule.unwrap_or_default();
         (request.open, request.split_pinches, request.keep_walls) = (open, split_pinches, keep_walls);
+        if SolidBoolean::of(&arrangement, &request)?.crossings()?.count > 0 {
+            arrangement = arrangement.snapped()?;
+        }
         let result = SolidBoolean::of(&arrangement, &request)?;
         let (answer, provenance) = (result.answer()?, result.provenance()?);
         let mesh = result.to_mesh()?;
@@ -695,6 +709,8 @@ answer! { SpatialArrangement {
     remarks,
     /// What rounding of coordinates does.
     rounding,
+    /// What was put together, where that was asked for or needed.
+    joined,
     /// Whether products of boundary matrices are zero, found by multiplying.
     products_zero,
 }
@@ -804,6 +820,8 @@ answer! { SolidBooleanResult {
     pinches,
     /// What rounding of coordinates does.
     rounding,
+    /// What was put together, where that was asked for or needed.
+    joined,
     /// Vertices - edges + faces.
     euler_characteristic,
 }

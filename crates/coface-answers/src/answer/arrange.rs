@@ -136,6 +136,8 @@ pub struct SpatialArrangementAnswer {
     pub split_polygons: SplitPolygons,
     /// What was rounded.
     pub rounding: SpatialRounding,
+    /// What was put together, where that was asked for or needed.
+    pub joined: Option<JoinedFeatures>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,
 }
@@ -233,6 +235,39 @@ pub struct SpatialRounding {
     pub rounded_vertices: usize,
     /// How many times coordinates were rounded and everything arranged again.
     pub rounds: usize,
+    /// Whether faces with rounded coordinates meet in common vertices and edges alone; decided exactly.
+    pub valid: bool,
+    /// The number of places where they do not.
+    pub crossings: usize,
+    /// Some of these places, by their coordinates.
+    pub places: Vec<[f64; 3]>,
+}
+
+/// What was put together because it was nearly one: within a tolerance, or to make rounded coordinates valid.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct JoinedFeatures {
+    /// The distance within which features were put together, in the unit of the inputs.
+    pub tolerance: f64,
+    /// The number of polygons whose planes were replaced by one that fits several.
+    pub planes: usize,
+    /// How many times a vertex was put to another one.
+    pub vertices: usize,
+    /// How many times a vertex was put on an edge.
+    pub edges: usize,
+    /// How many pairs of edges were given a common vertex.
+    pub crossings: usize,
+    /// How many times a vertex was put on a face.
+    pub faces: usize,
+    /// The number of points that moved.
+    pub moved: usize,
+    /// The longest way that a point went, in the unit of the inputs.
+    pub largest_movement: f64,
+    /// The vertices that became one although they were apart, by their numbers among the points of all inputs, one input after
+    /// the other.
+    pub classes: Vec<Vec<u32>>,
+    /// The number of cells that are not there any more, because they were thinner; none if that was not counted.
+    pub vanished_cells: Option<usize>,
 }
 
 /// Where the faces of an arrangement in space come from.

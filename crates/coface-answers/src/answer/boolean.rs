@@ -1,7 +1,7 @@
 //! What `boolean` answers: combinations of regions in the plane, and of solids.
 
 use super::Remark;
-use super::arrange::{DrawingInput, SpatialInput, SpatialRounding, VertexOrigin};
+use super::arrange::{DrawingInput, JoinedFeatures, SpatialInput, SpatialRounding, VertexOrigin};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -162,6 +162,8 @@ pub struct SolidBooleanAnswer {
     pub files: Vec<SpatialInput>,
     /// What was rounded.
     pub rounding: SpatialRounding,
+    /// What was put together, where that was asked for or needed.
+    pub joined: Option<JoinedFeatures>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,
 }

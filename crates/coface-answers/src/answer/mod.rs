@@ -42,9 +42,9 @@ pub use homology::{
 pub use incidence::IncidenceAnswer;
 
 pub use arrange::{
-    DegeneratePolygons, DrawingInput, InsideMethod, PlanarArrangementAnswer, PlanarArrangementProvenance,
-    PlanarRounding, SpatialArrangementAnswer, SpatialArrangementProvenance, SpatialInput, SpatialRounding,
-    SplitPolygons, VertexOrigin,
+    DegeneratePolygons, DrawingInput, InsideMethod, JoinedFeatures, PlanarArrangementAnswer,
+    PlanarArrangementProvenance, PlanarRounding, SpatialArrangementAnswer, SpatialArrangementProvenance,
+    SpatialInput, SpatialRounding, SplitPolygons, VertexOrigin,
 };
 pub use batch::{BatchAnswer, RowAnswer};
 pub use boolean::{

@@ -4,7 +4,9 @@ use super::{SpatialRequest, SpatialScene};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, EdgeId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
-use coface_arrange::spatial::{BallComplex, BallRules, SpatialArrangement, SpatialOptions, SplitPolygon};
+use coface_arrange::spatial::{
+    BallComplex, BallRules, Crossings, JoinedFeatures, SpatialArrangement, SpatialOptions, SplitPolygon,
+};
 use coface_geometry::Positions;
 use std::sync::OnceLock;
 
@@ -27,6 +29,7 @@ impl Arranged {
         let options = SpatialOptions::new()
             .non_planar(request.non_planar)
             .merge_coplanar(request.merge_coplanar)
+            .tolerance(request.tolerance)
             .max_cells(request.max_cells);
         let arrangement = SpatialArrangement::new(&scene.polygons()?, &options);
         // A polygon that is none is named by its number in its own model.
@@ -40,6 +43,17 @@ impl Arranged {
         if request.snap {
             arrangement = arrangement.snapped(&options)?;
         }
+        Self::of(scene, arrangement)
+    }
+
+    /// The same with rounded coordinates that are valid.
+    pub(super) fn snapped(&self, scene: &SpatialScene, request: &SpatialRequest) -> Result<Self, Error> {
+        let options =
+            SpatialOptions::new().merge_coplanar(request.merge_coplanar).max_cells(request.max_cells);
+        Self::of(scene, self.arrangement.snapped(&options)?)
+    }
+
+    fn of(scene: &SpatialScene, arrangement: SpatialArrangement) -> Result<Self, Error> {
         let (complex, chains) = rayon::join(|| arrangement.coarse_complex(), || arrangement.input_chains());
         let (complex, chains) = (complex?, chains?);
         // Walls are inputs of their own there, after the models.
@@ -173,6 +187,21 @@ impl Arranged {
     /// Whether a coordinate of this vertex was rounded.
     pub(super) fn is_rounded(&self, vertex: CellId) -> bool {
         !self.arrangement.point(VertexId::from_u32(vertex.to_u32())).is_exactly_rounded()
+    }
+
+    /// Whether the rounded coordinates of all vertices are their exact ones.
+    pub(super) fn is_exactly_rounded(&self) -> bool {
+        self.arrangement.is_exactly_rounded()
+    }
+
+    /// What was put together.
+    pub(super) fn joined(&self) -> Option<&JoinedFeatures> {
+        self.arrangement.joined()
+    }
+
+    /// Where faces on rounded positions meet otherwise than in common corners and sides.
+    pub(super) fn crossings(&self, most_listed: usize) -> Result<Crossings, Error> {
+        self.arrangement.crossings_of_rounded(most_listed)
     }
 
     /// How many times coordinates were rounded and everything arranged again.

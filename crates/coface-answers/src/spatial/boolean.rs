@@ -12,6 +12,7 @@ use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, VertexId};
 use coface_algebra::{RaggedArray, Sign, UnionFind};
 use coface_arrange::boolean::{BooleanFormula, CellSelection, InsideRule, SelectionBoundary, SelectionMesh};
+use coface_arrange::spatial::{Crossings, SpatialPolygons};
 use coface_complexes::surface::PolygonMesh;
 use coface_geometry::{Positions, Sum, polygon_area};
 use coface_io::repeated_vertex;
@@ -107,6 +108,7 @@ pub struct SolidBoolean<'a> {
     pub(super) surface: SelectionMesh,
     /// Made when it is asked for.
     mesh: OnceLock<PolygonMesh>,
+    crossings: OnceLock<Crossings>,
     /// The numbers of vertices and edges that splitting pinches added.
     copies: [usize; 2],
     /// The cells behind and in front of each face.
@@ -140,7 +142,7 @@ impl<'a> SolidBoolean<'a> {
     /// # Ok(()) }
     /// ```
     pub fn of(arrangement: &'a SceneArrangement, request: &SolidRequest) -> Result<Self, Error> {
-        let SceneArrangement { scene, arranged, inputs } = arrangement;
+        let SceneArrangement { scene, arranged, inputs, .. } = arrangement;
         let input_count = scene.names().len();
         if request.formula.input_count() > input_count {
             return Err(Error::invalid(format!(
@@ -196,6 +198,7 @@ impl<'a> SolidBoolean<'a> {
             boundary,
             surface,
             mesh: OnceLock::new(),
+            crossings: OnceLock::new(),
             copies,
             sides,
             regions,
@@ -276,6 +279,43 @@ impl<'a> SolidBoolean<'a> {
     /// ```
     pub fn mesh(&self) -> &PolygonMesh {
         self.mesh.get_or_init(|| mesh_on(&self.surface))
+    }
+
+    /// Where polygons of the surface with rounded coordinates meet otherwise than in common vertices and edges: nowhere if
+    /// rounding is valid, as it is where no coordinate of the arrangement was rounded.
+    ///
+    /// # Errors
+    /// None for arrangements that were made.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let same = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::parse("a", &[])?))?;
+    /// assert_eq!(same.crossings()?.count, 0);
+    /// # Ok(()) }
+    /// ```
+    pub fn crossings(&self) -> Result<&Crossings, Error> {
+        if let Some(found) = self.crossings.get() {
+            return Ok(found);
+        }
+        let found = if self.arrangement.arranged.is_exactly_rounded() {
+            Crossings::default()
+        } else {
+            let polygons =
+                SpatialPolygons::from_polygons(self.positions()?, self.surface.polygons().clone())?;
+            // A polygon that is not simple any more is refused.
+            polygons.crossings(MOST_LISTED).or_else(|error| match error.kind() {
+                ErrorKind::InvalidInput => self.arrangement.crossings().cloned(),
+                _ => Err(error),
+            })?
+        };
+        Ok(self.crossings.get_or_init(|| found))
     }
 
     /// The number of vertices that were copied to split pinches.
@@ -443,7 +483,8 @@ impl<'a> SolidBoolean<'a> {
             pinches: self.pinches(),
             rule: rule_word(self.request.rule).to_owned(),
             files,
-            rounding: self.arrangement.rounding(self.closure()[0].iter().copied()),
+            rounding: self.arrangement.rounding(self.closure()[0].iter().copied(), self.crossings()?),
+            joined: self.arrangement.joined(),
             remarks,
         })
     }

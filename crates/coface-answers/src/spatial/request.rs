@@ -3,7 +3,7 @@
 use coface_arrange::spatial::NonPlanar;
 
 /// How a scene is arranged.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct SpatialRequest {
     /// What becomes of polygons that are not planar.
@@ -12,6 +12,8 @@ pub struct SpatialRequest {
     pub merge_coplanar: bool,
     /// Round coordinates and arrange again until rounding changes nothing: the result is a valid input.
     pub snap: bool,
+    /// Put planes, vertices, edges and faces together that are at most this far apart, in the unit of the inputs.
+    pub tolerance: Option<f64>,
     /// Refuse arrangements with more vertices, edges and faces together.
     pub max_cells: Option<usize>,
 }

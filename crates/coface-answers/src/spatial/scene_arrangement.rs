@@ -4,19 +4,23 @@ use super::arranged::Arranged;
 use super::inputs::Inputs;
 use super::{InputState, OpenInputs, SpatialRequest, SpatialScene};
 use crate::answer::{
-    DegeneratePolygons, Place, Remark, RemarkCode, SpatialArrangementAnswer, SpatialInput, SpatialRounding,
-    SplitPolygons,
+    DegeneratePolygons, JoinedFeatures, Place, Remark, RemarkCode, SpatialArrangementAnswer, SpatialInput,
+    SpatialRounding, SplitPolygons,
 };
-use coface_algebra::UnionFind;
+use crate::text;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error};
+use coface_algebra::{RaggedArray, UnionFind};
 use coface_arrange::boolean::InsideRule;
-use coface_arrange::spatial::SplitPolygon;
-use coface_geometry::Positions;
+use coface_arrange::spatial::{Crossings, SplitPolygon};
+use coface_geometry::{Positions, Sum, polygon_area};
 use coface_io::Model;
+use std::sync::OnceLock;
 
 /// So many polygons of a sort are listed.
 const MOST_LISTED: usize = 100;
+/// Cells are told of that are thinner than this part of the extent of the scene.
+const THIN_PART: f64 = 1e-9;
 
 /// The cells that the polygons of models cut space into.
 ///
@@ -44,6 +48,10 @@ pub struct SceneArrangement {
     pub(super) scene: SpatialScene,
     pub(super) arranged: Arranged,
     pub(super) inputs: Inputs,
+    request: SpatialRequest,
+    /// The number of cells without putting anything together, where that was done.
+    cells_apart: Option<usize>,
+    crossings: OnceLock<Crossings>,
 }
 
 impl SceneArrangement {
@@ -90,7 +98,60 @@ impl SceneArrangement {
     pub fn of_scene(scene: SpatialScene, request: &SpatialRequest) -> Result<Self, Error> {
         let arranged = Arranged::new(&scene, request)?;
         let inputs = Inputs::new(&scene, &arranged)?;
-        Ok(Self { scene, arranged, inputs })
+        let cells_apart = request.tolerance.and_then(|_| {
+            let apart = Arranged::new(&scene, &SpatialRequest { tolerance: None, snap: false, ..*request });
+            apart.ok().map(|apart| apart.complex().cell_count(3))
+        });
+        Ok(Self { scene, arranged, inputs, request: *request, cells_apart, crossings: OnceLock::new() })
+    }
+
+    /// The same scene with coordinates that are exactly where they are rounded to: features that rounding would make
+    /// cross are put together.
+    ///
+    /// # Errors
+    /// As [`SpatialArrangement::snapped`](coface_arrange::spatial::SpatialArrangement::snapped).
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// assert_eq!(arranged.snapped()?.volumes(), [1.0]);
+    /// # Ok(()) }
+    /// ```
+    pub fn snapped(&self) -> Result<Self, Error> {
+        let arranged = self.arranged.snapped(&self.scene, &self.request)?;
+        let inputs = Inputs::new(&self.scene, &arranged)?;
+        let cells_apart = self.cells_apart.or(Some(self.complex().cell_count(3)));
+        let (scene, request, crossings) = (self.scene.clone(), self.request, OnceLock::new());
+        Ok(Self { scene, arranged, inputs, request, cells_apart, crossings })
+    }
+
+    /// Where faces with rounded coordinates meet otherwise than in common vertices and edges: nowhere if rounding is valid.
+    ///
+    /// # Errors
+    /// None for arrangements that were made.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// assert_eq!(arranged.crossings()?.count, 0);
+    /// # Ok(()) }
+    /// ```
+    pub fn crossings(&self) -> Result<&Crossings, Error> {
+        if let Some(found) = self.crossings.get() {
+            return Ok(found);
+        }
+        let found = self.arranged.crossings(MOST_LISTED)?;
+        Ok(self.crossings.get_or_init(|| found))
     }
 
     /// The polygons and where they are from.
@@ -295,7 +356,8 @@ impl SceneArrangement {
                 listed: dropped.iter().take(MOST_LISTED).map(place).collect(),
             },
             split_polygons: SplitPolygons { count: split.len(), largest_deviation },
-            rounding: self.rounding((0..complex.cell_count(0)).map(CellId::new)),
+            rounding: self.rounding((0..complex.cell_count(0)).map(CellId::new), self.crossings()?),
+            joined: self.joined(),
             remarks,
         })
     }
@@ -304,6 +366,8 @@ impl SceneArrangement {
     pub(super) fn remarks(&self, files: &[SpatialInput]) -> Vec<Remark> {
         let mut remarks = self.scene.remarks().to_vec();
         remarks.extend(self.warped_polygons());
+        remarks.extend(self.joined_features());
+        remarks.extend(self.thin_cells());
         for file in files.iter().filter(|file| file.reversed_cells > 0) {
             let message = format!(
                 "{} is inside out, wholly or in part: it winds less than zero times around cells",
@@ -418,12 +482,102 @@ impl SceneArrangement {
     }
 
     /// How many of these vertices have rounded coordinates.
-    pub(super) fn rounding(&self, vertices: impl Iterator<Item = CellId>) -> SpatialRounding {
+    pub(super) fn rounding(
+        &self,
+        vertices: impl Iterator<Item = CellId>,
+        crossings: &Crossings,
+    ) -> SpatialRounding {
         let rounded_vertices = vertices.filter(|&vertex| self.arranged.is_rounded(vertex)).count();
         SpatialRounding {
             exact: rounded_vertices == 0,
             rounded_vertices,
             rounds: self.arranged.round_count(),
+            valid: crossings.count == 0,
+            crossings: crossings.count,
+            places: crossings.places.clone(),
         }
+    }
+
+    /// What was put together.
+    pub(super) fn joined(&self) -> Option<JoinedFeatures> {
+        let joined = self.arranged.joined()?;
+        let counts = joined.counts;
+        let vanished = |apart: usize| apart.saturating_sub(self.complex().cell_count(3));
+        Some(JoinedFeatures {
+            tolerance: joined.tolerance,
+            planes: counts.planes,
+            vertices: counts.vertices,
+            edges: counts.edges,
+            crossings: counts.crossings,
+            faces: counts.faces,
+            moved: joined.moved.len(),
+            largest_movement: joined.largest_movement,
+            classes: joined.classes.iter().map(<[u32]>::to_vec).collect(),
+            vanished_cells: self.cells_apart.map(vanished),
+        })
+    }
+
+    /// Says that features were put together, if that changed anything.
+    fn joined_features(&self) -> Option<Remark> {
+        let joined = self.joined()?;
+        let count = joined.vertices + joined.edges + joined.crossings + joined.faces;
+        if self.request.snap || count + joined.planes == 0 {
+            return None;
+        }
+        let mut message = match self.request.tolerance {
+            Some(_) => format!("features up to {:e} apart were put together", joined.tolerance),
+            None => format!(
+                "rounded coordinates would make faces cross, so features up to {:e} apart were put together",
+                joined.tolerance
+            ),
+        };
+        message += &format!("; points moved by at most {:.1e}", joined.largest_movement);
+        if let Some(vanished) = joined.vanished_cells.filter(|&count| count > 0) {
+            message += &format!("; {} vanished", text::count(vanished, "cell"));
+        }
+        Some(Remark::new(RemarkCode::FeaturesJoined, message).at(count, []))
+    }
+
+    /// Tells of cells thinner than a part of the extent that nobody means, and what would remove them.
+    fn thin_cells(&self) -> Option<Remark> {
+        if self.request.tolerance.is_some() {
+            return None;
+        }
+        let flat = self.arranged.drawn_positions().as_flat().as_chunks::<3>().0;
+        let extent = (0..3).map(|axis| {
+            let range = flat.iter().map(|point| point[axis]);
+            range.clone().fold(f64::MIN, f64::max) - range.fold(f64::MAX, f64::min)
+        });
+        let extent = extent.fold(0.0, f64::max);
+        let least = THIN_PART * extent;
+        let cells = self.complex().boundary_matrix(3)?;
+        let suspects =
+            self.volumes().iter().enumerate().filter(|(_, volume)| **volume < least * extent * extent);
+        let thickness = |(cell, &volume): (usize, &f64)| -> Option<f64> {
+            let mut area = Sum::default();
+            for &face in cells.column(cell).rows() {
+                let triangles = self.arranged.triangles(CellId::from_u32(face)).ok()?;
+                let list = RaggedArray::from_lists(triangles);
+                area.add(polygon_area(self.arranged.drawn_positions(), &list)?);
+            }
+            // A slab has twice its area around it.
+            Some(2.0 * volume / area.value())
+        };
+        let thin: Vec<f64> = suspects.filter_map(thickness).filter(|&own| own < least).collect();
+        let thickest = thin.iter().copied().reduce(f64::max)?;
+        // A wedge is twice as thick as a slab, where it is thickest; to one digit, upwards.
+        let unit =
+            4.0 * f64::EPSILON * flat.as_flattened().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let needed = (3.0 * thickest).max(unit);
+        let scale = 10f64.powf(needed.log10().floor());
+        let needed = (needed / scale).ceil() * scale;
+        let subject = match thin.len() {
+            1 => "1 cell is".to_owned(),
+            count => format!("{count} cells are"),
+        };
+        let message = format!(
+            "{subject} thinner than {THIN_PART:e} of the extent; --tolerance {needed:.0e} puts together what is so near"
+        );
+        Some(Remark::new(RemarkCode::ThinCells, message).at(thin.len(), []))
     }
 }

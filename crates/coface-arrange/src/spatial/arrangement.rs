@@ -3,11 +3,13 @@
 use super::axis_view::AxisView;
 use super::cells::{CellParts, SpatialCells};
 use super::cutting::{CutOptions, CutTriangles};
-use super::flat_polygons::{PolygonTriangles, SplitPolygon};
+use super::flat_polygons::{NonPlanar, PolygonTriangles, SplitPolygon};
 use super::merging::{Merged, merge};
+use super::near::flattened;
 use super::patches::{Patches, SameOrigin};
 use super::polygons::SpatialPolygons;
 use super::predicates::SpatialPredicates;
+use super::settling::{Drawing, JoinedFeatures, least_tolerance};
 use super::{PolygonalComplex, SpatialOptions};
 use coface_algebra::chains::{ChainComplex, ChainMap};
 use coface_algebra::progress::stage;
@@ -68,6 +70,8 @@ pub struct SpatialArrangement {
     without_area: Vec<u32>,
     split: Vec<SplitPolygon>,
     pub(super) round_count: usize,
+    /// What was put together, where features that are near each other were.
+    pub(super) joined: Option<JoinedFeatures>,
     options: SpatialOptions,
 }
 
@@ -98,21 +102,50 @@ impl SpatialArrangement {
     /// # Ok(()) }
     /// ```
     pub fn new(polygons: &SpatialPolygons, options: &SpatialOptions) -> Result<Self, Error> {
-        let triangles = PolygonTriangles::new(polygons, options.non_planar)?;
-        let PolygonTriangles { triangles, polygon_of_triangle, without_area, split, apart } = triangles;
-        let (patch_of_triangle, polygons_of_patch) =
-            patches_with_triangles(polygons.polygon_count(), polygon_of_triangle, &apart);
-        let patches = Patches {
-            patch_of_triangle,
-            folded: split.iter().map(|&(split, view)| (split.polygon, view)).collect(),
-            polygons_of_patch,
-            input_of_polygon: polygons.input_of_polygon().to_vec(),
-            input_count: polygons.input_count(),
+        let Some(tolerance) = options.tolerance else {
+            let made = Made::new(polygons, options.non_planar)?;
+            let found = Self::of_triangles(polygons.positions(), &made.triangles, made.patches, options)?;
+            return Ok(Self { without_area: made.without_area, split: made.split, ..found });
         };
-        let mut made = Self::of_triangles(polygons.positions(), &triangles, patches, options)?;
-        made.without_area = without_area;
-        made.split = split.into_iter().map(|split| split.0).collect();
-        Ok(made)
+        if options.non_planar != NonPlanar::Split {
+            polygons.check(options.non_planar)?;
+        }
+        let first = polygons.positions().as_flat().as_chunks::<3>().0.to_vec();
+        let tolerance = tolerance.max(least_tolerance(&first));
+        let (points, fitted) = flattened(polygons, tolerance);
+        let flat = polygons.clone().with_points(&points)?;
+        let made = Made::new(&flat, NonPlanar::Split)?;
+        let drawing = Drawing::new(first, points, made.triangles, made.patches);
+        let mut found = drawing.settled(options, tolerance, false)?;
+        if let Some(joined) = &mut found.joined {
+            joined.counts.planes = fitted;
+        }
+        Ok(Self { without_area: made.without_area, split: made.split, ..found })
+    }
+
+    /// What was put together, where that was asked for: by a tolerance, or by [`Self::snapped`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Two triangles on one edge, but for a thousandth.
+    /// let corners = vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 1.001, 0., 0., 0., 1., 0.001, 1., 1., 5.];
+    /// let corners = Positions::from_flat(3, corners)?;
+    /// let polygons = SpatialPolygons::from_polygons(corners, RaggedArray::from_lists([[0, 1, 2], [3, 5, 4]]))?;
+    /// let options = SpatialOptions::new();
+    /// assert_eq!(SpatialArrangement::new(&polygons, &options)?.f_vector()[..3], [6, 6, 2]);
+    /// let joined = SpatialArrangement::new(&polygons, &options.tolerance(0.01))?;
+    /// assert_eq!(joined.f_vector()[..3], [4, 5, 2]);
+    /// let joined = joined.joined().ok_or_else(|| coface_algebra::Error::invalid("nothing"))?;
+    /// assert_eq!(joined.counts.vertices, 2);
+    /// assert!((joined.largest_movement - 0.001).abs() < 1e-12);
+    /// # Ok(()) }
+    /// ```
+    pub fn joined(&self) -> Option<&JoinedFeatures> {
+        self.joined.as_ref()
     }
 
     pub(super) fn of_triangles(
@@ -163,6 +196,7 @@ impl SpatialArrangement {
             without_area: Vec::new(),
             split: Vec::new(),
             round_count: 0,
+            joined: None,
             options: *options,
         })
     }
@@ -172,6 +206,7 @@ impl SpatialArrangement {
     pub(super) fn with_cuts(&self, cuts: &[[[f64; 3]; 4]]) -> Result<Self, Error> {
         let (mut points, mut triangles) = self.cut.input(self.patches.patch_of_triangle.len());
         let mut patches = self.patches.clone();
+        patches.keeps_vertices = true;
         for corners in cuts {
             let first = points.len() as u32;
             points.extend(corners);
@@ -788,16 +823,43 @@ impl SpatialArrangement {
     }
 
     /// Takes over what only the polygons that were given first could say.
-    pub(super) fn with_notes_of(mut self, first: &Self, round_count: usize) -> Self {
+    pub(super) fn with_notes_of(mut self, first: &Self) -> Self {
         self.without_area.clone_from(&first.without_area);
         self.split.clone_from(&first.split);
-        self.round_count = round_count;
         self
     }
 }
 
 /// The patch of each triangle, and the packed polygon of each patch unless patch i is polygon i: each triangle of the polygons that
 /// stay apart is a patch of its own.
+/// Polygons made triangles in patches.
+struct Made {
+    triangles: Vec<[u32; 3]>,
+    patches: Patches,
+    without_area: Vec<u32>,
+    split: Vec<SplitPolygon>,
+}
+
+impl Made {
+    fn new(polygons: &SpatialPolygons, non_planar: NonPlanar) -> Result<Self, Error> {
+        let triangles = PolygonTriangles::new(polygons, non_planar)?;
+        let PolygonTriangles { triangles, polygon_of_triangle, without_area, split, apart } = triangles;
+        let (patch_of_triangle, polygons_of_patch) =
+            patches_with_triangles(polygons.polygon_count(), polygon_of_triangle, &apart);
+        let patches = Patches {
+            patch_of_triangle,
+            folded: split.iter().map(|&(split, view)| (split.polygon, view)).collect(),
+            polygons_of_patch,
+            input_of_polygon: polygons.input_of_polygon().to_vec(),
+            input_count: polygons.input_count(),
+            is_passing: Vec::new(),
+            keeps_vertices: false,
+        };
+        let split = split.into_iter().map(|split| split.0).collect();
+        Ok(Self { triangles, patches, without_area, split })
+    }
+}
+
 fn patches_with_triangles(
     polygon_count: usize,
     polygon_of_triangle: Vec<u32>,
@@ -875,7 +937,8 @@ fn omitted_vertices(
     let mut is_omitted = vec![true; fine.vertex_count()];
     merged.vertices.iter().for_each(|&vertex| is_omitted[vertex as usize] = false);
     let is_straight = |a: u32, b: u32, c: u32| {
-        patches.folded.is_empty() || (0..3).all(|axis| predicates.normal_sign(axis, [a, b, c]).is_eq())
+        (patches.folded.is_empty() && patches.is_passing.is_empty())
+            || (0..3).all(|axis| predicates.normal_sign(axis, [a, b, c]).is_eq())
     };
     for own in merged.edges.iter() {
         for pair in own.windows(2) {

@@ -1,6 +1,7 @@
 //! Walks around the faces of an arrangement, and triangles to draw them with.
 
 use super::SpatialArrangement;
+use super::axis_view::AxisView;
 use super::face_walks::{Path, face_walks, vertices_of_walks};
 use coface_algebra::{Error, FaceId};
 use coface_algebra::{RaggedArray, Sign};
@@ -137,19 +138,33 @@ impl SpatialArrangement {
     /// # Ok(()) }
     /// ```
     pub fn triangulated(&self, face: FaceId) -> Result<Vec<[u32; 3]>, Error> {
+        let fine = self.first_fine_face(face);
+        let is_flat = self.patches.fold(self.patches_of_face.list(fine.index())).is_none();
+        self.triangulated_without(face, &self.is_omitted, is_flat)
+    }
+
+    /// The triangles to draw a face with when these fine vertices are left out of edges. One that is flat is drawn
+    /// by its outline alone, if that is possible.
+    pub(super) fn triangulated_without(
+        &self,
+        face: FaceId,
+        is_left_out: &[bool],
+        is_flat: bool,
+    ) -> Result<Vec<[u32; 3]>, Error> {
         if let Some(corners) = self.single_triangle(face) {
             return Ok(vec![corners]);
         }
-        let fine = self.first_fine_face(face);
-        if self.patches.fold(self.patches_of_face.list(fine.index())).is_none() {
+        if is_flat {
             let paths = self.paths(face);
-            let kept = paths.iter().map(|path| self.kept(path));
+            let kept = paths.iter().map(|path| kept(path, is_left_out));
             let sides: Vec<[u32; 2]> = kept.flat_map(|path| pairs(&path)).collect();
-            return self.triangles(&sides, fine);
+            if let Ok(found) = self.triangles(&sides, self.view(face)) {
+                return Ok(found);
+            }
         }
         let mut all = Vec::new();
         for (fine, sign) in self.fine_faces(face) {
-            let mut own = self.triangles(&self.sides_without_omitted(fine), fine)?;
+            let mut own = self.triangles(&self.sides_without(fine, is_left_out), self.plane_view(fine))?;
             if sign == Sign::Minus {
                 own.iter_mut().for_each(|triangle| triangle.swap(1, 2));
             }
@@ -209,14 +224,14 @@ impl SpatialArrangement {
         Ok(drawn)
     }
 
-    /// Triangles within the plane of a fine face.
-    fn triangles(&self, sides: &[[u32; 2]], fine: FaceId) -> Result<Vec<[u32; 3]>, Error> {
+    /// Triangles within these sides, as they are seen.
+    fn triangles(&self, sides: &[[u32; 2]], view: AxisView) -> Result<Vec<[u32; 3]>, Error> {
         if let &[x, y, z] = sides
             && let Some(corners) = corners_of_walk([x, y, z])
         {
             return Ok(vec![corners]);
         }
-        let (view, predicates) = (self.plane_view(fine), self.cut.predicates());
+        let predicates = self.cut.predicates();
         let compare = |a: u32, b: u32| view.compare(&predicates, a, b);
         let turn = |a: u32, b: u32, c: u32| view.turn(&predicates, [a, b, c]);
         Ok(triangulate_sides(sides, compare, turn)?)
@@ -224,10 +239,6 @@ impl SpatialArrangement {
 
     pub(super) fn is_omitted(&self, fine: u32) -> bool {
         self.is_omitted.get(fine as usize).is_some_and(|&omitted| omitted)
-    }
-
-    fn kept(&self, path: &[u32]) -> Path {
-        path.iter().copied().filter(|&fine| !self.is_omitted(fine)).collect()
     }
 
     /// The sides of a face as paths of fine vertices.
@@ -239,16 +250,17 @@ impl SpatialArrangement {
         }
     }
 
-    /// The sides of a fine face, those that meet in an omitted vertex as one.
-    fn sides_without_omitted(&self, fine: FaceId) -> Vec<[u32; 2]> {
+    /// The sides of a fine face, those that meet in a vertex that is left out as one.
+    fn sides_without(&self, fine: FaceId, is_left_out: &[bool]) -> Vec<[u32; 2]> {
+        let is_left_out = |vertex: u32| is_left_out.get(vertex as usize).is_some_and(|&left_out| left_out);
         let complex = self.cut.complex();
         let sides = complex.packed_sides().list(fine.index());
         let next = |side: u32| {
             let end = complex.side_ends(side)[1];
             let goes_on = |other: &&u32| complex.side_ends(**other)[0] == end && **other >> 1 != side >> 1;
-            self.is_omitted(end).then(|| sides.iter().find(goes_on).copied()).flatten()
+            is_left_out(end).then(|| sides.iter().find(goes_on).copied()).flatten()
         };
-        let starts = sides.iter().filter(|&&side| !self.is_omitted(complex.side_ends(side)[0]));
+        let starts = sides.iter().filter(|&&side| !is_left_out(complex.side_ends(side)[0]));
         starts
             .map(|&first| {
                 let mut last = first;
@@ -268,6 +280,11 @@ fn corners_of_walk([[a, b], [c, d], [e, f]]: [[u32; 2]; 3]) -> Option<[u32; 3]> 
     } else {
         (b == e && f == c && d == a).then_some([a, b, f])
     }
+}
+
+fn kept(path: &[u32], is_left_out: &[bool]) -> Path {
+    let is_kept = |fine: &u32| !is_left_out.get(*fine as usize).is_some_and(|&left_out| left_out);
+    path.iter().copied().filter(is_kept).collect()
 }
 
 fn pairs(path: &[u32]) -> Vec<[u32; 2]> {

@@ -1,6 +1,7 @@
 //! Triangulates polygons and reports the ones that are not simple.
 
 use super::axis_view::AxisView;
+use super::cutting::{Crossings, crossings};
 use super::polygons::SpatialPolygons;
 use super::predicates::{GivenPoints, SpatialPredicates};
 use coface_algebra::progress::stage;
@@ -119,6 +120,34 @@ impl SpatialPolygons {
     /// ```
     pub fn check(&self, non_planar: NonPlanar) -> Result<(), Error> {
         PolygonTriangles::new(self, non_planar).map(drop)
+    }
+
+    /// Where the polygons meet otherwise than in common corners and sides, split into triangles where they are not planar.
+    /// Exact for the coordinates as they are. At most so many places are listed.
+    ///
+    /// # Errors
+    /// As [`Self::check`], for polygons that are not simple.
+    ///
+    /// # Complexity
+    /// $O(n \\log n)$ for n triangles that are near few others.
+    ///
+    /// # Examples
+    /// Two triangles that cross along a segment:
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::SpatialPolygons;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = vec![0., 0., 0., 4., 0., 0., 0., 4., 0., 1., 1., -1., 1., 1., 1., 9., 9., 0.];
+    /// let lists = RaggedArray::from_lists([[0, 1, 2], [3, 4, 5]]);
+    /// let polygons = SpatialPolygons::from_polygons(Positions::from_flat(3, points)?, lists)?;
+    /// let found = polygons.crossings(10)?;
+    /// assert!(found.count > 0 && found.places.contains(&[1.0, 1.0, 0.0]));
+    /// # Ok(()) }
+    /// ```
+    pub fn crossings(&self, most_listed: usize) -> Result<Crossings, Error> {
+        let made = PolygonTriangles::new(self, NonPlanar::Split)?;
+        crossings(self.positions(), &made.triangles, most_listed)
     }
 }
 

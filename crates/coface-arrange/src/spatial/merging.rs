@@ -45,7 +45,9 @@ pub(super) fn merge(
     steps: &Steps,
 ) -> Option<Merged> {
     let (is_inside_face, mut classes) = removable_edges(complex, around, rules, steps);
-    let (is_left_out, is_unused) = removable_vertices(complex, &is_inside_face, rules);
+    let class_of: Vec<(u32, Sign)> =
+        (0..complex.face_count() as u32).map(|face| classes.find(face)).collect();
+    let (is_left_out, is_unused) = removable_vertices(complex, around, &is_inside_face, &class_of, rules);
     if !is_inside_face.iter().any(|&inside| inside) && !is_left_out.iter().chain(&is_unused).any(|&out| out) {
         return None;
     }
@@ -69,7 +71,7 @@ pub(super) fn merge(
     let mut first_signs = Vec::new();
     let mut packed = Vec::with_capacity(complex.face_count());
     for face in 0..complex.face_count() as u32 {
-        let (root, sign) = classes.find(face);
+        let (root, sign) = class_of[face as usize];
         if class_number[root as usize] == NONE {
             class_number[root as usize] = first_signs.len() as u32;
             first_signs.push(sign);
@@ -152,27 +154,49 @@ fn removable_edges(
     }
 }
 
-/// The vertices that may be left out, and those that no edge is left at.
+/// The vertices that may be left out, and those that no edge is left at. Where a polygon is folded, an edge may be on it
+/// up to the fold and go on without it: then the vertex at the fold stays.
 fn removable_vertices(
     complex: &PolygonalComplex,
+    around: &RaggedArray,
     is_removed: &[bool],
+    class_of: &[(u32, Sign)],
     rules: &impl MergeRules,
 ) -> (Vec<bool>, Vec<bool>) {
-    // The first two neighbors, and the number of edges up to three.
-    let mut neighbors = vec![[NONE; 2]; complex.vertex_count()];
+    // The first two edges, packed with 1 for those that end at the vertex, and the number of edges up to three.
+    let mut edges = vec![[NONE; 2]; complex.vertex_count()];
     let mut count = vec![0u8; complex.vertex_count()];
-    for (&[a, b], _) in complex.edges().iter().zip(is_removed).filter(|(_, removed)| !**removed) {
-        for (vertex, other) in [(a, b), (b, a)] {
+    for (edge, ends) in complex.edges().iter().enumerate().filter(|&(edge, _)| !is_removed[edge]) {
+        for (packed, &vertex) in (2 * edge as u32..).zip(ends) {
             let degree = &mut count[vertex as usize];
-            if let Some(place) = neighbors[vertex as usize].get_mut(usize::from(*degree)) {
-                *place = other;
+            if let Some(place) = edges[vertex as usize].get_mut(usize::from(*degree)) {
+                *place = packed;
             }
             *degree = (*degree + 1).min(3);
         }
     }
+    // The faces at an edge, each with the direction in which it runs along the edge away from the vertex.
+    let faces_at = |packed: u32, is_turned: bool| {
+        let sides = around.list((packed >> 1) as usize).iter();
+        let mut faces: Vec<(u32, u32)> = sides
+            .map(|&side| {
+                let (class, sign) = class_of[(side >> 1) as usize];
+                let against = (side & 1) ^ (packed & 1) ^ u32::from(sign == Sign::Minus);
+                (class, against ^ u32::from(is_turned))
+            })
+            .collect();
+        faces.sort_unstable();
+        faces
+    };
     let is_left_out = (0..complex.vertex_count())
         .into_par_iter()
-        .map(|vertex| count[vertex] == 2 && rules.may_dissolve(vertex as u32, neighbors[vertex]))
+        .map(|vertex| {
+            let own = edges[vertex];
+            let other_end = |packed: u32| complex.edges()[(packed >> 1) as usize][(packed & 1 ^ 1) as usize];
+            count[vertex] == 2
+                && rules.may_dissolve(vertex as u32, own.map(other_end))
+                && faces_at(own[0], false) == faces_at(own[1], true)
+        })
         .collect();
     (is_left_out, count.into_iter().map(|count| count == 0).collect())
 }

@@ -20,6 +20,10 @@ pub(super) struct Patches {
     pub(super) polygons_of_patch: Option<RaggedArray>,
     pub(super) input_of_polygon: Vec<u32>,
     pub(super) input_count: usize,
+    /// Whether a given point is none of those of polygons, and may be left out like a new one; empty when all are.
+    pub(super) is_passing: Vec<bool>,
+    /// Whether vertices on straight edges stay, since it is known elsewhere which of them are needed.
+    pub(super) keeps_vertices: bool,
 }
 
 impl Patches {
@@ -54,6 +58,14 @@ impl Patches {
             let view = self.folded[place].1;
             Some(if packed & 1 == 0 { view } else { view.behind() })
         })
+    }
+
+    /// Whether a vertex is none of the points of polygons.
+    pub(super) fn is_new(&self, cut: &CutTriangles, vertex: u32) -> bool {
+        match cut.source(VertexId::from_u32(vertex)) {
+            SpatialVertexSource::Given(point) => self.is_passing.get(point).is_some_and(|&passing| passing),
+            _ => true,
+        }
     }
 
     /// Calls for each polygon of some patches, packed.
@@ -132,7 +144,7 @@ impl<'a, P: SpatialPredicates> SameOrigin<'a, P> {
     }
 
     fn is_new(&self, vertex: u32) -> bool {
-        !matches!(self.cut.source(VertexId::from_u32(vertex)), SpatialVertexSource::Given(_))
+        self.patches.is_new(self.cut, vertex)
     }
 }
 
@@ -156,6 +168,9 @@ impl<P: SpatialPredicates> MergeRules for SameOrigin<'_, P> {
     /// it were a corner of what is left, it would be a corner of a polygon. Where coplanar faces were merged, only
     /// straight edges are certain.
     fn may_dissolve(&self, vertex: u32, neighbors: [u32; 2]) -> bool {
+        if self.patches.keeps_vertices {
+            return false;
+        }
         if !self.merge_coplanar {
             return self.is_new(vertex);
         }

@@ -146,6 +146,12 @@ impl SpatialPolygons {
         Ok(self)
     }
 
+    /// The same polygons on these points.
+    pub(super) fn with_points(mut self, points: &[[f64; 3]]) -> Result<Self, Error> {
+        self.positions = Positions::from_flat(3, points.as_flattened().to_vec())?;
+        Ok(self)
+    }
+
     /// All polygons of several lots, each with its inputs after those of the ones before.
     ///
     /// # Errors

@@ -1,6 +1,6 @@
 //! `coface congruence`: what coincides within a tolerance becomes one.
 
-use crate::arguments::Common;
+use crate::arguments::{Common, length};
 use crate::classes::{ClassFormat, write_classes};
 use crate::failure::Failure;
 use crate::input::{self, Loaded};
@@ -97,13 +97,6 @@ enum Within {
     Allow,
     Warn,
     Forbid,
-}
-
-fn length(text: &str) -> Result<f64, String> {
-    text.parse()
-        .ok()
-        .filter(|length: &f64| length.is_finite() && *length >= 0.0)
-        .ok_or_else(|| "a tolerance is a finite length that is not negative".to_owned())
 }
 
 impl Congruence {

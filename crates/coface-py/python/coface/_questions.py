@@ -455,6 +455,7 @@ def arrange(
     inputs: str | None = None,
     prune: bool = False,
     snap: bool = False,
+    tolerance: float | None = None,
     max_cells: int | None = None,
     split: bool = True,
     merge_coplanar: bool = True,
@@ -481,6 +482,8 @@ def arrange(
         In the plane, whether edges that hang on the rest by one end are left out.
     snap
         Whether coordinates are rounded so that the result stays as it is.
+    tolerance
+        In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
     max_cells
         More cells than this are refused.
     split
@@ -512,6 +515,7 @@ def arrange(
         inputs=inputs,
         prune=prune,
         snap=snap,
+        tolerance=tolerance,
         max_cells=max_cells,
         split=split,
         merge_coplanar=merge_coplanar,
@@ -529,6 +533,7 @@ def boolean(
     inputs: str | None = None,
     keep_walls: bool = False,
     snap: bool = False,
+    tolerance: float | None = None,
     max_cells: int | None = None,
     split: bool = True,
     merge_coplanar: bool = True,
@@ -558,7 +563,7 @@ def boolean(
         are models.
     keep_walls
         Whether what lies inside the result is kept.
-    snap, max_cells, split, merge_coplanar
+    snap, tolerance, max_cells, split, merge_coplanar
         As for :func:`arrange`.
     triangles
         In space, whether faces are cut into triangles; if all inputs are triangles, if left out.
@@ -591,6 +596,7 @@ def boolean(
         inputs=inputs,
         keep_walls=keep_walls,
         snap=snap,
+        tolerance=tolerance,
         max_cells=max_cells,
         split=split,
         merge_coplanar=merge_coplanar,

@@ -9,4 +9,5 @@ mod spatial_cells;
 mod spatial_cutting;
 mod surface_editing;
 mod surface_truth;
+mod tolerance;
 mod watching;

@@ -444,7 +444,7 @@ impl CutTriangles {
     }
 }
 
-fn check_input(positions: &Positions, triangles: &[[u32; 3]]) -> Result<(), Error> {
+pub(super) fn check_input(positions: &Positions, triangles: &[[u32; 3]]) -> Result<(), Error> {
     if positions.dimension() != 3 && !positions.is_empty() {
         return Err(Error::new(
             ErrorKind::Shape,

@@ -11,6 +11,7 @@
 //! * Edges and cuts are **lines**; the vertices on them divide them into **pieces**, the edges of the result. The
 //!   pieces in a sheet divide it into **fragments**, the faces of the result.
 
+mod crossings;
 mod cut_triangles;
 mod fans;
 mod fragments;
@@ -21,4 +22,6 @@ mod sheets;
 mod triples;
 mod vertices;
 
+pub use crossings::Crossings;
+pub(in crate::spatial) use crossings::crossings;
 pub use cut_triangles::{CutOptions, CutTriangles, SpatialVertexSource};

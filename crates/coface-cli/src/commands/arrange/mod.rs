@@ -5,7 +5,7 @@ mod spatial;
 
 pub(crate) use spatial::{SpaceOptions, in_space, rounding, scene_of};
 
-use crate::arguments::Common;
+use crate::arguments::{Common, length};
 use crate::failure::Failure;
 use crate::input::{self, Loaded};
 use crate::progress::Progress;
@@ -19,7 +19,8 @@ use std::path::{Path, PathBuf};
 /// Cut the plane or space into cells: the arrangement of segments, polylines and polygons.
 ///
 /// Inputs are any mix of drawings: segments (.lines), OBJ with lines or polygons, GeoJSON, WKT, SVG. They are planar when all points
-/// have two coordinates or lie at height 0; otherwise polygons cut space. Everything is exact: nothing is decided with a tolerance.
+/// have two coordinates or lie at height 0; otherwise polygons cut space. Everything is exact: nothing is decided with a tolerance, but
+/// for --tolerance.
 ///
 /// With -o the complex is written: GeoJSON, WKT and SVG have faces as polygons with holes; OBJ, PLY and VTK as polygons of a mesh;
 /// .lines has the edges; .json the chain complex with positions. .glb, .gltf and .png, in space .svg too, are to be looked at.
@@ -85,9 +86,24 @@ pub(crate) struct CellOptions {
     /// Round coordinates and arrange again until all vertices are where their coordinates say
     #[arg(long)]
     pub(crate) snap: bool,
+    /// In space, put planes, vertices, edges and faces together that are at most R apart, in the unit of the inputs
+    #[arg(long, value_name = "R", allow_negative_numbers = true, value_parser = length)]
+    pub(crate) tolerance: Option<f64>,
     /// Refuse an arrangement of more than N cells
     #[arg(long, value_name = "N")]
     pub(crate) max_cells: Option<usize>,
+}
+
+impl CellOptions {
+    /// Refuses a tolerance for drawings in the plane.
+    pub(crate) fn refuse_tolerance(&self) -> Result<(), Failure> {
+        match self.tolerance {
+            None => Ok(()),
+            Some(_) => Err(Failure::new(
+                "--tolerance is for surfaces and solids in space; for drawings in the plane leave it out",
+            )),
+        }
+    }
 }
 
 /// What an input is.

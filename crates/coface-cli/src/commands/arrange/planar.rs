@@ -35,6 +35,7 @@ pub(super) fn run(
     request.prune = verb.prune;
     request.snap = verb.cells.snap;
     request.max_cells = verb.cells.max_cells;
+    verb.cells.refuse_tolerance()?;
     let arranged = DrawingArrangement::new(drawing, &request)?;
     progress.stage("multiplying boundaries and checking coordinates");
     let answer = arranged.answer()?;

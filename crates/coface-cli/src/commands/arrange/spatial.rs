@@ -59,6 +59,7 @@ impl SpaceOptions {
         };
         request.merge_coplanar = self.merge_coplanar;
         request.snap = cells.snap;
+        request.tolerance = cells.tolerance;
         request.max_cells = cells.max_cells;
         request
     }
@@ -138,7 +139,11 @@ pub(super) fn run(
     let output = output.map(in_space).transpose()?;
     progress.stage("arranging");
     let scene = scene_of(verb.source, 1, models, true)?;
-    let arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells, common))?;
+    let mut arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells, common))?;
+    if arrangement.crossings()?.count > 0 {
+        progress.stage("rounding");
+        arrangement = arrangement.snapped()?;
+    }
     progress.stage("multiplying boundaries");
     let rule = verb.cells.rule.map(Rule::inside).unwrap_or_default();
     let answer = arrangement.answer(rule)?;
@@ -183,7 +188,7 @@ pub(super) fn run(
 pub(crate) fn rounding(rounding: &SpatialRounding) -> (String, String, String) {
     let (value, gloss) = match rounding.rounded_vertices {
         0 => ("none".to_owned(), "of coordinates"),
-        count => (text::count(count, "vertex"), "of coordinates; --snap makes them exact"),
+        count => (text::count(count, "vertex"), "of coordinates; no face goes through another for it"),
     };
     ("rounding".to_owned(), value, gloss.to_owned())
 }

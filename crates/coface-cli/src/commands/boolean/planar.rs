@@ -35,6 +35,7 @@ pub(super) fn run(
     request.keep_walls = verb.keep_walls;
     request.snap = verb.cells.snap;
     request.max_cells = verb.cells.max_cells;
+    verb.cells.refuse_tolerance()?;
     let result = RegionBoolean::new(drawing, &task.formula(region_count), &request)?;
     let answer = result.answer();
     accept(&answer.remarks, common)?;

@@ -66,7 +66,13 @@ pub(super) fn run(
     request.triangles = triangles;
     request.split_pinches = matches!(verb.solids.pinches, Pinches::Split);
     request.keep_walls = verb.keep_walls;
-    let result = SolidBoolean::of(&arrangement, &request)?;
+    let rounded;
+    let mut result = SolidBoolean::of(&arrangement, &request)?;
+    if result.crossings()?.count > 0 {
+        progress.stage("rounding");
+        rounded = arrangement.snapped()?;
+        result = SolidBoolean::of(&rounded, &request)?;
+    }
     let mut answer = result.answer()?;
     accept(&answer.remarks, common)?;
     progress.stage("writing");

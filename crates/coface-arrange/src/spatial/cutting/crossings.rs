@@ -1,0 +1,46 @@
+//! Where triangles meet otherwise than in common corners and sides.
+
+use super::cut_triangles::check_input;
+use super::meetings::Meetings;
+use super::sheets::Sheets;
+use coface_algebra::Error;
+use coface_geometry::Positions;
+
+/// Where faces meet otherwise than in common corners and sides: they cross, overlap, have no area, or have a corner inside
+/// a side of another one.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Crossings {
+    /// The number of places; a segment that two faces have in common is one.
+    pub count: usize,
+    /// A point of each of the first of them.
+    pub places: Vec<[f64; 3]>,
+}
+
+/// Decides exactly where triangles meet otherwise than in common corners and sides. A corner that touches the inside of a
+/// triangle is no crossing.
+///
+/// # Errors
+/// As [`CutTriangles::new`](super::CutTriangles::new).
+pub(in crate::spatial) fn crossings(
+    positions: &Positions,
+    triangles: &[[u32; 3]],
+    most_listed: usize,
+) -> Result<Crossings, Error> {
+    check_input(positions, triangles)?;
+    let (sheets, tree) = Sheets::new(positions, triangles);
+    let meetings = Meetings::new(&sheets, &tree, |_| Ok(()))?;
+    let corner = |triangle: u32| {
+        let vertex = sheets.vertex_of_point[triangles[triangle as usize][0] as usize];
+        sheets.point(vertex)
+    };
+    let degenerate = sheets.degenerate.iter().map(|&triangle| corner(triangle));
+    let touching = meetings.vertices_on_edges.iter().map(|&[_, vertex]| sheets.point(vertex));
+    let crossing = meetings.places.iter().map(|place| place.point(&sheets).rounded());
+    let common = meetings.cuts.iter().map(|cut| cut.ends[0].point(&sheets).rounded());
+    let overlapping =
+        meetings.overlapping.iter().map(|&sheet| sheets.point(sheets.corners[sheet as usize][0]));
+    let count = degenerate.len() + touching.len() + crossing.len() + common.len() + overlapping.len();
+    let all = degenerate.chain(touching).chain(crossing).chain(common).chain(overlapping);
+    Ok(Crossings { count, places: all.take(most_listed).collect() })
+}

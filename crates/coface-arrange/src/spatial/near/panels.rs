@@ -1,0 +1,344 @@
+//! Panels: flat faces by their sides, with what lies on them.
+
+use super::{NearFeatures, compare, minus, plus, squared};
+use crate::spatial::predicates::{GivenPoints, SpatialPredicates};
+use coface_algebra::RaggedArray;
+use coface_geometry::triangulation::triangulate_sides;
+use coface_geometry::{AxisBox, BoxTree, Positions, cross, dot};
+use rayon::prelude::*;
+use std::cmp::Ordering;
+
+/// A panel is seen along the first axis along which its normal has at least this part of its largest coordinate; no
+/// usual angle has just that.
+const LEAST_PART: f64 = 0.432_1;
+
+/// A face that is flat within the tolerance.
+#[derive(Clone, Debug)]
+pub(super) struct Panel {
+    pub(super) patch: u32,
+    /// The sides, of which no two cancel; of a side that is there more than once, all.
+    pub(super) sides: Vec<[u32; 2]>,
+    /// The vertices that were put on the inside.
+    inside: Vec<u32>,
+}
+
+impl Panel {
+    /// Follows vertices to where they were put.
+    pub(super) fn put(&mut self, target: &[u32]) {
+        let is_put = |&vertex: &u32| target[vertex as usize] != vertex;
+        if self.sides.as_flattened().iter().any(is_put) {
+            self.sides.as_flattened_mut().iter_mut().for_each(|end| *end = target[*end as usize]);
+            self.cancel();
+        }
+        self.inside.iter_mut().for_each(|vertex| *vertex = target[*vertex as usize]);
+    }
+
+    /// Makes sides paths through the vertices that are given for them, from the lower end on.
+    pub(super) fn divide<'a>(&mut self, path: impl Fn([u32; 2]) -> &'a [u32]) {
+        if self.sides.iter().all(|&side| path(side).is_empty()) {
+            return;
+        }
+        self.sides = divided(&self.sides, path);
+        self.cancel();
+    }
+
+    /// Drops sides without length and pairs of opposite ones. The rest is in no order.
+    fn cancel(&mut self) {
+        self.sides.retain(|[a, b]| a != b);
+        self.sides.sort_unstable_by_key(|&[a, b]| ([a.min(b), a.max(b)], a > b));
+        let mut kept: Vec<[u32; 2]> = Vec::with_capacity(self.sides.len());
+        for group in self.sides.chunk_by(|x, y| x == y || *x == [y[1], y[0]]) {
+            let up = group.iter().filter(|[a, b]| a < b).count();
+            let down = group.len() - up;
+            let first = if up > down { group[0] } else { group[group.len() - 1] };
+            kept.extend(std::iter::repeat_n(first, up.abs_diff(down)));
+        }
+        self.sides = kept;
+    }
+
+    fn has_corner(&self, vertex: u32) -> bool {
+        self.sides.iter().any(|side| side[0] == vertex)
+    }
+}
+
+/// Where a panel is: a point and the unit normal of its plane, how far sides are from that, and the axis it is seen
+/// along.
+struct Lie {
+    point: [f64; 3],
+    normal: [f64; 3],
+    deviation: f64,
+    axis: usize,
+}
+
+impl NearFeatures {
+    /// Panels of triangles, each triangle a piece of a patch: patches that are flat within the tolerance, else their
+    /// triangles. Lines are edges that lie on them.
+    pub(in crate::spatial) fn new(
+        points: Vec<[f64; 3]>,
+        triangles: &[[u32; 3]],
+        patch_of_triangle: &[u32],
+        lines: Vec<[u32; 2]>,
+        is_passing: Vec<bool>,
+        tolerance: f64,
+    ) -> Self {
+        let target = (0..points.len() as u32).collect();
+        let mut near = Self { points, panels: Vec::new(), lines, is_passing, target, ..Self::default() };
+        let count = patch_of_triangle.iter().max().map_or(0, |&last| last as usize + 1);
+        let of_patch = RaggedArray::grouped(count, patch_of_triangle.iter().copied());
+        let sides_of = |triangle: u32| {
+            let [a, b, c] = triangles[triangle as usize];
+            [[a, b], [b, c], [c, a]]
+        };
+        let panels: Vec<Vec<Panel>> = (0..count)
+            .into_par_iter()
+            .map(|patch| {
+                let own = of_patch.list(patch);
+                let patch = patch as u32;
+                let single =
+                    |&triangle: &u32| Panel { patch, sides: sides_of(triangle).to_vec(), inside: Vec::new() };
+                if own.len() < 2 {
+                    return own.iter().map(single).collect();
+                }
+                let sides = own.iter().flat_map(|&triangle| sides_of(triangle)).collect();
+                let mut whole = Panel { patch, sides, inside: Vec::new() };
+                whole.cancel();
+                let lie = near.lie(&whole);
+                let is_on = |&triangle: &u32| {
+                    let corners = triangles[triangle as usize].iter();
+                    lie.as_ref().is_some_and(|lie| {
+                        corners.copied().all(|corner| near.height(lie, corner).abs() <= tolerance)
+                    })
+                };
+                if own.iter().all(is_on) { vec![whole] } else { own.iter().map(single).collect() }
+            })
+            .collect();
+        near.panels = panels.into_iter().flatten().collect();
+        near
+    }
+
+    /// Where a panel is; none without sides or area.
+    fn lie(&self, panel: &Panel) -> Option<Lie> {
+        let first = panel.sides.first()?[0];
+        let origin = self.point(first);
+        let relative = |vertex: u32| minus(self.point(vertex), origin);
+        let area =
+            panel.sides.iter().fold([0.0; 3], |sum, &[a, b]| plus(sum, 1.0, cross(relative(a), relative(b))));
+        let length = squared(area).sqrt();
+        if length <= 0.0 {
+            return None;
+        }
+        let normal = area.map(|x| x / length);
+        let weight = 1.0 / panel.sides.len() as f64;
+        let middle = panel.sides.iter().fold([0.0; 3], |sum, &[a, _]| plus(sum, weight, relative(a)));
+        let height = |vertex: u32| dot(normal, minus(relative(vertex), middle)).abs();
+        let deviation = panel.sides.iter().map(|side| height(side[0])).fold(0.0, f64::max);
+        let largest = normal.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let axis = (0..3).find(|&axis| normal[axis].abs() >= LEAST_PART * largest)?;
+        Some(Lie { point: plus(origin, 1.0, middle), normal, deviation, axis })
+    }
+
+    fn height(&self, lie: &Lie, vertex: u32) -> f64 {
+        dot(lie.normal, minus(self.point(vertex), lie.point))
+    }
+
+    /// Whether a point is inside a panel as it is seen along its axis.
+    fn is_inside(&self, panel: &Panel, lie: &Lie, point: [f64; 3]) -> bool {
+        let (i, j) = ((lie.axis + 1) % 3, (lie.axis + 2) % 3);
+        let mut winding = 0;
+        for side in &panel.sides {
+            let [a, b] = side.map(|end| minus(self.point(end), point));
+            let turn = a[i] * b[j] - a[j] * b[i];
+            if a[j] <= 0.0 && b[j] > 0.0 && turn > 0.0 {
+                winding += 1;
+            } else if a[j] > 0.0 && b[j] <= 0.0 && turn < 0.0 {
+                winding -= 1;
+            }
+        }
+        winding != 0
+    }
+
+    /// Puts vertices on panels that they are near the insides of.
+    pub(super) fn put_vertices_on_panels(&mut self, tolerance: f64) -> bool {
+        let used = self.used();
+        let boxes: Vec<AxisBox> = used.par_iter().map(|&vertex| self.box_of([vertex], 0.0)).collect();
+        let tree = BoxTree::new(&boxes);
+        let found: Vec<Vec<u32>> = self
+            .panels
+            .par_iter()
+            .map(|panel| {
+                let Some(lie) = self.lie(panel) else { return Vec::new() };
+                let reach = tolerance + lie.deviation;
+                let frame = self.box_of(panel.sides.iter().map(|side| side[0]), reach);
+                let mut own = Vec::new();
+                tree.visit(&frame, |place| own.push(used[place as usize]));
+                own.retain(|&vertex| {
+                    self.height(&lie, vertex).abs() <= reach
+                        && !panel.inside.contains(&vertex)
+                        && !panel.has_corner(vertex)
+                        && self.is_inside(panel, &lie, self.point(vertex))
+                });
+                own
+            })
+            .collect();
+        let count: usize = found.iter().map(Vec::len).sum();
+        self.counts.faces += count;
+        for (panel, own) in self.panels.iter_mut().zip(found) {
+            panel.inside.extend(own);
+        }
+        count > 0
+    }
+
+    /// The triangles of all panels, each with its patch.
+    pub(in crate::spatial) fn triangles(&self, tolerance: f64) -> (Vec<[u32; 3]>, Vec<u32>) {
+        let edges = self.edges();
+        let mut sides: Vec<[u32; 2]> = edges.iter().flat_map(|&[a, b]| [[a, b], [b, a]]).collect();
+        sides.sort_unstable();
+        let positions = Positions::from_flat(3, self.points.as_flattened().to_vec());
+        let lists: Vec<Vec<[u32; 3]>> = match positions.as_ref().map(GivenPoints::new) {
+            Ok(Ok(points)) => {
+                let own = |panel: &Panel| self.triangulated(panel, &sides, &points, tolerance);
+                self.panels.par_iter().map(own).collect()
+            }
+            _ => Vec::new(),
+        };
+        let (mut triangles, mut patches) = (Vec::new(), Vec::new());
+        for (panel, own) in self.panels.iter().zip(lists) {
+            patches.extend(own.iter().map(|_| panel.patch));
+            triangles.extend(own);
+        }
+        (triangles, patches)
+    }
+
+    /// The triangles of a panel, divided by what lies on it: `sides` are all sides there are, in both directions, rising.
+    fn triangulated(
+        &self,
+        panel: &Panel,
+        sides: &[[u32; 2]],
+        points: &GivenPoints<'_>,
+        tolerance: f64,
+    ) -> Vec<[u32; 3]> {
+        if let ([x, y, z], []) = (&panel.sides[..], &panel.inside[..]) {
+            return closed(*x, *y, *z).into_iter().collect();
+        }
+        let Some(lie) = self.lie(panel) else { return fan(&panel.sides) };
+        let inner = self.sides_on(panel, &lie, sides);
+        let is_turned = lie.normal[lie.axis] < 0.0;
+        let turned = |&[a, b]: &[u32; 2]| if is_turned { [b, a] } else { [a, b] };
+        let (i, j) = ((lie.axis + 1) % 3, (lie.axis + 2) % 3);
+        let order = |a: u32, b: u32| points.compare(i, a, b).then_with(|| points.compare(j, a, b));
+        let turn = |a: u32, b: u32, c: u32| points.normal_sign(lie.axis, [a, b, c]);
+        // Vertices that were put on a side are in line with its ends.
+        let rough_turn = |a: u32, b: u32, c: u32| match self.is_thin([a, b, c], [i, j], tolerance) {
+            true => Ordering::Equal,
+            false => turn(a, b, c),
+        };
+        let all = |inner: &[[u32; 2]]| {
+            let mut all: Vec<[u32; 2]> = panel.sides.iter().chain(inner).map(turned).collect();
+            all.sort_by(|x, y| order(x[0], y[0]).then_with(|| order(x[1], y[1])));
+            all
+        };
+        let found = triangulate_sides(&all(&inner), order, rough_turn)
+            .or_else(|_| triangulate_sides(&all(&inner), order, turn))
+            .or_else(|_| triangulate_sides(&all(&[]), order, turn));
+        let Ok(mut own) = found else { return fan(&panel.sides) };
+        // Vertices on the inside at which no side ends.
+        let mut alone: Vec<u32> = panel.inside.clone();
+        alone.sort_by(|&a, &b| compare(self.point(a), self.point(b)));
+        alone.dedup();
+        alone.retain(|&vertex| !own.as_flattened().contains(&vertex));
+        for vertex in alone {
+            // In one triangle, or on the side of two.
+            let mut pieces = Vec::with_capacity(own.len() + 2);
+            for [a, b, c] in own {
+                let turns = [[a, b], [b, c], [c, a]].map(|[x, y]| rough_turn(x, y, vertex));
+                let on = turns.iter().filter(|turn| turn.is_eq()).count();
+                if turns.contains(&Ordering::Less) || on > 1 {
+                    pieces.push([a, b, c]);
+                    continue;
+                }
+                let sides = [[a, b], [b, c], [c, a]].into_iter().zip(turns);
+                pieces.extend(sides.filter(|(_, turn)| turn.is_gt()).map(|([x, y], _)| [x, y, vertex]));
+            }
+            own = pieces;
+        }
+        if is_turned {
+            own.iter_mut().for_each(|triangle| triangle.swap(1, 2));
+        }
+        own
+    }
+
+    /// Whether a triangle seen along an axis is at most as high as the tolerance.
+    fn is_thin(&self, corners: [u32; 3], [i, j]: [usize; 2], tolerance: f64) -> bool {
+        let [a, b, c] = corners.map(|corner| self.point(corner));
+        let [u, v, w] = [minus(b, a), minus(c, a), minus(c, b)].map(|way| [way[i], way[j]]);
+        let longest = [u, v, w].iter().map(|way| way[0] * way[0] + way[1] * way[1]).fold(0.0, f64::max);
+        (u[0] * v[1] - u[1] * v[0]).abs() <= tolerance * longest.sqrt()
+    }
+
+    /// The sides of other panels on the inside of one, in both directions.
+    fn sides_on(&self, panel: &Panel, lie: &Lie, sides: &[[u32; 2]]) -> Vec<[u32; 2]> {
+        let mut corners: Vec<u32> = panel.sides.iter().map(|side| side[0]).collect();
+        corners.extend(&panel.inside);
+        corners.sort_unstable();
+        corners.dedup();
+        if corners.len() < 4 {
+            return Vec::new();
+        }
+        let mut own: Vec<[u32; 2]> = panel.sides.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
+        own.sort_unstable();
+        let mut found = Vec::new();
+        for &from in &corners {
+            let start = sides.partition_point(|side| side[0] < from);
+            for &[_, to] in sides[start..].iter().take_while(|side| side[0] == from) {
+                if from < to
+                    && corners.binary_search(&to).is_ok()
+                    && own.binary_search(&[from, to]).is_err()
+                    && self.is_inside(
+                        panel,
+                        lie,
+                        plus(self.point(from), 0.5, minus(self.point(to), self.point(from))),
+                    )
+                {
+                    found.extend([[from, to], [to, from]]);
+                }
+            }
+        }
+        found
+    }
+}
+
+/// Sides as paths through the vertices that are given for them, from the lower end on.
+pub(super) fn divided<'a>(sides: &[[u32; 2]], path: impl Fn([u32; 2]) -> &'a [u32]) -> Vec<[u32; 2]> {
+    let mut divided = Vec::with_capacity(2 * sides.len());
+    for &[from, to] in sides {
+        let mut last = from;
+        let inner = path([from, to]);
+        let mut step = |next: u32| {
+            divided.push([last, next]);
+            last = next;
+        };
+        if from < to {
+            inner.iter().copied().for_each(&mut step);
+        } else {
+            inner.iter().rev().copied().for_each(&mut step);
+        }
+        step(to);
+    }
+    divided
+}
+
+/// The triangle that three sides are.
+fn closed([a, b]: [u32; 2], [c, d]: [u32; 2], [e, f]: [u32; 2]) -> Option<[u32; 3]> {
+    if b == c && d == e && f == a {
+        Some([a, b, d])
+    } else {
+        (b == e && f == c && d == a).then_some([a, b, f])
+    }
+}
+
+/// Triangles from one vertex to sides: with the same boundary, whatever they are.
+fn fan(sides: &[[u32; 2]]) -> Vec<[u32; 3]> {
+    let Some(&[top, _]) = sides.first() else { return Vec::new() };
+    let pieces = sides.iter().map(|&[a, b]| [top, a, b]);
+    pieces.filter(|&[top, a, b]| top != a && top != b && a != b).collect()
+}

@@ -1,0 +1,393 @@
+//! Drawings on floating-point points, joined where they nearly meet and cut, until nothing new comes of it.
+
+use super::axis_view::AxisView;
+use super::cutting::{Crossings, crossings};
+use super::near::{NearCounts, NearFeatures};
+use super::patches::Patches;
+use super::predicates::{GivenPoints, SpatialPredicates};
+use super::{SpatialArrangement, SpatialOptions};
+use coface_algebra::{EdgeId, Error, FaceId, RaggedArray, Sign, VertexId};
+use coface_geometry::{Positions, cross, dot};
+use rayon::prelude::*;
+use std::cmp::Ordering;
+
+/// No number. The arrays that hold it have one entry a point, and an `Option` would double their size.
+const NONE: u32 = u32::MAX;
+/// After so many rounds features are joined that are twice as far apart as in the round before.
+const STEADY_ROUNDS: usize = 4;
+/// Where only rounding is asked for, the reach grows this often before it is given up: to the square root of the
+/// precision.
+const MOST_ROUNDS: usize = 28;
+/// Where a tolerance is given, features up to sixteen times as far apart may be joined to come to an end.
+const MOST_ROUNDS_WITH_TOLERANCE: usize = 8;
+
+/// Triangles in patches that are to be arranged.
+#[derive(Clone, Debug)]
+pub(super) struct Drawing {
+    points: Vec<[f64; 3]>,
+    triangles: Vec<[u32; 3]>,
+    /// Edges that triangles have, also those inside patches that lie on other patches.
+    edges: Vec<[u32; 2]>,
+    /// Whose `is_passing` has an entry for each point.
+    patches: Patches,
+    /// Where points were first.
+    first: Vec<[f64; 3]>,
+    /// For each of them, the point that it became; no number for one that vanished.
+    place: Vec<u32>,
+}
+
+/// What was put together to make an arrangement within a tolerance.
+///
+/// Points are those of the polygons, or where an arrangement was rounded, the drawn vertices of it.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct JoinedFeatures {
+    /// How often features were put together.
+    pub counts: NearCounts,
+    /// The longest way that a point went.
+    pub largest_movement: f64,
+    /// The points that went anywhere, rising, each with where to.
+    pub moved: Vec<(VertexId, [f64; 3])>,
+    /// The points that became one although they were apart, each class rising.
+    pub classes: RaggedArray,
+    /// The distance within which features were put together in the end; more than what was asked for where that did
+    /// not come to an end.
+    pub tolerance: f64,
+}
+
+impl Drawing {
+    /// Triangles on the points of polygons, which were at other places first.
+    pub(super) fn new(
+        first: Vec<[f64; 3]>,
+        points: Vec<[f64; 3]>,
+        triangles: Vec<[u32; 3]>,
+        mut patches: Patches,
+    ) -> Self {
+        patches.is_passing = vec![false; points.len()];
+        let place = (0..points.len() as u32).collect();
+        Self { points, triangles, edges: Vec::new(), patches, first, place }
+    }
+
+    /// The faces of an arrangement on the rounded positions of its drawn vertices. Vertices that nothing needs are left
+    /// out of edges that are straight within the tolerance, and faces that are as flat are drawn by their outlines.
+    pub(super) fn of(arrangement: &SpatialArrangement, tolerance: f64) -> Result<Self, Error> {
+        let is_flat: Vec<bool> = (0..arrangement.complex().face_count())
+            .into_par_iter()
+            .map(|face| arrangement.is_flat(FaceId::new(face), tolerance))
+            .collect();
+        let is_left_out = arrangement.left_out(&is_flat, tolerance);
+        let lists: Vec<Result<Vec<[u32; 3]>, Error>> = (0..is_flat.len())
+            .into_par_iter()
+            .map(|face| arrangement.triangulated_without(FaceId::new(face), &is_left_out, is_flat[face]))
+            .collect();
+        let (mut triangles, mut patch_of_triangle) = (Vec::new(), Vec::new());
+        let (mut polygons_of_patch, mut packed) = (RaggedArray::new(), Vec::new());
+        for (face, list) in (0..).zip(lists) {
+            let list = list?;
+            patch_of_triangle.extend(list.iter().map(|_| face));
+            triangles.extend(list);
+            // Of faces that were merged each has as many polygons of each input as all others.
+            let first = arrangement.first_fine_face(FaceId::from_u32(face));
+            packed.clear();
+            let own = arrangement.patches_of_face.list(first.index());
+            arrangement.patches.for_each_polygon(own, |polygon| packed.push(polygon));
+            polygons_of_patch.push(&packed);
+        }
+        let is_original = |vertex: usize| {
+            let vertex = VertexId::new(vertex);
+            !arrangement.patches.is_new(&arrangement.cut, vertex.to_u32())
+        };
+        let points = arrangement.cut.positions().as_flat().as_chunks::<3>().0.to_vec();
+        let is_passing = (0..points.len()).map(|vertex| !is_original(vertex)).collect();
+        let patches = Patches {
+            patch_of_triangle,
+            folded: Vec::new(),
+            polygons_of_patch: Some(polygons_of_patch),
+            input_of_polygon: arrangement.patches.input_of_polygon.clone(),
+            input_count: arrangement.patches.input_count,
+            is_passing,
+            keeps_vertices: false,
+        };
+        let place = (0..points.len() as u32).collect();
+        let edges = (0..arrangement.complex().edge_count()).flat_map(|edge| {
+            let path = arrangement.path(EdgeId::new(edge), &is_left_out);
+            path.windows(2).map(|ends| [ends[0], ends[1]]).collect::<Vec<_>>()
+        });
+        Ok(Self { first: points.clone(), edges: edges.collect(), points, triangles, patches, place })
+    }
+
+    /// The arrangement of the drawing, drawn and arranged again until there are no new vertices or, where rounding is
+    /// all that is asked for, none that is not exactly at its rounded coordinates.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if that does not come to an end.
+    pub(super) fn settled(
+        self,
+        options: &SpatialOptions,
+        tolerance: f64,
+        is_rounding: bool,
+    ) -> Result<SpatialArrangement, Error> {
+        let mut drawing = self;
+        let mut joined = JoinedFeatures { tolerance, ..JoinedFeatures::default() };
+        let most = if is_rounding { MOST_ROUNDS } else { MOST_ROUNDS_WITH_TOLERANCE };
+        for round in 0..most {
+            joined.tolerance = tolerance * f64::from(1u32 << round.saturating_sub(STEADY_ROUNDS));
+            joined.counts.add(&drawing.join(joined.tolerance));
+            let Self { points, triangles, patches, first, place, .. } = drawing;
+            let positions = Positions::from_flat(3, points.into_flattened())?;
+            let mut arrangement = SpatialArrangement::of_triangles(&positions, &triangles, patches, options)?;
+            let is_settled = arrangement.cut.complex().vertex_count() == positions.len()
+                || (is_rounding && arrangement.is_exactly_rounded());
+            if is_settled {
+                joined.tell(&first, &place, &positions);
+                arrangement.round_count = round + 1;
+                arrangement.joined = Some(joined);
+                return Ok(arrangement);
+            }
+            drawing = Self::of(&arrangement, joined.tolerance)?;
+            (drawing.first, drawing.place) = (first, place);
+        }
+        Err(Error::invalid(format!(
+            "features less than {:e} apart are put together again and again: {most} rounds are not enough",
+            joined.tolerance
+        ))
+        .with_cure("scale the model up, or remove polygons that nearly coincide"))
+    }
+
+    /// Puts together what is near, and leaves out points that nothing has any more.
+    fn join(&mut self, tolerance: f64) -> NearCounts {
+        let mut near = NearFeatures::new(
+            std::mem::take(&mut self.points),
+            &self.triangles,
+            &self.patches.patch_of_triangle,
+            std::mem::take(&mut self.edges),
+            std::mem::take(&mut self.patches.is_passing),
+            tolerance,
+        );
+        near.join(tolerance);
+        let (triangles, patch_of_triangle) = near.triangles(tolerance);
+        let mut number = vec![NONE; near.points.len()];
+        triangles.as_flattened().iter().for_each(|&corner| number[corner as usize] = 0);
+        let mut used = Vec::new();
+        for (point, number) in number.iter_mut().enumerate().filter(|(_, number)| **number != NONE) {
+            *number = used.len() as u32;
+            used.push(point);
+        }
+        for place in self.place.iter_mut().filter(|place| **place != NONE) {
+            *place = number[near.end_of(*place) as usize];
+        }
+        self.points = used.iter().map(|&point| near.points[point]).collect();
+        self.patches.is_passing = used.iter().map(|&point| near.is_passing[point]).collect();
+        let renumbered = |own: [u32; 3]| own.map(|corner| number[corner as usize]);
+        self.triangles = triangles.into_iter().map(renumbered).collect();
+        self.patches.patch_of_triangle = patch_of_triangle;
+        self.fold();
+        near.counts
+    }
+
+    /// Finds out which patches are not planar any more, with the pictures in which all of their triangles run
+    /// counterclockwise; triangles of a patch that has none are patches of their own.
+    fn fold(&mut self) {
+        let Ok(positions) = Positions::from_flat(3, self.points.as_flattened().to_vec()) else { return };
+        let Ok(points) = GivenPoints::new(&positions) else { return };
+        let of_triangle = &self.patches.patch_of_triangle;
+        let count = of_triangle.iter().max().map_or(0, |&last| last as usize + 1);
+        let triangles_of_patch = RaggedArray::grouped(count, of_triangle.iter().copied());
+        let shape = |patch: usize| {
+            let own =
+                triangles_of_patch.list(patch).iter().map(|&triangle| self.triangles[triangle as usize]);
+            shape(&own.collect::<Vec<_>>(), &self.points, &points)
+        };
+        let shapes: Vec<Shape> = (0..count).into_par_iter().map(shape).collect();
+        self.patches.folded.clear();
+        let mut lists = match self.patches.polygons_of_patch.take() {
+            Some(lists) => lists,
+            None => {
+                let polygons = 0..self.patches.input_of_polygon.len() as u32;
+                RaggedArray::from_lists(polygons.map(|polygon| [2 * polygon]))
+            }
+        };
+        for (patch, shape) in (0u32..).zip(shapes) {
+            match shape {
+                Shape::Flat => {}
+                Shape::Folded(view) => self.patches.folded.push((patch, view)),
+                Shape::Apart => {
+                    let own = lists.list(patch as usize).to_vec();
+                    for &triangle in triangles_of_patch.list(patch as usize) {
+                        self.patches.patch_of_triangle[triangle as usize] = lists.len() as u32;
+                        lists.push(&own);
+                    }
+                }
+            }
+        }
+        self.patches.polygons_of_patch = Some(lists);
+    }
+}
+
+impl JoinedFeatures {
+    /// Notes where points went.
+    fn tell(&mut self, first: &[[f64; 3]], place: &[u32], positions: &Positions) {
+        let at = |place: u32| {
+            let point = positions.point(VertexId::from_u32(place));
+            [point[0], point[1], point[2]]
+        };
+        let mut order: Vec<u32> =
+            (0..first.len() as u32).filter(|&point| place[point as usize] != NONE).collect();
+        for &point in &order {
+            let (from, to) = (first[point as usize], at(place[point as usize]));
+            if from != to {
+                let way = [0, 1, 2].map(|axis| to[axis] - from[axis]);
+                self.largest_movement = self.largest_movement.max(dot(way, way).sqrt());
+                self.moved.push((VertexId::from_u32(point), to));
+            }
+        }
+        order.sort_by_key(|&point| (place[point as usize], point));
+        for class in order.chunk_by(|&a, &b| place[a as usize] == place[b as usize]) {
+            if class.iter().any(|&point| first[point as usize] != first[class[0] as usize]) {
+                self.classes.push(class);
+            }
+        }
+    }
+}
+
+/// Features are at least so many units of the last place of the largest coordinate apart.
+const UNITS_APART: f64 = 4.0;
+
+/// The least tolerance that means something for points with such coordinates.
+pub(super) fn least_tolerance(points: &[[f64; 3]]) -> f64 {
+    let largest = points.as_flattened().iter().fold(f64::MIN_POSITIVE, |most, x| x.abs().max(most));
+    UNITS_APART * f64::EPSILON * largest
+}
+
+/// How the triangles of a patch lie.
+enum Shape {
+    Flat,
+    Folded(AxisView),
+    Apart,
+}
+
+fn shape(own: &[[u32; 3]], points: &[[f64; 3]], predicates: &GivenPoints<'_>) -> Shape {
+    let [first, rest @ ..] = own else { return Shape::Flat };
+    if rest.is_empty() {
+        return Shape::Flat;
+    }
+    let normal = own.iter().fold([0.0; 3], |sum, &[a, b, c]| {
+        let [a, b, c] = [a, b, c].map(|corner| points[corner as usize]);
+        let normal = cross([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
+        [0, 1, 2].map(|i| sum[i] + normal[i])
+    });
+    let axis = (0..3).max_by(|&i, &j| normal[i].abs().total_cmp(&normal[j].abs())).unwrap_or(0);
+    let from = if normal[axis] < 0.0 { Sign::Minus } else { Sign::Plus };
+    let view = AxisView { axis: axis as u8, from };
+    if own.iter().any(|&triangle| view.turn(predicates, triangle) != Ordering::Greater) {
+        return Shape::Apart;
+    }
+    let [a, b, c] = *first;
+    let is_in_plane = |corner: &u32| predicates.orientation([a, b, c, *corner]).is_eq();
+    if rest.as_flattened().iter().all(is_in_plane) { Shape::Flat } else { Shape::Folded(view) }
+}
+
+impl SpatialArrangement {
+    /// Where faces on rounded positions meet otherwise than in common corners and sides: nowhere if rounding is valid. At
+    /// most so many places are listed.
+    ///
+    /// # Errors
+    /// As [`Self::triangulated`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let polygons = SpatialPolygons::from_polygons(corners, sides)?;
+    /// let tetrahedron = SpatialArrangement::new(&polygons, &SpatialOptions::new())?;
+    /// assert_eq!(tetrahedron.crossings_of_rounded(10)?.count, 0);
+    /// # Ok(()) }
+    /// ```
+    pub fn crossings_of_rounded(&self, most_listed: usize) -> Result<Crossings, Error> {
+        if self.is_exactly_rounded() {
+            return Ok(Crossings::default());
+        }
+        crossings(self.cut.positions(), &self.drawn_triangles()?.triangles, most_listed)
+    }
+
+    fn rounded(&self, fine: u32) -> [f64; 3] {
+        let point = self.cut.positions().point(VertexId::from_u32(fine));
+        [point[0], point[1], point[2]]
+    }
+
+    /// The fine vertices along an edge, but for those that are left out.
+    fn path(&self, edge: EdgeId, is_left_out: &[bool]) -> Vec<u32> {
+        let Some(merged) = &self.merged else { return self.complex().edges()[edge.index()].to_vec() };
+        let mut path = merged.path(self.cut.complex(), edge.to_u32() << 1);
+        path.retain(|&vertex| !is_left_out[vertex as usize]);
+        path
+    }
+
+    /// Whether all of a face is this near to a plane.
+    fn is_flat(&self, face: FaceId, tolerance: f64) -> bool {
+        let fine = self.first_fine_face(face);
+        if self.patches.fold(self.patches_of_face.list(fine.index())).is_none() {
+            return true;
+        }
+        let sides: Vec<[u32; 2]> = self
+            .fine_faces(face)
+            .flat_map(|(fine, _)| self.cut.complex().packed_sides().list(fine.index()))
+            .map(|&side| self.cut.complex().side_ends(side))
+            .collect();
+        let origin = self.rounded(sides[0][0]);
+        let relative = |vertex: u32| {
+            let point = self.rounded(vertex);
+            [0, 1, 2].map(|axis| point[axis] - origin[axis])
+        };
+        let mut normal = [0.0; 3];
+        for path in self.paths(face) {
+            for pair in path.windows(2) {
+                let part = cross(relative(pair[0]), relative(pair[1]));
+                normal = [0, 1, 2].map(|axis| normal[axis] + part[axis]);
+            }
+        }
+        let length = dot(normal, normal).sqrt();
+        let heights = sides.iter().map(|side| dot(relative(side[0]), normal));
+        let (low, high) =
+            heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+        high - low <= 2.0 * tolerance * length
+    }
+
+    /// The fine vertices that need not be drawn: those that no face needs, and those inside edges of flat faces that
+    /// are straight within the tolerance.
+    fn left_out(&self, is_flat: &[bool], tolerance: f64) -> Vec<bool> {
+        let Some(merged) = &self.merged else { return Vec::new() };
+        let mut is_left_out = self.is_omitted.clone();
+        let mut is_bent = vec![false; merged.edges.len()];
+        for (face, sides) in self.complex().packed_sides().iter().enumerate() {
+            if !is_flat[face] {
+                sides.iter().for_each(|&side| is_bent[(side >> 1) as usize] = true);
+            }
+        }
+        for edge in (0..merged.edges.len()).filter(|&edge| !is_bent[edge]) {
+            let path = merged.path(self.cut.complex(), EdgeId::new(edge).to_u32() << 1);
+            let [first, inner @ .., last] = &path[..] else { continue };
+            let (a, b) = (self.rounded(*first), self.rounded(*last));
+            let along = [0, 1, 2].map(|axis| b[axis] - a[axis]);
+            let length = dot(along, along);
+            let mut before = 0.0;
+            let is_straight = inner.iter().all(|&vertex| {
+                let point = self.rounded(vertex);
+                let to = [0, 1, 2].map(|axis| point[axis] - a[axis]);
+                let part = dot(to, along) / length;
+                let off = [0, 1, 2].map(|axis| to[axis] - part * along[axis]);
+                let is_further = part > before && part < 1.0;
+                before = part;
+                is_further && dot(off, off) <= tolerance * tolerance
+            });
+            if is_straight {
+                inner.iter().for_each(|&vertex| is_left_out[vertex as usize] = true);
+            }
+        }
+        is_left_out
+    }
+}
