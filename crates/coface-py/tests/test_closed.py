@@ -40,3 +40,14 @@ def test_two_sets_are_compared() -> None:
     assert far["hausdorff"] == pytest.approx(1.0)
     same = square.compare(square)
     assert same["area_xor"] == 0.0
+
+
+def test_a_gap_within_the_tolerance_closes() -> None:
+    cube, beside = box((0, 0, 0), (1, 1, 1)), box((1.001, 0, 0), (2, 1, 1))
+    apart = coface.arrange([cube, beside])
+    assert (apart.f_vector, apart.joined) == ([16, 24, 12, 2], None)
+    joined = coface.arrange([cube, beside], tolerance=0.01)
+    assert joined.f_vector == [12, 20, 11, 2]
+    assert joined.joined["largest_movement"] == pytest.approx(0.001)
+    union = coface.boolean("union", [cube, beside], tolerance=0.01)
+    assert (union.solids, union.rounding["valid"]) == (1, True)

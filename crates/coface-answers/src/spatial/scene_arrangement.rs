@@ -525,15 +525,21 @@ impl SceneArrangement {
             return None;
         }
         let mut message = match self.request.tolerance {
-            Some(_) => format!("features up to {:e} apart were put together", joined.tolerance),
+            Some(_) => format!("features up to {:.2e} apart were put together", joined.tolerance),
             None => format!(
-                "rounded coordinates would make faces cross, so features up to {:e} apart were put together",
+                "rounded coordinates would make faces cross, so features up to {:.2e} apart were put together",
                 joined.tolerance
             ),
         };
-        message += &format!("; points moved by at most {:.1e}", joined.largest_movement);
+        message += &match joined.largest_movement {
+            0.0 => "; no point moved".to_owned(),
+            way => format!("; points moved by at most {way:.1e}"),
+        };
         if let Some(vanished) = joined.vanished_cells.filter(|&count| count > 0) {
-            message += &format!("; {} vanished", text::count(vanished, "cell"));
+            message += &format!("; {} vanished, thinner than that", text::count(vanished, "cell"));
+            if self.request.tolerance.is_none() {
+                message += "; --tolerance says how near is one";
+            }
         }
         Some(Remark::new(RemarkCode::FeaturesJoined, message).at(count, []))
     }

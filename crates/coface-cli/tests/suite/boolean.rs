@@ -419,3 +419,94 @@ fn cells_that_are_no_balls_are_a_remark() {
     let text = coface(&["info", argument(&path)]).stdout;
     assert!(!text.contains("No problems found"), "{text}");
 }
+
+/// A chain through files stays small, each step can be input again, and it means what the formula means.
+#[test]
+fn a_chain_of_booleans_through_files_is_the_formula() {
+    let folder = Folder::new();
+    let mut state = 7u64;
+    let mut random = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let mut solid = |name: &str, is_first: bool| {
+        let angles: Vec<f64> = (0..3).map(|_| 6.0 * random()).collect();
+        let half = [0; 3].map(|_| if is_first { 1.0 } else { 0.15 + 0.45 * random() });
+        let by = [0; 3].map(|_| if is_first { 0.0 } else { 2.0 * random() - 1.0 });
+        let mut text = String::new();
+        for i in 0..8 {
+            let corner = [0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -half[axis] } else { half[axis] });
+            let turned = angles.iter().enumerate().fold(corner, |p, (axis, &angle)| turned(axis, angle, p));
+            let [x, y, z] = [0, 1, 2].map(|axis| turned[axis] + by[axis]);
+            writeln!(text, "v {x:?} {y:?} {z:?}").unwrap();
+        }
+        for [a, b, c, d] in SQUARES.map(|square| square.map(|corner| corner + 1)) {
+            writeln!(text, "f {a} {b} {c}\nf {a} {c} {d}").unwrap();
+        }
+        folder.text(name, &text)
+    };
+    let mut inputs = vec![solid("0.obj", true)];
+    let mut last = inputs[0].clone();
+    let mut text = "0".to_owned();
+    let mut answer = Value::Null;
+    for step in 1..=14 {
+        inputs.push(solid(&format!("{step}.obj"), false));
+        let (operation, sign) = if step % 3 == 0 { ("union", '|') } else { ("difference", '-') };
+        let result = folder.path(&format!("result{step}.off"));
+        answer = combined(operation, &[&last, &inputs[step]], &["-o", argument(&result)]);
+        assert_eq!(answer["rounding"]["valid"], true, "{answer}");
+        let codes: Vec<&str> =
+            answer["remarks"].as_array().unwrap().iter().map(|r| r["code"].as_str().unwrap()).collect();
+        assert!(codes.iter().all(|&code| code == "features-joined"), "{codes:?}");
+        (last, text) = (result, format!("({text} {sign} {step})"));
+    }
+    let whole = formula(&text, &inputs.iter().collect::<Vec<_>>(), &[]);
+    let volume = |answer: &Value| answer["measure"].as_f64().unwrap();
+    assert!((volume(&answer) - volume(&whole)).abs() < 1e-12, "{answer}");
+    let faces = |answer: &Value| answer["f_vector"][2].as_u64().unwrap();
+    assert!(faces(&answer) <= 2 * faces(&whole), "{} {}", faces(&answer), faces(&whole));
+}
+
+/// Walls turned by an angle that is no multiple of a right one: cells without thickness are told of, and vanish within a
+/// tolerance.
+#[test]
+fn a_tolerance_puts_together_what_nearly_coincides() {
+    let folder = Folder::new();
+    let turn: Motion = |p| turned(2, 0.3, p);
+    let whole = folder.squares("whole.obj", [0.0; 3], [2.0, 1.0, 1.0], 6, turn);
+    let beside = folder.squares("beside.obj", [0.1, 1.0, 0.0], [1.0, 2.0, 1.0], 6, turn);
+    let answer = arranged(&[&whole, &beside], &["--tolerance", "1e-9"]);
+    assert_eq!(answer["f_vector"][3], 2, "{answer}");
+    assert_eq!(answer["joined"]["tolerance"], 1e-9);
+    assert!(answer["joined"]["largest_movement"].as_f64().unwrap() <= 1e-9);
+    // A gap of a thousandth is closed, and the remark says so.
+    let moved = folder
+        .squares("moved.obj", [0.0; 3], [2.0, 1.0, 1.0], 6, |p| turned(2, 0.3, [p[0], p[1] + 1.001, p[2]]));
+    let apart = arranged(&[&whole, &moved], &[]);
+    assert_eq!((&apart["f_vector"], &apart["joined"]), (&json!([16, 24, 12, 2]), &Value::Null));
+    let near = arranged(&[&whole, &moved], &["--tolerance", "0.01"]);
+    assert_eq!(near["f_vector"], json!([12, 20, 11, 2]));
+    assert_eq!(near["remarks"][0]["code"], "features-joined");
+    // A cell thinner than a part in 10^9 is told of, with the tolerance that it vanishes in.
+    let thin = folder.cuboid("thin.obj", [0.0, 0.0, -1e-12], [1.0, 1.0, 0.0]);
+    let cube = folder.cuboid("cube.obj", [0.0; 3], [1.0; 3]);
+    let answer = arranged(&[&thin, &cube], &[]);
+    assert_eq!((&answer["f_vector"][3], &answer["remarks"][0]["code"]), (&json!(2), &json!("thin-cells")));
+    let message = answer["remarks"][0]["message"].as_str().unwrap().to_owned();
+    let tolerance = message.split("--tolerance ").nth(1).unwrap().split(' ').next().unwrap();
+    let answer = arranged(&[&thin, &cube], &["--tolerance", tolerance]);
+    assert_eq!((&answer["f_vector"][3], &answer["joined"]["vanished_cells"]), (&json!(1), &json!(1)));
+}
+
+#[test]
+fn a_tolerance_that_is_none_is_refused() {
+    let folder = Folder::new();
+    let cube = folder.cube("cube.obj", [0.0; 3], 1.0);
+    let square = folder.text("square.wkt", "POLYGON((0 0,1 0,1 1,0 1,0 0))");
+    for bad in ["-1", "nan", "a"] {
+        let ran = run(&["arrange"], &[&cube], &["--tolerance", bad]);
+        assert!(ran.fails_with(2).contains("a tolerance is a finite length"));
+    }
+    let ran = run(&["arrange"], &[&square], &["--tolerance", "1"]);
+    assert!(ran.fails_with(1).contains("for drawings in the plane leave it out"));
+}

@@ -37,7 +37,7 @@ use std::path::{Path, PathBuf};
 /// complex), "snap_rounds".
 ///
 /// In space also "voids", "components", "dangling_faces", "files" (whether each is closed, how many edges its rim has, around how many
-/// cells it winds less than zero times, or more than once), "degenerate_polygons", "split_polygons", "rounding". OBJ has a group for each
+/// cells it winds less than zero times, or more than once), "degenerate_polygons", "split_polygons", "rounding", "joined". OBJ has a group for each
 /// cell; VTK and PLY have the cells on both sides of each polygon and where it is from.
 ///
 /// With --inputs each object, group or component of a file is an input, so that a building may be one

@@ -188,7 +188,7 @@ pub(super) fn run(
 pub(crate) fn rounding(rounding: &SpatialRounding) -> (String, String, String) {
     let (value, gloss) = match rounding.rounded_vertices {
         0 => ("none".to_owned(), "of coordinates"),
-        count => (text::count(count, "vertex"), "of coordinates; no face goes through another for it"),
+        count => (text::count(count, "vertex"), "of coordinates; --snap makes them exact"),
     };
     ("rounding".to_owned(), value, gloss.to_owned())
 }
