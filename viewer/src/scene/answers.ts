@@ -782,6 +782,33 @@ export interface IntersectionFormAnswer {
   symmetric: boolean;
 }
 
+/** What was put together because it was nearly one: within a tolerance, or to make rounded coordinates valid. */
+export interface JoinedFeatures {
+  /**
+   * The vertices that became one although they were apart, by their numbers among the points of all inputs, one input after
+   * the other.
+   */
+  classes: number[][];
+  /** How many pairs of edges were given a common vertex. */
+  crossings: number;
+  /** How many times a vertex was put on an edge. */
+  edges: number;
+  /** How many times a vertex was put on a face. */
+  faces: number;
+  /** The longest way that a point went, in the unit of the inputs. */
+  largest_movement: number;
+  /** The number of points that moved. */
+  moved: number;
+  /** The number of polygons whose planes were replaced by one that fits several. */
+  planes: number;
+  /** The distance within which features were put together, in the unit of the inputs. */
+  tolerance: number;
+  /** The number of cells that are not there any more, because they were thinner; none if that was not counted. */
+  vanished_cells?: number | null;
+  /** How many times a vertex was put to another one. */
+  vertices: number;
+}
+
 /** A layer over the model. */
 export interface LayerAnswer {
   /** What is said about it beside its name. */
@@ -1192,7 +1219,7 @@ export interface Remark {
 }
 
 /** What sort of remark a [`Remark`] is. The word in the JSON is the name in kebab case: `isolated-vertex`. */
-export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "data-left-out" | "merged-within-block" | "topology-repaired" | "decision-uncertified" | "model-repaired" | "not-drawn" | "earlier-run-ignored" | "input-refused";
+export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "features-joined" | "thin-cells" | "data-left-out" | "merged-within-block" | "topology-repaired" | "decision-uncertified" | "model-repaired" | "not-drawn" | "earlier-run-ignored" | "input-refused";
 
 /** A still picture. */
 export interface RenderAnswer {
@@ -1363,6 +1390,8 @@ export interface SolidBooleanAnswer {
   files: SpatialInput[];
   /** The genus of the surface; null if it is not one connected manifold. */
   genus?: number | null;
+  /** What was put together, where that was asked for or needed. */
+  joined?: JoinedFeatures | null;
   /** Whether the surface is a manifold. */
   manifold: BoundaryManifold;
   /** The volume, in the cube of the unit of the inputs; null if the exterior is in the result. */
@@ -1409,6 +1438,8 @@ export interface SpatialArrangementAnswer {
   inputs_of_faces?: number[][] | null;
   /** For each bounded cell the inputs that contain it, numbered from 0, rising; inputs that are open contain nothing. */
   inside: number[][];
+  /** What was put together, where that was asked for or needed. */
+  joined?: JoinedFeatures | null;
   /** The volumes of the bounded cells without their voids, in the cube of the unit of the inputs. */
   measures: number[];
   /** Whether the boundary of every boundary is zero, found by multiplying the matrices. */
@@ -1452,12 +1483,18 @@ export interface SpatialInput {
 
 /** What was rounded in space. */
 export interface SpatialRounding {
+  /** The number of places where they do not. */
+  crossings: number;
   /** Whether no coordinate was rounded. */
   exact: boolean;
+  /** Some of these places, by their coordinates. */
+  places: [number, number, number][];
   /** The number of vertices with a rounded coordinate. */
   rounded_vertices: number;
   /** How many times coordinates were rounded and everything arranged again. */
   rounds: number;
+  /** Whether faces with rounded coordinates meet in common vertices and edges alone; decided exactly. */
+  valid: boolean;
 }
 
 /** Polygons that were split into triangles because they are not planar. */

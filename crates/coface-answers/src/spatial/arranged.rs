@@ -124,6 +124,11 @@ impl Arranged {
         self.arrangement.single_triangle(FaceId::from_u32(face.to_u32()))
     }
 
+    /// Whether rounding bent a face, so that it is no polygon any more.
+    pub(super) fn is_bent(&self, face: CellId) -> bool {
+        self.arrangement.joined().is_some() && !self.arrangement.is_planar(FaceId::from_u32(face.to_u32()))
+    }
+
     /// Triangles that make up a face, with drawn vertices.
     pub(super) fn triangles(&self, face: CellId) -> Result<Vec<[u32; 3]>, Error> {
         self.arrangement.triangulated(FaceId::from_u32(face.to_u32()))

@@ -607,7 +607,7 @@ impl SceneArrangement {
                 pieces.counts.push(1);
                 return Ok(());
             }
-            if !triangles {
+            if !triangles && !self.arranged.is_bent(face) {
                 let walks = self.arranged.walks(face);
                 if walks.len() == 1 && walks.list(0).len() >= 3 && repeated_vertex(walks.list(0)).is_none() {
                     pieces.polygons.push(walks.list(0));

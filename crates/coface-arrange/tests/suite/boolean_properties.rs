@@ -45,6 +45,8 @@ struct Arranged {
     measures: Vec<f64>,
     winding: WindingNumbers,
     positions: Positions,
+    /// For each face that is not in one plane its triangles.
+    bent: Vec<Option<Vec<[[f64; 3]; 3]>>>,
 }
 
 impl Arranged {
@@ -111,7 +113,18 @@ fn in_space(walks: &Walks, input_of_polygon: &[usize], is_snapped: bool) -> Arra
         measures: found.volumes().unwrap(),
         winding: found.winding_numbers().unwrap(),
         positions: found.positions().clone(),
+        bent: (0..found.complex().face_count()).map(|face| bent(&found, FaceId::new(face))).collect(),
     }
+}
+
+/// The corners of the triangles of a face that rounding bent.
+fn bent(found: &SpatialArrangement, face: FaceId) -> Option<Vec<[[f64; 3]; 3]>> {
+    let place = |corner: u32| {
+        let point = found.fine_triangles().positions().point(VertexId::from_u32(corner));
+        [point[0], point[1], point[2]]
+    };
+    let triangles = || found.triangulated(face).unwrap().into_iter().map(|own| own.map(place)).collect();
+    (!found.is_planar(face)).then(triangles)
 }
 
 fn inputs_of(polygons: &[Polygon]) -> Vec<usize> {
@@ -148,6 +161,12 @@ fn walks_around(complex: &ChainComplex, face: usize) -> Vec<Vec<u32>> {
 fn as_walks(found: &Arranged, faces: impl Iterator<Item = (usize, bool)>) -> Walks {
     let mut walks = Walks::default();
     for (face, is_turned) in faces {
+        if let Some(Some(triangles)) = found.bent.get(face) {
+            for &[a, b, c] in triangles {
+                walks.add(vec![if is_turned { vec![c, b, a] } else { vec![a, b, c] }]);
+            }
+            continue;
+        }
         let own = walks_around(&found.complex, face).into_iter().map(|mut walk| {
             if is_turned {
                 walk.reverse();
@@ -200,8 +219,13 @@ fn results_in_space_are_inputs_again() {
         let polygons_again =
             SpatialPolygons::new(again.positions(), again.lists(), again.polygon_of_walk).unwrap();
         let again = SpatialArrangement::new(&polygons_again, &SpatialOptions::default()).unwrap();
-        assert_eq!(again.f_vector(), found.complex.f_vector(), "soup {seed}");
-        assert!((0..face_count).all(|face| again.polygons_of_face(FaceId::new(face)).len() == 1));
+        if found.bent.iter().all(Option::is_none) {
+            assert_eq!(again.f_vector(), found.complex.f_vector(), "soup {seed}");
+        }
+        assert_eq!(again.f_vector()[3], found.complex.cell_count(3), "soup {seed}");
+        assert_eq!(again.f_vector()[2], again.polygon_count(), "soup {seed}");
+        let has_one = |face| again.polygons_of_face(FaceId::new(face)).len() == 1;
+        assert!((0..again.polygon_count()).all(has_one), "soup {seed}");
         let [mut here, mut there] = [found.measures.clone(), again.volumes().unwrap()];
         here.sort_by(f64::total_cmp);
         there.sort_by(f64::total_cmp);
@@ -303,7 +327,13 @@ fn in_the_plane(rings: &[Vec<[i64; 2]>], regions: &[u32], region_count: usize) -
             .for_each(|&(region, n)| expected[region as usize] = n);
         assert_eq!(winding.of_cell(CellId::new(face)), expected);
     }
-    Arranged { complex, measures: arrangement.areas(), winding, positions: arrangement.positions().clone() }
+    Arranged {
+        complex,
+        measures: arrangement.areas(),
+        winding,
+        positions: arrangement.positions().clone(),
+        bent: Vec::new(),
+    }
 }
 
 #[test]
