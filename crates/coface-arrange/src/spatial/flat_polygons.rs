@@ -129,7 +129,7 @@ impl SpatialPolygons {
     /// As [`Self::check`], for polygons that are not simple.
     ///
     /// # Complexity
-    /// $O(n \\log n)$ for n triangles that are near few others.
+    /// $O(n \log n)$ for n triangles that are near few others.
     ///
     /// # Examples
     /// Two triangles that cross along a segment:
