@@ -18,7 +18,7 @@ const STEADY_ROUNDS: usize = 4;
 /// Where only rounding is asked for, the reach grows this often before it is given up: to the square root of the
 /// precision.
 const MOST_ROUNDS: usize = 28;
-/// Where a tolerance is given, features up to sixteen times as far apart may be joined to come to an end.
+/// Where a tolerance is given, features up to eight times as far apart may be joined to come to an end.
 const MOST_ROUNDS_WITH_TOLERANCE: usize = 8;
 
 /// Triangles in patches that are to be arranged.

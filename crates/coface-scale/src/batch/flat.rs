@@ -2,7 +2,7 @@
 
 use super::examination::Fault;
 use coface_algebra::Error;
-use coface_answers::answer::{HomologyGroup, RowAnswer};
+use coface_answers::answer::{GeometryAnswer, GeometryFaultAnswer, HomologyGroup, RowAnswer};
 use serde::{Deserialize, Serialize};
 use std::fmt::Display;
 
@@ -120,7 +120,7 @@ enum Form {
 }
 
 /// The columns: what they are called, and what of a row they hold.
-const COLUMNS: [(&str, Form); 39] = [
+const COLUMNS: [(&str, Form); 42] = [
     ("path", Form::Head(|head| head.path.as_deref().into())),
     ("bytes", Form::Head(|head| head.bytes.into())),
     (SECONDS, Form::Head(|head| head.seconds.into())),
@@ -175,6 +175,12 @@ const COLUMNS: [(&str, Form); 39] = [
     ("volume", Form::Plain(|row| row.mass.as_ref().and_then(|mass| mass.volume).into())),
     ("centroid", Form::Axes(|row| row.mass.as_ref().map(|mass| mass.centroid))),
     ("inertia", Form::Symmetric(|row| row.mass.as_ref().map(|mass| mass.inertia))),
+    ("sound_surface", Form::Plain(|row| row.geometry.as_ref().and_then(|own| own.sound_surface).into())),
+    ("valid_solid", Form::Plain(|row| row.geometry.as_ref().and_then(|own| own.valid_solid).into())),
+    (
+        "geometry_faults",
+        Form::Plain(|row| row.geometry.as_ref().filter(|own| own.checked).map(fault_codes).into()),
+    ),
     ("data", Form::Plain(|row| counts(row.data.iter().map(|data| (&data.name, data.components))))),
     (
         "problems",
@@ -198,6 +204,12 @@ fn listed<T: Display>(items: &[T], separator: &str) -> Cell {
 /// `name=count` with semicolons between them.
 fn counts<'a>(items: impl Iterator<Item = (&'a String, usize)>) -> Cell {
     items.map(|(name, count)| format!("{name}={count}")).collect::<Vec<_>>().join("; ").into()
+}
+
+/// `code name=count` with semicolons between them.
+fn fault_codes(geometry: &GeometryAnswer) -> String {
+    let one = |fault: &GeometryFaultAnswer| format!("{} {}={}", fault.code, fault.name, fault.count);
+    geometry.faults.iter().map(one).collect::<Vec<_>>().join("; ")
 }
 
 /// How many columns the numbered ones of a table have: as many as the rows that were seen need, and no fewer than those of an empty complex.
@@ -299,7 +311,7 @@ mod tests {
 
     /// A row in which every key has a value.
     fn full() -> Value {
-        json!({
+        let mut row = json!({
             "path": "a.off", "bytes": 7, "seconds": 0.5, "error": null, "file": "a.off", "format": "off",
             "kind": "surface", "dimension": 2, "f_vector": [4, 5, 2], "top_cells": [{"shape": "triangle", "count": 2}],
             "pure": true, "components": 1, "euler_characteristic": 1,
@@ -316,7 +328,14 @@ mod tests {
             "groups": [],
             "problems": [{"kind": "loose_cell", "count": 9, "message": "m", "cells": [], "top_cells": []}],
             "warnings": ["one", "two"],
-        })
+        });
+        row["geometry"] = json!({
+            "checked": true, "reason": null, "sound_surface": false, "valid_solid": false, "faces_left_out": 0,
+            "shells_left_out": 0,
+            "faults": [{"code": 306, "name": "faces_cross", "of": "surface", "count": 2, "complete": true,
+                        "message": "m", "places": []}],
+        });
+        row
     }
 
     fn table(row: &Value) -> Vec<(String, String)> {
@@ -378,6 +397,9 @@ mod tests {
             ("inertia_xy", "4.0"),
             ("inertia_xz", "5.0"),
             ("inertia_yz", "6.0"),
+            ("sound_surface", "false"),
+            ("valid_solid", "false"),
+            ("geometry_faults", "\"306 faces_cross=2\""),
             ("data", "\"t=3\""),
             ("problems", "\"loose_cell=9\""),
             ("warnings", "\"one; two\""),
@@ -457,10 +479,12 @@ mod tests {
     #[test]
     fn every_key_of_a_report_is_in_a_column_or_left_out_on_purpose() {
         // The name is the path; cells of witnesses, surfaces and groups may be many; moments are not asked for.
-        let left_out = ["/file", "/manifold/witness/cells"];
+        // What was not looked at in geometry is in the report of a file alone.
+        let left_out =
+            ["/file", "/manifold/witness/cells", "/geometry/faces_left_out", "/geometry/shells_left_out"];
         let unchanged = table(&full());
         let changes = changes(&full(), "");
-        assert_eq!(changes.len(), 37);
+        assert_eq!(changes.len(), 43);
         for (path, row) in changes {
             let row = match path.as_str() {
                 "/manifold/witness/cells" => {
