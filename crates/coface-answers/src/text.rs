@@ -72,14 +72,10 @@ fn page_of(name: &str, format: &str, report: &Report, limit: usize) -> Page {
 /// assert!(coface_answers::text::groups("Homology", &circle, "H", Coefficients::Integers).contains("Z"));
 /// ```
 pub fn groups(title: &str, groups: &[AbelianGroup], symbol: &str, ring: Coefficients) -> String {
-    let ring = match ring {
-        Coefficients::Modulo(n) => format!("(Z/{n})"),
-        ring => ring.to_string(),
-    };
     let mut page = Page::default();
     page.heading(title);
-    for (degree, group) in groups.iter().enumerate() {
-        page.paragraph(4, PLAIN, &format!("{symbol}{degree} = {}", group_over(group, &ring)));
+    for (degree, found) in groups.iter().enumerate() {
+        page.paragraph(4, PLAIN, &format!("{symbol}{degree} = {}", group(found, ring)));
     }
     if groups.is_empty() {
         page.paragraph(4, PLAIN, "nothing: the complex is empty");
@@ -97,13 +93,22 @@ pub fn facts(title: &str, facts: &[(String, String, String)]) -> String {
     page.finished()
 }
 
-/// A group as text, with its free part over this ring.
-fn group_over(group: &AbelianGroup, ring: &str) -> String {
+/// A group as text: its free part over this ring, and its torsion.
+///
+/// # Examples
+/// ```
+/// use coface_topology::{AbelianGroup, Coefficients};
+/// let plane = AbelianGroup::new(2, vec![2.into()]);
+/// assert_eq!(coface_answers::text::group(&plane, Coefficients::Integers), "Z^2 + Z/2");
+/// assert_eq!(coface_answers::text::group(&plane, Coefficients::Modulo(4)), "(Z/4)^2 + Z/2");
+/// ```
+pub fn group(group: &AbelianGroup, ring: Coefficients) -> String {
     let torsion = AbelianGroup::new(0, group.torsion().to_vec());
-    let free = match group.betti() {
-        0 => return torsion.to_string(),
-        1 => ring.trim_matches(['(', ')']).to_owned(),
-        rank => format!("{ring}^{rank}"),
+    let free = match (group.betti(), ring) {
+        (0, _) => return torsion.to_string(),
+        (1, _) => ring.to_string(),
+        (rank, Coefficients::Modulo(n)) => format!("(Z/{n})^{rank}"),
+        (rank, _) => format!("{ring}^{rank}"),
     };
     if torsion.is_trivial() { free } else { format!("{free} + {torsion}") }
 }

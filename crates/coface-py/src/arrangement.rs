@@ -4,7 +4,7 @@ use crate::answer::answer;
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
 use crate::congruence::{choice, named_models};
-use crate::errors::{OrRaise, invalid};
+use crate::errors::{OrRaise, invalid, whole_or_none};
 use crate::model::{Model, format_of};
 use crate::objects::{text_of, to_python};
 use crate::source::Source;
@@ -116,7 +116,7 @@ pub(crate) fn arrange<'py>(
     prune: bool,
     snap: bool,
     tolerance: Option<f64>,
-    max_cells: Option<usize>,
+    #[pyo3(from_py_with = whole_or_none)] max_cells: Option<usize>,
     split: bool,
     merge_coplanar: bool,
     progress: Option<&Bound<'py, PyAny>>,
@@ -271,7 +271,7 @@ pub(crate) fn boolean<'py>(
     keep_walls: bool,
     snap: bool,
     tolerance: Option<f64>,
-    max_cells: Option<usize>,
+    #[pyo3(from_py_with = whole_or_none)] max_cells: Option<usize>,
     split: bool,
     merge_coplanar: bool,
     triangles: Option<bool>,

@@ -5,11 +5,68 @@ use coface::algebra::{Integer, RaggedArray, SparseMatrix};
 use coface::geometry::Positions;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyInt, PyList, PySlice, PyString, PyTuple};
+use pyo3::types::{PyDict, PyFrozenSet, PyInt, PyList, PySet, PySlice, PyString, PyTuple};
+
+/// Arrays, lists and tuples as they are; tables, sets, generators and views of dictionaries as an array or a list. Members of sets come in
+/// rising order.
+pub(crate) fn plain<'py>(value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    let py = value.py();
+    if value.is_instance_of::<PyList>()
+        || value.is_instance_of::<PyTuple>()
+        || value.is_instance_of::<PyString>()
+    {
+        return Ok(value.clone());
+    }
+    if value.is_instance_of::<PySet>() || value.is_instance_of::<PyFrozenSet>() {
+        let mut members = Vec::new();
+        for member in value.try_iter()? {
+            let member = member?;
+            let is_set = member.is_instance_of::<PyFrozenSet>();
+            members.push(if is_set {
+                PyTuple::new(py, plain(&member)?.try_iter()?.collect::<PyResult<Vec<_>>>()?)?.into_any()
+            } else {
+                member
+            });
+        }
+        return py.import("builtins")?.getattr("sorted")?.call1((members,));
+    }
+    if value.hasattr("to_numpy")? {
+        return value.call_method0("to_numpy");
+    }
+    let is_array = value.hasattr("__array__")?
+        || value.hasattr("__array_interface__")?
+        || value.hasattr("__getitem__")?;
+    if !is_array && value.hasattr("__iter__")? {
+        return Ok(PyList::new(py, value.try_iter()?.collect::<PyResult<Vec<_>>>()?)?.into_any());
+    }
+    Ok(value.clone())
+}
 
 /// `numpy.asarray(value)`.
 fn as_array<'py>(py: Python<'py>, value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-    py.import("numpy")?.getattr("asarray")?.call1((value,))
+    py.import("numpy")?.getattr("asarray")?.call1((plain(value)?,))
+}
+
+/// An array along one axis: numbers of a table are not put one after the other. A column is a list too.
+fn along_one_axis<'py>(array: Bound<'py, PyAny>, what: &str) -> PyResult<Bound<'py, PyAny>> {
+    let py = array.py();
+    let shape: Vec<usize> = array.getattr("shape")?.extract()?;
+    match shape[..] {
+        [] | [_] | [_, 1] => array.call_method1("reshape", (-1,)),
+        _ => Err(invalid(
+            py,
+            format!("{what} have the shape {}", shape_text(&shape)),
+            "give an array of shape (n,): one number for each",
+        )),
+    }
+}
+
+/// A shape as numpy prints it.
+pub(crate) fn shape_text(shape: &[usize]) -> String {
+    match shape {
+        [one] => format!("({one},)"),
+        _ => format!("({})", shape.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")),
+    }
 }
 
 /// The letter of the sort of numbers: `i`, `u`, `b`, `f`, `O`, ...
@@ -60,16 +117,21 @@ fn checked(py: Python<'_>, numbers: &[i64], what: &str) -> PyResult<Vec<u32>> {
 
 /// A list of ids.
 pub(crate) fn ids(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<u32>> {
-    let array = integers(value, what)?;
-    let flat = array.call_method1("reshape", (-1,))?;
+    let flat = along_one_axis(integers(value, what)?, what)?;
     let numbers: PyReadonlyArray1<'_, i64> = flat.extract()?;
     checked(value.py(), numbers.as_slice()?, what)
 }
 
-/// Signed numbers, of one dimension.
+/// Signed numbers along one axis.
 pub(crate) fn numbers(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<i64>> {
-    let array = integers(value, what)?;
-    let flat = array.call_method1("reshape", (-1,))?;
+    let flat = along_one_axis(integers(value, what)?, what)?;
+    let numbers: PyReadonlyArray1<'_, i64> = flat.extract()?;
+    Ok(numbers.as_slice()?.to_vec())
+}
+
+/// Signed numbers of an array of any shape, its last axis fastest.
+pub(crate) fn all_numbers(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<i64>> {
+    let flat = integers(value, what)?.call_method1("reshape", (-1,))?;
     let numbers: PyReadonlyArray1<'_, i64> = flat.extract()?;
     Ok(numbers.as_slice()?.to_vec())
 }
@@ -77,6 +139,7 @@ pub(crate) fn numbers(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<i64>
 /// Lists of ids: an integer array of shape (m, k), a list of lists, or (flat, offsets).
 pub(crate) fn lists(value: &Bound<'_, PyAny>, what: &str) -> PyResult<RaggedArray> {
     let py = value.py();
+    let value = &plain(value)?;
     if let Ok(pair) = value.cast::<PyTuple>()
         && pair.len() == 2
         && is_one_dimensional(&pair.get_item(0)?)?
@@ -97,7 +160,7 @@ pub(crate) fn lists(value: &Bound<'_, PyAny>, what: &str) -> PyResult<RaggedArra
             }
             _ => Err(invalid(
                 py,
-                format!("{what} have the shape {shape:?}"),
+                format!("{what} have the shape {}", shape_text(&shape)),
                 "give an array of shape (m, k), a list of lists, or (flat, offsets)",
             )),
         };
@@ -123,6 +186,12 @@ pub(crate) fn lists(value: &Bound<'_, PyAny>, what: &str) -> PyResult<RaggedArra
 /// The ids of one list or tuple, without an array where they are plain integers.
 fn append_ids(list: &Bound<'_, PyAny>, what: &str, flat: &mut Vec<u32>) -> PyResult<()> {
     let py = list.py();
+    let is_set = list.is_instance_of::<PySet>() || list.is_instance_of::<PyFrozenSet>();
+    if is_set && !matches!(what, "facets" | "simplices" | "cells") {
+        let cure = "give the corners in their order, as a list";
+        return Err(invalid(py, format!("{what} have the set {list}, whose corners have no order"), cure));
+    }
+    let list = &plain(list)?;
     if list.hasattr("dtype")? {
         flat.extend(ids(list, what)?);
         return Ok(());
@@ -193,9 +262,9 @@ pub(crate) fn reals(value: &Bound<'_, PyAny>, what: &str) -> PyResult<(Vec<usize
     Ok((shape, values.as_slice()?.to_vec()))
 }
 
-/// Finite real numbers, of one dimension.
+/// Finite real numbers along one axis.
 pub(crate) fn finite(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<f64>> {
-    let (_, values) = reals(value, what)?;
+    let values = real_list(value, what)?;
     if let Some(i) = values.iter().position(|x| !x.is_finite()) {
         return Err(invalid(
             value.py(),
@@ -204,6 +273,19 @@ pub(crate) fn finite(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<f64>>
         ));
     }
     Ok(values)
+}
+
+/// Real numbers along one axis; they may be NaN or infinite.
+pub(crate) fn real_list(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<f64>> {
+    let (shape, values) = reals(value, what)?;
+    match shape[..] {
+        [] | [_] | [_, 1] => Ok(values),
+        _ => Err(invalid(
+            value.py(),
+            format!("{what} have the shape {}", shape_text(&shape)),
+            "give an array of shape (n,): one number for each",
+        )),
+    }
 }
 
 /// Points: an array of shape (n, d) of finite numbers.
@@ -216,7 +298,7 @@ pub(crate) fn positions(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Positi
         _ => {
             return Err(invalid(
                 py,
-                format!("{what} have the shape {shape:?}"),
+                format!("{what} have the shape {}", shape_text(&shape)),
                 "give an array of shape (n, d): one row for each vertex",
             ));
         }

@@ -1,7 +1,7 @@
 //! Chain complexes, and the questions that are put to them.
 
 use crate::arrays;
-use crate::errors::{OrRaise, invalid};
+use crate::errors::{OrRaise, invalid, whole, whole_or_none};
 use crate::homology::{Chain, Generator, Homology};
 use crate::memory::{owned_matrix, shared_matrix};
 use crate::model::Model;
@@ -168,7 +168,7 @@ impl ChainComplex {
                 }
                 return Ok((self.inner(degree), terms));
             }
-            Names::Own => {
+            Names::Own | Names::Given(_) => {
                 return Err(invalid(
                     py,
                     "the cells of this complex have no vertices",
@@ -214,7 +214,8 @@ impl ChainComplex {
         })?;
         let groups = &groups.groups()[shift.min(groups.groups().len())..];
         if !generators {
-            return Ok(Homology::of_groups(groups, is_cohomology));
+            let none = vec![Vec::new(); groups.len()];
+            return Ok(Homology::with_generators(groups, none, coefficients, is_cohomology));
         }
         let mut lists = Vec::new();
         for (place, list) in found.into_iter().enumerate() {
@@ -230,7 +231,7 @@ impl ChainComplex {
             });
             lists.push(list.collect::<PyResult<Vec<_>>>()?);
         }
-        Ok(Homology::with_generators(groups, lists, is_cohomology))
+        Ok(Homology::with_generators(groups, lists, coefficients, is_cohomology))
     }
 }
 
@@ -332,7 +333,7 @@ impl ChainComplex {
 
     /// So many points and nothing else.
     #[staticmethod]
-    fn of_points(count: usize) -> Self {
+    fn of_points(#[pyo3(from_py_with = whole)] count: usize) -> Self {
         Self::bare(chains::ChainComplex::of_points(count))
     }
 
@@ -355,7 +356,7 @@ impl ChainComplex {
     }
 
     /// The number of cells of a degree.
-    fn cell_count(&self, degree: usize) -> usize {
+    fn cell_count(&self, #[pyo3(from_py_with = whole)] degree: usize) -> usize {
         self.complex.cell_count(self.inner(degree))
     }
 
@@ -378,7 +379,11 @@ impl ChainComplex {
     /// >>> edge.boundary(1).toarray()
     /// array([[-1],
     ///        [ 1]], dtype=int32)
-    fn boundary<'py>(&self, py: Python<'py>, degree: usize) -> PyResult<Bound<'py, PyAny>> {
+    fn boundary<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole)] degree: usize,
+    ) -> PyResult<Bound<'py, PyAny>> {
         match self.complex.boundary_matrix(self.inner(degree)) {
             Some(_) => {
                 let inner = self.inner(degree);
@@ -396,7 +401,11 @@ impl ChainComplex {
     }
 
     /// The coboundary matrix from degree k to k + 1: the transpose of the boundary matrix of degree k + 1.
-    fn coboundary<'py>(&self, py: Python<'py>, degree: usize) -> PyResult<Bound<'py, PyAny>> {
+    fn coboundary<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole)] degree: usize,
+    ) -> PyResult<Bound<'py, PyAny>> {
         let matrix = match self.complex.coboundary_matrix(self.inner(degree)) {
             Some(matrix) => matrix,
             None => coface::algebra::SparseMatrix::zero(0, self.complex.cell_count(self.inner(degree)))
@@ -406,7 +415,11 @@ impl ChainComplex {
     }
 
     /// The vertices of the cells of a degree: an array of shape (m, k + 1), or ``(flat, offsets)``.
-    fn simplices<'py>(&self, py: Python<'py>, degree: usize) -> PyResult<Bound<'py, PyAny>> {
+    fn simplices<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole)] degree: usize,
+    ) -> PyResult<Bound<'py, PyAny>> {
         let inner = self.inner(degree);
         let count = self.complex.cell_count(inner);
         let names: Vec<Vec<u32>> = (0..count).map(|cell| self.naming.vertices(inner, cell)).collect();
@@ -481,7 +494,12 @@ impl ChainComplex {
     /// >>> triangle.boundary_of(path).terms()
     /// [(-1, [0]), (1, [2])]
     #[pyo3(signature = (terms, degree=None))]
-    fn chain(&self, py: Python<'_>, terms: &Bound<'_, PyAny>, degree: Option<usize>) -> PyResult<Chain> {
+    fn chain(
+        &self,
+        py: Python<'_>,
+        terms: &Bound<'_, PyAny>,
+        #[pyo3(from_py_with = whole_or_none)] degree: Option<usize>,
+    ) -> PyResult<Chain> {
         let (degree, terms) = self.terms_of(terms, degree)?;
         let chain = chains::Chain::new(&self.complex, degree, terms).or_raise(py)?;
         Ok(self.chain_of(degree, chain.terms().to_vec(), false))
@@ -489,7 +507,12 @@ impl ChainComplex {
 
     /// A cochain; parameters as those of :meth:`chain`.
     #[pyo3(signature = (terms, degree=None))]
-    fn cochain(&self, py: Python<'_>, terms: &Bound<'_, PyAny>, degree: Option<usize>) -> PyResult<Chain> {
+    fn cochain(
+        &self,
+        py: Python<'_>,
+        terms: &Bound<'_, PyAny>,
+        #[pyo3(from_py_with = whole_or_none)] degree: Option<usize>,
+    ) -> PyResult<Chain> {
         let (degree, terms) = self.terms_of(terms, degree)?;
         let chain = chains::Cochain::new(&self.complex, degree, terms).or_raise(py)?;
         Ok(self.chain_of(degree, chain.terms().to_vec(), true))
@@ -501,7 +524,7 @@ impl ChainComplex {
         &self,
         py: Python<'_>,
         chain: &Bound<'_, PyAny>,
-        degree: Option<usize>,
+        #[pyo3(from_py_with = whole_or_none)] degree: Option<usize>,
     ) -> PyResult<Chain> {
         let (degree, terms) = self.terms_of(chain, degree)?;
         let boundary =
@@ -515,7 +538,7 @@ impl ChainComplex {
         &self,
         py: Python<'_>,
         cochain: &Bound<'_, PyAny>,
-        degree: Option<usize>,
+        #[pyo3(from_py_with = whole_or_none)] degree: Option<usize>,
     ) -> PyResult<Chain> {
         let (degree, terms) = self.terms_of(cochain, degree)?;
         let coboundary =

@@ -2,7 +2,7 @@
 
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
-use crate::errors::{OrRaise, invalid};
+use crate::errors::{OrRaise, invalid, whole};
 use crate::memory::owned_matrix;
 use crate::model::Model;
 use crate::source::{Names, Naming};
@@ -186,7 +186,11 @@ impl Complex {
     /// -------
     /// numpy.ndarray
     ///     ``int64``, shape (m, k + 1); row i is cell i of the chain complex.
-    fn simplices<'py>(&self, py: Python<'py>, dimension: usize) -> PyResult<Bound<'py, PyAny>> {
+    fn simplices<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole)] dimension: usize,
+    ) -> PyResult<Bound<'py, PyAny>> {
         let frozen = self.frozen();
         if frozen.dimension().is_none_or(|top| dimension > top) {
             return rows(py, std::iter::empty(), dimension);
@@ -305,7 +309,7 @@ impl Complex {
     }
 
     /// The simplices of dimension ``k`` and lower.
-    fn skeleton(&self, py: Python<'_>, k: usize) -> PyResult<Self> {
+    fn skeleton(&self, py: Python<'_>, #[pyo3(from_py_with = whole)] k: usize) -> PyResult<Self> {
         run(py, None, || self.tree.skeleton(k)).map(Self::of)
     }
 
@@ -622,7 +626,12 @@ impl Complex {
     /// scipy.sparse.csc_array
     ///     One row for each (k - 1)-simplex, one column for each k-simplex.
     #[pyo3(signature = (dimension, *, signed=false))]
-    fn incidence<'py>(&self, py: Python<'py>, dimension: usize, signed: bool) -> PyResult<Bound<'py, PyAny>> {
+    fn incidence<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole)] dimension: usize,
+        signed: bool,
+    ) -> PyResult<Bound<'py, PyAny>> {
         let frozen = self.frozen();
         let matrix = run(py, None, || match signed {
             true => frozen.incidence_matrix(dimension),
@@ -737,7 +746,11 @@ impl Simplices {
     }
 
     /// The members of a dimension: ``int64``, shape (m, k + 1).
-    fn simplices<'py>(&self, py: Python<'py>, dimension: usize) -> PyResult<Bound<'py, PyAny>> {
+    fn simplices<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole)] dimension: usize,
+    ) -> PyResult<Bound<'py, PyAny>> {
         let simplices = match self.set.dimension() {
             Some(top) if dimension <= top => self.set.simplices(dimension),
             _ => &[],
@@ -771,7 +784,7 @@ impl Simplices {
     }
 
     /// The members of dimension ``k`` and lower.
-    fn skeleton(&self, k: usize) -> Self {
+    fn skeleton(&self, #[pyo3(from_py_with = whole)] k: usize) -> Self {
         Self::of(self.set.skeleton(k))
     }
 

@@ -33,6 +33,8 @@ class Error(Exception):
     NotInComplexError NotInComplex
     """
 
+    _kind = None
+
     def __init__(self, message="", *, fault=None, cure=None, cells=(), file=None, line=None, byte=None):
         super().__init__(message)
         self.message = message if fault is None else fault
@@ -45,7 +47,7 @@ class Error(Exception):
     @property
     def kind(self):
         """What sort of fault it is."""
-        return type(self).__name__.removesuffix("Error")
+        return (self._kind or type(self).__name__).removesuffix("Error")
 
     def __str__(self):
         return Exception.__str__(self)
@@ -71,8 +73,26 @@ class InvalidInputError(Error, ValueError):
     """The data is readable but cannot be what is asked for."""
 
 
+class InvalidTypeError(InvalidInputError, TypeError):
+    """An argument is of a type that cannot be what is asked for. Its kind is ``InvalidInput``."""
+
+    _kind = "InvalidInput"
+
+
+class OutOfRangeError(InvalidInputError, OverflowError):
+    """A number is negative or too large where that cannot be. Its kind is ``InvalidInput``."""
+
+    _kind = "InvalidInput"
+
+
 class NotInComplexError(Error, LookupError):
     """A simplex, cell or vertex that was named is not there."""
+
+
+class NoSuchPlaceError(NotInComplexError, IndexError):
+    """A place beyond the ends of a list of answers. Its kind is ``NotInComplex``."""
+
+    _kind = "NotInComplex"
 
 
 class NotAComplexError(Error, ValueError):

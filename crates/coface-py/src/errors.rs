@@ -12,13 +12,16 @@ use std::ffi::CString;
 const SOURCE: &str = include_str!("errors.py");
 
 /// The names of the classes, the base first.
-const NAMES: [&str; 15] = [
+const NAMES: [&str; 18] = [
     "Error",
     "FileError",
     "ParseError",
     "UnsupportedFormatError",
     "InvalidInputError",
+    "InvalidTypeError",
+    "OutOfRangeError",
     "NotInComplexError",
+    "NoSuchPlaceError",
     "NotAComplexError",
     "NotPureError",
     "BoundaryOfBoundaryError",
@@ -77,10 +80,14 @@ fn class_name(kind: ErrorKind) -> &'static str {
 
 /// The exception for a fault of the library.
 pub(crate) fn raised(py: Python<'_>, error: &Error) -> PyErr {
+    raised_as(py, class_name(error.kind()), error)
+}
+
+fn raised_as(py: Python<'_>, name: &str, error: &Error) -> PyErr {
     let make = || -> PyResult<PyErr> {
         let Some(classes) = CLASSES.get(py) else { return Ok(PyRuntimeError::new_err(error.to_string())) };
         let classes = classes.bind(py);
-        let class = classes.get_item(class_name(error.kind()))?.or(classes.get_item("Error")?);
+        let class = classes.get_item(name)?.or(classes.get_item("Error")?);
         let Some(class) = class else { return Ok(PyRuntimeError::new_err(error.to_string())) };
         let fields = PyDict::new(py);
         fields.set_item("fault", error.message())?;
@@ -126,4 +133,32 @@ impl<T> OrRaise<T> for Result<T, Error> {
 /// An exception for arguments that cannot be what is asked for.
 pub(crate) fn invalid(py: Python<'_>, message: impl Into<String>, cure: &str) -> PyErr {
     raised(py, &Error::invalid(message).with_cure(cure))
+}
+
+/// The same for an argument of a wrong type: a `TypeError` too.
+pub(crate) fn wrong_type(py: Python<'_>, message: impl Into<String>, cure: &str) -> PyErr {
+    raised_as(py, "InvalidTypeError", &Error::invalid(message).with_cure(cure))
+}
+
+/// The same for a place that a list does not have: an `IndexError` too.
+pub(crate) fn no_place(py: Python<'_>, message: impl Into<String>, cure: &str) -> PyErr {
+    raised_as(py, "NoSuchPlaceError", &Error::invalid(message).with_cure(cure))
+}
+
+/// A degree, a count or the number of a cell as Python gives it; negative and fractional ones are refused in words.
+pub(crate) fn whole(value: &Bound<'_, PyAny>) -> PyResult<usize> {
+    let py = value.py();
+    let Ok(number) = py.import("operator")?.getattr("index")?.call1((value,)) else {
+        let name = value.get_type().name()?;
+        return Err(wrong_type(py, format!("{value} is a {name}"), "give an integer from 0"));
+    };
+    number.extract().map_err(|_| {
+        let error = Error::invalid(format!("the number {number} is out of range"));
+        raised_as(py, "OutOfRangeError", &error.with_cure("give an integer from 0"))
+    })
+}
+
+/// The same, or nothing.
+pub(crate) fn whole_or_none(value: &Bound<'_, PyAny>) -> PyResult<Option<usize>> {
+    if value.is_none() { Ok(None) } else { whole(value).map(Some) }
 }

@@ -1,7 +1,7 @@
 //! Models made by rule: the families of `coface generate`.
 
 use crate::arrays;
-use crate::errors::invalid;
+use crate::errors::{invalid, whole_or_none};
 use crate::model::Model;
 use crate::work::run;
 use coface::Error;
@@ -155,7 +155,7 @@ pub(crate) fn generate(
     py: Python<'_>,
     family: &str,
     boundary: bool,
-    skeleton: Option<usize>,
+    #[pyo3(from_py_with = whole_or_none)] skeleton: Option<usize>,
     progress: Option<&Bound<'_, PyAny>>,
     parameters: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Model> {

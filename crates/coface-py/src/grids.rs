@@ -2,7 +2,7 @@
 
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
-use crate::errors::{OrRaise, invalid};
+use crate::errors::{OrRaise, invalid, whole};
 use crate::model::{Model, source_of};
 use crate::work::run;
 use coface::algebra::chains::ProductComplex;
@@ -84,7 +84,12 @@ impl CuboidGrid {
     }
 
     /// The axes along which a cell extends, and its lowest corner.
-    fn cell(&self, py: Python<'_>, dimension: usize, cell: usize) -> PyResult<(Vec<usize>, Vec<u32>)> {
+    fn cell(
+        &self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = whole)] dimension: usize,
+        #[pyo3(from_py_with = whole)] cell: usize,
+    ) -> PyResult<(Vec<usize>, Vec<u32>)> {
         let found = self.grid.cell(dimension, self.cell_id(py, dimension, cell)?);
         Ok((found.extent().iter().collect(), found.corner().to_vec()))
     }
@@ -102,18 +107,32 @@ impl CuboidGrid {
     }
 
     /// The vertices of the cells of a dimension: ``int64``, shape (m, 2^k).
-    fn cells<'py>(&self, py: Python<'py>, dimension: usize) -> PyResult<Bound<'py, PyAny>> {
+    fn cells<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole)] dimension: usize,
+    ) -> PyResult<Bound<'py, PyAny>> {
         let lists = run(py, None, || self.grid.cells(dimension))?;
         arrays::from_lists(py, lists.iter(), lists.is_empty().then_some(1 << dimension.min(31)))
     }
 
     /// The facets of a cell with signs.
-    fn facets(&self, py: Python<'_>, dimension: usize, cell: usize) -> PyResult<Vec<(usize, i32)>> {
+    fn facets(
+        &self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = whole)] dimension: usize,
+        #[pyo3(from_py_with = whole)] cell: usize,
+    ) -> PyResult<Vec<(usize, i32)>> {
         Ok(signed_cells(self.grid.facets(dimension, self.cell_id(py, dimension, cell)?)))
     }
 
     /// The cells that a cell is a facet of, with signs.
-    fn cofaces(&self, py: Python<'_>, dimension: usize, cell: usize) -> PyResult<Vec<(usize, i32)>> {
+    fn cofaces(
+        &self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = whole)] dimension: usize,
+        #[pyo3(from_py_with = whole)] cell: usize,
+    ) -> PyResult<Vec<(usize, i32)>> {
         Ok(signed_cells(self.grid.cofaces(dimension, self.cell_id(py, dimension, cell)?)))
     }
 

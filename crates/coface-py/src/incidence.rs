@@ -2,7 +2,7 @@
 
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
-use crate::errors::{OrRaise, invalid};
+use crate::errors::{OrRaise, invalid, whole, whole_or_none};
 use crate::memory::owned_matrix;
 use crate::model::source_of;
 use crate::work::run;
@@ -55,7 +55,7 @@ impl LarModel {
     fn new(
         py: Python<'_>,
         cells: &Bound<'_, PyAny>,
-        vertex_count: Option<usize>,
+        #[pyo3(from_py_with = whole_or_none)] vertex_count: Option<usize>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         if let Ok(source) = source_of(cells) {
@@ -86,13 +86,21 @@ impl LarModel {
     }
 
     /// The vertices of the cells of a degree.
-    fn cells<'py>(&self, py: Python<'py>, degree: usize) -> PyResult<Bound<'py, PyAny>> {
+    fn cells<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole)] degree: usize,
+    ) -> PyResult<Bound<'py, PyAny>> {
         let lists = self.lar.cells(degree);
         arrays::from_lists(py, lists.iter(), lists.is_empty().then_some(degree + 1))
     }
 
     /// The characteristic matrix of a degree: one row for each cell, 1 in the columns of its vertices.
-    fn characteristic<'py>(&self, py: Python<'py>, degree: usize) -> PyResult<Bound<'py, PyAny>> {
+    fn characteristic<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole)] degree: usize,
+    ) -> PyResult<Bound<'py, PyAny>> {
         let matrix = run(py, None, || self.lar.characteristic_matrix(degree))?;
         owned_matrix(py, matrix)
     }
@@ -116,7 +124,9 @@ impl LarModel {
     /// Returns
     /// -------
     /// scipy.sparse.csr_array
-    ///     One row for each cell of the first degree.
+    ///     One row for each cell of the first degree. Of ``counts`` between cells of one degree the diagonal is not empty: a cell shares all its
+    ///     vertices with itself. ``VV`` counts edges: an entry is the number of edges that join two vertices, the diagonal the number of
+    ///     edges at a vertex. ``incident`` has no diagonal.
     #[pyo3(signature = (operator, kind="counts", *, at_least=None, exactly=None, progress=None))]
     fn incidence<'py>(
         &self,

@@ -11,7 +11,7 @@ pub(crate) use reading::{entries, format_of, read, read_options};
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
 use crate::complex::Complex;
-use crate::errors::{OrRaise, invalid};
+use crate::errors::{OrRaise, invalid, whole, whole_or_none};
 use crate::memory::{shared, shared_ids};
 use crate::report::{Report, report_request};
 use crate::source::{Names, Naming, Source};
@@ -131,7 +131,7 @@ impl Model {
         vertices: Option<&Bound<'_, PyAny>>,
         faces: Option<&Bound<'_, PyAny>>,
         cells: Option<&Bound<'_, PyDict>>,
-        vertex_count: Option<usize>,
+        #[pyo3(from_py_with = whole_or_none)] vertex_count: Option<usize>,
     ) -> PyResult<Self> {
         let positions = vertices.map(|vertices| arrays::positions(vertices, "vertices")).transpose()?;
         if let (Some(positions), Some(count)) = (&positions, vertex_count)
@@ -259,7 +259,11 @@ impl Model {
     /// (1, 3, 4, 2)
     #[staticmethod]
     #[pyo3(signature = (signature, dimension=3))]
-    fn from_signature(py: Python<'_>, signature: &str, dimension: usize) -> PyResult<Self> {
+    fn from_signature(
+        py: Python<'_>,
+        signature: &str,
+        #[pyo3(from_py_with = whole)] dimension: usize,
+    ) -> PyResult<Self> {
         let table = GluingTable::from_isomorphism_signature(signature, dimension).or_raise(py)?;
         Ok(Self::of(io::Model::from_structure(Structure::Gluings(table))))
     }
@@ -385,7 +389,11 @@ impl Model {
     /// array([[0, 1],
     ///        [0, 2],
     ///        [1, 2]])
-    fn simplices<'py>(&self, py: Python<'py>, degree: usize) -> PyResult<Bound<'py, PyAny>> {
+    fn simplices<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole)] degree: usize,
+    ) -> PyResult<Bound<'py, PyAny>> {
         let source = &self.source;
         let cells = run(py, None, || {
             let (producer, chains) = (source.producer()?, source.chains()?);
@@ -560,7 +568,7 @@ impl Model {
         let data = if sort == "f" {
             CellData::reals(name, kind, components, arrays::reals(&array, name)?.1)
         } else {
-            CellData::integers(name, kind, components, arrays::numbers(&array, name)?)
+            CellData::integers(name, kind, components, arrays::all_numbers(&array, name)?)
         };
         self.model().clone().with_data(data.or_raise(py)?).or_raise(py).map(Self::of)
     }
@@ -822,6 +830,8 @@ impl Model {
     ///     Whether a vertex with several fans is duplicated, one copy for each fan.
     /// orient : bool
     ///     Whether faces are turned so that neighbors agree.
+    /// keep_repeated : bool
+    ///     Whether faces that repeat an earlier one stay; they are left out otherwise, and faces are numbered anew.
     ///
     /// Returns
     /// -------
@@ -829,16 +839,17 @@ impl Model {
     ///     The repaired model; the same repair again does nothing.
     /// vertex_sources : numpy.ndarray
     ///     For each vertex the one that it was.
-    #[pyo3(signature = (*, split_edges=None, split_vertices=false, orient=false, progress=None))]
+    #[pyo3(signature = (*, split_edges=None, split_vertices=false, orient=false, keep_repeated=false, progress=None))]
     fn repaired<'py>(
         &self,
         py: Python<'py>,
         split_edges: Option<&str>,
         split_vertices: bool,
         orient: bool,
+        keep_repeated: bool,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Self, Bound<'py, PyArray1<i64>>)> {
-        let request = repairs::request(py, split_edges, split_vertices, orient)?;
+        let request = repairs::request(py, split_edges, split_vertices, orient, keep_repeated)?;
         let (model, repair) = run(py, progress, || repaired(self.model(), request))?;
         let sources = arrays::id_array(py, repair.vertex_sources().iter().map(|vertex| vertex.to_u32()));
         Ok((Self::of(model), sources))
@@ -949,36 +960,8 @@ impl Model {
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let model = self.model();
-        let parts = PyDict::new(py);
-        match model.structure() {
-            Some(Structure::Facets(facets)) => {
-                parts.set_item("facets", pickling::pair(py, facets)?)?;
-            }
-            Some(Structure::Halfedges { .. }) => parts.set_item("halfedges", self.halfedges(py)?)?,
-            Some(Structure::Gluings(_)) => parts.set_item("gluings", self.gluings())?,
-            Some(Structure::Volume(_)) => parts.set_item("voxels", self.voxels(py)?)?,
-            Some(Structure::Chains(complex)) => {
-                let complex = ChainComplex::new(Arc::new(complex.clone()), Naming::of(Names::Own));
-                parts.set_item("chains", complex)?;
-            }
-            _ => {
-                parts.set_item("vertex_count", model.vertex_count())?;
-                parts.set_item("faces", pickling::pair(py, model.polygons())?)?;
-                parts.set_item(
-                    "shapes",
-                    model.shapes().iter().map(|&shape| shape_word(shape)).collect::<Vec<_>>(),
-                )?;
-                parts.set_item("cells", pickling::pair(py, model.cells())?)?;
-                parts.set_item("lines", pickling::pair(py, model.lines())?)?;
-                parts.set_item("points", self.points(py))?;
-            }
-        }
-        parts.set_item("vertices", self.vertices(py)?)?;
-        parts.set_item("groups", self.groups(py))?;
-        parts.set_item("data", self.data(py)?)?;
         let rebuild = py.import("coface._coface")?.getattr("_model")?;
-        Ok((rebuild, PyTuple::new(py, [parts])?))
+        Ok((rebuild, PyTuple::new(py, [pickling::parts(py, self)?])?))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::arrays;
 use crate::chain_complex::{ChainComplex, ring};
-use crate::errors::invalid;
+use crate::errors::{invalid, whole};
 use crate::source::Naming;
 use crate::work::run;
 use coface::algebra::Integer;
@@ -106,7 +106,7 @@ pub(crate) fn persistence(
         Some(lists) => {
             let lists: Vec<Vec<f64>> = lists
                 .try_iter()?
-                .map(|list| Ok(arrays::reals(&list?, "cell_values")?.1))
+                .map(|list| arrays::real_list(&list?, "cell_values"))
                 .collect::<PyResult<_>>()?;
             Some(lists)
         }
@@ -164,7 +164,11 @@ impl Persistence {
     /// -------
     /// numpy.ndarray
     ///     ``float64``, shape (n, 2); a class that never dies has the death inf.
-    fn diagram<'py>(&self, py: Python<'py>, degree: usize) -> PyResult<Bound<'py, PyAny>> {
+    fn diagram<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole)] degree: usize,
+    ) -> PyResult<Bound<'py, PyAny>> {
         let pairs = match degree < self.diagram.degree_count() {
             true => self.diagram.pairs_of_degree(degree),
             false => &[],
@@ -199,7 +203,11 @@ impl Persistence {
     /// -------
     /// numpy.ndarray
     ///     ``int64``, shape (n, 2): the numbers of a cell of this degree and of one of the next, -1 where there is none.
-    fn pairs<'py>(&self, py: Python<'py>, degree: usize) -> PyResult<Bound<'py, PyAny>> {
+    fn pairs<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole)] degree: usize,
+    ) -> PyResult<Bound<'py, PyAny>> {
         let pairs = match degree < self.diagram.degree_count() {
             true => self.diagram.pairs_of_degree(degree),
             false => &[],
@@ -212,7 +220,7 @@ impl Persistence {
     }
 
     /// The vertices of the cells that make and end the classes of a degree: a list of pairs.
-    fn simplices(&self, degree: usize) -> Vec<(Vec<u32>, Option<Vec<u32>>)> {
+    fn simplices(&self, #[pyo3(from_py_with = whole)] degree: usize) -> Vec<(Vec<u32>, Option<Vec<u32>>)> {
         if degree >= self.diagram.degree_count() {
             return Vec::new();
         }
@@ -239,8 +247,8 @@ impl Persistence {
     fn dying_cycle(
         &self,
         py: Python<'_>,
-        degree: usize,
-        place: usize,
+        #[pyo3(from_py_with = whole)] degree: usize,
+        #[pyo3(from_py_with = whole)] place: usize,
     ) -> PyResult<Option<crate::homology::Chain>> {
         let pair = match degree < self.diagram.degree_count() {
             true => self.diagram.pairs_of_degree(degree).get(place),

@@ -1,7 +1,7 @@
 //! Fundamental groups.
 
 use crate::arrays;
-use crate::errors::invalid;
+use crate::errors::{invalid, whole};
 use crate::homology::Homology;
 use crate::model::source_of;
 use crate::surface::numbers_of;
@@ -161,7 +161,7 @@ impl FundamentalGroup {
     #[pyo3(signature = (generators, relators=Vec::new(), *, time_limit=None))]
     fn py_new(
         py: Python<'_>,
-        generators: usize,
+        #[pyo3(from_py_with = whole)] generators: usize,
         relators: Vec<Vec<i32>>,
         time_limit: Option<f64>,
     ) -> PyResult<Self> {
@@ -236,7 +236,7 @@ impl FundamentalGroup {
     fn subgroups(
         &self,
         py: Python<'_>,
-        highest: usize,
+        #[pyo3(from_py_with = whole)] highest: usize,
         time_limit: Option<f64>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Option<Vec<(usize, usize)>>> {
@@ -270,7 +270,7 @@ impl FundamentalGroup {
         &self,
         py: Python<'_>,
         group: &str,
-        points: usize,
+        #[pyo3(from_py_with = whole)] points: usize,
         time_limit: Option<f64>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Option<(u64, u64)>> {
@@ -306,7 +306,7 @@ impl FundamentalGroup {
         &self,
         py: Python<'_>,
         words: Vec<Vec<i32>>,
-        limit: usize,
+        #[pyo3(from_py_with = whole)] limit: usize,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Option<usize>> {
         let words: Vec<Word> = words.iter().map(|word| self.word(py, word)).collect::<PyResult<_>>()?;

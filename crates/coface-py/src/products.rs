@@ -2,7 +2,7 @@
 
 use crate::arrays;
 use crate::chain_complex::{ChainComplex, ring};
-use crate::errors::{OrRaise, invalid};
+use crate::errors::{OrRaise, invalid, whole, whole_or_none};
 use crate::homology::Homology;
 use crate::model::source_of;
 use crate::work::run;
@@ -67,7 +67,7 @@ pub(crate) fn classes<'py>(
     py: Python<'py>,
     complex: &Bound<'py, ChainComplex>,
     cycles: &Bound<'py, PyAny>,
-    degree: Option<usize>,
+    #[pyo3(from_py_with = whole_or_none)] degree: Option<usize>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Vec<Bound<'py, PyDict>>> {
     let complex = complex.get();
@@ -147,7 +147,7 @@ pub(crate) fn classes<'py>(
 pub(crate) fn harmonic<'py>(
     py: Python<'py>,
     complex: &Bound<'py, ChainComplex>,
-    degree: usize,
+    #[pyo3(from_py_with = whole)] degree: usize,
     weights: Option<&Bound<'py, PyAny>>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
@@ -208,7 +208,7 @@ fn dense(cochain: &Cochain<f64>, count: usize) -> Vec<f64> {
 pub(crate) fn decompose<'py>(
     py: Python<'py>,
     complex: &Bound<'py, ChainComplex>,
-    degree: usize,
+    #[pyo3(from_py_with = whole)] degree: usize,
     values: &Bound<'py, PyAny>,
     weights: Option<&Bound<'py, PyAny>>,
     progress: Option<&Bound<'py, PyAny>>,
@@ -249,7 +249,7 @@ pub(crate) fn decompose<'py>(
 pub(crate) fn laplacian<'py>(
     py: Python<'py>,
     complex: &Bound<'py, ChainComplex>,
-    degree: usize,
+    #[pyo3(from_py_with = whole)] degree: usize,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let complex = complex.get();
@@ -278,7 +278,7 @@ pub(crate) fn laplacian<'py>(
 pub(crate) fn matching<'py>(
     py: Python<'py>,
     complex: &Bound<'py, ChainComplex>,
-    degree: usize,
+    #[pyo3(from_py_with = whole)] degree: usize,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<(Bound<'py, PyArray1<i64>>, Bound<'py, PyAny>)> {
     let complex = complex.get();
@@ -375,8 +375,8 @@ fn named<'py>(
 pub(crate) fn cup_products<'py>(
     py: Python<'py>,
     model: &Bound<'py, PyAny>,
-    p: usize,
-    q: usize,
+    #[pyo3(from_py_with = whole)] p: usize,
+    #[pyo3(from_py_with = whole)] q: usize,
     coefficients: Option<&Bound<'py, PyAny>>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {

@@ -1,7 +1,7 @@
 //! Reports: everything that `coface info` says.
 
 use crate::arrays;
-use crate::errors::invalid;
+use crate::errors::{invalid, whole};
 use crate::objects::to_python;
 use crate::source::Source;
 use coface::answers as report;
@@ -258,7 +258,11 @@ impl Report {
     /// >>> coface.Model.from_facets([[0, 1]]).report().to_dict()["homology"][0]
     /// {'betti': 1, 'degree': 0, 'torsion': []}
     #[pyo3(signature = (limit=PLACES))]
-    fn to_dict<'py>(&self, py: Python<'py>, limit: usize) -> PyResult<Bound<'py, PyAny>> {
+    fn to_dict<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole)] limit: usize,
+    ) -> PyResult<Bound<'py, PyAny>> {
         let dict = to_python(py, &self.report.answer(limit))?;
         if let Some(format) = self.source.model.format() {
             dict.set_item("format", format.name())?;
@@ -280,7 +284,7 @@ impl Report {
     /// str
     ///     The text that ``coface info`` prints.
     #[pyo3(signature = (title="model", limit=text::FEW))]
-    fn to_text(&self, title: &str, limit: usize) -> String {
+    fn to_text(&self, title: &str, #[pyo3(from_py_with = whole)] limit: usize) -> String {
         let styled = text::report(title, self.format(), &self.report, limit);
         anstream::adapter::strip_str(&styled).to_string()
     }

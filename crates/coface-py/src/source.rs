@@ -5,6 +5,7 @@ use coface::algebra::chains::ChainComplex;
 use coface::answers::{Pair, Producer};
 use coface::complexes::simplicial::FrozenComplex;
 use coface::io::Model;
+use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
 /// A model, and what is made of it when somebody asks.
@@ -48,6 +49,8 @@ pub(crate) enum Names {
     Source(Arc<Source>),
     /// By the vertices of the simplices.
     Simplices(Arc<FrozenComplex>),
+    /// By what was written of the cells of each degree.
+    Given(Arc<BTreeMap<(usize, usize), Vec<u32>>>),
 }
 
 /// Names the cells of a chain complex: those that a pair keeps, if there is one, shifted by one degree if the complex is augmented.
@@ -86,6 +89,7 @@ impl Naming {
                 |made| made.cell_vertices(degree, coface::CellId::new(number)),
             ),
             Names::Simplices(complex) => complex.numbers(degree, number).to_vec(),
+            Names::Given(names) => names.get(&(degree, number)).cloned().unwrap_or(vec![number as u32]),
         }
     }
 }

@@ -5,7 +5,7 @@ mod opened;
 pub(crate) use opened::{Cocycles, Cover, Domain};
 
 use crate::arrays;
-use crate::errors::{OrRaise, invalid};
+use crate::errors::{OrRaise, invalid, whole, whole_or_none};
 use crate::homology::Chain;
 use crate::memory::shared_ids;
 use crate::model::Model;
@@ -317,7 +317,7 @@ impl Surface {
         py: Python<'_>,
         along: Option<&Bound<'_, PyAny>>,
         simplify: bool,
-        rounds: Option<usize>,
+        #[pyo3(from_py_with = whole_or_none)] rounds: Option<usize>,
         base: Option<u32>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Domain> {
@@ -368,11 +368,11 @@ impl Surface {
     fn cover(
         &self,
         py: Python<'_>,
-        radius: Option<usize>,
-        copies: Option<usize>,
-        component: usize,
+        #[pyo3(from_py_with = whole_or_none)] radius: Option<usize>,
+        #[pyo3(from_py_with = whole_or_none)] copies: Option<usize>,
+        #[pyo3(from_py_with = whole)] component: usize,
         layout: &str,
-        most_cells: usize,
+        #[pyo3(from_py_with = whole)] most_cells: usize,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Cover> {
         if radius.is_some() && copies.is_some() {

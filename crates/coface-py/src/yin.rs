@@ -12,7 +12,7 @@ use crate::answer::answer;
 use crate::arrangement::{formula, named_format, rule_of};
 use crate::arrays;
 use crate::congruence::choice;
-use crate::errors::{OrRaise, invalid};
+use crate::errors::{self, OrRaise, invalid};
 use crate::model::{Model, read_options};
 use crate::objects::to_python;
 use crate::source::Source;
@@ -99,7 +99,8 @@ fn kinks_of(kinks: &Bound<'_, PyAny>) -> PyResult<KinkRequest> {
 /// Parameters
 /// ----------
 /// curves : sequence of Curve
-///     Boundaries with the set on their left, pairwise disjoint but for single points.
+///     Boundaries with the set on their left, pairwise disjoint but for single points. Outermost ones that run clockwise leave everything
+///     outside of them, with an :class:`AssumptionWarning`.
 ///
 /// Examples
 /// --------
@@ -179,6 +180,15 @@ impl YinSet {
         run(py, None, || Self::combined(&[self.inner(), other.inner()], operation))
     }
 
+    /// The set, after a warning if outermost curves run clockwise: then it is everything outside of them.
+    fn warned(self, py: Python<'_>, cure: &str) -> PyResult<Self> {
+        if !self.inner().is_bounded() && !self.inner().is_plane() {
+            let fault = "the outermost curves run clockwise, so the set is all that lies outside of them and its area is infinite";
+            errors::warn(py, &format!("{fault}; {cure}, and ~ of that is this set without a warning"))?;
+        }
+        Ok(self)
+    }
+
     /// The set with an edit.
     fn edited(
         &self,
@@ -236,7 +246,8 @@ answer! { YinSet {
     #[pyo3(signature = (curves))]
     fn new(py: Python<'_>, curves: Vec<Py<Curve>>) -> PyResult<Self> {
         let curves: Vec<yin::Curve<'static>> = curves.iter().map(|curve| curve.get().curve.clone()).collect();
-        run(py, None, || Self::of(PlanarSet::from_set(yin::YinSet::new(&curves)?)))
+        let set = run(py, None, || Self::of(PlanarSet::from_set(yin::YinSet::new(&curves)?)))?;
+        set.warned(py, "the inside of a curve needs curve.reversed()")
     }
 
     /// Reads a set from a file: SVG, GeoJSON, WKT, JSON, ``.dat`` or any drawing with rings.
@@ -302,7 +313,8 @@ answer! { YinSet {
     /// order : {2, 4, 6, 8}
     ///     2 for polylines, 4 for cubic splines through the points, ..
     /// rule : {"nonzero", "evenodd", "positive"}, optional
-    ///     What rings that cross contain; without it the set lies to the left of each ring.
+    ///     What rings that cross contain; without it the set lies to the left of each ring: inside of one that runs counterclockwise. Outermost
+    ///     rings that run clockwise leave everything outside of them, with an :class:`AssumptionWarning`.
     /// kinks : "none", "all", float, or list of (int, int), optional
     ///     Where splines may turn.
     /// ends : {"not-a-knot", "natural"}
@@ -336,6 +348,10 @@ answer! { YinSet {
             let filling = stated.map_or(io::yin::Filling::Left, io::yin::Filling::Stated);
             drawing.push(filling, curves);
             Self::of(PlanarSet::of(&drawing, &request)?)
+        })
+        .and_then(|set| match stated {
+            Some(_) => Ok(set),
+            None => set.warned(py, "the inside of rings of any direction needs rule=\"evenodd\""),
         })
     }
 

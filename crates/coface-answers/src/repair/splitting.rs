@@ -18,13 +18,15 @@ pub struct RepairRequest {
     pub orient: bool,
     /// Turn faces so that those of each part agree where they can; see [`MeshRepair::orient_parts`].
     pub orient_parts: bool,
+    /// Leave out the polygons that repeat an earlier one, with their data, before anything else is done.
+    pub drop_repeated: bool,
 }
 
 /// The model with its polygons repaired as requested, first edges, then vertices, then orientation, and what was done.
 ///
 /// Copies of vertices get their positions and data and are members of their groups. Lines follow the faces that they are
 /// sides of; where these come apart, so does the line, and its parts, one after the other, have its data and are members
-/// of its groups. Points stay. Polygons that repeat an earlier one stay beside it.
+/// of its groups. Points stay. Polygons that repeat an earlier one stay beside it unless they are to be dropped.
 ///
 /// # Errors
 /// [`coface_algebra::ErrorKind::UnsupportedFormat`] for models with 3-cells, and for structures that are no facet list of dimension 2; those of [`PolygonMesh::new`] and
@@ -47,11 +49,45 @@ pub struct RepairRequest {
 /// # Ok(()) }
 /// ```
 pub fn repaired(model: &Model, request: RepairRequest) -> Result<(Model, MeshRepair), Error> {
-    let PolygonsOf { model: polygons, labels } = PolygonsOf::new(model)?;
+    let PolygonsOf { model: mut polygons, labels } = PolygonsOf::new(model)?;
+    if request.drop_repeated {
+        polygons = without_repeated(polygons)?;
+    }
     let vertex_count = polygons.vertex_count();
     let (made, repair) = repaired_polygons_model(polygons, request)?;
     let sources: Vec<usize> = (0..vertex_count).collect();
     Ok((PolygonsOf { model: made, labels }.into_given(&sources), repair))
+}
+
+/// The model without the polygons that repeat an earlier one; data and groups follow.
+fn without_repeated(model: Model) -> Result<Model, Error> {
+    let mesh = PolygonMesh::new(model.vertex_count(), model.polygons().clone(), &[])?;
+    let mut repeated: Vec<usize> = mesh.duplicate_faces().iter().map(|&(_, polygon)| polygon).collect();
+    if repeated.is_empty() {
+        return Ok(model);
+    }
+    repeated.sort_unstable();
+    let is_kept = |polygon: &usize| repeated.binary_search(polygon).is_err();
+    let kept: Vec<usize> = (0..model.polygons().len()).filter(is_kept).collect();
+    let data = |data: &CellData| match data.kind() {
+        GroupKind::Polygons => data.taken_from(kept.iter().copied()),
+        _ => data.clone(),
+    };
+    let group = |group: &Group| match group.kind() {
+        GroupKind::Polygons => {
+            let place = |&member: &u32| kept.binary_search(&(member as usize)).ok();
+            let members = group.members().iter().filter_map(place).map(|place| place as u32).collect();
+            Group::new(group.name(), group.kind(), members)
+        }
+        _ => group.clone(),
+    };
+    Ok(ModelParts {
+        polygons: RaggedArray::from_lists(kept.iter().map(|&polygon| model.polygons().list(polygon))),
+        groups: model.groups().iter().map(group).collect(),
+        data: model.data().iter().map(data).collect(),
+        ..model.clone().into_parts()
+    }
+    .into_model())
 }
 
 /// The same for a model of polygons.
@@ -248,6 +284,7 @@ mod tests {
             split_edges: Some(FacesAtEdge::Apart),
             split_vertices: true,
             orient: true,
+            drop_repeated: false,
             orient_parts: false,
         };
         let polygons = RaggedArray::from_lists([[0, 1, 2]]);

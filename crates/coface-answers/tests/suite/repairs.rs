@@ -1,7 +1,7 @@
 //! Surfaces made of what files hold.
 
 use coface_algebra::RaggedArray;
-use coface_answers::{Answer, Report, SurfaceRepairRequest, repaired_surface};
+use coface_answers::{Answer, RepairRequest, Report, SurfaceRepairRequest, repaired, repaired_surface};
 use coface_complexes::surface::PolygonMesh;
 use coface_io::{Format, Model, Structure, read, read_path};
 use proptest::prelude::*;
@@ -67,6 +67,21 @@ fn the_tolerance_merges_what_is_near() {
     };
     assert_eq!((of(0.0), of(1e-6)), (6, 4));
     assert!(repaired_surface(&model, &SurfaceRepairRequest::new().tolerance(-1.0)).is_err());
+}
+
+/// What repeats an earlier polygon is left out on request, turned or not; groups and data follow.
+#[test]
+fn repeated_polygons_are_dropped_on_request() {
+    let model = facets(&[vec![0, 1, 2], vec![2, 0, 1], vec![1, 3, 2], vec![1, 0, 2]]);
+    let count = |drop_repeated: bool| {
+        let mut request = RepairRequest::default();
+        request.drop_repeated = drop_repeated;
+        let Some(Structure::Facets(made)) = repaired(&model, request).unwrap().0.structure().cloned() else {
+            panic!()
+        };
+        made.len()
+    };
+    assert_eq!((count(true), count(false)), (2, 4));
 }
 
 #[test]

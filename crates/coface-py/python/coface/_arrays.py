@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, KeysView, Sequence, ValuesView
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
@@ -175,6 +175,46 @@ def triangles(model: Model, purpose: str) -> Ids:
             [flat[offsets[first] : offsets[first + 1]].tolist()],
         )
     return flat.reshape(-1, 3)
+
+
+def plain(value: Any) -> Any:
+    """Tables as arrays, sets and generators as lists, everything else as it is.
+
+    Members of sets come in rising order, and the sets in them as sorted lists.
+
+    Examples
+    --------
+    >>> plain({(0, 1, 2), (1, 2, 3)})
+    [(0, 1, 2), (1, 2, 3)]
+    >>> plain(frozenset([frozenset([2, 1]), frozenset([0])]))
+    [(0,), (1, 2)]
+    >>> plain(x for x in "ab")
+    ['a', 'b']
+    """
+    if isinstance(value, (set, frozenset)):
+        return sorted(tuple(sorted(one)) if isinstance(one, frozenset) else one for one in value)
+    if hasattr(value, "to_numpy"):
+        return value.to_numpy()
+    if hasattr(value, "__next__") or isinstance(value, (KeysView, ValuesView)):
+        return list(value)
+    return value
+
+
+def numbers(value: Any, what: str) -> NDArray[np.float64]:
+    """Real numbers in an array of any shape.
+
+    Raises
+    ------
+    coface.InvalidInputError
+        For what is no array of real numbers.
+    """
+    try:
+        found = np.asarray(plain(value))
+    except ValueError:
+        found = np.empty(0, object)
+    if found.dtype.kind not in "biuf" and (found.size or found.dtype.kind == "O"):
+        raise_invalid(f"{what} are no array of numbers", "give real numbers")
+    return found.astype(np.float64)
 
 
 def raise_invalid(message: str, cure: str, cells: Sequence[Sequence[int]] = ()) -> NoReturn:

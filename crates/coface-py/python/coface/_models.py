@@ -7,8 +7,9 @@ import os
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from coface._arrays import raise_invalid
+from coface._arrays import plain, raise_invalid
 from coface._coface import ChainComplex, Complex, Model, Surface, _volume, read
 from coface.interop import adapter_of
 
@@ -24,9 +25,11 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
         * a :class:`Model`, :class:`Complex`, :class:`Surface` or :class:`ChainComplex`;
         * a path, or a file that is open for reading;
         * ``(vertices, faces)``: an array ``(n, d)`` of coordinates, or ``None``, and polygons as in :class:`Model`;
-        * facets of a simplicial complex: a list of lists of integers, or an integer array ``(m, k)``;
-        * points: an array ``(n, d)`` of floats;
-        * voxels: an array of truth values, as in :func:`volume`;
+        * facets of a simplicial complex: a list or set of lists of integers, or an integer array ``(m, k)`` of 32 or 64 bits;
+        * points: an array ``(n, 1)``, ``(n, 2)`` or ``(n, 3)`` of floats;
+        * voxels: an array of truth values, as in :func:`volume`; an image of other numbers is refused here, since it could be points or
+          facets;
+        * a table with ``to_numpy()``, as pandas has them, or a generator, for any of these;
         * a dictionary in the words of the JSON files: ``{"facets": ...}``, ``{"boundaries": ...}`` and so on;
         * a mesh, scene or drawing of trimesh, a mesh of meshio, a data set of pyvista or VTK, a geometry of open3d, a graph of networkx, a
           ``SimplexTree`` of gudhi, a geometry of shapely.
@@ -70,12 +73,9 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
     if hasattr(x, "read"):
         data = x.read()
         return Model.from_bytes(data.encode() if isinstance(data, str) else data, progress=progress)
+    x = plain(x)
     if isinstance(x, np.ndarray):
-        if x.dtype.kind == "b":
-            return _volume(np.ascontiguousarray(x), [])
-        if x.dtype.kind in "iu":
-            return Model.from_facets(x)
-        return Model.from_arrays(x)
+        return _of_array(x)
     if isinstance(x, tuple) and len(x) == 2 and not _is_list_of_ids(x[0]):
         return Model.from_arrays(x[0], x[1])
     if isinstance(x, (list, tuple)):
@@ -83,11 +83,54 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
             from coface.interop import shapely
 
             return shapely.to_model(list(x))
+        first = _first_leaf(x)
+        if isinstance(first, (bool, np.bool_, float, np.floating)):
+            try:
+                array = np.asarray(x)
+            except ValueError:
+                raise_invalid(
+                    "a list of lists of different lengths has numbers that are no ids",
+                    "give facets as lists of integers, or points as rows of one length",
+                )
+            return _of_array(array)
         return Model.from_facets(x)
     raise_invalid(
         f"a {type(x).__name__} is nothing that describes a space here",
         "give a path, (vertices, faces), facets, or an object that as_model names",
     )
+
+
+#: What an array can be, and how to say so.
+_ARRAYS = (
+    "say what it is: coface.volume(x, threshold=...) for an image, coface.Model(vertices, faces) for a mesh, "
+    "coface.Model.from_facets(x) for facets, coface.Model(x) for points"
+)
+
+
+def _of_array(x: NDArray[Any]) -> Model:
+    """An array that can be one thing only."""
+    kind, shape = x.dtype.kind, x.shape
+    if kind == "b":
+        return _volume(np.ascontiguousarray(x), [])
+    if kind in "iu":
+        if x.ndim != 2 or x.dtype.itemsize < 4 and x.size:
+            raise_invalid(f"an array of {x.dtype} of shape {shape} could be an image or facets", _ARRAYS)
+        rows = np.sort(x, axis=1)
+        if (rows[:, 1:] == rows[:, :-1]).any():
+            raise_invalid(f"an array of {x.dtype} of shape {shape} has rows that repeat a number, so they are no facets", _ARRAYS)
+        return Model.from_facets(x)
+    if kind == "f":
+        if x.ndim == 2 and shape[1] > 3 or x.ndim > 2:
+            raise_invalid(f"an array of {x.dtype} of shape {shape} could be an image or points", _ARRAYS)
+        return Model.from_arrays(x)
+    raise_invalid(f"an array of {x.dtype} has no numbers", _ARRAYS)
+
+
+def _first_leaf(value: Any) -> Any:
+    """The first thing in lists of lists that is no list."""
+    while isinstance(value, (list, tuple)) and len(value):
+        value = value[0]
+    return value
 
 
 def _is_list_of_ids(value: Any) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -9,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coface import _coface
-from coface._arrays import raise_invalid
+from coface._arrays import numbers, ragged, raise_invalid
 from coface._coface import (
     ChainComplex,
     Cocycles,
@@ -47,7 +48,8 @@ def homology(
     coefficients
         ``"z"``, ``"q"``, ``"f2"``, ``"f3"``, ... for a prime field, ``"z/4"`` and the like.
     relative
-        A part that is divided out: ``"boundary"``, or anything that :func:`as_model` understands, with the same numbers of vertices.
+        A part that is divided out: ``"boundary"``, the name of a group of the model, or anything that :func:`as_model` understands, with
+        the same numbers of vertices.
     reduced
         Whether a point has no homology at all.
     generators
@@ -117,8 +119,54 @@ def cohomology(
 def _chains(x: Any, relative: Any, reduced: bool, progress: Any) -> ChainComplex:
     if relative is None and not reduced:
         return as_chain_complex(x, progress=progress)
-    part = relative if relative is None or isinstance(relative, str) and relative == "boundary" else as_model(relative)
-    return as_model(x, progress=progress).chain_complex(part, reduced=reduced, progress=progress)
+    model = as_model(x, progress=progress)
+    return model.chain_complex(part_of(model, relative), reduced=reduced, progress=progress)
+
+
+def part_of(model: Model, part: Any) -> Any:
+    """The part of a model that is divided out: its boundary, one of its groups, or another model."""
+    if part is None or not isinstance(part, str) or part == "boundary":
+        return part if part is None or isinstance(part, str) else as_model(part)
+    names = [name for name, _, _ in model.groups]
+    if part in names:
+        return group_of(model, part)
+    if os.path.exists(part.partition("#")[0]):
+        return as_model(part)
+    shown = ", ".join(map(repr, dict.fromkeys(names))) or "none"
+    raise_invalid(
+        f"relative is {part!r}, which is no group of the model (it has {shown}) and no file",
+        'give relative="boundary", the name of a group, or a model of cells',
+    )
+
+
+def group_of(model: Model, name: str) -> Model:
+    """The cells of all groups of one name as a model with the same numbers of vertices."""
+    faces, cells, lines, points = ragged(model.faces), model.cells, ragged(model.lines), []
+    cells_chosen: dict[str, Any] = {}
+    for other, kind, members in model.groups:
+        if other != name:
+            continue
+        if kind == "vertices":
+            points.extend(members.tolist())
+        elif kind in ("faces", "lines"):
+            flat, offsets = faces if kind == "faces" else lines
+            chosen = [flat[offsets[member] : offsets[member + 1]] for member in members]
+            cells_chosen.setdefault("polygon" if kind == "faces" else "polyline", []).extend(chosen)
+        else:
+            start = 0
+            if len(cells) > 1:
+                raise_invalid(
+                    f"the group {name!r} has 3-cells of a model with several kinds of them",
+                    "give the part as a model: coface.Model.from_arrays(vertices, cells=...)",
+                )
+            for shape, rows in cells.items():
+                inside = members[(members >= start) & (members < start + len(rows))] - start
+                if len(inside):
+                    cells_chosen.setdefault(shape, []).extend(np.asarray(rows)[inside])
+                start += len(rows)
+    if points:
+        cells_chosen["vertex"] = [[vertex] for vertex in points]
+    return Model.from_arrays(model.vertices, cells=cells_chosen, vertex_count=model.vertex_count)
 
 
 def pi1(
@@ -358,7 +406,9 @@ def incidence(
     Returns
     -------
     scipy.sparse.csr_array
-        One row for each cell of the first degree.
+        One row for each cell of the first degree. Of ``"counts"`` between cells of one degree the diagonal is not empty: a cell shares all
+        its vertices with itself. ``"VV"`` counts edges: an entry is the number of edges that join two vertices, the diagonal the number of
+        edges at a vertex. ``"incident"`` has no diagonal.
 
     Examples
     --------
@@ -366,6 +416,14 @@ def incidence(
     >>> coface.incidence([[0, 1, 2], [1, 2, 3]], "FE", "incident").toarray()
     array([[1, 1, 1, 0, 0],
            [0, 0, 1, 1, 1]], dtype=int32)
+    >>> coface.incidence([[0, 1, 2]], "VV").toarray()
+    array([[2, 1, 1],
+           [1, 2, 1],
+           [1, 1, 2]], dtype=int32)
+    >>> coface.incidence([[0, 1, 2]], "VV", "incident").toarray()
+    array([[0, 1, 1],
+           [1, 0, 1],
+           [1, 1, 0]], dtype=int32)
     """
     lar = LarModel(as_model(x, progress=progress), progress=progress)
     return lar.incidence(operator, kind, at_least=at_least, exactly=exactly, progress=progress)
@@ -625,9 +683,9 @@ def persistence(
     x
         Anything that :func:`as_chain_complex` understands. A ``SimplexTree`` of gudhi brings its own values.
     vertex_values
-        A number for each vertex of `x` by its id: a cell comes with its last vertex.
+        A number for each vertex of `x` by its id, an array of shape ``(n,)``: a cell comes with its last vertex.
     cell_values
-        For each degree a number for each cell; NaN where a cell comes as late as its cofaces allow.
+        For each degree a number for each cell, an array of shape ``(cells,)``; NaN where a cell comes as late as its cofaces allow.
     coefficients
         A prime field: ``"f2"``, ``"f3"``, ...
     upper
@@ -659,15 +717,9 @@ def persistence(
 
         cell_values = gudhi.values(x, complex)
     if vertex_values is not None:
-        values = np.asarray(vertex_values, np.float64).reshape(-1)
-        ids = np.asarray(complex.simplices(0)).reshape(-1)
-        if len(ids) and len(values) <= ids.max():
-            raise_invalid(
-                f"there are {len(values)} values, and a vertex with the id {ids.max()}",
-                "give a value for each id, from 0 to the largest",
-                [[int(ids.max())]],
-            )
-        vertex_values = values[ids]
+        vertex_values = _at_vertices(vertex_values, x, complex)
+    if cell_values is not None:
+        cell_values = [_at_cells(values, degree, complex) for degree, values in enumerate(cell_values)]
     return _coface.persistence(
         complex,
         vertex_values=vertex_values,
@@ -677,6 +729,35 @@ def persistence(
         least=least,
         progress=progress,
     )
+
+
+def _at_vertices(values: Any, x: Any, complex: ChainComplex) -> NDArray[np.float64]:
+    """Values by the ids of vertices, in the order of the cells of degree 0."""
+    found = numbers(values, "vertex_values")
+    ids = np.asarray(complex.simplices(0)).reshape(-1)
+    wanted = 1 + int(ids.max(initial=-1))
+    # A file may have vertices that nothing uses.
+    counts = {wanted, x.vertex_count} if isinstance(x, Model) and x.structure is None else {wanted}
+    if found.ndim != 1 or len(found) not in counts:
+        raise_invalid(
+            f"vertex_values have the shape {found.shape}, and the vertices have ids below {wanted}",
+            f"give an array of shape ({max(counts)},): a value for each id; values of cells go to cell_values",
+            [[wanted - 1]] if found.ndim == 1 and 0 < len(found) < wanted else (),
+        )
+    placed: NDArray[np.float64] = found[ids]
+    return placed
+
+
+def _at_cells(values: Any, degree: int, complex: ChainComplex) -> NDArray[np.float64]:
+    """Values in the order of the cells of a degree."""
+    found = numbers(values, f"cell_values[{degree}]")
+    count = complex.cell_count(degree)
+    if found.shape != (count,):
+        raise_invalid(
+            f"cell_values[{degree}] have the shape {found.shape}, and there are {count} cells of degree {degree}",
+            f"give an array of shape ({count},): a value for each cell",
+        )
+    return found
 
 
 def polygon(*rings: Any) -> Model:

@@ -5,6 +5,7 @@ use super::cells::{kind_of, shape_word};
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
 use crate::errors::{OrRaise, invalid};
+use crate::source::{Names, Naming};
 use crate::volumes::_volume;
 use coface::VertexId;
 use coface::algebra::RaggedArray;
@@ -16,6 +17,7 @@ use coface::io::{Group, Structure};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
+use std::sync::Arc;
 
 /// Makes a model again from what :meth:`Model.__reduce__` gave.
 #[pyfunction]
@@ -89,4 +91,37 @@ pub(super) fn pair<'py>(py: Python<'py>, lists: &RaggedArray) -> PyResult<Bound<
     let offsets = (0..=lists.len()).map(|i| lists.start(i) as i64).collect();
     let flat = PyArray1::from_slice(py, lists.items());
     PyTuple::new(py, [flat.into_any(), PyArray1::from_vec(py, offsets).into_any()])
+}
+
+/// What a pickle of a model holds: arrays by name.
+pub(super) fn parts<'py>(py: Python<'py>, model_of: &Model) -> PyResult<Bound<'py, PyDict>> {
+    let model = model_of.model();
+    let parts = PyDict::new(py);
+    match model.structure() {
+        Some(Structure::Facets(facets)) => {
+            parts.set_item("facets", pair(py, facets)?)?;
+        }
+        Some(Structure::Halfedges { .. }) => parts.set_item("halfedges", model_of.halfedges(py)?)?,
+        Some(Structure::Gluings(_)) => parts.set_item("gluings", model_of.gluings())?,
+        Some(Structure::Volume(_)) => parts.set_item("voxels", model_of.voxels(py)?)?,
+        Some(Structure::Chains(complex)) => {
+            let complex = ChainComplex::new(Arc::new(complex.clone()), Naming::of(Names::Own));
+            parts.set_item("chains", complex)?;
+        }
+        _ => {
+            parts.set_item("vertex_count", model.vertex_count())?;
+            parts.set_item("faces", pair(py, model.polygons())?)?;
+            parts.set_item(
+                "shapes",
+                model.shapes().iter().map(|&shape| shape_word(shape)).collect::<Vec<_>>(),
+            )?;
+            parts.set_item("cells", pair(py, model.cells())?)?;
+            parts.set_item("lines", pair(py, model.lines())?)?;
+            parts.set_item("points", model_of.points(py))?;
+        }
+    }
+    parts.set_item("vertices", model_of.vertices(py)?)?;
+    parts.set_item("groups", model_of.groups(py))?;
+    parts.set_item("data", model_of.data(py)?)?;
+    Ok(parts)
 }

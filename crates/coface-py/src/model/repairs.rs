@@ -13,6 +13,7 @@ pub(super) fn request(
     split_edges: Option<&str>,
     split_vertices: bool,
     orient: bool,
+    keep_repeated: bool,
 ) -> PyResult<RepairRequest> {
     let mut request = RepairRequest::default();
     request.split_edges = match split_edges {
@@ -23,7 +24,8 @@ pub(super) fn request(
             return Err(invalid(py, format!("split_edges is {word:?}"), "give \"apart\" or \"pairs\""));
         }
     };
-    (request.split_vertices, request.orient) = (split_vertices, orient);
+    (request.split_vertices, request.orient, request.drop_repeated) =
+        (split_vertices, orient, !keep_repeated);
     Ok(request)
 }
 

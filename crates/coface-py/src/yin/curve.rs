@@ -2,7 +2,7 @@
 
 use super::{ends_of, order_of, point_array, points_of};
 use crate::arrays;
-use crate::errors::OrRaise;
+use crate::errors::{OrRaise, whole};
 use crate::work::run;
 use coface::geometry::Angle;
 use coface::io;
@@ -38,7 +38,12 @@ pub(crate) struct Curve {
 impl Curve {
     #[new]
     #[pyo3(signature = (points, order=2, ends="not-a-knot"))]
-    fn new(py: Python<'_>, points: &Bound<'_, PyAny>, order: usize, ends: &str) -> PyResult<Self> {
+    fn new(
+        py: Python<'_>,
+        points: &Bound<'_, PyAny>,
+        #[pyo3(from_py_with = whole)] order: usize,
+        ends: &str,
+    ) -> PyResult<Self> {
         let points = points_of(points, "points")?;
         let (order, ends) = (order_of(py, order)?, ends_of(py, ends)?);
         let curve = run(py, None, || match order {
@@ -66,7 +71,7 @@ impl Curve {
         py: Python<'_>,
         points: &Bound<'_, PyAny>,
         kinks: Option<&Bound<'_, PyAny>>,
-        order: usize,
+        #[pyo3(from_py_with = whole)] order: usize,
         ends: &str,
     ) -> PyResult<Self> {
         let points = points_of(points, "points")?;
@@ -79,7 +84,13 @@ impl Curve {
     /// A circle, counterclockwise.
     #[staticmethod]
     #[pyo3(signature = (center, radius, pieces=16, order=4))]
-    fn circle(py: Python<'_>, center: [f64; 2], radius: f64, pieces: usize, order: usize) -> PyResult<Self> {
+    fn circle(
+        py: Python<'_>,
+        center: [f64; 2],
+        radius: f64,
+        #[pyo3(from_py_with = whole)] pieces: usize,
+        #[pyo3(from_py_with = whole)] order: usize,
+    ) -> PyResult<Self> {
         let curve = yin::Curve::circle(center, radius, pieces, order_of(py, order)?).or_raise(py)?;
         Ok(Self { curve })
     }
@@ -91,8 +102,8 @@ impl Curve {
         py: Python<'_>,
         center: [f64; 2],
         axes: [f64; 2],
-        pieces: usize,
-        order: usize,
+        #[pyo3(from_py_with = whole)] pieces: usize,
+        #[pyo3(from_py_with = whole)] order: usize,
     ) -> PyResult<Self> {
         let curve = yin::Curve::ellipse(center, axes, pieces, order_of(py, order)?).or_raise(py)?;
         Ok(Self { curve })
@@ -212,7 +223,7 @@ impl Curve {
 #[pyfunction]
 pub(crate) fn _curve(
     py: Python<'_>,
-    order: usize,
+    #[pyo3(from_py_with = whole)] order: usize,
     controls: &Bound<'_, PyAny>,
     knots: &Bound<'_, PyAny>,
 ) -> PyResult<Curve> {
