@@ -379,7 +379,7 @@ pub(crate) fn formula(operation: &str, count: usize) -> Result<BooleanFormula, E
 /// What segments cut the plane into: vertices, edges and bounded faces.
 ///
 /// Made by :func:`arrange`.
-#[pyclass(frozen, module = "coface", name = "PlanarArrangement")]
+#[pyclass(frozen, dict, module = "coface", name = "PlanarArrangement")]
 pub(crate) struct PlanarArrangement {
     arranged: DrawingArrangement,
     answer: PlanarArrangementAnswer,
@@ -553,7 +553,7 @@ pub(crate) fn named_format(py: Python<'_>, path: &std::path::Path, format: Optio
 /// Regions of the plane combined: polygons with holes.
 ///
 /// Made by :func:`boolean`.
-#[pyclass(frozen, module = "coface", name = "PlanarBoolean")]
+#[pyclass(frozen, dict, module = "coface", name = "PlanarBoolean")]
 pub(crate) struct PlanarBoolean {
     result: RegionBoolean,
     answer: PlanarBooleanAnswer,
@@ -675,7 +675,7 @@ answer! { PlanarBoolean {
 /// What polygons cut space into: vertices, edges, faces and bounded cells.
 ///
 /// Made by :func:`arrange`.
-#[pyclass(frozen, module = "coface", name = "SpatialArrangement")]
+#[pyclass(frozen, dict, module = "coface", name = "SpatialArrangement")]
 pub(crate) struct SpatialArrangement {
     arranged: SceneArrangement,
     rule: InsideRule,
@@ -784,7 +784,7 @@ answer! { SpatialArrangement {
 /// Solids combined: a surface.
 ///
 /// Made by :func:`boolean`.
-#[pyclass(frozen, module = "coface", name = "SolidBoolean")]
+#[pyclass(frozen, dict, module = "coface", name = "SolidBoolean")]
 pub(crate) struct SolidBooleanResult {
     answer: SolidBooleanAnswer,
     provenance: SolidBooleanProvenance,

@@ -584,6 +584,12 @@ impl ChainComplex {
         self.direct_sum(py, other)
     }
 
+    /// The model that it was made of, whose vertices name its cells; ``None`` where cells are numbers only.
+    #[getter]
+    fn source(&self) -> Option<Model> {
+        self.naming.model()
+    }
+
     /// The complex as a model, for files.
     fn model(&self) -> Model {
         Model::of(io::Model::from_structure(Structure::Chains(self.complex.as_ref().clone())))

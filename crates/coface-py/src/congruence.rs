@@ -17,7 +17,7 @@ use pyo3::prelude::*;
 /// Models merged within a tolerance: vertices nearby become one, and edges, faces and cells with them.
 ///
 /// Made by :func:`congruence`.
-#[pyclass(frozen, module = "coface", name = "Congruence")]
+#[pyclass(frozen, dict, module = "coface", name = "Congruence")]
 pub(crate) struct Congruence {
     congruence: ModelCongruence,
     answer: CongruenceAnswer,

@@ -1,5 +1,6 @@
 //! Faults of the library as exceptions of Python.
 
+use crate::cures::in_python;
 use coface::algebra::escaped;
 use coface::{Error, ErrorKind};
 use pyo3::exceptions::PyRuntimeError;
@@ -56,7 +57,7 @@ pub(crate) fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 pub(crate) fn warn(py: Python<'_>, message: &str) -> PyResult<()> {
     let Some(classes) = CLASSES.get(py) else { return Ok(()) };
     let Some(class) = classes.bind(py).get_item("AssumptionWarning")? else { return Ok(()) };
-    PyErr::warn(py, &class, &CString::new(escaped(message).into_owned())?, 1)
+    PyErr::warn(py, &class, &CString::new(escaped(&in_python(message)).into_owned())?, 1)
 }
 
 fn class_name(kind: ErrorKind) -> &'static str {
@@ -102,22 +103,6 @@ fn raised_as(py: Python<'_>, name: &str, error: &Error) -> PyErr {
     make().unwrap_or_else(|fault| fault)
 }
 
-/// A message with the options that it names as the arguments of functions: `--all-places` is `all_places`.
-fn in_python(message: &str) -> String {
-    let mut text = String::with_capacity(message.len());
-    for (place, part) in message.split(' ').enumerate() {
-        if place > 0 {
-            text.push(' ');
-        }
-        let is_word = |name: &str| name.starts_with(|c: char| c.is_ascii_lowercase());
-        match part.split_once("--").filter(|(before, name)| before.len() < 2 && is_word(name)) {
-            Some((before, name)) => text.extend([before, &name.replace('-', "_")]),
-            None => text.push_str(part),
-        }
-    }
-    text
-}
-
 /// Turns faults of the library into exceptions.
 pub(crate) trait OrRaise<T> {
     /// The value, or the exception.
@@ -161,4 +146,10 @@ pub(crate) fn whole(value: &Bound<'_, PyAny>) -> PyResult<usize> {
 /// The same, or nothing.
 pub(crate) fn whole_or_none(value: &Bound<'_, PyAny>) -> PyResult<Option<usize>> {
     if value.is_none() { Ok(None) } else { whole(value).map(Some) }
+}
+
+/// A message of the program in the words of Python, for tests.
+#[pyfunction]
+pub(crate) fn _in_python(message: &str) -> String {
+    in_python(message)
 }

@@ -11,6 +11,7 @@ mod batch;
 mod chain_complex;
 mod complex;
 mod congruence;
+mod cures;
 mod errors;
 mod generate;
 mod grids;
@@ -44,7 +45,9 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_class::<memory::Memory>()?;
     module.add_class::<model::Model>()?;
+    module.add_function(wrap_pyfunction!(errors::_in_python, module)?)?;
     module.add_class::<report::Report>()?;
+    module.add_function(wrap_pyfunction!(report::_report, module)?)?;
     module.add_class::<complex::Complex>()?;
     module.add_class::<complex::Simplices>()?;
     module.add_class::<complex::PyVerdict>()?;
@@ -60,6 +63,7 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<pi1::FundamentalGroup>()?;
     module.add_function(wrap_pyfunction!(surface::_surface, module)?)?;
     module.add_function(wrap_pyfunction!(pi1::fundamental_groups, module)?)?;
+    module.add_function(wrap_pyfunction!(pi1::_group, module)?)?;
     module.add_class::<persistence::Persistence>()?;
     module.add_class::<incidence::LarModel>()?;
     module.add_class::<congruence::Congruence>()?;

@@ -1,6 +1,8 @@
 //! Models: what files hold.
 
 mod cells;
+mod complexes;
+mod made;
 mod pickling;
 mod reading;
 mod repairs;
@@ -11,15 +13,16 @@ pub(crate) use reading::{entries, format_of, read, read_options};
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
 use crate::complex::Complex;
+use crate::cures::in_python;
 use crate::errors::{OrRaise, invalid, whole, whole_or_none};
 use crate::memory::{shared, shared_ids};
 use crate::report::{Report, report_request};
-use crate::source::{Names, Naming, Source};
+use crate::source::Source;
 use crate::volumes::voxels_of;
 use crate::work::run;
 use cells::{Parts, facets_of, kind_of, kind_word, model_of_parts, permutations_of, shape_word};
 use coface::algebra::RaggedArray;
-use coface::answers::{Pair, repaired, simplicial_complex, triangulated};
+use coface::answers::{repaired, simplicial_complex, triangulated};
 use coface::complexes::cell_mesh::CellShape;
 use coface::complexes::gluing::GluingTable;
 use coface::io::{self, CellData, Format, Group, Structure};
@@ -308,10 +311,18 @@ impl Model {
     }
 
     /// The positions of the vertices: ``float64``, shape (n, d), on the memory of the model; ``None`` if it has none. A file may hold
-    /// coordinates that are NaN or infinite; they stand here as they are.
+    /// coordinates that are NaN or infinite; they stand here as they are. Those of a volume are the corners of its voxels, in units of voxels.
     #[getter]
     fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
         let (model, dimension) = (self.model(), self.model().coordinate_count());
+        if let Some(Structure::Volume(_)) = model.structure() {
+            let source = &self.source;
+            let corners = run(py, None, || Ok(source.producer()?.positions().clone()))?;
+            let flat = corners.as_flat().to_vec();
+            return Ok(
+                (!corners.is_empty()).then_some(arrays::grid(py, flat, corners.dimension())?.into_any())
+            );
+        }
         if dimension == 0 {
             return Ok(None);
         }
@@ -533,7 +544,7 @@ impl Model {
     /// What was odd about the file.
     #[getter]
     fn warnings(&self) -> Vec<String> {
-        self.model().remarks().iter().map(|remark| remark.message.clone()).collect()
+        self.model().remarks().iter().map(|remark| in_python(&remark.message)).collect()
     }
 
     /// The model with one more array of numbers on its cells.
@@ -702,10 +713,10 @@ impl Model {
         flatness: Option<f64>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Report> {
-        let request = report_request(py, moments, check, flatness)?;
+        let request = report_request(py, &moments, check, flatness)?;
         let model = self.model();
         let report = run(py, progress, || coface::answers::Report::answering(model.clone(), &request))?;
-        Ok(Report::of(report, Arc::clone(&self.source)))
+        Ok(Report::of(report, Arc::clone(&self.source), (moments, check.to_owned(), flatness)))
     }
 
     /// The simplicial complex of a model of simplices.
@@ -756,40 +767,7 @@ impl Model {
         reduced: bool,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<ChainComplex> {
-        enum Part {
-            Nothing,
-            Boundary,
-            Model(Arc<Source>),
-        }
-        let part = match relative {
-            None => Part::Nothing,
-            Some(part) => match part.cast::<PyString>() {
-                Ok(word) if word.to_str()? == "boundary" => Part::Boundary,
-                Ok(word) => {
-                    return Err(invalid(py, format!("relative is {word}"), "give \"boundary\" or a Model"));
-                }
-                Err(_) => Part::Model(source_of(part)?),
-            },
-        };
-        if reduced && relative.is_some() {
-            return Err(invalid(py, "a pair is not reduced", "leave reduced out"));
-        }
-        let source = Arc::clone(&self.source);
-        run(py, progress, || {
-            let (producer, whole) = (source.producer()?, source.chains()?);
-            let names = Names::Source(Arc::clone(&source));
-            let pair = match &part {
-                Part::Nothing => None,
-                Part::Boundary => Some(Pair::with_boundary(producer, whole)?),
-                Part::Model(part) => Some(Pair::with_model(producer, whole, &part.model)?),
-            };
-            let (complex, shift) = match &pair {
-                Some(pair) => (Arc::new(pair.chains().clone()), 0),
-                None if reduced => (Arc::new(whole.augmented()?), 1),
-                None => (Arc::clone(whole), 0),
-            };
-            Ok(ChainComplex::new(complex, Naming { names, pair: pair.map(Arc::new), shift }))
-        })
+        complexes::chain_complex(py, &self.source, relative, reduced, progress)
     }
 
     /// The faces as a surface.
@@ -890,6 +868,57 @@ impl Model {
         Ok((Self::of(model), repairs::counts(py, &done)?))
     }
 
+    /// The voxels of a volume as a mesh.
+    ///
+    /// Parameters
+    /// ----------
+    /// surface : bool
+    ///     Whether the squares around the voxels are made, turned outward; the voxels themselves otherwise: hexahedra, quadrilaterals or
+    ///     segments.
+    /// spacing, origin : sequence of float, optional
+    ///     How long a voxel is along each axis, and where the first corner is; 1 and 0 if left out.
+    ///
+    /// Returns
+    /// -------
+    /// Model
+    ///     Vertices are the corners of voxels.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface, numpy as np
+    /// >>> voxel = coface.volume(np.ones((1, 1, 1)))
+    /// >>> voxel.to_model(surface=True, spacing=(0.5, 0.5, 2.0)).report().signed_volume
+    /// 0.5
+    /// >>> voxel.to_model()
+    /// Model(8 vertices, 1 cell)
+    #[pyo3(signature = (*, surface=false, spacing=None, origin=None))]
+    fn to_model(
+        &self,
+        py: Python<'_>,
+        surface: bool,
+        spacing: Option<&Bound<'_, PyAny>>,
+        origin: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let spacing = spacing.map(|spacing| arrays::finite(spacing, "spacing")).transpose()?;
+        let origin = origin.map(|origin| arrays::finite(origin, "origin")).transpose()?;
+        let model = self.model();
+        run(py, None, || made::mesh_of_volume(model, surface, spacing.as_deref(), origin.as_deref()))
+            .map(Self::of)
+    }
+
+    /// The model with each face cut into triangles on its own corners; data and groups follow.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> square = coface.Model([[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 1, 2, 3]])
+    /// >>> len(square.triangulated().faces)
+    /// 2
+    #[pyo3(signature = (*, progress=None))]
+    fn triangulated(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        run(py, progress, || made::triangulated(self.model())).map(Self::of)
+    }
+
     /// A gluing table or a surface of halfedges as a facet list, subdivided where that is needed to keep simplices apart.
     ///
     /// Returns
@@ -935,28 +964,7 @@ impl Model {
     }
 
     fn __repr__(&self) -> String {
-        let model = self.model();
-        let counted = |count: usize, one: &str, many: &str| {
-            (count > 0).then(|| format!("{count} {}", if count == 1 { one } else { many }))
-        };
-        let mut parts: Vec<String> = match model.structure() {
-            Some(Structure::Facets(facets)) => vec![format!("{} facets", facets.len())],
-            Some(Structure::Halfedges { next, .. }) => vec![format!("{} halfedges", next.len())],
-            Some(Structure::Chains(complex)) => vec![format!("cells {:?}", complex.f_vector())],
-            Some(Structure::Gluings(table)) => {
-                vec![format!("{} simplices of dimension {} glued", table.simplex_count(), table.dimension())]
-            }
-            Some(Structure::Volume(volume)) => vec![format!("voxels {:?}", volume.shape())],
-            _ => vec![format!(
-                "{} {}",
-                model.vertex_count(),
-                if model.vertex_count() == 1 { "vertex" } else { "vertices" }
-            )],
-        };
-        parts.extend(counted(model.lines().len(), "line", "lines"));
-        parts.extend(counted(model.polygons().len(), "face", "faces"));
-        parts.extend(counted(model.cells().len(), "cell", "cells"));
-        format!("Model({})", parts.join(", "))
+        complexes::described(self.model())
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {

@@ -30,7 +30,7 @@ use std::sync::Arc;
 /// >>> coface._coface.persistence(path, vertex_values=[0.0, 2.0, 1.0]).diagram(0)
 /// array([[ 0., inf],
 ///        [ 1.,  2.]])
-#[pyclass(frozen, module = "coface", name = "Persistence")]
+#[pyclass(frozen, dict, module = "coface", name = "Persistence")]
 pub(crate) struct Persistence {
     diagram: PersistenceDiagram,
     naming: Arc<Naming>,

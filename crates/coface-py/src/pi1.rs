@@ -3,7 +3,8 @@
 use crate::arrays;
 use crate::errors::{invalid, whole};
 use crate::homology::Homology;
-use crate::model::source_of;
+use crate::model::{Model, source_of};
+use crate::source::Source;
 use crate::surface::numbers_of;
 use crate::work::run;
 use coface::algebra::Word;
@@ -14,6 +15,7 @@ use coface::topology::{
 use coface::{Error, ErrorKind, VertexId};
 use numpy::PyArray1;
 use pyo3::prelude::*;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// The fundamental group of a component: generators, which are loops at a base, and relators.
@@ -34,6 +36,8 @@ pub(crate) struct FundamentalGroup {
     name: Option<GroupName>,
     base: Option<u32>,
     loops: Vec<Vec<u32>>,
+    /// What the loops run in.
+    source: Option<Arc<Source>>,
 }
 
 impl FundamentalGroup {
@@ -42,8 +46,9 @@ impl FundamentalGroup {
         name: Option<GroupName>,
         base: u32,
         loops: Vec<Vec<u32>>,
+        source: Arc<Source>,
     ) -> Self {
-        Self { presentation, name, base: Some(base), loops }
+        Self { presentation, name, base: Some(base), loops, source: Some(source) }
     }
 
     fn word(&self, py: Python<'_>, letters: &[i32]) -> PyResult<Word> {
@@ -133,7 +138,8 @@ pub(crate) fn fundamental_groups(
                 groups.loop_vertices(i, word).into_iter().map(|vertex| numbers[vertex.index()]).collect()
             });
             let base = numbers[groups.base(i).index()];
-            found.push(FundamentalGroup::new(shown.clone(), name, base, loops.collect()));
+            let source = Arc::clone(&source);
+            found.push(FundamentalGroup::new(shown.clone(), name, base, loops.collect(), source));
         }
         Ok(found)
     })
@@ -172,7 +178,7 @@ impl FundamentalGroup {
             let name = Simplification::new(&presentation, effort).presentation().recognized(effort);
             Ok((presentation, name))
         })?;
-        Ok(Self { presentation, name, base: None, loops: Vec::new() })
+        Ok(Self { presentation, name, base: None, loops: Vec::new(), source: None })
     }
 
     /// The vertex that loops start from.
@@ -330,7 +336,7 @@ impl FundamentalGroup {
             let simpler = Simplification::new(&self.presentation, effort);
             Ok((simpler.presentation().clone(), simpler.presentation().recognized(effort)))
         })?;
-        Ok(Self { presentation, name, base: self.base, loops: Vec::new() })
+        Ok(Self { presentation, name, base: self.base, loops: Vec::new(), source: self.source.clone() })
     }
 
     fn __len__(&self) -> usize {
@@ -352,7 +358,47 @@ impl FundamentalGroup {
         )
     }
 
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (usize, Vec<Vec<i32>>))> {
-        Ok((py.get_type::<Self>().into_any(), (self.generators(), self.relators())))
+    /// The model that the loops run in; ``None`` of a group that was made of words.
+    #[getter]
+    fn model(&self) -> Option<Model> {
+        self.source.as_ref().map(|source| Model { source: Arc::clone(source) })
     }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| {
+            let other = other.get();
+            let model = |group: &Self| group.source.as_ref().map(|source| source.model.clone());
+            (self.generators(), self.relators()) == (other.generators(), other.relators())
+                && (self.base, &self.loops) == (other.base, &other.loops)
+                && model(self) == model(other)
+        })
+    }
+
+    fn __hash__(&self) -> isize {
+        (self.generators() * 1_000_003 + self.presentation.relators().len()) as isize
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, GroupParts)> {
+        let rebuild = py.import("coface._coface")?.getattr("_group")?;
+        Ok((rebuild, (self.generators(), self.relators(), self.base, self.loops.clone(), self.model())))
+    }
+}
+
+/// What a group is made of: generators, relators, base, loops, and the model that they run in.
+type GroupParts = (usize, Vec<Vec<i32>>, Option<u32>, Vec<Vec<u32>>, Option<Model>);
+
+/// Makes a group again, for pickling.
+#[pyfunction]
+#[pyo3(signature = (generators, relators, base, loops, model))]
+pub(crate) fn _group(
+    py: Python<'_>,
+    generators: usize,
+    relators: Vec<Vec<i32>>,
+    base: Option<u32>,
+    loops: Vec<Vec<u32>>,
+    model: Option<&Bound<'_, Model>>,
+) -> PyResult<FundamentalGroup> {
+    let source = model.map(|model| Arc::clone(&model.get().source));
+    let made = FundamentalGroup::py_new(py, generators, relators, None)?;
+    Ok(FundamentalGroup { base, loops, source, ..made })
 }

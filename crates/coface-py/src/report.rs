@@ -1,9 +1,12 @@
 //! Reports: everything that `coface info` says.
 
 use crate::arrays;
+use crate::cures::in_python;
 use crate::errors::{invalid, whole};
-use crate::objects::to_python;
+use crate::model::Model;
+use crate::objects::{text_of, to_python};
 use crate::source::Source;
+use crate::work::run;
 use coface::answers as report;
 use coface::answers::text;
 use pyo3::prelude::*;
@@ -16,7 +19,7 @@ const PLACES: usize = 100;
 /// What a report is asked for.
 pub(crate) fn report_request(
     py: Python<'_>,
-    moments: Vec<[u32; 3]>,
+    moments: &[[u32; 3]],
     check: &str,
     flatness: Option<f64>,
 ) -> PyResult<report::ReportRequest> {
@@ -35,7 +38,7 @@ pub(crate) fn report_request(
     if flatness.is_some_and(|flatness| !flatness.is_finite() || flatness < 0.0) {
         return Err(invalid(py, "flatness is negative or not finite", "give a length from 0"));
     }
-    Ok(report::ReportRequest::new().moments(moments).geometry(check).flatness(flatness))
+    Ok(report::ReportRequest::new().moments(moments.to_vec()).geometry(check).flatness(flatness))
 }
 
 /// Everything that ``coface info`` says about a model.
@@ -54,11 +57,15 @@ pub(crate) fn report_request(
 pub(crate) struct Report {
     report: report::Report,
     source: Arc<Source>,
+    asked: Asked,
 }
 
+/// What a report was asked for: moments, the check of geometry, flatness.
+pub(crate) type Asked = (Vec<[u32; 3]>, String, Option<f64>);
+
 impl Report {
-    pub(crate) fn of(report: report::Report, source: Arc<Source>) -> Self {
-        Self { report, source }
+    pub(crate) fn of(report: report::Report, source: Arc<Source>, asked: Asked) -> Self {
+        Self { report, source, asked }
     }
 
     fn format(&self) -> &'static str {
@@ -237,7 +244,7 @@ impl Report {
     /// What was odd about the file.
     #[getter]
     fn warnings(&self) -> Vec<String> {
-        self.report.warnings().to_vec()
+        self.report.warnings().iter().map(|warning| in_python(warning)).collect()
     }
 
     /// The report as ``coface info --json`` prints it, but for ``file``.
@@ -286,7 +293,9 @@ impl Report {
     #[pyo3(signature = (title="model", limit=text::FEW))]
     fn to_text(&self, title: &str, #[pyo3(from_py_with = whole)] limit: usize) -> String {
         let styled = text::report(title, self.format(), &self.report, limit);
-        anstream::adapter::strip_str(&styled).to_string()
+        let text = anstream::adapter::strip_str(&styled).to_string();
+        // Lines keep their ends.
+        text.split('\n').map(in_python).collect::<Vec<_>>().join("\n")
     }
 
     /// The report as a page for browsers: tables of facts, and pictures given as SVG.
@@ -316,6 +325,31 @@ impl Report {
         )
     }
 
+    /// The model that was asked about.
+    #[getter]
+    fn model(&self) -> Model {
+        Model { source: Arc::clone(&self.source) }
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| {
+            let other = other.get();
+            self.source.model.format() == other.source.model.format()
+                && text_of(&self.report.answer(PLACES)) == text_of(&other.report.answer(PLACES))
+        })
+    }
+
+    fn __hash__(&self) -> isize {
+        self.report
+            .f_vector()
+            .iter()
+            .fold(37, |sum, &count| sum.wrapping_mul(1_000_003).wrapping_add(count as isize))
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Model, Asked))> {
+        Ok((py.import("coface._coface")?.getattr("_report")?, (self.model(), self.asked.clone())))
+    }
+
     fn __str__(&self) -> String {
         self.to_text("model", text::FEW)
     }
@@ -328,4 +362,13 @@ impl Report {
             self.report.euler_characteristic()
         )
     }
+}
+
+/// Makes a report again, for pickling.
+#[pyfunction]
+pub(crate) fn _report(py: Python<'_>, model: &Bound<'_, Model>, asked: Asked) -> PyResult<Report> {
+    let source = Arc::clone(&model.get().source);
+    let request = report_request(py, &asked.0, &asked.1, asked.2)?;
+    let report = run(py, None, || report::Report::answering(source.model.clone(), &request))?;
+    Ok(Report::of(report, source, asked))
 }

@@ -67,6 +67,17 @@ impl Naming {
         Self { names, pair: None, shift: 0 }
     }
 
+    /// The model whose vertices name the cells, if there is one.
+    pub(crate) fn model(&self) -> Option<crate::model::Model> {
+        match &self.names {
+            Names::Source(source) => Some(crate::model::Model { source: Arc::clone(source) }),
+            Names::Simplices(complex) => {
+                Some(crate::model::Model::of(crate::complex::Complex::of(complex.thaw()).to_model()))
+            }
+            Names::Own | Names::Given(_) => None,
+        }
+    }
+
     /// The number in the model of a cell of the complex.
     pub(crate) fn cell(&self, degree: usize, cell: usize) -> usize {
         match degree.checked_sub(self.shift) {

@@ -563,7 +563,8 @@ impl Surface {
                 };
                 let loops = loops.iter().map(|walk| self.walk_numbers(walk)).collect();
                 let base = self.surface.number(found.base());
-                groups.push(FundamentalGroup::new(presentation, Some(group.name()), base, loops));
+                let source = Arc::clone(&self.source);
+                groups.push(FundamentalGroup::new(presentation, Some(group.name()), base, loops, source));
             }
             Ok(groups)
         })

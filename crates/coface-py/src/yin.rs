@@ -31,7 +31,7 @@ use coface::{Error, VertexId};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyString, PyTuple};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -120,7 +120,7 @@ pub(crate) struct YinSet {
 }
 
 /// Where the pieces of a combination come from, and what was decided without proof.
-#[derive(Serialize)]
+#[derive(Serialize, Deserialize)]
 struct SetProvenance {
     #[serde(flatten)]
     provenance: YinProvenance,
@@ -857,17 +857,21 @@ answer! { YinSet {
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let bytes = self.to_bytes(py, "json", None)?;
+        let bytes = self.to_bytes(py, "json", None)?.into_any();
         let rebuild = py.import("coface._coface")?.getattr("_yin_set")?;
-        Ok((rebuild, PyTuple::new(py, [bytes])?))
+        let provenance = self.provenance.as_ref().map(crate::objects::text_of).into_pyobject(py)?;
+        Ok((rebuild, PyTuple::new(py, [bytes, provenance])?))
     }
 }
 
 /// Makes a set again, for pickling.
 #[pyfunction]
-pub(crate) fn _yin_set(py: Python<'_>, bytes: Vec<u8>) -> PyResult<YinSet> {
+#[pyo3(signature = (bytes, provenance=None))]
+pub(crate) fn _yin_set(py: Python<'_>, bytes: Vec<u8>, provenance: Option<&str>) -> PyResult<YinSet> {
+    let provenance = provenance.map(serde_json::from_str).transpose();
+    let provenance = provenance.map_err(|fault| invalid(py, format!("{fault}"), "pickle the set again"))?;
     run(py, None, || {
         let drawing = io::read_boundary(&bytes[..], Format::Json, &io::ReadOptions::default())?;
-        YinSet::of(PlanarSet::of(&drawing, &SetRequest::default())?)
+        YinSet::with_provenance(PlanarSet::of(&drawing, &SetRequest::default())?, provenance)
     })
 }

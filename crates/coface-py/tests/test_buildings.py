@@ -49,7 +49,7 @@ def test_objects_of_a_file_are_inputs(tmp_path):
     assert coface.boolean("a & b", model).measure == 1.0
     assert coface.boolean("difference", model, inputs="objects").measure == 7.0
     assert coface.arrange(model).inputs_of_faces is None
-    with pytest.raises(coface.InvalidInputError, match="inputs objects"):
+    with pytest.raises(coface.InvalidInputError, match="inputs=\"objects\""):
         coface.arrange(model, inputs="groups")
     with pytest.raises(coface.InvalidInputError, match="components"):
         coface.arrange(model, inputs="rooms")

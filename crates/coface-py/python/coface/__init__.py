@@ -105,6 +105,7 @@ from coface._questions import (
     pi1,
     polygon,
 )
+from coface import _records
 from coface._view import page, view
 from coface._view import repr_html as _repr_html
 from coface._volumes import volume
@@ -248,6 +249,8 @@ __all__ = [
     "view",
     "volume",
 ]
+
+_records.install()
 
 # What notebooks and plots need stands here, so that the compiled part knows neither.
 for _shown in (Complex, Model, Surface):

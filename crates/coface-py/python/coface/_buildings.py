@@ -10,6 +10,7 @@ from typing import Any
 from coface import _coface
 from coface._coface import Model
 from coface.interop import ifcopenshell, needed, topologic
+from coface._faults import in_words
 
 
 @dataclass(frozen=True)
@@ -158,6 +159,7 @@ def _frozen(value: Any) -> Any:
     return tuple(_frozen(part) for part in value) if isinstance(value, (list, tuple)) else value
 
 
+@in_words
 def from_ifcopenshell(shapes: Any) -> dict[str, Model]:
     """The shapes that IfcOpenShell makes of elements of an IFC file, as models with names: inputs of :func:`arrange`.
 
@@ -193,6 +195,7 @@ def from_ifcopenshell(shapes: Any) -> dict[str, Model]:
     return ifcopenshell.to_models(shapes)
 
 
+@in_words
 def from_topologic(topology: Any) -> dict[str, Model]:
     """The cells of a topology of topologicpy as models with names: inputs of :func:`arrange`.
 
@@ -214,6 +217,7 @@ def from_topologic(topology: Any) -> dict[str, Model]:
     return topologic.to_models(topology)
 
 
+@in_words
 def to_topologic(x: Any, *, tolerance: float = 0.0001) -> Any:
     """An arrangement as a ``CellComplex`` of topologicpy, or a closed model as a ``Cell``.
 

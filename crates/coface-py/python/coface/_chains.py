@@ -11,12 +11,14 @@ from coface import _coface
 from coface._arrays import plain
 from coface._coface import Model
 from coface._models import as_chain_complex, as_model
+from coface._faults import in_words
 
 if TYPE_CHECKING:
     import numpy as np
     from scipy.sparse import csc_array
 
 
+@in_words
 def laplacian(x: Any, degree: int, *, progress: Any = False) -> csc_array:
     """The combinatorial Laplacian of a degree: boundary times coboundary and coboundary times boundary.
 
@@ -45,6 +47,7 @@ def laplacian(x: Any, degree: int, *, progress: Any = False) -> csc_array:
     return _coface.laplacian(as_chain_complex(x), degree, progress=progress)
 
 
+@in_words
 def classes(x: Any, cycles: Iterable[Any], *, degree: int | None = None, progress: Any = False) -> list[dict[str, Any]]:
     """The classes of cycles in integral homology, and whether they bound.
 
@@ -75,6 +78,7 @@ def classes(x: Any, cycles: Iterable[Any], *, degree: int | None = None, progres
     return _coface.classes(as_chain_complex(x), list(cycles), degree=degree, progress=progress)
 
 
+@in_words
 def matching(x: Any, degree: int, *, progress: Any = False) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """A discrete gradient field: cells matched with faces, and critical cells.
 
@@ -106,6 +110,7 @@ def matching(x: Any, degree: int, *, progress: Any = False) -> tuple[NDArray[np.
     return _coface.matching(as_chain_complex(x), degree, progress=progress)
 
 
+@in_words
 def decompose(
     x: Any, degree: int, values: ArrayLike, *, weights: Sequence[ArrayLike] | None = None, progress: Any = False
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
@@ -141,6 +146,7 @@ def decompose(
     return _coface.decompose(as_chain_complex(x), degree, values, weights=weights, progress=progress)
 
 
+@in_words
 def cup_products(
     x: Any, p: int, q: int, coefficients: str | int = "z", *, progress: Any = False
 ) -> dict[str, Any]:
@@ -175,6 +181,7 @@ def cup_products(
     return _coface.cup_products(as_model(x), p, q, coefficients, progress=progress)
 
 
+@in_words
 def intersection_form(x: Any, *, progress: Any = False) -> dict[str, Any]:
     """The intersection form of a closed oriented manifold of even dimension.
 
@@ -200,6 +207,7 @@ def intersection_form(x: Any, *, progress: Any = False) -> dict[str, Any]:
     return _coface.intersection_form(as_model(x), progress=progress)
 
 
+@in_words
 def long_exact_sequence(x: Any, part: Any = "boundary", *, progress: Any = False) -> dict[str, Any]:
     """The long exact sequence of a pair, checked to be exact.
 
@@ -230,6 +238,7 @@ def long_exact_sequence(x: Any, part: Any = "boundary", *, progress: Any = False
     return _coface.long_exact_sequence(model, part_of(model, part), progress=progress)
 
 
+@in_words
 def induced_map(
     source: Any, target: Any, vertices: Mapping[int, int] | Iterable[tuple[int, int]], *, progress: Any = False
 ) -> list[dict[str, Any]]:
@@ -263,6 +272,7 @@ def induced_map(
     return _coface.induced_map(as_model(source), as_model(target), images, progress=progress)
 
 
+@in_words
 def is_exact(x: Any, values: ArrayLike, *, tolerance: float | None = None, progress: Any = False) -> dict[str, Any]:
     """Whether a cochain of degree 1 is closed, and whether it is exact.
 
@@ -294,6 +304,7 @@ def is_exact(x: Any, values: ArrayLike, *, tolerance: float | None = None, progr
     return _coface.is_exact(as_model(x), values, tolerance=tolerance, progress=progress)
 
 
+@in_words
 def product(first: Any, second: Any, *, chains: bool = False, progress: Any = False) -> Model:
     """The product of two models: of simplices a simplicial complex, its cells cut along staircases; else a chain complex.
 
@@ -321,6 +332,7 @@ def product(first: Any, second: Any, *, chains: bool = False, progress: Any = Fa
     return _coface.product(as_model(first), as_model(second), chains=chains, progress=progress)
 
 
+@in_words
 def extruded(x: Any, heights: Sequence[float], *, progress: Any = False) -> Model:
     """Points, segments or triangles swept along one more axis, as simplices.
 

@@ -7,8 +7,10 @@ from typing import Any
 from coface._coface import Complex, Model
 from coface._models import as_complex, as_model
 from coface.interop import gudhi, meshio, networkx, open3d, pyvista, shapely, trimesh
+from coface._faults import in_words
 
 
+@in_words
 def from_trimesh(mesh: Any) -> Model:
     """A mesh, scene, drawing or point cloud of trimesh as a model; :func:`as_model` does it too.
 
@@ -22,6 +24,7 @@ def from_trimesh(mesh: Any) -> Model:
     return trimesh.to_model(mesh)
 
 
+@in_words
 def to_trimesh(x: Any, **options: Any) -> Any:
     """A model of triangles as ``trimesh.Trimesh``; one of lines as ``trimesh.path.Path3D``.
 
@@ -37,51 +40,61 @@ def to_trimesh(x: Any, **options: Any) -> Any:
     return trimesh.from_model(as_model(x), **options)
 
 
+@in_words
 def from_meshio(mesh: Any) -> Model:
     """A ``meshio.Mesh`` as a model; :func:`as_model` does it too."""
     return meshio.to_model(mesh)
 
 
+@in_words
 def to_meshio(x: Any, **options: Any) -> Any:
     """A model as ``meshio.Mesh``: a block for each kind of cell. `options` go to the class of meshio."""
     return meshio.from_model(as_model(x), **options)
 
 
+@in_words
 def from_pyvista(mesh: Any) -> Model:
     """A data set of pyvista, or of VTK, as a model; :func:`as_model` does it too."""
     return pyvista.to_model(mesh)
 
 
+@in_words
 def to_pyvista(x: Any, **options: Any) -> Any:
     """A model as ``pyvista.PolyData``, or ``pyvista.UnstructuredGrid`` where it has 3-cells. `options` go to the class."""
     return pyvista.from_model(as_model(x), **options)
 
 
+@in_words
 def from_open3d(geometry: Any) -> Model:
     """A mesh, set of lines or point cloud of open3d as a model; :func:`as_model` does it too."""
     return open3d.to_model(geometry)
 
 
+@in_words
 def to_open3d(x: Any) -> Any:
     """A model as ``open3d.geometry.TriangleMesh``, ``TetraMesh``, ``LineSet`` or ``PointCloud``."""
     return open3d.from_model(as_model(x))
 
 
+@in_words
 def from_networkx(graph: Any) -> Model:
     """A graph as a model of lines: vertex i is the i-th node; positions from the attribute ``pos`` if all nodes have it."""
     return networkx.to_model(graph)
 
 
+@in_words
 def to_networkx(x: Any) -> Any:
     """The vertices and edges of a model, those of its faces and cells included, as ``networkx.Graph``."""
     return networkx.from_model(as_model(x))
 
 
+@in_words
 def from_gudhi(tree: Any) -> Complex:
     """A ``gudhi.SimplexTree`` as a complex, whatever its filtration values."""
     return gudhi.to_model(tree).complex()
 
 
+@in_words
 def to_gudhi(x: Any, values: Any = None) -> Any:
     """A complex as ``gudhi.SimplexTree``.
 
@@ -95,11 +108,13 @@ def to_gudhi(x: Any, values: Any = None) -> Any:
     return gudhi.from_complex(as_complex(x), values)
 
 
+@in_words
 def from_shapely(geometry: Any) -> Model:
     """A geometry of shapely, or a list of them, as a model of lines; rings know their polygon."""
     return shapely.to_model(geometry)
 
 
+@in_words
 def to_shapely(x: Any) -> Any:
     """A planar model as a geometry of shapely: polygons with holes, lines and points. Coordinates go over exactly."""
     return shapely.from_model(as_model(x))

@@ -10,10 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coface._arrays import plain, raise_invalid
-from coface._coface import ChainComplex, Complex, Model, Surface, _volume, read
+from coface._coface import ChainComplex, Complex, Curve, Model, Simplices, Surface, YinSet, _volume, read
+from coface._records import read_back
 from coface.interop import adapter_of
+from coface._faults import in_words
 
 
+@in_words
 def as_model(x: Any, *, progress: Any = None) -> Model:
     """Whatever describes a space, as a model.
 
@@ -22,13 +25,16 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
     x
         One of these:
 
-        * a :class:`Model`, :class:`Complex`, :class:`Surface` or :class:`ChainComplex`;
+        * a :class:`Model`, :class:`Complex`, :class:`Surface` or :class:`ChainComplex`, or an answer that has a model: an arrangement, a
+          Boolean, a :class:`Domain`, a :class:`Cover`, a :class:`Report`, a :class:`YinSet` or :class:`Curve` (its boundary as lines);
+        * a dictionary of ``to_dict()``;
         * a path, or a file that is open for reading;
         * ``(vertices, faces)``: an array ``(n, d)`` of coordinates, or ``None``, and polygons as in :class:`Model`;
         * facets of a simplicial complex: a list or set of lists of integers, or an integer array ``(m, k)`` of 32 or 64 bits;
         * points: an array ``(n, 1)``, ``(n, 2)`` or ``(n, 3)`` of floats;
         * voxels: an array of truth values, as in :func:`volume`; an image of other numbers is refused here, since it could be points or
           facets;
+        * a ``GeoDataFrame`` or ``GeoSeries``, or another table with ``__geo_interface__``: its geometries, with their attributes;
         * a table with ``to_numpy()``, as pandas has them, or a generator, for any of these;
         * a dictionary in the words of the JSON files: ``{"facets": ...}``, ``{"boundaries": ...}`` and so on;
         * a mesh, scene or drawing of trimesh, a mesh of meshio, a data set of pyvista or VTK, a geometry of open3d, a graph of networkx, a
@@ -56,16 +62,18 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
     """
     if isinstance(x, Model):
         return x
-    if type(x).__module__ == "coface" and hasattr(x, "model"):
-        own = x.model
-        made: Model = own() if callable(own) else own
-        return made
+    if type(x).__module__ == "coface":
+        return _of_answer(x)
     if isinstance(x, (str, os.PathLike)):
         return read(x, progress=progress)
     if isinstance(x, (bytes, bytearray, memoryview)):
         return Model.from_bytes(bytes(x), progress=progress)
+    if isinstance(x, dict) and "recipe" in x:
+        return as_model(read_back(x["recipe"]))
     if isinstance(x, dict):
         return Model.from_bytes(json.dumps(x, default=_plain).encode(), "json")
+    if _is_features(x):
+        return Model.from_bytes(json.dumps(x.__geo_interface__, default=_plain).encode(), "geojson", progress=progress)
     adapter = adapter_of(x)
     if adapter is not None:
         found: Model = adapter.to_model(x)
@@ -98,6 +106,40 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
         f"a {type(x).__name__} is nothing that describes a space here",
         "give a path, (vertices, faces), facets, or an object that as_model names",
     )
+
+
+def _of_answer(x: Any) -> Model:
+    """The model that an answer has, or that it is about."""
+    if isinstance(x, YinSet):
+        return _of_curves(x.curves, is_plane=x.is_plane)
+    if isinstance(x, Curve):
+        return _of_curves([x], is_plane=False)
+    if isinstance(x, Simplices):
+        return x.closure().model()
+    own = getattr(x, "model", None)
+    if own is None:
+        cure = "ask for its model where it was made, or give both in a list to coface.view, render or plot"
+        raise_invalid(f"a {type(x).__name__} does not know its model", cure)
+    made: Model = own() if callable(own) else own
+    return made
+
+
+def _of_curves(curves: list[Curve], *, is_plane: bool) -> Model:
+    """Boundaries as closed lines in their directions; curves as chords within a ten thousandth of their size."""
+    if is_plane:
+        raise_invalid("the whole plane has no boundary", "give a set with curves")
+    points: list[NDArray[np.float64]] = []
+    lines, start = [], 0
+    for curve in curves:
+        low, high = np.asarray(curve.bounding_box)
+        if curve.order == 2:
+            points.append(np.asarray(curve.controls)[: -1 if curve.is_closed else None])
+        else:
+            points.append(curve.flattened(float((high - low).max()) / 10_000))
+        count = len(points[-1])
+        lines.append([*range(start, start + count), *([start] if curve.is_closed else [])])
+        start += count
+    return Model.from_arrays(np.concatenate(points) if points else np.zeros((0, 2)), cells={"polyline": lines})
 
 
 #: What an array can be, and how to say so.
@@ -133,6 +175,11 @@ def _first_leaf(value: Any) -> Any:
     return value
 
 
+def _is_features(x: Any) -> bool:
+    """Whether this is a table of features, such as a ``GeoDataFrame`` or a ``GeoSeries``: with geometries, and properties if it has any."""
+    return hasattr(x, "__geo_interface__") and (hasattr(x, "iloc") or hasattr(x, "geom_type") and not hasattr(x, "wkt"))
+
+
 def _is_list_of_ids(value: Any) -> bool:
     return isinstance(value, (list, tuple)) and len(value) > 0 and all(isinstance(one, (int, np.integer)) for one in value)
 
@@ -143,6 +190,7 @@ def _plain(value: Any) -> Any:
     raise TypeError(f"a {type(value).__name__} cannot be written as JSON")
 
 
+@in_words
 def as_complex(x: Any, *, progress: Any = None) -> Complex:
     """Whatever describes a space of simplices, as a simplicial complex.
 
@@ -165,6 +213,7 @@ def as_complex(x: Any, *, progress: Any = None) -> Complex:
     return x if isinstance(x, Complex) else as_model(x, progress=progress).complex(progress=progress)
 
 
+@in_words
 def as_chain_complex(x: Any, *, progress: Any = None) -> ChainComplex:
     """Whatever describes a space, as a chain complex.
 
@@ -187,6 +236,7 @@ def as_chain_complex(x: Any, *, progress: Any = None) -> ChainComplex:
     """
     if isinstance(x, ChainComplex):
         return x
+    x = plain(x) if not hasattr(x, "tocsc") else [x]
     if isinstance(x, (list, tuple)) and len(x) and hasattr(x[0], "tocsc"):
         return ChainComplex.from_boundaries(list(x))
     if hasattr(x, "is_multigraph") and hasattr(x, "nodes"):
@@ -198,6 +248,7 @@ def as_chain_complex(x: Any, *, progress: Any = None) -> ChainComplex:
     return as_model(x, progress=progress).chain_complex(progress=progress)
 
 
+@in_words
 def as_surface(x: Any, *, boundary: bool = False, progress: Any = None) -> Surface:
     """Whatever describes a surface, as halfedges.
 

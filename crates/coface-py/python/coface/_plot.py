@@ -9,6 +9,7 @@ import numpy as np
 
 from coface._arrays import blocks, polygons, raise_invalid, refuse_unplaced, steps
 from coface.interop import needed
+from coface._faults import in_words
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -24,6 +25,7 @@ def color(number: int) -> str:
     return COLORS[number % len(COLORS)]
 
 
+@in_words
 def plot(
     x: Any,
     *,

@@ -28,8 +28,11 @@ from coface._coface import (
     SpatialArrangement,
 )
 from coface._models import as_chain_complex, as_model, as_surface
+from coface._records import asked
+from coface._faults import in_words
 
 
+@in_words
 def homology(
     x: Any,
     coefficients: str = "z",
@@ -86,6 +89,7 @@ def homology(
     return _chains(x, relative, reduced, progress).homology(coefficients, generators=generators, progress=progress)
 
 
+@in_words
 def cohomology(
     x: Any,
     coefficients: str = "z",
@@ -169,6 +173,7 @@ def group_of(model: Model, name: str) -> Model:
     return Model.from_arrays(model.vertices, cells=cells_chosen, vertex_count=model.vertex_count)
 
 
+@in_words
 def pi1(
     x: Any,
     *,
@@ -208,6 +213,7 @@ def pi1(
     )
 
 
+@in_words
 def cut(
     x: Any,
     along: Any = None,
@@ -255,6 +261,7 @@ def cut(
     return surface.cut(simplify=simplify, rounds=rounds, base=base, progress=progress)
 
 
+@in_words
 def cover(
     x: Any,
     *,
@@ -262,6 +269,7 @@ def cover(
     copies: int | None = None,
     component: int = 0,
     layout: str = "auto",
+    boundary: bool = False,
     progress: Any = False,
 ) -> Cover:
     """The universal cover of a surface, as far as it is asked for: copies of a fundamental domain, glued.
@@ -278,6 +286,8 @@ def cover(
         The component that is covered.
     layout
         ``"flat"`` in the plane, ``"disk"`` in the Poincare disk, ``"none"`` over the surface, ``"auto"`` whichever there is.
+    boundary
+        Whether the boundary surface of a volume is covered.
     progress
         As for :func:`homology`.
 
@@ -292,11 +302,14 @@ def cover(
     >>> coface.cover(coface.generate("genus", genus=2), radius=1).spheres
     [1, 8]
     """
-    surface = as_surface(x, progress=progress)
+    surface = as_surface(x, boundary=boundary, progress=progress)
     return surface.cover(radius=radius, copies=copies, component=component, layout=layout, progress=progress)
 
 
-def cocycles(x: Any, *, method: str = "crossing", progress: Any = False) -> Cocycles:
+@in_words
+def cocycles(
+    x: Any, *, method: str = "crossing", boundary: bool = False, progress: Any = False
+) -> Cocycles:
     """A basis of the first cohomology of a surface, dual to loops.
 
     Parameters
@@ -305,6 +318,8 @@ def cocycles(x: Any, *, method: str = "crossing", progress: Any = False) -> Cocy
         Anything that :func:`as_surface` understands.
     method
         ``"crossing"`` by a dual tree, ``"slicing"`` along loops.
+    boundary
+        Whether the boundary surface of a volume is asked about.
     progress
         As for :func:`homology`.
 
@@ -319,18 +334,31 @@ def cocycles(x: Any, *, method: str = "crossing", progress: Any = False) -> Cocy
     >>> coface.cocycles(coface.generate("torus", columns=5, rows=4)).pairing
     [[1, 0], [0, 1]]
     """
-    return as_surface(x, progress=progress).cocycles(method=method, progress=progress)
+    return as_surface(x, boundary=boundary, progress=progress).cocycles(method=method, progress=progress)
 
 
-def harmonic(x: Any, *, weights: str = "auto", progress: Any = False) -> NDArray[np.float64]:
-    """Harmonic forms of a surface, one in each class of a basis of its first cohomology.
+@in_words
+def harmonic(
+    x: Any,
+    *,
+    degree: int | None = None,
+    weights: Any = "auto",
+    boundary: bool = False,
+    progress: Any = False,
+) -> NDArray[np.float64]:
+    """Harmonic forms: of a surface, one in each class of a basis of its first cohomology; with `degree` of any complex.
 
     Parameters
     ----------
     x
-        Anything that :func:`as_surface` understands.
+        Anything that :func:`as_surface` understands; with `degree`, anything that :func:`as_chain_complex` understands.
+    degree
+        The degree of harmonic cochains dual to the free generators of homology; leave it out for forms of a surface.
     weights
-        ``"cotangent"`` by angles, ``"uniform"``, or ``"auto"``: by angles where that can be.
+        ``"cotangent"`` by angles, ``"uniform"``, or ``"auto"``: by angles where that can be. With `degree`, for each degree a positive
+        weight for each cell.
+    boundary
+        Whether the boundary surface of a volume is asked about.
     progress
         As for :func:`homology`.
 
@@ -338,20 +366,27 @@ def harmonic(x: Any, *, weights: str = "auto", progress: Any = False) -> NDArray
     -------
     numpy.ndarray
         ``float64``, shape (rank, edges): a value for each edge, from its first vertex to its second, in the order of the edges of
-        :class:`Surface`.
+        :class:`Surface`. With `degree` shape (rank, cells), in the order of the chain complex.
 
     Examples
     --------
     >>> import coface
     >>> coface.harmonic(coface.generate("torus", columns=5, rows=4)).shape
     (2, 60)
+    >>> coface.harmonic([[0, 1], [1, 2], [0, 2]], degree=1).round(3).tolist()
+    [[0.333, -0.333, 0.333]]
     """
-    surface = as_surface(x, progress=progress)
+    if degree is not None:
+        lists = None if isinstance(weights, str) and weights in ("auto", "uniform") else weights
+        forms: NDArray[np.float64] = _coface.harmonic(as_chain_complex(x), degree, weights=lists, progress=progress)
+        return forms
+    surface = as_surface(x, boundary=boundary, progress=progress)
     found = surface.cocycles(harmonic=True, weights=weights, progress=progress).harmonic
     assert found is not None, "it was asked for"
     return found
 
 
+@in_words
 def classify(x: Any, *, boundary: bool = False, progress: Any = False) -> list[dict[str, Any]]:
     """What each component of a surface is.
 
@@ -378,6 +413,7 @@ def classify(x: Any, *, boundary: bool = False, progress: Any = False) -> list[d
     return as_surface(x, boundary=boundary, progress=progress).classify()
 
 
+@in_words
 def incidence(
     x: Any,
     operator: str,
@@ -433,15 +469,26 @@ def _inputs(inputs: tuple[Any, ...]) -> Any:
     """The models of the inputs, with names where they come in a dictionary."""
     if len(inputs) == 1 and isinstance(inputs[0], Mapping) and not _is_json(inputs[0]):
         return {str(name): as_model(x) for name, x in inputs[0].items()}
-    if len(inputs) == 1 and isinstance(inputs[0], list) and all(not isinstance(x, (list, int)) for x in inputs[0]):
-        return [as_model(x) for x in inputs[0]]
+    if len(inputs) == 1 and hasattr(inputs[0], "__next__"):
+        inputs = (list(inputs[0]),)
+    if len(inputs) == 1 and isinstance(inputs[0], (list, tuple)) and not _is_one_model(inputs[0]):
+        inputs = tuple(inputs[0])
     return [as_model(x) for x in inputs]
 
 
+def _is_one_model(x: Any) -> bool:
+    """Whether a list is facets, or vertices and faces, and no list of models."""
+    of_rows: tuple[type, ...] = (list, int, np.integer)
+    if isinstance(x, tuple):
+        of_rows = (*of_rows, tuple, np.ndarray, type(None))
+    return len(x) == 0 or any(isinstance(one, of_rows) for one in x)
+
+
 def _is_json(x: Mapping[Any, Any]) -> bool:
-    return bool({"facets", "boundaries", "next", "gluings", "curves", "type"} & set(map(str, x)))
+    return bool({"facets", "boundaries", "next", "gluings", "curves", "type", "recipe"} & set(map(str, x)))
 
 
+@in_words
 def congruence(
     *inputs: Any,
     tolerance: float,
@@ -491,7 +538,8 @@ def congruence(
     >>> coface.congruence(left, right, tolerance=0.01).f_vector
     [4, 5, 2]
     """
-    return _coface.congruence(
+    found: Congruence = asked(
+        "congruence",
         _inputs(inputs),
         tolerance,
         greedy=greedy,
@@ -503,8 +551,10 @@ def congruence(
         method=method,
         progress=progress,
     )
+    return found
 
 
+@in_words
 def arrange(
     *models: Any,
     dimension: int | None = None,
@@ -565,7 +615,8 @@ def arrange(
     >>> coface.arrange(cross).f_vector
     [5, 5, 1]
     """
-    found: PlanarArrangement | SpatialArrangement = _coface.arrange(
+    found: PlanarArrangement | SpatialArrangement = asked(
+        "arrange",
         _inputs(models),
         dimension=dimension,
         rule=rule,
@@ -582,6 +633,26 @@ def arrange(
     return found
 
 
+#: The words that name an operation; everything else is a formula.
+_OPERATIONS = ("union", "intersection", "difference", "xor", "join", "meet")
+
+
+def _refuse_order(operation: Any, models: tuple[Any, ...]) -> None:
+    """Says so where the operation does not come first."""
+    words = [x for x in models if isinstance(x, str) and x in _OPERATIONS]
+    if isinstance(operation, str) and (not words or operation in _OPERATIONS):
+        return
+    if words:
+        raise_invalid(
+            f"the operation {words[0]!r} stands behind an input", f'call coface.boolean("{words[0]}", a, b): the operation first'
+        )
+    raise_invalid(
+        f"the operation is a {type(operation).__name__}",
+        'call coface.boolean("union", a, b), or with "intersection", "difference", "xor" or a formula first',
+    )
+
+
+@in_words
 def boolean(
     operation: str,
     *models: Any,
@@ -645,7 +716,9 @@ def boolean(
     >>> coface.boolean("intersection", cube, moved).measure
     0.125
     """
-    found: PlanarBoolean | SolidBoolean = _coface.boolean(
+    _refuse_order(operation, models)
+    found: PlanarBoolean | SolidBoolean = asked(
+        "boolean",
         operation,
         _inputs(models),
         dimension=dimension,
@@ -666,6 +739,7 @@ def boolean(
     return found
 
 
+@in_words
 def persistence(
     x: Any,
     vertex_values: Any = None,
@@ -720,7 +794,8 @@ def persistence(
         vertex_values = _at_vertices(vertex_values, x, complex)
     if cell_values is not None:
         cell_values = [_at_cells(values, degree, complex) for degree, values in enumerate(cell_values)]
-    return _coface.persistence(
+    found: Persistence = asked(
+        "persistence",
         complex,
         vertex_values=vertex_values,
         cell_values=cell_values,
@@ -729,6 +804,7 @@ def persistence(
         least=least,
         progress=progress,
     )
+    return found
 
 
 def _at_vertices(values: Any, x: Any, complex: ChainComplex) -> NDArray[np.float64]:
@@ -760,6 +836,7 @@ def _at_cells(values: Any, degree: int, complex: ChainComplex) -> NDArray[np.flo
     return found
 
 
+@in_words
 def polygon(*rings: Any) -> Model:
     """A polygon of the plane with holes as a model of closed lines: input of :func:`boolean` and :func:`arrange`.
 

@@ -7,11 +7,13 @@ import json
 import os
 from pathlib import Path
 from typing import Any
+from coface._faults import in_words
 
 #: So many faces are shown in a notebook by themselves; each page also has the viewer, about half a megabyte.
 LARGEST = 20_000
 
 
+@in_words
 def page(x: Any, results: Any = None, *, title: str | None = None, report: bool = True, progress: Any = False) -> str:
     """The page that ``coface view`` writes: one text, without a network.
 
@@ -52,6 +54,7 @@ def _list(results: Any) -> list[Any]:
     return list(results) if isinstance(results, (list, tuple)) else [results]
 
 
+@in_words
 def view(
     x: Any,
     path: str | os.PathLike[str],

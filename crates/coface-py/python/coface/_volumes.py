@@ -9,10 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from coface._arrays import raise_invalid
-from coface._coface import Model, _read_volume, _volume
+from coface._arrays import plain, raise_invalid
+from coface._coface import InvalidTypeError, Model, _read_volume, _volume
+from coface._faults import in_words
 
 
+@in_words
 def volume(
     x: Any,
     *,
@@ -67,7 +69,7 @@ def volume(
     rule, bounds, axes = voxel_rule(threshold=threshold, below=below, between=between, value=value, periodic=periodic)
     if isinstance(x, (str, os.PathLike)):
         return _read_volume(x, (rule, bounds, axes), allow_outside, progress)
-    array = np.asarray(x)
+    array = np.asarray(plain(x))
     if array.dtype.kind not in "biuf":
         raise_invalid(f"an array of {array.dtype} has no numbers to compare", "give numbers or truth values")
     if array.ndim == 0:
@@ -89,15 +91,29 @@ def voxel_rule(
     if len(given) > 1:
         raise_invalid(f"{' and '.join(given)} are given together", "give one rule for voxels")
     name, bounds = next(iter(given.items()), ("nonzero", 0.0))
-    low, high = (float(bound) for bound in (bounds if isinstance(bounds, (tuple, list)) else (bounds, bounds)))
+    pair = tuple(bounds) if isinstance(bounds, (tuple, list, np.ndarray)) else (bounds, bounds)
+    is_pair = isinstance(bounds, (tuple, list, np.ndarray))
+    if is_pair != (name == "between") or len(pair) != 2 or not all(_is_number(bound) for bound in pair):
+        wanted = "two numbers: between=(0.2, 0.8)" if name == "between" else f"a number: {name}=0.5"
+        message, cure = f"{name} is {bounds!r}", f"give {wanted}"
+        raise InvalidTypeError(f"{message}; {cure}", fault=message, cure=cure)
+    low, high = (float(bound) for bound in pair)
     if math.isnan(low) or math.isnan(high):
         raise_invalid(f"{name} is no number", "give a number to compare voxels with")
     if low > high:
         raise_invalid(f"no number is between {low} and {high}", "give the lower bound first")
-    axes = [int(axis) for axis in periodic]
+    listed = plain(periodic)
+    if not isinstance(listed, (list, tuple, range, np.ndarray)) or not all(isinstance(axis, (int, np.integer)) and not isinstance(axis, bool) for axis in listed):
+        message, cure = f"periodic is {periodic!r}", "give the axes that close up by their numbers: periodic=[0, 1]"
+        raise InvalidTypeError(f"{message}; {cure}", fault=message, cure=cure)
+    axes = [int(axis) for axis in listed]
     if any(axis < 0 for axis in axes):
         raise_invalid(f"axis {min(axes)} is negative", "number axes from 0")
     return name, (low, high), axes
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool)
 
 
 def _is_set(array: np.ndarray[Any, Any], rule: str, bounds: tuple[float, float]) -> Any:

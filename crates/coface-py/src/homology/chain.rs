@@ -135,6 +135,12 @@ impl Chain {
         self.degree - self.naming.shift.min(self.degree)
     }
 
+    /// The model on whose cells it is; ``None`` where cells are numbers only.
+    #[getter]
+    fn model(&self) -> Option<crate::model::Model> {
+        self.naming.model()
+    }
+
     /// Whether it is a cochain.
     #[getter]
     fn is_cochain(&self) -> bool {
@@ -367,6 +373,12 @@ impl Generator {
     #[getter]
     fn chain(&self, py: Python<'_>) -> Py<Chain> {
         self.chain.clone_ref(py)
+    }
+
+    /// The model on whose cells it is; ``None`` where cells are numbers only.
+    #[getter]
+    fn model(&self) -> Option<crate::model::Model> {
+        self.chain.get().model()
     }
 
     /// Of a cycle of finite order m, a chain whose boundary is m times the cycle.

@@ -9,6 +9,7 @@ use crate::source::{Names, Naming};
 use crate::volumes::_volume;
 use coface::VertexId;
 use coface::algebra::RaggedArray;
+use coface::algebra::chains::ChainRefinement;
 use coface::complexes::cell_mesh::CellShape;
 use coface::complexes::gluing::GluingTable;
 use coface::geometry::Positions;
@@ -49,10 +50,14 @@ pub(crate) fn _model(py: Python<'_>, parts: &Bound<'_, PyDict>) -> PyResult<Mode
         return _volume(py, voxels, periodic);
     } else if let Some(complex) = parts.get_item("chains")? {
         let complex = complex.cast::<ChainComplex>()?.get().complex.as_ref().clone();
-        if positions.is_empty() {
+        let made = if positions.is_empty() {
             io::Model::from_structure(Structure::Chains(complex))
         } else {
             io::Model::from_chains(complex, positions).or_raise(py)?
+        };
+        match parts.get_item("pieces_of")? {
+            Some(pieces) => made.with_refinement(ChainRefinement::new(pieces.extract()?)).or_raise(py)?,
+            None => made,
         }
     } else {
         let words: Vec<String> = field("shapes")?.extract()?;
@@ -107,6 +112,11 @@ pub(super) fn parts<'py>(py: Python<'py>, model_of: &Model) -> PyResult<Bound<'p
         Some(Structure::Chains(complex)) => {
             let complex = ChainComplex::new(Arc::new(complex.clone()), Naming::of(Names::Own));
             parts.set_item("chains", complex)?;
+            if let Some(refinement) = model.refinement() {
+                let pieces = (0..refinement.degree_count())
+                    .map(|degree| refinement.pieces(degree).collect::<Vec<_>>());
+                parts.set_item("pieces_of", pieces.collect::<Vec<_>>())?;
+            }
         }
         _ => {
             parts.set_item("vertex_count", model.vertex_count())?;
@@ -120,7 +130,8 @@ pub(super) fn parts<'py>(py: Python<'py>, model_of: &Model) -> PyResult<Bound<'p
             parts.set_item("points", model_of.points(py))?;
         }
     }
-    parts.set_item("vertices", model_of.vertices(py)?)?;
+    let is_volume = matches!(model.structure(), Some(Structure::Volume(_)));
+    parts.set_item("vertices", if is_volume { None } else { model_of.vertices(py)? })?;
     parts.set_item("groups", model_of.groups(py))?;
     parts.set_item("data", model_of.data(py)?)?;
     Ok(parts)

@@ -12,7 +12,7 @@ use serde::Serialize;
 /// A surface cut open: a disk for each component, and seams.
 ///
 /// Made by :meth:`Surface.cut`.
-#[pyclass(frozen, module = "coface", name = "Domain")]
+#[pyclass(frozen, dict, module = "coface", name = "Domain")]
 pub(crate) struct Domain {
     pub(super) answer: CutAnswer,
     pub(super) model: Py<Model>,
@@ -43,7 +43,7 @@ answer! { Domain {
 /// A part of a universal cover: copies of a domain, glued.
 ///
 /// Made by :meth:`Surface.cover`.
-#[pyclass(frozen, module = "coface", name = "Cover")]
+#[pyclass(frozen, dict, module = "coface", name = "Cover")]
 pub(crate) struct Cover {
     pub(super) answer: CoverAnswer,
     pub(super) model: Py<Model>,
@@ -87,7 +87,7 @@ answer! { Cover {
 /// A basis of the first cohomology of a surface, dual to loops.
 ///
 /// Made by :meth:`Surface.cocycles`.
-#[pyclass(frozen, module = "coface", name = "Cocycles")]
+#[pyclass(frozen, dict, module = "coface", name = "Cocycles")]
 pub(crate) struct Cocycles {
     pub(super) answer: BasisAnswer,
     pub(super) cocycles: Vec<Py<Chain>>,

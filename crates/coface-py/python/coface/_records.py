@@ -1,0 +1,284 @@
+"""Answers as dictionaries and pickles, and back: an answer that holds more than its facts also says how it was made.
+
+The key ``recipe`` of ``to_dict()`` has the function and what it was given. ``from_dict`` and unpickling ask again, which gives the same answer,
+bit by bit; everything in a dictionary is JSON.
+"""
+
+from __future__ import annotations
+
+import functools
+import json
+import math
+from collections.abc import Callable, Mapping
+from typing import Any, TypeVar
+
+import numpy as np
+
+from coface import _coface
+from coface._arrays import raise_invalid
+from coface._coface import (
+    ChainComplex,
+    Cocycles,
+    Complex,
+    Congruence,
+    Cover,
+    Curve,
+    Domain,
+    FundamentalGroup,
+    Model,
+    Persistence,
+    PlanarArrangement,
+    PlanarBoolean,
+    Report,
+    SolidBoolean,
+    SpatialArrangement,
+    Surface,
+    YinSet,
+)
+
+Answer = TypeVar("Answer")
+
+#: What recipes may call.
+MAKERS: dict[str, Callable[..., Any]] = {
+    "ChainComplex.from_boundaries": ChainComplex.from_boundaries,
+    "ChainComplex.of_points": ChainComplex.of_points,
+    "Complex": Complex,
+    "FundamentalGroup": FundamentalGroup,
+    "Surface.cocycles": Surface.cocycles,
+    "Surface.cover": Surface.cover,
+    "Surface.cut": Surface.cut,
+    **{name: getattr(_coface, name) for name in ("_chains", "_curve", "_group", "_model", "_report", "_surface", "_yin_set")},
+    **{name: getattr(_coface, name) for name in ("arrange", "boolean", "congruence", "persistence")},
+}
+#: Classes whose answers are asked for again.
+ASKED = (
+    Cocycles,
+    Congruence,
+    Cover,
+    Domain,
+    Persistence,
+    PlanarArrangement,
+    PlanarBoolean,
+    SolidBoolean,
+    SpatialArrangement,
+)
+#: Classes that are made again of their parts.
+MADE = (ChainComplex, Complex, Curve, FundamentalGroup, Model, Report, Surface, YinSet)
+
+
+def asked(name: str, *arguments: Any, **options: Any) -> Any:
+    """The answer of a maker, which remembers how it was made.
+
+    Examples
+    --------
+    >>> import coface
+    >>> coface.arrange(coface.generate("box", boundary=True)).__dict__["recipe"][0]
+    'arrange'
+    """
+    found = _TOLD.get(name, MAKERS[name])(*arguments, **options)
+    kept = {key: value for key, value in options.items() if key != "progress"}
+    found.__dict__["recipe"] = (name, arguments, kept)
+    return found
+
+
+def _again(name: str, arguments: tuple[Any, ...], options: dict[str, Any]) -> Any:
+    """Makes what a pickle holds."""
+    return asked(name, *arguments, **options)
+
+
+def _reduce(self: Any) -> tuple[Any, ...]:
+    if "recipe" not in self.__dict__:
+        raise_invalid(f"this {type(self).__name__} does not know how it was made", "ask by the functions of coface")
+    return _again, self.__dict__["recipe"]
+
+
+def written(value: Any) -> Any:
+    """A value as JSON: arrays, matrices and objects of this package by what makes them.
+
+    Examples
+    --------
+    >>> import coface
+    >>> read_back(written({"a": [1, np.float64("inf")], "b": np.arange(3)}))
+    {'a': [1, inf], 'b': array([0, 1, 2])}
+    """
+    if value is None or isinstance(value, (bool, int, str)):
+        return value
+    if isinstance(value, (float, np.floating)):
+        return float(value) if math.isfinite(value) else {"float": repr(float(value))}
+    if isinstance(value, (np.integer, np.bool_)):
+        return value.item()
+    if isinstance(value, bytes):
+        return {"json": json.loads(value)}
+    if isinstance(value, np.ndarray):
+        flat = value.reshape(-1).tolist()
+        items = [written(item) for item in flat] if value.dtype.kind in "fO" else flat
+        return {"array": items, "dtype": str(value.dtype), "shape": list(value.shape)}
+    if hasattr(value, "tocoo"):
+        found = value.tocoo()
+        entries = [found.row.tolist(), found.col.tolist(), found.data.tolist()]
+        return {"matrix": entries, "shape": list(value.shape), "dtype": str(value.dtype)}
+    if isinstance(value, tuple):
+        return {"tuple": [written(item) for item in value]}
+    if isinstance(value, list):
+        return [written(item) for item in value]
+    if isinstance(value, Mapping):
+        return {"items": [[written(key), written(item)] for key, item in value.items()]}
+    if type(value).__module__ == "coface":
+        maker, arguments = value.__reduce__()[:2]
+        if maker is _again:
+            name, arguments, options = arguments
+        else:
+            name, options = getattr(maker, "__qualname__", maker.__name__), {}
+        return {"made_by": name, "arguments": [written(item) for item in arguments], "options": {k: written(v) for k, v in options.items()}}
+    raise_invalid(f"a {type(value).__name__} cannot be written to a dictionary", "give arrays, lists and models")
+
+
+def read_back(value: Any) -> Any:
+    """The value that :func:`written` wrote."""
+    if isinstance(value, list):
+        return [read_back(item) for item in value]
+    if not isinstance(value, Mapping):
+        return value
+    if "float" in value:
+        return float(value["float"])
+    if "json" in value:
+        return json.dumps(value["json"]).encode()
+    if "array" in value:
+        return np.array(read_back(value["array"]), dtype=value["dtype"]).reshape(value["shape"])
+    if "matrix" in value:
+        from scipy.sparse import coo_array
+
+        rows, columns, data = value["matrix"]
+        shape = (int(value["shape"][0]), int(value["shape"][1]))
+        return coo_array((np.array(data, dtype=value["dtype"]), (rows, columns)), shape=shape).tocsc()
+    if "tuple" in value:
+        return tuple(read_back(item) for item in value["tuple"])
+    if "items" in value:
+        return {read_back(key): read_back(item) for key, item in value["items"]}
+    maker = value.get("made_by")
+    if maker not in MAKERS:
+        raise_invalid(f"this dictionary was made by {maker!r}", "give what to_dict() gave")
+    arguments = [read_back(item) for item in value["arguments"]]
+    options = {key: read_back(item) for key, item in value["options"].items()}
+    if maker in RECIPES:
+        return asked(maker, *arguments, **options)
+    return MAKERS[maker](*arguments, **options)
+
+
+#: The makers whose answers remember how they were made.
+RECIPES = ("arrange", "boolean", "congruence", "persistence", "Surface.cocycles", "Surface.cover", "Surface.cut")
+#: The methods of surfaces as they are compiled.
+_TOLD: dict[str, Callable[..., Any]] = {f"Surface.{name}": getattr(Surface, name) for name in ("cocycles", "cover", "cut")}
+
+
+def from_dict(cls: type[Answer], facts: Mapping[str, Any]) -> Answer:
+    """The answer that ``to_dict()`` wrote."""
+    if not isinstance(facts, Mapping) or "recipe" not in facts:
+        raise_invalid(f"there is no recipe for a {cls.__name__}", f"give what {cls.__name__}.to_dict() gave")
+    found = read_back(facts["recipe"])
+    if not isinstance(found, cls):
+        raise_invalid(f"this is a {type(found).__name__}, not a {cls.__name__}", f"give what {cls.__name__}.to_dict() gave")
+    return found
+
+
+def _facts(compiled: Callable[[Any], dict[str, Any]] | None) -> Callable[[Any], dict[str, Any]]:
+    def to_dict(self: Any) -> dict[str, Any]:
+        """The answer as a dictionary, in the words of the program's JSON, and how it was made: ``recipe``, which ``from_dict`` reads."""
+        facts = {} if compiled is None else compiled(self)
+        if "recipe" in self.__dict__:
+            facts["recipe"] = written(self)
+        return dict(sorted(facts.items()))
+
+    return to_dict
+
+
+def _persistence_facts(self: Persistence) -> dict[str, Any]:
+    pairs = [(degree, float(birth), float(death)) for degree, (birth, death) in self.to_gudhi()]
+    finite = [{"degree": k, "birth": _or_none(birth), "death": _or_none(death)} for k, birth, death in pairs]
+    return {"diagram": finite, "falling": self.is_falling, "prime": self.prime}
+
+
+def _or_none(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+def _equal(self: Any, other: object) -> Any:
+    if not isinstance(other, type(self)):
+        return NotImplemented
+    facts: Callable[[], Any] = getattr(other, "to_dict")
+    return bool(self.to_dict() == facts())
+
+
+def _equal_surfaces(self: Surface, other: object) -> Any:
+    if not isinstance(other, Surface):
+        return NotImplemented
+    return bool(self.f_vector == other.f_vector and self.model() == other.model())
+
+
+def _hash(self: Any) -> int:
+    return hash(repr(self))
+
+
+def _recipe_of(self: Any) -> dict[str, Any]:
+    """This as a dictionary of JSON: ``recipe`` says how it is made again by ``from_dict``."""
+    return {"recipe": written(self)}
+
+
+def install() -> None:
+    """Gives the classes their methods; the compiled part knows nothing of recipes."""
+    for name, compiled in _TOLD.items():
+
+        def method(self: Any, *arguments: Any, __name: str = name, **options: Any) -> Any:
+            return asked(__name, self, *arguments, **options)
+
+        functools.update_wrapper(method, compiled)
+        setattr(Surface, name.partition(".")[2], method)
+    facts = {cls: getattr(cls, "to_dict", None) for cls in ASKED}
+    facts[Persistence] = _persistence_facts
+    for cls in ASKED:
+        setattr(cls, "to_dict", _facts(facts[cls]))
+        setattr(cls, "from_dict", classmethod(from_dict))
+        setattr(cls, "__reduce__", _reduce)
+        setattr(cls, "__eq__", _equal)
+        setattr(cls, "__hash__", _hash)
+    for made in MADE:
+        setattr(made, "from_dict", classmethod(from_dict))
+        if made not in (Report, YinSet):
+            setattr(made, "to_dict", _recipe_of)
+    setattr(Surface, "__eq__", _equal_surfaces)
+    setattr(Surface, "__hash__", _hash)
+    yin_facts, report_facts = YinSet.to_dict, Report.to_dict
+
+    def set_to_dict(self: YinSet) -> dict[str, Any]:
+        """The set as a dictionary, in the words of the program's JSON, with its curves in ``recipe``, which ``from_dict`` reads."""
+        return dict(sorted({**yin_facts(self), **_recipe_of(self)}.items()))
+
+    def report_to_dict(self: Report, limit: int = 100, *, model: bool = False) -> dict[str, Any]:
+        """The report as ``coface info --json`` prints it, but for ``file``.
+
+        Parameters
+        ----------
+        limit
+            How many places of each problem are listed.
+        model
+            Whether the model stands in it too, as ``recipe``, which ``from_dict`` needs.
+
+        Returns
+        -------
+        dict
+            ``kind``, ``dimension``, ``f_vector``, ..., with ``format`` if the model came from a file.
+
+        Examples
+        --------
+        >>> import coface
+        >>> report = coface.Model.from_facets([[0, 1]]).report()
+        >>> report.to_dict()["homology"][0]
+        {'betti': 1, 'degree': 0, 'torsion': []}
+        >>> coface.Report.from_dict(report.to_dict(model=True)) == report
+        True
+        """
+        found: dict[str, Any] = report_facts(self, limit)
+        return {**found, **_recipe_of(self)} if model else found
+
+    setattr(YinSet, "to_dict", set_to_dict)
+    setattr(Report, "to_dict", report_to_dict)

@@ -1,0 +1,118 @@
+//! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
+
+/// What the program does by a command, and Python by a function.
+const PHRASES: [(&str, &str); 19] = [
+    ("coface convert VOLUME -o boundary.obj", "volume.to_model(surface=True)"),
+    (
+        "coface homology --parts N",
+        "coface.shards.shard(model, folder, parts), then coface.shards.homology(folder)",
+    ),
+    ("coface homology --cohomology --harmonic", "coface.harmonic(model, degree=1)"),
+    ("coface convert --orient", "model.repaired(orient=True)"),
+    ("coface yin info INPUT -o OUT.dat", "coface.YinSet.from_model(model).write(\"out.dat\")"),
+    ("coface shard INPUT -o FOLDER --parts N", "coface.shards.shard(model, folder, parts)"),
+    ("coface convert, shard, reduce or merge has written", "model.write or coface.shards has written"),
+    ("then coface reduce ", "then call coface.shards.homology of "),
+    ("coface reduce ", "call coface.shards.homology of the folder of "),
+    ("coface shard", "coface.shards.shard"),
+    ("coface reduce", "coface.shards.homology"),
+    ("coface yin", "coface.YinSet"),
+    ("--order 2 --flatten LENGTH", "order=2, flatten=LENGTH"),
+    ("(--all lists", "(limit= lists"),
+    ("--non-planar split", "split=True"),
+    ("--force", "replace=True"),
+    ("convert the model without --triangulate", "take it as it is: only the others need model.subdivided()"),
+    ("print the set with --json", "take its simplices(k)"),
+    (
+        "give the JSON of homology --generators, cut, cover, pi1, cocycles, arrange, persistence, star, link, ...",
+        "give an answer of coface.homology(model, generators=True), coface.cut, cover, pi1, cocycles, arrange, persistence, ...",
+    ),
+];
+
+/// The options whose values are words, and those words. No words stand for any.
+const WORDS: [(&str, &[&str]); 5] = [
+    ("rule", &["nonzero", "evenodd", "positive"]),
+    ("inputs", &["files", "features", "objects", "groups", "components"]),
+    ("open", &["refuse", "winding"]),
+    ("check", &["usual", "geometry", "topology"]),
+    ("format", &[]),
+];
+
+/// The options that are on or off.
+const FLAGS: [&str; 7] = ["snap", "partial", "strict", "allow-outside", "orient", "keep-walls", "prune"];
+
+/// A message with the options that it names as the parameters of functions: `--rule evenodd` is `rule="evenodd"`, `--all-places` is
+/// `all_places`, `--snap` is `snap=True`, and commands are functions.
+pub(crate) fn in_python(message: &str) -> String {
+    let mut message = message.to_owned();
+    for (phrase, ours) in PHRASES {
+        if message.contains(phrase) {
+            message = message.replace(phrase, ours);
+        }
+    }
+    let mut text = String::with_capacity(message.len());
+    let mut parts = message.split(' ').peekable();
+    // The words that may go on a list of values: `--rule nonzero, evenodd or positive`.
+    let mut listed: &[&str] = &[];
+    let mut is_first = true;
+    while let Some(part) = parts.next() {
+        if !is_first {
+            text.push(' ');
+        }
+        is_first = false;
+        let is_word = |name: &str| name.starts_with(|c: char| c.is_ascii_lowercase());
+        let Some((before, rest)) =
+            part.split_once("--").filter(|(before, name)| before.len() < 2 && is_word(name))
+        else {
+            let (word, end) = split_end(part);
+            if listed.contains(&word) {
+                text.extend(["\"", word, "\"", end]);
+            } else {
+                listed = if matches!(part, "or" | "and") { listed } else { &[] };
+                text.push_str(part);
+            }
+            continue;
+        };
+        let (option, end) = split_end(rest);
+        let is_named_only = text.ends_with("leave out ") || text.ends_with("unless ");
+        text.extend([before, &option.replace('-', "_")]);
+        let next = parts.peek().map(|next| split_end(next)).filter(|_| end.is_empty());
+        let words = WORDS.iter().find(|(name, _)| *name == option).map(|(_, words)| *words);
+        match (next, words) {
+            (Some((value, value_end)), Some(words))
+                if words.contains(&value) || words.is_empty() && is_name(value) =>
+            {
+                text.extend(["=\"", value, "\"", value_end]);
+                listed = words;
+                parts.next();
+            }
+            (Some((value, value_end)), None) if value.parse::<f64>().is_ok() || is_placeholder(value) => {
+                text.extend(["=", value, value_end]);
+                parts.next();
+            }
+            _ => {
+                if FLAGS.contains(&option) && !is_named_only {
+                    text.push_str("=True");
+                }
+                text.push_str(end);
+            }
+        }
+    }
+    text
+}
+
+/// A word, and the marks behind it.
+fn split_end(part: &str) -> (&str, &str) {
+    part.split_at(part.trim_end_matches([',', ';', ')', ':', '.']).len())
+}
+
+/// A format by its name.
+fn is_name(value: &str) -> bool {
+    !matches!(value, "" | "is" | "or" | "out")
+        && value.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit())
+}
+
+/// A value that the user has to say.
+fn is_placeholder(value: &str) -> bool {
+    value.len() > 1 && value.chars().all(|c| c.is_ascii_uppercase())
+}
