@@ -651,7 +651,8 @@ impl Model {
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<()> {
         let format = format_of(py, format)?;
-        run(py, progress, || io::write_path(self.model(), &path, format))
+        let to = format.or_else(|| Format::from_path(&path));
+        run(py, progress, || io::write_path(&*made::writable(self.model(), to)?, &path, format))
     }
 
     /// The model as a file of this format would hold it.
@@ -675,7 +676,7 @@ impl Model {
         let format = Format::from_name(format).or_raise(py)?;
         let bytes = run(py, None, || {
             let mut bytes = Vec::new();
-            io::write(self.model(), &mut bytes, format)?;
+            io::write(&*made::writable(self.model(), Some(format))?, &mut bytes, format)?;
             Ok(bytes)
         })?;
         Ok(PyBytes::new(py, &bytes))

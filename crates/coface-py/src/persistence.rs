@@ -322,6 +322,8 @@ impl Persistence {
     }
 
     fn __repr__(&self) -> String {
-        format!("Persistence(field of {}, {} classes)", self.diagram.prime(), self.diagram.pairs().len())
+        let count = self.diagram.pairs().len();
+        let classes = if count == 1 { "class" } else { "classes" };
+        format!("Persistence(field of {}, {count} {classes})", self.diagram.prime())
     }
 }

@@ -72,7 +72,6 @@ from coface._coface import (
     invariant_factors,
     matrix_svg,
     read,
-    render,
 )
 from coface._batch import BatchSummary, batch
 from coface._chains import (
@@ -106,8 +105,8 @@ from coface._questions import (
     polygon,
 )
 from coface import _records
-from coface._view import page, view
-from coface._view import repr_html as _repr_html
+from coface._notebook import repr_html as _repr_html
+from coface._view import page, render, view
 from coface._volumes import volume
 
 # The adapters import the names above.
@@ -253,8 +252,32 @@ __all__ = [
 _records.install()
 
 # What notebooks and plots need stands here, so that the compiled part knows neither.
-for _shown in (Complex, Model, Surface):
+for _shown in (
+    Chain,
+    ChainComplex,
+    Cocycles,
+    Complex,
+    Congruence,
+    Cover,
+    CutCells,
+    Domain,
+    FundamentalGroup,
+    Generator,
+    Homology,
+    HomologyGroup,
+    Model,
+    Persistence,
+    PlanarArrangement,
+    PlanarBoolean,
+    Report,
+    Simplices,
+    SolidBoolean,
+    SpatialArrangement,
+    Surface,
+    Verdict,
+    YinSet,
+):
     setattr(_shown, "_repr_html_", _repr_html)
-for _drawn in (ChainComplex, Complex, Model, Persistence, PlanarArrangement, PlanarBoolean, Surface, YinSet):
-    setattr(_drawn, "plot", _plot_method)
-del _shown, _drawn
+    if _shown not in (Report, Verdict):
+        setattr(_shown, "plot", _plot_method)
+del _shown

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from coface._coface import Complex, Model
+from coface._coface import Complex, Model, YinSet
 from coface._models import as_complex, as_model
 from coface.interop import gudhi, meshio, networkx, open3d, pyvista, shapely, trimesh
 from coface._faults import in_words
@@ -118,3 +118,62 @@ def from_shapely(geometry: Any) -> Model:
 def to_shapely(x: Any) -> Any:
     """A planar model as a geometry of shapely: polygons with holes, lines and points. Coordinates go over exactly."""
     return shapely.from_model(as_model(x))
+
+
+def set_from_shapely(geometry: Any, *, order: int = 2, kinks: Any = None, progress: Any = None) -> YinSet:
+    """The polygons of a geometry of shapely, or of a list of them, as a set.
+
+    Parameters
+    ----------
+    geometry
+        Polygons with holes, in any direction.
+    order
+        2 for polylines, 4 for cubic splines through the points, ...
+    kinks
+        Where splines may turn, as in :meth:`YinSet.from_rings`.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    YinSet
+        Coordinates go over exactly.
+
+    Examples
+    --------
+    >>> import coface, pytest
+    >>> shapely = pytest.importorskip("shapely")
+    >>> coface.YinSet.from_shapely(shapely.box(0, 0, 2, 1)).area
+    2.0
+    """
+    return YinSet.from_model(as_model(geometry), order=order, kinks=kinks, progress=progress)
+
+
+def set_to_shapely(self: YinSet, *, flatten: float | None = None) -> Any:
+    """The set as polygons of shapely, with holes.
+
+    Parameters
+    ----------
+    flatten
+        How far chords may be from curves; not needed for polylines, whose coordinates go over exactly.
+
+    Returns
+    -------
+    shapely.Polygon or shapely.MultiPolygon
+
+    Examples
+    --------
+    >>> import coface, pytest
+    >>> _ = pytest.importorskip("shapely")
+    >>> coface.YinSet.from_rings([[[0, 0], [2, 0], [2, 1], [0, 1]]]).to_shapely().area
+    2.0
+    """
+    from coface.interop import needed
+
+    library = needed("shapely", "YinSet.to_shapely")
+    found = [library.from_wkt(line) for line in self.to_bytes("wkt", flatten=flatten).decode().splitlines() if line]
+    return found[0] if len(found) == 1 else library.MultiPolygon([part for one in found for part in getattr(one, "geoms", [one])])
+
+
+setattr(YinSet, "from_shapely", staticmethod(in_words(set_from_shapely)))
+setattr(YinSet, "to_shapely", in_words(set_to_shapely))

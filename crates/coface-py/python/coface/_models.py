@@ -10,7 +10,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coface._arrays import plain, raise_invalid
-from coface._coface import ChainComplex, Complex, Curve, Model, Simplices, Surface, YinSet, _volume, read
+from coface._coface import (
+    ChainComplex,
+    Cocycles,
+    Complex,
+    Curve,
+    Model,
+    Persistence,
+    Simplices,
+    Surface,
+    YinSet,
+    _volume,
+    read,
+)
 from coface._records import read_back
 from coface.interop import adapter_of
 from coface._faults import in_words
@@ -116,6 +128,11 @@ def _of_answer(x: Any) -> Model:
         return _of_curves([x], is_plane=False)
     if isinstance(x, Simplices):
         return x.closure().model()
+    if isinstance(x, Persistence) and "recipe" in x.__dict__:
+        complex: ChainComplex = x.__dict__["recipe"][1][0]
+        return complex.source if complex.source is not None else complex.model()
+    if isinstance(x, Cocycles) and "recipe" in x.__dict__:
+        return as_model(x.__dict__["recipe"][1][0])
     own = getattr(x, "model", None)
     if own is None:
         cure = "ask for its model where it was made, or give both in a list to coface.view, render or plot"

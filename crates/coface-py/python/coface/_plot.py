@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from coface._arrays import blocks, polygons, raise_invalid, refuse_unplaced, steps
+from coface._shown import shown
 from coface.interop import needed
 from coface._faults import in_words
 
@@ -42,7 +43,11 @@ def plot(
     Parameters
     ----------
     x
-        * anything that :func:`as_model` understands: faces, lines and points, in space or in the plane;
+        * anything that :func:`as_model` understands: faces, lines and points, in space or in the plane; volumes by the squares around them;
+        * an answer, drawn over its model: homology with generators, one group or generator, fundamental groups, a cover, cocycles, a cut, an
+          arrangement, a Boolean; homology without generators as bars of its Betti numbers;
+        * a list of a model and answers about it, harmonic forms among them;
+        * :class:`CutCells`: the part of each cell that is covered;
         * a :class:`ChainComplex` or a sparse matrix: where the entries are, one panel a degree;
         * a :class:`Persistence`, or an array ``(n, 2)`` of births and deaths: a diagram;
         * a :class:`PlanarArrangement` or :class:`PlanarBoolean`: each bounded face in a color of its own;
@@ -78,8 +83,6 @@ def plot(
     >>> axes = coface.plot(coface.generate("torus"))          # doctest: +SKIP
     >>> axes.figure.savefig("torus.png")                      # doctest: +SKIP
     """
-    import coface
-
     pyplot = needed("matplotlib.pyplot", "plot")
     kind = type(x).__name__ if type(x).__module__ == "coface" else ""
     if kind == "ChainComplex":
@@ -90,9 +93,17 @@ def plot(
         return _titled(_diagram(_flat_axes(pyplot, ax), {0: x}), title)
     if kind in FLAT:
         return _titled(FLAT[kind](_flat_axes(pyplot, ax), x), title)
-    model = coface.as_model(x)
-    found = _generators(generators)
+    together = shown(x)
+    is_placed = together.model is not None and together.model.vertices is not None
+    if not is_placed and kind in ("Homology", "HomologyGroup"):
+        return _titled(_bars(_flat_axes(pyplot, ax), x), title)
+    model = together.scene()
+    found = [*_generators(generators), *overlays(together.facts)]
+    if kind == "CutCells" and values is None and len(model.data):
+        values = model.data[0][2]
     places = model.vertices
+    if places is None and (kind not in ("", "Model", "Complex", "Surface") or isinstance(x, (list, tuple)) and together.facts):
+        places = _spectral(model)
     if places is None:
         raise_invalid("plot needs coordinates, and this model has none", "give vertices to Model.from_arrays, or plot its chain complex")
     points = np.asarray(places, np.float64)
@@ -118,6 +129,57 @@ def plot(
 def plot_method(self: Any, **options: Any) -> Any:
     """Draw this with matplotlib: :func:`plot` with the same options."""
     return plot(self, **options)
+
+
+class Overlay:
+    """Cells that are drawn over a model: their vertices, and for forms a value for each."""
+
+    def __init__(self, simplices: Any, values: Any = None) -> None:
+        self.simplices = np.asarray(simplices)
+        self.values = None if values is None else np.asarray(values, np.float64)
+
+
+def overlays(facts: list[dict[str, Any]]) -> list[Overlay]:
+    """What answers show over a model."""
+    found: list[Overlay] = []
+    for fact in facts:
+        for group in fact.get("generators", ()):
+            for generator in group:
+                cells = [cell for _, cell in generator["chain"]]
+                if len(set(map(len, cells))) == 1:
+                    found.append(Overlay(cells))
+        walks = [*fact.get("loops", ()), *(seam["vertices"] for part in fact.get("components", ()) for seam in part.get("seams", ()))]
+        found.extend(Overlay(list(zip(walk[:-1], walk[1:]))) for walk in walks if len(walk) > 1)
+        if "harmonic" not in fact:
+            found.extend(Overlay([cell for _, cell in chain]) for chain in fact.get("cocycles", ()) if chain)
+        found.extend(Overlay(fact["edges"], form["values"]) for form in fact.get("harmonic", ())[:1])
+        cells = fact.get("simplices", ())
+        found.extend(Overlay([cell for cell in cells if len(cell) == size]) for size in sorted(set(map(len, cells))))
+    return found
+
+
+def _spectral(model: Any) -> Any:
+    """Places of vertices without positions: two slow vibrations of the graph of edges (K. M. Hall, 1970), so that neighbors are near."""
+    count, pairs = model.vertex_count, np.asarray(model.edges).reshape(-1, 2)
+    count = max(count, 1 + int(pairs.max(initial=-1)))
+    if count > 2000:
+        return None
+    laplacian = np.zeros((count, count))
+    np.add.at(laplacian, (pairs[:, 0], pairs[:, 1]), -1.0)
+    np.add.at(laplacian, (pairs[:, 1], pairs[:, 0]), -1.0)
+    laplacian -= np.diag(laplacian.sum(axis=1))
+    _, shapes = np.linalg.eigh(laplacian)
+    return np.pad(shapes, [(0, 0), (0, max(0, 3 - count))])[:, 1:3]
+
+
+def _bars(axes: Any, x: Any) -> Any:
+    """Betti numbers as bars, with the groups below."""
+    groups = list(x) if hasattr(x, "betti_numbers") else [x]
+    degrees = [group.degree for group in groups]
+    axes.bar(degrees, [group.betti for group in groups], color=COLORS[1])
+    axes.set_xticks(degrees, [repr(group) for group in groups])
+    axes.set_ylabel("Betti number")
+    return axes
 
 
 def _titled(axes: Any, title: str | None) -> Any:
@@ -236,7 +298,7 @@ def _shaded(shapes: list[Any], colors: Any) -> Any:
     return shaded
 
 
-def _segments(axes: Any, segments: Any, shade: str, width: float, order: int) -> None:
+def _segments(axes: Any, segments: Any, shade: Any, width: float, order: int) -> None:
     if segments.shape[2] == 2:
         from matplotlib.collections import LineCollection
 
@@ -248,8 +310,18 @@ def _segments(axes: Any, segments: Any, shade: str, width: float, order: int) ->
 
 
 def _generator(axes: Any, points: Any, is_flat: bool, generator: Any, shade: str) -> None:
-    simplices = np.asarray(generator.simplices)
+    simplices = generator.simplices
+    if isinstance(simplices, tuple):
+        return
+    simplices = np.asarray(simplices)
     if simplices.ndim != 2 or len(simplices) == 0:
+        return
+    strength = getattr(generator, "values", None)
+    if strength is not None and len(strength) == len(simplices):
+        from matplotlib import colormaps
+
+        most = float(np.abs(strength).max(initial=0.0)) or 1.0
+        _segments(axes, points[simplices], colormaps["viridis"](np.abs(strength) / most), 2.0, 5)
         return
     if simplices.shape[1] == 1:
         axes.scatter(*points[simplices[:, 0]].T, s=24, color=shade, zorder=6)

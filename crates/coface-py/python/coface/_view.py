@@ -1,16 +1,19 @@
-"""Views: the page of ``coface view`` in a notebook or a file."""
+"""Pages and pictures: the page of ``coface view`` in a file, and stills."""
 
 from __future__ import annotations
 
 import html
 import json
 import os
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
-from coface._faults import in_words
 
-#: So many faces are shown in a notebook by themselves; each page also has the viewer, about half a megabyte.
-LARGEST = 20_000
+from coface import _coface
+from coface._arrays import raise_invalid
+from coface._coface import ChainComplex, Persistence, YinSet
+from coface._faults import in_words
+from coface._shown import is_answer, shown
 
 
 @in_words
@@ -20,9 +23,11 @@ def page(x: Any, results: Any = None, *, title: str | None = None, report: bool 
     Parameters
     ----------
     x
-        Anything that :func:`as_model` understands.
+        Anything that :func:`as_model` understands; an answer, which is shown over its model: homology with generators, one of its groups or
+        generators, fundamental groups, a cover, cocycles, a cut, persistence, an arrangement, a Boolean, a :class:`YinSet`; or a list of a
+        model and answers about it, harmonic forms among them.
     results
-        Answers to show over the model: objects with ``to_dict()``, dictionaries in the words of the program's ``--json``, or lists of those.
+        More answers to show over the model, or dictionaries in the words of the program's ``--json``, or lists of those.
     title
         What the model is called.
     report
@@ -33,25 +38,25 @@ def page(x: Any, results: Any = None, *, title: str | None = None, report: bool 
     Returns
     -------
     str
-        HTML.
+        HTML. Of an answer without cells to draw, such as homology without generators, a page with its table.
 
     Examples
     --------
     >>> import coface
     >>> coface.page(coface.generate("csaszar"), title="seven vertices").count("seven vertices") > 0
     True
+    >>> torus = coface.generate("torus")
+    >>> text = coface.page([torus, coface.homology(torus, generators=True), coface.pi1(torus)], report=False)
+    >>> "H1 generator 1" in text, "loop 1" in text
+    (True, True)
     """
-    import coface
-    from coface._coface import _page
-
-    texts = [json.dumps(result.to_dict() if hasattr(result, "to_dict") else result) for result in _list(results)]
-    return _page(coface.as_model(x), title or "model", texts, report, progress)
-
-
-def _list(results: Any) -> list[Any]:
-    if results is None:
-        return []
-    return list(results) if isinstance(results, (list, tuple)) else [results]
+    together = shown(x, results)
+    if together.model is None and not together.facts and is_answer(x):
+        body = getattr(x, "_repr_html_", lambda: f"<pre>{html.escape(repr(x))}</pre>")()
+        name = html.escape(title or type(x).__name__)
+        return f"<!doctype html><html><head><meta charset=\"utf-8\"><title>{name}</title></head><body><h1>{name}</h1>{body}</body></html>"
+    texts = [json.dumps(fact) for fact in together.facts]
+    return _coface._page(together.scene(), title or "model", texts, report, progress)
 
 
 @in_words
@@ -64,12 +69,12 @@ def view(
     report: bool = True,
     progress: Any = False,
 ) -> Path:
-    """Write a page that shows a model: opens from disk in any browser, to turn, cut and take apart.
+    """Write a page that shows a model and answers: opens from disk in any browser, to turn, cut and take apart.
 
     Parameters
     ----------
     x
-        Anything that :func:`as_model` understands.
+        A model, an answer, or a list of a model and answers, as in :func:`page`.
     path
         The file to write.
     results, title, report, progress
@@ -87,34 +92,91 @@ def view(
     >>> path.name, path.stat().st_size > 100_000
     ('torus.html', True)
     """
-    from coface._coface import _replace_file
-
     target = Path(path)
     text = page(x, results, title=title or target.stem, report=report, progress=progress)
-    _replace_file(target, text.encode())
+    _coface._replace_file(target, text.encode())
     return target
 
 
-def repr_html(x: Any) -> str:
-    """What a notebook shows of a model, a complex or a surface: the page if it is small, else its report in short.
+@in_words
+def render(
+    x: Any,
+    format: str = "svg",
+    *,
+    results: Any = (),
+    size: tuple[int, int] = (1200, 900),
+    camera: Sequence[float] | None = None,
+    up: Sequence[float] | None = None,
+    perspective: float | None = None,
+    edges: bool | None = None,
+    dark: bool = False,
+    witness: bool = False,
+    title: str = "model",
+    progress: Any = False,
+) -> bytes:
+    """A still picture of a model, of an answer over its model, or of several together; hidden lines are removed.
+
+    Parameters
+    ----------
+    x
+        A model, an answer, or a list of a model and answers, as in :func:`page`. Persistence alone is a diagram, a chain complex without a
+        model its matrices.
+    format
+        ``"svg"`` or ``"png"``.
+    results
+        More answers to be shown over it, or dictionaries as ``to_dict()`` gives them.
+    size
+        Width and height in pixels.
+    camera, up
+        The direction from which it is seen, and what is up.
+    perspective
+        The angle of view in degrees; parallel if left out.
+    edges
+        Whether edges are drawn; if left out, where they can be distinguished.
+    dark
+        Whether the background is dark.
+    witness
+        Whether what is wrong is marked.
+    title
+        What it is called.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    bytes
+        The content of the file.
 
     Examples
     --------
     >>> import coface
-    >>> text = repr_html(coface.generate("csaszar"))
-    >>> text.startswith("<iframe"), "srcdoc=" in text
-    (True, True)
+    >>> coface.render(coface.cocycles(coface.generate("torus"))).startswith(b"<svg")
+    True
     """
-    import coface
-
-    model = coface.as_model(x)
-    if len(model) <= LARGEST and model.vertices is not None:
-        source = html.escape(page(model), quote=True)
-        return (
-            f'<iframe srcdoc="{source}" sandbox="allow-scripts" loading="lazy" '
-            'style="width:100%;height:480px;border:1px solid #ccc" title="coface"></iframe>'
+    alone = not results and format == "svg"
+    if alone and isinstance(x, Persistence):
+        return x.to_svg(title if title != "model" else "persistence diagram").encode()
+    if alone and isinstance(x, YinSet):
+        return x.to_svg("kinks").encode()
+    if alone and isinstance(x, ChainComplex) and x.source is None:
+        return _coface.matrix_svg(x).encode()
+    together = shown(x, results)
+    if together.model is None and not together.facts and is_answer(x):
+        raise_invalid(
+            f"this {type(x).__name__} has no cells that could be drawn",
+            "ask with generators=True, or write its table: coface.view(answer, path)",
         )
-    if model.vertices is None:
-        return f"<pre>{html.escape(repr(x))}</pre>"
-    note = f"{len(model):,} faces: too many for a cell. <code>coface.view(model, &quot;model.html&quot;)</code> writes a page of its own."
-    return f"<pre>{html.escape(repr(x))}</pre><p>{note}</p>"
+    return _coface.render(
+        together.scene(),
+        format,
+        results=together.facts,
+        size=size,
+        camera=camera,
+        up=up,
+        perspective=perspective,
+        edges=edges,
+        dark=dark,
+        witness=witness,
+        title=title,
+        progress=progress,
+    )

@@ -5,8 +5,9 @@ use coface::complexes::cell_mesh::CellShape;
 use coface::geometry::Positions;
 use coface::geometry::predicates::orientation;
 use coface::geometry::triangulation::triangulate;
-use coface::io::{CellData, Group, GroupKind, Model, ModelParts, Structure};
+use coface::io::{CellData, Format, Group, GroupKind, Model, ModelParts, Structure};
 use coface::{Error, VertexId};
+use std::borrow::Cow;
 
 /// The voxels of a volume as hexahedra, quadrilaterals or segments, or the squares around them, each voxel as long as `spacing` says, the first
 /// corner at `origin`.
@@ -50,6 +51,20 @@ pub(super) fn mesh_of_volume(
     let positions = Positions::from_flat(dimension, flat)?;
     let shapes = vec![CellShape::Hexahedron; cells.len()];
     Model::from_parts(count, positions, polygons, (shapes, cells), lines, Vec::new())
+}
+
+/// The model as a format holds it: of a volume the squares around its voxels, where the format has meshes alone.
+pub(super) fn writable(model: &Model, format: Option<Format>) -> Result<Cow<'_, Model>, Error> {
+    match (model.structure(), format) {
+        (Some(Structure::Volume(_)), Some(format))
+            if !matches!(format, Format::Npy | Format::Json | Format::Container) =>
+        {
+            let surface = mesh_of_volume(model, true, None, None)?;
+            // This format has triangles alone.
+            if format == Format::Stl { triangulated(&surface) } else { Ok(surface) }.map(Cow::Owned)
+        }
+        _ => Ok(Cow::Borrowed(model)),
+    }
 }
 
 /// The positions of the corners of voxels, and the voxels as polygons, 3-cells or lines.
