@@ -76,6 +76,11 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 ///     In the plane, whether edges that hang on the rest by one end are left out.
 /// snap : bool
 ///     Whether coordinates are rounded so that the result stays as it is.
+/// exact : bool
+///     In the plane, whether the exact result is kept where rounding its coordinates makes edges cross or overlap; otherwise edges
+///     are cut and bent there by a few units of the last digit.
+/// grid : float, optional
+///     In the plane, all coordinates are multiples of this length.
 /// tolerance : float, optional
 ///     In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
 /// max_cells : int, optional
@@ -104,7 +109,7 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 /// >>> arranged.f_vector, sorted(zip(arranged.measures, arranged.inside))
 /// ([10, 12, 3], [(1.0, [0, 1]), (3.0, [0]), (3.0, [1])])
 #[pyfunction]
-#[pyo3(signature = (models, *, dimension=None, rule=None, features=false, inputs=None, prune=false, snap=false, tolerance=None, max_cells=None, split=true, merge_coplanar=true, progress=None))]
+#[pyo3(signature = (models, *, dimension=None, rule=None, features=false, inputs=None, prune=false, snap=false, exact=false, grid=None, tolerance=None, max_cells=None, split=true, merge_coplanar=true, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn arrange<'py>(
     py: Python<'py>,
@@ -115,6 +120,8 @@ pub(crate) fn arrange<'py>(
     inputs: Option<&str>,
     prune: bool,
     snap: bool,
+    exact: bool,
+    grid: Option<f64>,
     tolerance: Option<f64>,
     #[pyo3(from_py_with = whole_or_none)] max_cells: Option<usize>,
     split: bool,
@@ -127,6 +134,7 @@ pub(crate) fn arrange<'py>(
     if is_flat(py, &models, dimension)? {
         let mut request = ArrangementRequest::default();
         (request.rule, request.prune, request.snap, request.max_cells) = (rule, prune, snap, max_cells);
+        (request.exact, request.grid) = (exact, grid);
         let source = inputs.unwrap_or_default();
         let (arranged, answer) = run(py, progress, || {
             let arranged = DrawingArrangement::new(PlanarDrawing::new(borrowed(&models), source)?, &request)?;
@@ -138,6 +146,7 @@ pub(crate) fn arrange<'py>(
     if prune {
         return Err(invalid(py, "prune is for drawings in the plane", "leave it out in space"));
     }
+    refuse_planar(py, exact, grid)?;
     let request = spatial_request(snap, tolerance, max_cells, split, merge_coplanar);
     let (arranged, answer) = run(py, progress, || {
         let mut arranged = SceneArrangement::of_scene(scene_of(&models, inputs, 1, true)?, &request)?;
@@ -189,6 +198,15 @@ fn least_inputs(operation: &str) -> usize {
     }
 }
 
+/// Refuses what is for drawings in the plane.
+fn refuse_planar(py: Python<'_>, exact: bool, grid: Option<f64>) -> PyResult<()> {
+    match (exact, grid) {
+        (true, _) => Err(invalid(py, "exact is for drawings in the plane", "leave it out in space")),
+        (_, Some(_)) => Err(invalid(py, "grid is for drawings in the plane", "leave it out in space")),
+        _ => Ok(()),
+    }
+}
+
 fn spatial_request(
     snap: bool,
     tolerance: Option<f64>,
@@ -223,6 +241,11 @@ fn spatial_request(
 ///     Whether what lies inside the result is kept.
 /// snap : bool
 ///     Whether coordinates are rounded so that the result stays as it is.
+/// exact : bool
+///     In the plane, whether the exact result is kept where rounding its coordinates makes edges cross or overlap; otherwise edges
+///     are cut and bent there by a few units of the last digit.
+/// grid : float, optional
+///     In the plane, all coordinates are multiples of this length.
 /// tolerance : float, optional
 ///     In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
 /// max_cells : int, optional
@@ -258,7 +281,7 @@ fn spatial_request(
 /// >>> coface._coface.boolean("intersection", [cube, moved]).measure
 /// 0.125
 #[pyfunction]
-#[pyo3(signature = (operation, models, *, dimension=None, rule=None, features=false, inputs=None, keep_walls=false, snap=false, tolerance=None, max_cells=None, split=true, merge_coplanar=true, triangles=None, open="refuse", split_pinches=false, progress=None))]
+#[pyo3(signature = (operation, models, *, dimension=None, rule=None, features=false, inputs=None, keep_walls=false, snap=false, exact=false, grid=None, tolerance=None, max_cells=None, split=true, merge_coplanar=true, triangles=None, open="refuse", split_pinches=false, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn boolean<'py>(
     py: Python<'py>,
@@ -270,6 +293,8 @@ pub(crate) fn boolean<'py>(
     inputs: Option<&str>,
     keep_walls: bool,
     snap: bool,
+    exact: bool,
+    grid: Option<f64>,
     tolerance: Option<f64>,
     #[pyo3(from_py_with = whole_or_none)] max_cells: Option<usize>,
     split: bool,
@@ -288,6 +313,7 @@ pub(crate) fn boolean<'py>(
         let mut request = BooleanRequest::default();
         (request.rule, request.keep_walls, request.snap, request.max_cells) =
             (rule, keep_walls, snap, max_cells);
+        (request.exact, request.grid) = (exact, grid);
         let source = inputs.unwrap_or_default();
         let result = run(py, progress, || {
             let drawing = PlanarDrawing::new(borrowed(&models), source)?;
@@ -301,6 +327,7 @@ pub(crate) fn boolean<'py>(
         let answer = result.answer();
         return Ok(Bound::new(py, PlanarBoolean { result, answer })?.into_any());
     }
+    refuse_planar(py, exact, grid)?;
     let spatial = spatial_request(snap, tolerance, max_cells, split, merge_coplanar);
     let solid = run(py, progress, || {
         let scene = scene_of(&models, inputs, least_inputs(operation), keep_walls)?;

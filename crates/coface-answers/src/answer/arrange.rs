@@ -58,6 +58,21 @@ pub struct PlanarRounding {
     pub turned_vertices: usize,
     /// The number of components that lie in another face.
     pub moved_components: usize,
+    /// How many times the complex was rounded and cut again because rounding would change it.
+    #[serde(default)]
+    pub rounds: usize,
+    /// How often an edge was given a vertex for that.
+    #[serde(default)]
+    pub bends: usize,
+    /// The vertices that became one with others, or went to another place than the nearest, for that.
+    #[serde(default)]
+    pub moved: usize,
+    /// The longest way that a point of an edge went for that, in the unit of the inputs.
+    #[serde(default)]
+    pub largest_movement: f64,
+    /// The number of faces or polygons that are not there any more, because they were thinner.
+    #[serde(default)]
+    pub vanished: usize,
 }
 
 /// One drawing among the inputs.

@@ -3,6 +3,7 @@
 use super::containment::{Containment, ContainmentSearch};
 use super::crossings::{MOST_PLACES, crossed_rings, crossing_remark, refuse_crossings};
 use super::drawing::PlanarDrawing;
+use super::settling::{Movement, Settled};
 use super::sides::Sides;
 use crate::answer::{
     PlanarArrangementAnswer, PlanarArrangementProvenance, PlanarRounding, Remark, RemarkCode,
@@ -10,7 +11,9 @@ use crate::answer::{
 use coface_algebra::RaggedArray;
 use coface_algebra::{EdgeId, Error, FaceId, VertexId};
 use coface_arrange::boolean::InsideRule;
-use coface_arrange::planar::{PlanarArrangement, PlanarOptions, RoundingCertificate, Step, VertexSource};
+use coface_arrange::planar::{
+    PlanarArrangement, PlanarOptions, RoundingCertificate, SnappedArrangement, Step, VertexSource,
+};
 
 /// How drawings are arranged.
 #[derive(Clone, Copy, Debug, Default)]
@@ -25,6 +28,11 @@ pub struct ArrangementRequest {
     pub prune: bool,
     /// Round coordinates and arrange again until all vertices are where their coordinates say.
     pub snap: bool,
+    /// Put all vertices on the grid with this step: their coordinates are multiples of it.
+    pub grid: Option<f64>,
+    /// Keep the exact complex where the drawing with rounded coordinates is another one. Else edges are cut and bent there by
+    /// a few units of the last digit.
+    pub exact: bool,
     /// The most vertices, edges and faces together.
     pub max_cells: Option<usize>,
 }
@@ -56,6 +64,10 @@ pub struct DrawingArrangement {
     pub(super) segments_of_edge: RaggedArray,
     /// How often coordinates were rounded, if that was asked for.
     pub(super) snap_rounds: Option<usize>,
+    /// What moved so that rounded coordinates are valid, if that was needed.
+    movement: Option<Movement>,
+    /// What rounding does, if that is known.
+    certificate: Option<RoundingCertificate>,
     pub(super) containment: Containment,
     crossings: Option<Remark>,
 }
@@ -84,56 +96,54 @@ impl DrawingArrangement {
     /// ```
     pub fn new(drawing: PlanarDrawing, request: &ArrangementRequest) -> Result<Self, Error> {
         let options = PlanarOptions::new().max_cells(request.max_cells);
-        let mut arrangement =
-            PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?;
-        let sources = |arrangement: &PlanarArrangement| -> Vec<VertexSource> {
-            (0..arrangement.vertex_count()).map(|vertex| arrangement.source(VertexId::new(vertex))).collect()
-        };
-        let (mut sources, mut segments_of_edge, snap_rounds) = if request.snap {
-            let snapped = arrangement.snapped()?;
-            arrangement = snapped.arrangement().clone();
-            let sources = (0..arrangement.vertex_count()).map(|v| snapped.source(VertexId::new(v))).collect();
-            (sources, snapped.segments_of_edges().clone(), Some(snapped.round_count()))
+        let exact = PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?;
+        let (mut snap_rounds, mut movement, mut certificate) = (None, None, None);
+        let mut parts = if request.snap || request.grid.is_some() {
+            let snapped = match request.grid {
+                Some(step) => exact.snapped_to_grid(step)?,
+                None => exact.snapped()?,
+            };
+            snap_rounds = Some(snapped.round_count());
+            Parts::of_snapped(&snapped, |source| source, |segment| [segment])
         } else {
-            (sources(&arrangement), arrangement.segments_of_edges().clone(), None)
+            let parts = Parts::of(exact.clone());
+            if !request.exact {
+                certificate = Some(exact.rounding_certificate()?).filter(RoundingCertificate::is_valid);
+            }
+            if request.exact || certificate.is_some() { parts } else { parts.settled(&mut movement)? }
         };
+        let is_exact = movement.is_none() && snap_rounds.is_none_or(|rounds| rounds == 0);
         if request.prune {
-            let is_kept = |edge: &usize| !arrangement.is_bridge(EdgeId::new(*edge));
-            let edges: Vec<usize> = (0..arrangement.edge_count()).filter(is_kept).collect();
-            let mut is_end = vec![false; arrangement.vertex_count()];
-            for &edge in &edges {
-                arrangement.ends(EdgeId::new(edge)).iter().for_each(|end| is_end[end.index()] = true);
-            }
-            segments_of_edge = RaggedArray::from_lists(edges.iter().map(|&edge| segments_of_edge.list(edge)));
-            let mut kept = is_end.iter();
-            sources.retain(|_| *kept.next().expect("each vertex has a source"));
-            arrangement = arrangement.pruned()?;
+            parts = parts.pruned()?;
         }
-        let sides = Sides {
-            drawing: &drawing,
-            arrangement: &arrangement,
-            segments: &segments_of_edge,
-            is_exact: snap_rounds.is_none_or(|rounds| rounds == 0),
-        };
-        let mut search = ContainmentSearch::new(&drawing, request.rule, arrangement.face_count());
-        arrangement.tour(|step| match step {
-            Step::Into { face, across } => {
-                sides.across(across, |ring, by| search.wind(ring, by));
-                search.enter(face);
-            }
-            Step::Back { across, .. } => sides.across(across, |ring, by| search.wind(ring, by)),
-        });
-        let containment = search.finish();
-        let crossings = match request.rule {
+        let containment = parts.containment(&drawing, request.rule, is_exact);
+        let mut crossings = match request.rule {
             Some(_) => Vec::new(),
             None => crossed_rings(&drawing, &containment.windings),
         };
-        let places = |ring: u32| meetings_of(&drawing, &arrangement, &segments_of_edge, &sources, ring);
+        // Rings that rounding turns inside out somewhere do not cross themselves as they were drawn.
+        let drawn = (!is_exact && !crossings.is_empty()).then(|| Parts::of(exact));
+        if let Some(drawn) = &drawn {
+            crossings = crossed_rings(&drawing, &drawn.containment(&drawing, None, true).windings);
+        }
+        let drawn = drawn.as_ref().unwrap_or(&parts);
+        let places = |ring: u32| drawn.meetings_of(&drawing, ring);
         if request.strict {
             refuse_crossings(&drawing, &crossings, places)?;
         }
         let crossings = crossing_remark(&drawing, &crossings, places);
-        Ok(Self { drawing, arrangement, sources, segments_of_edge, snap_rounds, containment, crossings })
+        let Parts { arrangement, sources, segments_of_edge } = parts;
+        Ok(Self {
+            drawing,
+            arrangement,
+            sources,
+            segments_of_edge,
+            snap_rounds,
+            movement,
+            certificate,
+            containment,
+            crossings,
+        })
     }
 
     /// What was drawn.
@@ -329,17 +339,22 @@ impl DrawingArrangement {
         let (vertices, edges, faces) =
             (arrangement.vertex_count(), arrangement.edge_count(), arrangement.face_count());
         let bridges = (0..edges).filter(|&edge| arrangement.is_bridge(EdgeId::new(edge))).count();
-        let certificate = arrangement.rounding_certificate()?;
-        let rounding = rounding_answer(&certificate, arrangement.is_exactly_rounded());
+        let certificate = match &self.certificate {
+            Some(certificate) => certificate.clone(),
+            None => arrangement.rounding_certificate()?,
+        };
+        let is_exact = self.movement.is_none() && arrangement.is_exactly_rounded();
+        let rounding = rounding_answer(&certificate, is_exact, &self.movement.unwrap_or_default());
         let mut remarks = self.drawing.remarks.clone();
         remarks.extend(self.crossings.iter().cloned());
         remarks.extend(self.containment.remarks(&self.drawing));
         if !rounding.valid {
             remarks.push(Remark::new(
                 RemarkCode::RoundedInvalid,
-                "coordinates are rounded, and drawn with them this is another complex; --snap makes one that stays as it is",
+                "coordinates are rounded, and drawn with them this is another complex; without --exact it is made valid",
             ));
         }
+        remarks.extend(self.movement.map(|movement| movement.remark("face")));
         Ok(PlanarArrangementAnswer {
             dimension: 2,
             f_vector: [vertices, edges, faces],
@@ -389,41 +404,126 @@ impl DrawingArrangement {
     }
 }
 
-/// The first points where a ring meets itself: crossings of its segments before others, from the lowest.
-fn meetings_of(
-    drawing: &PlanarDrawing,
-    arrangement: &PlanarArrangement,
-    segments_of_edge: &RaggedArray,
-    sources: &[VertexSource],
-    ring: u32,
-) -> Vec<[f64; 2]> {
-    let is_own = |segment: usize| drawing.ring_of_segment[segment] == ring;
-    let mut degrees = vec![0u8; arrangement.vertex_count()];
-    for (edge, segments) in segments_of_edge.iter().enumerate() {
-        if segments.iter().any(|&segment| is_own(segment as usize)) {
-            for end in arrangement.ends(EdgeId::new(edge)) {
-                degrees[end.index()] = degrees[end.index()].saturating_add(1);
-            }
+/// An arrangement with where its parts come from in the drawing.
+struct Parts {
+    arrangement: PlanarArrangement,
+    sources: Vec<VertexSource>,
+    segments_of_edge: RaggedArray,
+}
+
+impl Parts {
+    fn of(arrangement: PlanarArrangement) -> Self {
+        let sources = (0..arrangement.vertex_count()).map(|vertex| arrangement.source(VertexId::new(vertex)));
+        Self {
+            sources: sources.collect(),
+            segments_of_edge: arrangement.segments_of_edges().clone(),
+            arrangement,
         }
     }
-    let is_crossing = |vertex: usize| match sources[vertex] {
-        VertexSource::Crossing(segments) => segments.into_iter().all(is_own),
-        VertexSource::Given(_) => false,
-    };
-    let place = |vertex: usize| {
-        let point = arrangement.positions().point(VertexId::new(vertex));
-        [point[0], point[1]]
-    };
-    let mut meetings: Vec<usize> = (0..degrees.len()).filter(|&vertex| degrees[vertex] > 2).collect();
-    meetings.sort_by(|&a, &b| {
-        let ([x, y], [u, v]) = (place(a), place(b));
-        is_crossing(b).cmp(&is_crossing(a)).then(x.total_cmp(&u)).then(y.total_cmp(&v))
-    });
-    meetings.into_iter().take(MOST_PLACES).map(place).collect()
+
+    /// A snapped arrangement, with the sources of its vertices and the segments along each of its segments.
+    fn of_snapped<I: IntoIterator<Item = u32>>(
+        snapped: &SnappedArrangement,
+        source: impl Fn(VertexSource) -> VertexSource,
+        segments: impl Fn(u32) -> I,
+    ) -> Self {
+        let arrangement = snapped.arrangement().clone();
+        let vertices = (0..arrangement.vertex_count()).map(VertexId::new);
+        let lists = snapped.segments_of_edges().iter().map(|along| {
+            let mut list: Vec<u32> = along.iter().flat_map(|&segment| segments(segment)).collect();
+            list.sort_unstable();
+            list.dedup();
+            list
+        });
+        Self {
+            sources: vertices.map(|vertex| source(snapped.source(vertex))).collect(),
+            segments_of_edge: RaggedArray::from_lists(lists),
+            arrangement,
+        }
+    }
+
+    /// The same with edges that are cut and bent until rounded coordinates are exact.
+    fn settled(self, movement: &mut Option<Movement>) -> Result<Self, Error> {
+        let arrangement = &self.arrangement;
+        let edges: Vec<[u32; 2]> = (0..arrangement.edge_count())
+            .map(|edge| arrangement.ends(EdgeId::new(edge)).map(VertexId::to_u32))
+            .collect();
+        let settled = Settled::new(arrangement.positions(), &edges)?;
+        let mut moved = settled.movement;
+        moved.vanished = arrangement.face_count().saturating_sub(settled.snapped.arrangement().face_count());
+        *movement = Some(moved);
+        let source = |source: VertexSource| match source {
+            VertexSource::Given(vertex) => self.sources[vertex],
+            VertexSource::Crossing(edges) => {
+                VertexSource::Crossing(edges.map(|edge| self.segments_of_edge.list(edge)[0] as usize))
+            }
+        };
+        let segments = |edge: u32| self.segments_of_edge.list(edge as usize).iter().copied();
+        Ok(Self::of_snapped(&settled.snapped, source, segments))
+    }
+
+    /// The same without edges with one face on both sides, and the vertices that no edge is left at.
+    fn pruned(mut self) -> Result<Self, Error> {
+        let arrangement = &self.arrangement;
+        let is_kept = |edge: &usize| !arrangement.is_bridge(EdgeId::new(*edge));
+        let edges: Vec<usize> = (0..arrangement.edge_count()).filter(is_kept).collect();
+        let mut is_end = vec![false; arrangement.vertex_count()];
+        for &edge in &edges {
+            arrangement.ends(EdgeId::new(edge)).iter().for_each(|end| is_end[end.index()] = true);
+        }
+        let lists = edges.iter().map(|&edge| self.segments_of_edge.list(edge));
+        let segments_of_edge = RaggedArray::from_lists(lists);
+        let mut kept = is_end.iter();
+        self.sources.retain(|_| *kept.next().expect("each vertex has a source"));
+        Ok(Self { arrangement: arrangement.pruned()?, sources: self.sources, segments_of_edge })
+    }
+
+    /// The regions around the faces; whether edges lie on their segments exactly.
+    fn containment(&self, drawing: &PlanarDrawing, rule: Option<InsideRule>, is_exact: bool) -> Containment {
+        let arrangement = &self.arrangement;
+        let sides = Sides { drawing, arrangement, segments: &self.segments_of_edge, is_exact };
+        let mut search = ContainmentSearch::new(drawing, rule, arrangement.face_count());
+        arrangement.tour(|step| match step {
+            Step::Into { face, across } => {
+                sides.across(across, |ring, by| search.wind(ring, by));
+                search.enter(face);
+            }
+            Step::Back { across, .. } => sides.across(across, |ring, by| search.wind(ring, by)),
+        });
+        search.finish()
+    }
+
+    /// The first points where a ring meets itself: crossings of its segments before others, from the lowest.
+    fn meetings_of(&self, drawing: &PlanarDrawing, ring: u32) -> Vec<[f64; 2]> {
+        let Self { arrangement, sources, segments_of_edge } = self;
+        let is_own = |segment: usize| drawing.ring_of_segment[segment] == ring;
+        let mut degrees = vec![0u8; arrangement.vertex_count()];
+        for (edge, segments) in segments_of_edge.iter().enumerate() {
+            if segments.iter().any(|&segment| is_own(segment as usize)) {
+                for end in arrangement.ends(EdgeId::new(edge)) {
+                    degrees[end.index()] = degrees[end.index()].saturating_add(1);
+                }
+            }
+        }
+        let is_crossing = |vertex: usize| match sources[vertex] {
+            VertexSource::Crossing(segments) => segments.into_iter().all(is_own),
+            VertexSource::Given(_) => false,
+        };
+        let place = |vertex: usize| {
+            let point = arrangement.positions().point(VertexId::new(vertex));
+            [point[0], point[1]]
+        };
+        let mut meetings: Vec<usize> = (0..degrees.len()).filter(|&vertex| degrees[vertex] > 2).collect();
+        meetings.sort_by(|&a, &b| {
+            let ([x, y], [u, v]) = (place(a), place(b));
+            is_crossing(b).cmp(&is_crossing(a)).then(x.total_cmp(&u)).then(y.total_cmp(&v))
+        });
+        meetings.into_iter().take(MOST_PLACES).map(place).collect()
+    }
 }
 
 /// What rounding does to a drawing.
-fn rounding_answer(certificate: &RoundingCertificate, is_exact: bool) -> PlanarRounding {
+fn rounding_answer(certificate: &RoundingCertificate, is_exact: bool, movement: &Movement) -> PlanarRounding {
     PlanarRounding {
         exact: is_exact,
         valid: certificate.is_valid(),
@@ -431,5 +531,10 @@ fn rounding_answer(certificate: &RoundingCertificate, is_exact: bool) -> PlanarR
         broken_edges: certificate.broken_edges.len(),
         turned_vertices: certificate.turned_vertices.len(),
         moved_components: certificate.moved_components.len(),
+        rounds: movement.rounds,
+        bends: movement.bends,
+        moved: movement.moved,
+        largest_movement: movement.largest,
+        vanished: movement.vanished,
     }
 }

@@ -1,10 +1,11 @@
 //! Formulas of regions.
 
-use super::canonical::Canonical;
 use super::containment::{Containment, ContainmentSearch};
 use super::crossings::{MOST_PLACES, crossed_rings, crossing_remark, refuse_crossings};
 use super::drawing::PlanarDrawing;
+use super::outcome::Outcome;
 use super::outline::Outline;
+use super::settling::Movement;
 use super::walks::Walks;
 use crate::answer::{
     BoundaryManifold, BoundaryVerdict, BoundaryWitness, EdgeOrigin, PlanarBooleanAnswer,
@@ -29,8 +30,13 @@ pub struct BooleanRequest {
     pub strict: bool,
     /// Keep the edges between faces that are selected both: then each face is a polygon.
     pub keep_walls: bool,
-    /// Round coordinates and arrange again until all vertices are where their coordinates say.
+    /// Round coordinates of the inputs' arrangement and arrange again until all vertices are where their coordinates say.
     pub snap: bool,
+    /// Put all vertices on the grid with this step: their coordinates are multiples of it.
+    pub grid: Option<f64>,
+    /// Keep the result as it is, where rounding its coordinates makes polygons invalid. Else edges are cut and bent there by
+    /// a few units of the last digit, and polygons that come to share an edge become one.
+    pub exact: bool,
     /// The most vertices, edges and faces of the arrangement together.
     pub max_cells: Option<usize>,
 }
@@ -74,8 +80,11 @@ pub struct RegionBoolean {
     regions_of_polygon: RaggedArray,
     /// For each polygon the features with properties that contain some of its faces, rising.
     pub(super) features_of_polygon: RaggedArray,
+    pub(super) keeps_walls: bool,
     is_valid: bool,
     is_exact: bool,
+    /// What moved so that rounded coordinates are valid, if that was needed.
+    movement: Option<Movement>,
     /// The vertices, edges and faces that the rings cut the plane into.
     cell_counts: [usize; 3],
     snap_rounds: Option<usize>,
@@ -127,28 +136,30 @@ impl RegionBoolean {
             .with_cure("take the complement within a region, as in \"a - b\""));
         }
         let options = PlanarOptions::new().max_cells(request.max_cells);
-        let snapped = match request.snap {
-            true => Some(
-                PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?
-                    .snapped()?,
-            ),
-            false => None,
+        let snapped = match (request.snap, request.grid) {
+            (false, None) => None,
+            (_, grid) => {
+                let exact = PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?;
+                Some(match grid {
+                    Some(step) => exact.snapped_to_grid(step)?,
+                    None => exact.snapped()?,
+                })
+            }
         };
         let walks = Walks::new(&drawing, snapped.as_ref());
         let overlay = walks.overlay(&options)?;
         let containment = containment(&drawing, &overlay, request.rule);
-        let crossings = match request.rule {
-            Some(_) => Vec::new(),
-            None => crossed_rings(&drawing, &containment.windings),
+        let crossings = match (request.rule, &snapped) {
+            (Some(_), _) => None,
+            (None, None) => crossings(&drawing, &overlay, &containment, request.strict)?,
+            // Rings that rounding turns inside out somewhere do not cross themselves as they were drawn.
+            (None, Some(_)) if crossed_rings(&drawing, &containment.windings).is_empty() => None,
+            (None, Some(_)) => {
+                let overlay = Walks::new(&drawing, None).overlay(&options)?;
+                let containment = self::containment(&drawing, &overlay, request.rule);
+                crossings(&drawing, &overlay, &containment, request.strict)?
+            }
         };
-        let places = |ring: u32| {
-            let points = overlay.meetings_of(ring, MOST_PLACES);
-            points.iter().map(|point| point.rounded()).collect::<Vec<[f64; 2]>>()
-        };
-        if request.strict {
-            refuse_crossings(&drawing, &crossings, places)?;
-        }
-        let crossings = crossing_remark(&drawing, &crossings, places);
         let face_count = overlay.face_count();
         let mut is_inside = vec![false; region_count];
         let mut select = |face: usize| {
@@ -160,36 +171,39 @@ impl RegionBoolean {
         };
         let mut selected: Vec<bool> = (0..face_count).map(&mut select).collect();
         selected.push(false);
-        let merged = overlay.outline(&selected, false)?;
-        let component_count = merged.polygons().len();
-        let mut pinches: Vec<u32> = merged.pinch_vertices().map(|vertex| merged.event(vertex)).collect();
-        let found = if request.keep_walls { overlay.outline(&selected, true)? } else { merged };
-        let canonical = Canonical::new(&found);
-        pinches.sort_unstable();
-        let is_pinch = |vertex: u32| pinches.binary_search(&found.event(VertexId::from_u32(vertex))).is_ok();
-        let pinches: Vec<VertexId> = (0..)
-            .zip(&canonical.order)
-            .filter(|(_, vertex)| !pinches.is_empty() && is_pinch(**vertex))
-            .map(|(number, _)| VertexId::from_u32(number))
-            .collect();
-        let sources = canonical.order.iter().map(|&v| walks.source(found.source(VertexId::from_u32(v))));
-        let sources = sources.collect();
-        let (edges, segments_of_edge) = canonical.edges(|side| walks.segment(side));
-        let areas = found.areas();
-        let areas = canonical.polygons.iter().map(|&polygon| areas[polygon as usize]).collect();
-        let regions_of_polygon = canonical.regions(&containment.regions);
-        let features_of_polygon = canonical.regions(&containment.features);
-        let flat = found.positions().as_flat().as_chunks::<2>().0;
-        let flat = canonical.order.iter().flat_map(|&vertex| flat[vertex as usize]).collect();
-        let positions = Positions::from_flat(2, flat)?;
-        let is_exact = found.is_exactly_rounded();
-        let outline = canonical.outline;
-        let is_valid = is_exact || is_drawn_well(&outline, &positions, edges.len())?;
+        let mut found = Outcome::new(
+            &overlay,
+            &selected,
+            request.keep_walls,
+            |source| walks.source(source),
+            |side| [walks.segment(side)],
+            [&containment.regions, &containment.features],
+        )?;
         let cell_counts = overlay.f_vector();
         let snap_rounds = snapped.as_ref().map(SnappedArrangement::round_count);
         let warnings = containment.warnings(&drawing);
         let remarks = crossings.into_iter().chain(containment.remarks(&drawing)).collect();
-        drop(walks);
+        drop((overlay, walks));
+        let mut movement = None;
+        if (!found.is_valid || found.is_turned) && !request.exact {
+            let (valid, settled) = found.settled()?;
+            (found, movement) = (valid, Some(settled.movement));
+        }
+        let Outcome {
+            outline,
+            positions,
+            sources,
+            edges,
+            segments_of_edge,
+            areas,
+            component_count,
+            pinches,
+            regions_of_polygon,
+            features_of_polygon,
+            is_exact,
+            is_valid,
+            ..
+        } = found;
         Ok(Self {
             drawing,
             outline,
@@ -202,8 +216,10 @@ impl RegionBoolean {
             pinches,
             regions_of_polygon,
             features_of_polygon,
+            keeps_walls: request.keep_walls,
             is_valid,
             is_exact,
+            movement,
             cell_counts,
             snap_rounds,
             warnings,
@@ -441,8 +457,8 @@ impl RegionBoolean {
         &self.warnings
     }
 
-    /// Whether the polygons are sound with their rounded coordinates: they have all their vertices, no two edges cross, and
-    /// each edge has the result on the side that it should.
+    /// Whether the polygons are valid with their rounded coordinates, as one multipolygon: see
+    /// [`are_valid_polygons`](coface_arrange::planar::are_valid_polygons). Always so unless the result is kept as it is.
     ///
     /// # Examples
     /// ```
@@ -505,9 +521,11 @@ impl RegionBoolean {
         if !self.is_valid {
             remarks.push(Remark::new(
                 RemarkCode::RoundedInvalid,
-                "coordinates are rounded, and with them the polygons are not sound; --snap makes them so",
+                "coordinates are rounded, and with them the polygons are not valid; without --exact they are made valid",
             ));
         }
+        remarks.extend(self.movement.map(|movement| movement.remark("polygon")));
+        let movement = self.movement.unwrap_or_default();
         PlanarBooleanAnswer {
             dimension: 2,
             measure: self.area(),
@@ -523,7 +541,15 @@ impl RegionBoolean {
             holes: self.hole_count(),
             measures: self.areas.clone(),
             pinches: self.pinches.len(),
-            rounding: PolygonRounding { exact: self.is_exact, valid: self.is_valid },
+            rounding: PolygonRounding {
+                exact: self.is_exact,
+                valid: self.is_valid,
+                rounds: movement.rounds,
+                bends: movement.bends,
+                moved: movement.moved,
+                largest_movement: movement.largest,
+                vanished: movement.vanished,
+            },
             snap_rounds: self.snap_rounds,
             arrangement: self.cell_counts,
             regions: self.drawing.region_names().into_iter().map(str::to_owned).collect(),
@@ -577,22 +603,23 @@ fn containment(drawing: &PlanarDrawing, overlay: &PlanarOverlay, rule: Option<In
     search.finish()
 }
 
-/// Whether rings drawn with these positions have all their vertices and edges, and together wind once around what is in them.
-fn is_drawn_well(outline: &Outline, positions: &Positions, edge_count: usize) -> Result<bool, Error> {
-    let overlay = PlanarOverlay::without_windings(
-        positions,
-        &outline.rings,
-        &vec![0; outline.rings.len()],
-        &PlanarOptions::default(),
-    )?;
-    let [vertices, edges, _] = overlay.f_vector();
-    let (mut winding, mut is_sound) = (0, [vertices, edges] == [positions.len(), edge_count]);
-    overlay.tour(|step| match step {
-        Step::Into { across, .. } => {
-            overlay.across(across, |_, by| winding += by);
-            is_sound &= winding == 0 || winding == 1;
-        }
-        Step::Back { across, .. } => overlay.across(across, |_, by| winding += by),
-    });
-    Ok(is_sound)
+/// The remark on rings that cross themselves.
+///
+/// # Errors
+/// `InvalidInput` naming the crossing if the request is strict and the drawing states no rule.
+fn crossings(
+    drawing: &PlanarDrawing,
+    overlay: &PlanarOverlay,
+    containment: &Containment,
+    is_strict: bool,
+) -> Result<Option<Remark>, Error> {
+    let crossings = crossed_rings(drawing, &containment.windings);
+    let places = |ring: u32| {
+        let points = overlay.meetings_of(ring, MOST_PLACES);
+        points.iter().map(|point| point.rounded()).collect::<Vec<[f64; 2]>>()
+    };
+    if is_strict {
+        refuse_crossings(drawing, &crossings, places)?;
+    }
+    Ok(crossing_remark(drawing, &crossings, places))
 }

@@ -58,8 +58,11 @@ impl<'a> Canonical<'a> {
         Self { found, outline, order, number_of, polygons, polygon_numbers }
     }
 
-    /// The edges by their vertices, the lower first, rising, each once; and for each what `source` makes of the sides along it, rising.
-    pub(super) fn edges(&self, source: impl Fn(usize) -> u32) -> (Vec<[u32; 2]>, RaggedArray) {
+    /// The edges by their vertices, the lower first, rising, each once; and for each the sources of the sides along it, rising.
+    pub(super) fn edges<I: IntoIterator<Item = u32>>(
+        &self,
+        sources_of_side: impl Fn(usize) -> I,
+    ) -> (Vec<[u32; 2]>, RaggedArray) {
         let mut keys: Vec<([u32; 2], u32)> = Vec::with_capacity(self.found.rings().item_count());
         for ring in self.found.rings().iter() {
             for (i, &from) in ring.iter().enumerate() {
@@ -77,7 +80,7 @@ impl<'a> Canonical<'a> {
             list.extend(
                 same.iter()
                     .flat_map(|&(_, edge)| self.found.sides_of_edge(EdgeId::from_u32(edge)))
-                    .map(&source),
+                    .flat_map(&sources_of_side),
             );
             list.sort_unstable();
             list.dedup();

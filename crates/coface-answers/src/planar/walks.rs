@@ -3,7 +3,9 @@
 use super::drawing::{Filling, NO_RING, PlanarDrawing};
 use coface_algebra::RaggedArray;
 use coface_algebra::{EdgeId, Error, VertexId};
-use coface_arrange::planar::{PlanarOptions, PlanarOverlay, SnappedArrangement, VertexSource};
+use coface_arrange::planar::{
+    PlanarArrangement, PlanarOptions, PlanarOverlay, SnappedArrangement, VertexSource,
+};
 use coface_geometry::Positions;
 use coface_geometry::predicates::orientation;
 use std::cmp::Ordering;
@@ -108,36 +110,45 @@ impl Snapped<'_> {
     /// Adds the vertices from the start of a halfsegment on to before its end. Those at which it goes straight on are left out.
     fn corners_along(&self, drawing: &PlanarDrawing, halfsegment: u32, corners: &mut Vec<u32>) {
         let segment = halfsegment as usize / 2;
-        let arrangement = self.arrangement.arrangement();
-        let place = |vertex: u32| {
-            let point = arrangement.positions().point(VertexId::from_u32(vertex));
-            [point[0], point[1]]
-        };
-        let edges = self.edges_of_segment.list(segment).iter();
-        let mut vertices: Vec<u32> =
-            edges.flat_map(|&edge| arrangement.ends(EdgeId::from_u32(edge)).map(VertexId::to_u32)).collect();
-        // Rounding never turns the order of coordinates around: pieces go the way of the segment on both axes, or stand still on one.
         let [from, to] = drawing.segments[segment].map(|vertex| drawing.place(vertex));
-        let along = |a: f64, b: f64, axis: usize| match from[axis].total_cmp(&to[axis]) {
-            Ordering::Greater => b.total_cmp(&a),
-            _ => a.total_cmp(&b),
+        let ends = if halfsegment % 2 == 1 { [to, from] } else { [from, to] };
+        corners_along(self.arrangement.arrangement(), self.edges_of_segment.list(segment), ends, corners);
+    }
+}
+
+/// Adds the vertices of edges that a segment was bent to, from its start on to before its end. Those at which it goes
+/// straight on are left out.
+pub(super) fn corners_along(
+    arrangement: &PlanarArrangement,
+    edges: &[u32],
+    [from, to]: [[f64; 2]; 2],
+    corners: &mut Vec<u32>,
+) {
+    let place = |vertex: u32| {
+        let point = arrangement.positions().point(VertexId::from_u32(vertex));
+        [point[0], point[1]]
+    };
+    let mut vertices: Vec<u32> = edges
+        .iter()
+        .flat_map(|&edge| arrangement.ends(EdgeId::from_u32(edge)).map(VertexId::to_u32))
+        .collect();
+    // Rounding never turns the order of coordinates around: pieces go the way of the segment on both axes, or stand still on one.
+    let along = |a: f64, b: f64, axis: usize| match from[axis].total_cmp(&to[axis]) {
+        Ordering::Greater => b.total_cmp(&a),
+        _ => a.total_cmp(&b),
+    };
+    vertices.sort_unstable_by(|&a, &b| {
+        let [p, q] = [a, b].map(place);
+        along(p[0], q[0], 0).then_with(|| along(p[1], q[1], 1)).then(a.cmp(&b))
+    });
+    vertices.dedup();
+    for i in 0..vertices.len().saturating_sub(1) {
+        let goes_straight = i > 0 && {
+            let [p, q, r] = [vertices[i - 1], vertices[i], vertices[i + 1]].map(place);
+            orientation(p, q, r).is_eq()
         };
-        vertices.sort_unstable_by(|&a, &b| {
-            let [p, q] = [a, b].map(place);
-            along(p[0], q[0], 0).then_with(|| along(p[1], q[1], 1)).then(a.cmp(&b))
-        });
-        vertices.dedup();
-        if halfsegment % 2 == 1 {
-            vertices.reverse();
-        }
-        for i in 0..vertices.len().saturating_sub(1) {
-            let goes_straight = i > 0 && {
-                let [p, q, r] = [vertices[i - 1], vertices[i], vertices[i + 1]].map(place);
-                orientation(p, q, r).is_eq()
-            };
-            if !goes_straight {
-                corners.push(vertices[i]);
-            }
+        if !goes_straight {
+            corners.push(vertices[i]);
         }
     }
 }

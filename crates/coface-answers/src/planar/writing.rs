@@ -85,7 +85,7 @@ impl DrawingArrangement {
                     None => self.properties_of_lone(lone[place - bridges.len()], &of_points),
                 },
             };
-            return write_drawing(&outline, positions, &loose, out, format, properties);
+            return write_drawing(&outline, positions, &loose, false, out, format, properties);
         }
         let model = mesh(&outline, &positions, &loose)?;
         io::write(&model, out, format)
@@ -133,7 +133,8 @@ impl DrawingArrangement {
 impl RegionBoolean {
     /// Writes the result in a format.
     ///
-    /// * GeoJSON, WKT, SVG: polygons with holes. A polygon of GeoJSON has the properties `polygon`, `area` and `regions` (the names of
+    /// * WKT: one `POLYGON` or `MULTIPOLYGON`; each polygon by itself where they have edges in common because walls are kept.
+    /// * GeoJSON, SVG: polygons with holes. A polygon of GeoJSON has the properties `polygon`, `area` and `regions` (the names of
     ///   those that contain some of it), and those of all features that contain some of it, but for these three. A
     ///   key with equal values keeps its value, one with different values has the list of them
     ///   ([`MergedProperties`](coface_io::geojson::MergedProperties)).
@@ -163,6 +164,10 @@ impl RegionBoolean {
             let lines = RaggedArray::from_lists(&self.edges);
             return io::write(&Model::from_lines(positions, lines)?, out, format);
         }
+        if format == Format::Wkt && self.outline.polygon_count() == 0 {
+            out.write_all(b"POLYGON EMPTY\n")?;
+            return Ok(());
+        }
         if is_drawing(format) {
             let names = self.drawing.region_names();
             let properties = |polygon: usize| {
@@ -171,7 +176,8 @@ impl RegionBoolean {
                 let own = PolygonProperties { polygon, area: self.polygon_areas()[polygon], regions };
                 with_own(&own, self.merged_of_polygon(FaceId::new(polygon))?)
             };
-            return write_drawing(&self.outline, positions, &[], out, format, properties);
+            let is_one = format == Format::Wkt && !self.keeps_walls;
+            return write_drawing(&self.outline, positions, &[], is_one, out, format, properties);
         }
         io::write(&mesh(&self.outline, &positions, &[])?, out, format)
     }
@@ -222,11 +228,13 @@ struct PolygonProperties<'a> {
     regions: Vec<&'a str>,
 }
 
-/// Polygons with holes, then loose edges, then vertices that nothing uses; with properties by their places.
+/// Polygons with holes, then loose edges, then vertices that nothing uses; with properties by their places. All may be one
+/// geometry.
 fn write_drawing(
     outline: &Outline,
     positions: Positions,
     loose: &[[u32; 2]],
+    is_one: bool,
     out: &mut dyn Write,
     format: Format,
     properties: impl Fn(usize) -> Result<String, Error>,
@@ -247,9 +255,13 @@ fn write_drawing(
         polygons.push(-1);
         rings.push(-1);
     }
-    let model = Model::from_lines(positions, lines)?
+    let line_count = lines.len();
+    let mut model = Model::from_lines(positions, lines)?
         .with_data(CellData::integers("polygon", GroupKind::Lines, 1, polygons)?)?
         .with_data(CellData::integers("ring", GroupKind::Lines, 1, rings)?)?;
+    if is_one {
+        model = model.with_data(CellData::integers("feature", GroupKind::Lines, 1, vec![0; line_count])?)?;
+    }
     if format == Format::GeoJson {
         return geojson::write_with_texts(&model, out, properties);
     }
@@ -280,7 +292,7 @@ fn mesh(outline: &Outline, positions: &Positions, loose: &[[u32; 2]]) -> Result<
             Error::invalid(format!(
                 "with rounded coordinates polygon {polygon} cannot be cut into triangles: {fault}"
             ))
-            .with_cure("use --snap, or write GeoJSON, WKT or SVG, which hold polygons with holes")
+            .with_cure("leave --exact out, or write GeoJSON, WKT or SVG, which hold polygons with holes")
         })?;
         for triangle in &triangles {
             polygons.push(triangle);

@@ -9,6 +9,7 @@ mod lar;
 mod planar_drawings;
 mod planar_files;
 mod planar_properties;
+mod planar_rounding;
 mod repairs;
 mod schema;
 mod shapes;

@@ -72,7 +72,7 @@ proptest! {
         let models: Vec<Model> = drawn.iter().map(model).collect();
         let formula = BooleanFormula::parse(formula, &[]).unwrap();
         let mut request = ArrangementRequest::default();
-        (request.rule, request.snap) = (Some(rule), snap);
+        (request.rule, request.snap, request.exact) = (Some(rule), snap, true);
         let arranged = DrawingArrangement::new(drawing(&models), &request).unwrap();
         let face_count = arranged.arrangement().face_count();
         let inside = |face: usize| arranged.regions_around(FaceId::new(face));
@@ -81,7 +81,7 @@ proptest! {
             .collect();
         let areas = arranged.arrangement().areas();
         let mut request = BooleanRequest::default();
-        (request.rule, request.snap) = (Some(rule), snap);
+        (request.rule, request.snap, request.exact) = (Some(rule), snap, true);
         let merged = RegionBoolean::new(drawing(&models), &formula, &request).unwrap();
         prop_assert!(is_near(merged.area(), selected.iter().map(|&face| areas[face]).sum()));
         request.keep_walls = true;

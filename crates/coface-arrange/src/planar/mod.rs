@@ -22,11 +22,13 @@ mod nesting;
 mod options;
 mod oriented_box;
 mod overlay;
+mod polygon_faults;
 mod pruning;
 mod regions;
 mod rounding;
 mod segment_tree;
 mod simple_rings;
+mod snap_rounding;
 mod tour;
 mod vertices;
 mod windings;
@@ -41,8 +43,11 @@ pub use gift_wrapped_faces::gift_wrapped_faces;
 pub use options::PlanarOptions;
 #[doc(hidden)]
 pub use overlay::RingCells;
+#[doc(hidden)]
+pub use overlay::turned_rings;
 pub use overlay::{ChainEdges, JordanFault, JordanRings, RingFault};
-pub use overlay::{PlanarOverlay, PlanarPolygons};
+pub use overlay::{PlanarOverlay, PlanarPolygons, are_valid_polygons};
+pub use polygon_faults::{PolygonFault, PolygonFaultKind, polygon_faults};
 pub use regions::PlanarRegions;
 pub use rounding::{RoundingCertificate, SnappedArrangement};
 #[doc(hidden)]

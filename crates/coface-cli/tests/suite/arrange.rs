@@ -273,10 +273,20 @@ fn what_cannot_be_arranged_is_refused() {
 fn rounding_that_changes_the_complex_is_said() {
     // Three lines that nearly meet in (1, 1) make a triangle that is too small for numbers of this size.
     let near = "0,0,2,2\n0,2,2,0\n0,1,4,1.0000000000000002\n";
-    let value = arranged(near, &[]);
+    let value = arranged(near, &["--exact"]);
     assert_eq!((&value["f_vector"], &value["rounding"]["valid"]), (&json!([9, 9, 1]), &json!(false)));
-    let run = coface_reading(&["arrange", "-"], near.as_bytes());
-    assert!(run.stderr.contains("--snap"), "{}", run.stderr);
+    let run = coface_reading(&["arrange", "-", "--exact"], near.as_bytes());
+    assert!(run.stderr.contains("without --exact"), "{}", run.stderr);
+    // By default it is made valid, and that is said.
+    let settled = arranged(near, &[]);
+    let rounding = &settled["rounding"];
+    assert_eq!((&settled["f_vector"], &rounding["valid"]), (&json!([7, 6, 0]), &json!(true)));
+    assert_eq!(
+        (&rounding["exact"], &rounding["moved"], &rounding["vanished"]),
+        (&json!(false), &json!(2), &json!(1))
+    );
+    assert_eq!(settled["remarks"][0]["code"], json!("features-joined"));
+    assert_eq!(settled["snap_rounds"], json!(null));
     let snapped = arranged(near, &["--snap"]);
     assert_eq!((&snapped["f_vector"], &snapped["rounding"]["exact"]), (&json!([7, 6, 0]), &json!(true)));
     assert_eq!(snapped["snap_rounds"], json!(1));

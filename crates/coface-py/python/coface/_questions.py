@@ -563,6 +563,8 @@ def arrange(
     inputs: str | None = None,
     prune: bool = False,
     snap: bool = False,
+    exact: bool = False,
+    grid: float | None = None,
     tolerance: float | None = None,
     max_cells: int | None = None,
     split: bool = True,
@@ -590,6 +592,11 @@ def arrange(
         In the plane, whether edges that hang on the rest by one end are left out.
     snap
         Whether coordinates are rounded so that the result stays as it is.
+    exact
+        In the plane, whether the exact result is kept where rounding its coordinates makes edges cross or overlap;
+        otherwise edges are cut and bent there by a few units of the last digit.
+    grid
+        In the plane, all coordinates are multiples of this length.
     tolerance
         In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
     max_cells
@@ -624,6 +631,8 @@ def arrange(
         inputs=inputs,
         prune=prune,
         snap=snap,
+        exact=exact,
+        grid=grid,
         tolerance=tolerance,
         max_cells=max_cells,
         split=split,
@@ -662,6 +671,8 @@ def boolean(
     inputs: str | None = None,
     keep_walls: bool = False,
     snap: bool = False,
+    exact: bool = False,
+    grid: float | None = None,
     tolerance: float | None = None,
     max_cells: int | None = None,
     split: bool = True,
@@ -692,7 +703,7 @@ def boolean(
         are models.
     keep_walls
         Whether what lies inside the result is kept.
-    snap, tolerance, max_cells, split, merge_coplanar
+    snap, exact, grid, tolerance, max_cells, split, merge_coplanar
         As for :func:`arrange`.
     triangles
         In space, whether faces are cut into triangles; if all inputs are triangles, if left out.
@@ -727,6 +738,8 @@ def boolean(
         inputs=inputs,
         keep_walls=keep_walls,
         snap=snap,
+        exact=exact,
+        grid=grid,
         tolerance=tolerance,
         max_cells=max_cells,
         split=split,

@@ -19,6 +19,7 @@ mod regions;
 mod ring_cells;
 mod ring_nesting;
 mod tracing;
+mod validity;
 
 #[doc(hidden)]
 pub use jordan_rings::JordanFault;
@@ -32,3 +33,6 @@ pub use ring_cells::ChainEdges;
 pub use ring_cells::RingCells;
 #[doc(hidden)]
 pub use ring_nesting::RingFault;
+pub use validity::are_valid_polygons;
+#[doc(hidden)]
+pub use validity::turned_rings;

@@ -50,7 +50,7 @@ pub struct PlanarOverlay {
     pub(super) chains: Chains,
     pub(super) cells: RingCells,
     /// The region of each ring.
-    regions: Vec<u32>,
+    pub(super) regions: Vec<u32>,
     /// The lexicographically lowest corner of each edge between its ends.
     pub(super) lowest_corners: Vec<u32>,
 }

@@ -86,6 +86,12 @@ pub(crate) struct CellOptions {
     /// Round coordinates and arrange again until all vertices are where their coordinates say
     #[arg(long)]
     pub(crate) snap: bool,
+    /// In the plane, put all vertices on the grid with this step, in the unit of the inputs: coordinates are multiples of R
+    #[arg(long, value_name = "R", allow_negative_numbers = true, value_parser = length)]
+    pub(crate) grid: Option<f64>,
+    /// In the plane, keep the exact cells, also where rounding their coordinates makes edges cross or overlap
+    #[arg(long, conflicts_with_all = ["snap", "grid"])]
+    pub(crate) exact: bool,
     /// In space, put planes, vertices, edges and faces together that are at most R apart, in the unit of the inputs
     #[arg(long, value_name = "R", allow_negative_numbers = true, value_parser = length)]
     pub(crate) tolerance: Option<f64>,
@@ -95,6 +101,18 @@ pub(crate) struct CellOptions {
 }
 
 impl CellOptions {
+    /// Refuses what is for drawings in the plane.
+    pub(crate) fn refuse_planar(&self) -> Result<(), Failure> {
+        let option = match (self.exact, self.grid) {
+            (true, _) => "--exact",
+            (_, Some(_)) => "--grid",
+            _ => return Ok(()),
+        };
+        Err(Failure::new(format!(
+            "{option} is for drawings in the plane, and the inputs lie in space: leave it out"
+        )))
+    }
+
     /// Refuses a tolerance for drawings in the plane.
     pub(crate) fn refuse_tolerance(&self) -> Result<(), Failure> {
         match self.tolerance {
@@ -169,7 +187,10 @@ impl Arrange {
         let models = read_all(&self.inputs, common, &progress)?;
         match dimension_of(&models, self.cells.dimension) {
             2 => planar::run(self, common, output, &models, progress),
-            _ => spatial::run(self, common, output, &models, progress),
+            _ => {
+                self.cells.refuse_planar()?;
+                spatial::run(self, common, output, &models, progress)
+            }
         }
     }
 }

@@ -34,6 +34,8 @@ pub(super) fn run(
     request.rule = verb.cells.rule.map(super::Rule::inside);
     request.prune = verb.prune;
     request.snap = verb.cells.snap;
+    request.grid = verb.cells.grid;
+    request.exact = verb.cells.exact;
     request.max_cells = verb.cells.max_cells;
     verb.cells.refuse_tolerance()?;
     let arranged = DrawingArrangement::new(drawing, &request)?;
@@ -86,6 +88,7 @@ fn page(answer: &PlanarArrangementAnswer) -> String {
     );
     let value = match (answer.rounding.exact, answer.rounding.valid) {
         (true, _) => "none",
+        (_, true) if answer.rounding.rounds > 0 => "made valid",
         (_, true) => "harmless",
         _ => "changes the complex",
     };

@@ -108,7 +108,10 @@ impl Boolean {
         let models = read_all(inputs, common, &progress)?;
         match dimension_of(&models, self.cells.dimension) {
             2 => planar::run(self, &task, common, output, &models, progress),
-            _ => spatial::run(self, &task, common, output, &models, progress),
+            _ => {
+                self.cells.refuse_planar()?;
+                spatial::run(self, &task, common, output, &models, progress)
+            }
         }
     }
 

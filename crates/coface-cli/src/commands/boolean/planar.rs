@@ -34,6 +34,8 @@ pub(super) fn run(
     request.rule = verb.cells.rule.map(Rule::inside);
     request.keep_walls = verb.keep_walls;
     request.snap = verb.cells.snap;
+    request.grid = verb.cells.grid;
+    request.exact = verb.cells.exact;
     request.max_cells = verb.cells.max_cells;
     verb.cells.refuse_tolerance()?;
     let result = RegionBoolean::new(drawing, &task.formula(region_count), &request)?;
@@ -82,6 +84,7 @@ fn page(answer: &PlanarBooleanAnswer) -> String {
     fact("boundary", manifold, "");
     let value = match (answer.rounding.exact, answer.rounding.valid) {
         (true, _) => "none",
+        (_, true) if answer.rounding.rounds > 0 => "made valid",
         (_, true) => "harmless",
         _ => "breaks polygons",
     };

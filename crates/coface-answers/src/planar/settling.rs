@@ -1,0 +1,107 @@
+//! Edges between rounded points, cut and bent until they meet in their ends only.
+
+use crate::answer::{Remark, RemarkCode};
+use crate::text;
+use coface_algebra::{EdgeId, Error, VertexId};
+use coface_arrange::planar::{PlanarArrangement, SnappedArrangement};
+use coface_geometry::Positions;
+
+/// Edges that were cut and bent, with how far.
+#[derive(Clone, Debug)]
+pub(super) struct Settled {
+    /// Its segments are the edges.
+    pub(super) snapped: SnappedArrangement,
+    pub(super) movement: Movement,
+}
+
+/// What moved to make rounded coordinates valid.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Movement {
+    /// How many times coordinates were rounded.
+    pub(super) rounds: usize,
+    /// The vertices that became one with others, or went to another place.
+    pub(super) moved: usize,
+    /// How often edges were given a vertex.
+    pub(super) bends: usize,
+    /// The longest way of a vertex, and of a point of an edge that was given a vertex.
+    pub(super) largest: f64,
+    /// The faces that are not there any more.
+    pub(super) vanished: usize,
+}
+
+impl Settled {
+    pub(super) fn new(positions: &Positions, edges: &[[u32; 2]]) -> Result<Self, Error> {
+        let drawn = PlanarArrangement::new(positions, edges)?;
+        let snapped = drawn.snapped()?;
+        let arrangement = snapped.arrangement();
+        let at = |positions: &Positions, vertex: VertexId| {
+            let point = positions.point(vertex);
+            [point[0], point[1]]
+        };
+        let mut movement = Movement { rounds: snapped.round_count() + 1, ..Movement::default() };
+        let mut is_taken = vec![false; arrangement.vertex_count()];
+        for vertex in 0..positions.len() {
+            let first = drawn.vertex_of_point(vertex).expect("nothing was pruned");
+            let place = snapped.place(first);
+            let [from, to] = [at(positions, VertexId::new(vertex)), at(arrangement.positions(), place)];
+            let way = (to[0] - from[0]).hypot(to[1] - from[1]);
+            let is_joined = std::mem::replace(&mut is_taken[place.index()], true);
+            movement.moved += usize::from(is_joined || way > 0.0);
+            movement.largest = movement.largest.max(way);
+        }
+        for (edge, pieces) in snapped.segments_of_edges().transposed(edges.len()).iter().enumerate() {
+            movement.bends += pieces.len().saturating_sub(1);
+            if pieces.len() > 1 {
+                let line = edges[edge].map(|end| at(positions, VertexId::from_u32(end)));
+                for &piece in pieces {
+                    for end in arrangement.ends(EdgeId::from_u32(piece)) {
+                        movement.largest =
+                            movement.largest.max(distance(at(arrangement.positions(), end), line));
+                    }
+                }
+            }
+        }
+        Ok(Self { snapped, movement })
+    }
+}
+
+impl Movement {
+    /// Says that something moved so that these stay valid.
+    pub(super) fn remark(&self, what: &str) -> Remark {
+        let mut parts = Vec::new();
+        if self.bends > 0 {
+            let verb = if self.bends == 1 { "was" } else { "were" };
+            parts.push(format!("edges {verb} given {}", text::count(self.bends, "vertex")));
+        }
+        if self.moved > 0 {
+            parts.push(format!("{} moved or became one with others", text::count(self.moved, "vertex")));
+        }
+        let way = match self.largest {
+            0.0 => "no point moved".to_owned(),
+            way => format!("points moved by at most {way:.1e}"),
+        };
+        if self.vanished > 0 {
+            parts.push(format!("{} thinner than that vanished", text::count(self.vanished, what)));
+        }
+        let how = if parts.is_empty() { "parts that touch were joined".to_owned() } else { parts.join(", ") };
+        let message =
+            format!("rounding the coordinates of {what}s would make edges cross or overlap, so {how}; {way}");
+        let count = self.bends + self.moved + self.vanished;
+        Remark::new(RemarkCode::FeaturesJoined, message).at(count.max(1), [])
+    }
+}
+
+/// The distance of a point from a segment.
+fn distance([x, y]: [f64; 2], [[ax, ay], [bx, by]]: [[f64; 2]; 2]) -> f64 {
+    let [dx, dy] = [bx - ax, by - ay];
+    let square = dx * dx + dy * dy;
+    if square == 0.0 {
+        return (x - ax).hypot(y - ay);
+    }
+    let part = (((x - ax) * dx + (y - ay) * dy) / square).clamp(0.0, 1.0);
+    if part == 0.0 || part == 1.0 {
+        let [ex, ey] = if part == 0.0 { [ax, ay] } else { [bx, by] };
+        return (x - ex).hypot(y - ey);
+    }
+    ((x - ax) * dy - (y - ay) * dx).abs() / square.sqrt()
+}
