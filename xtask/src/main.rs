@@ -7,6 +7,7 @@ mod api;
 mod fuzz;
 #[cfg(test)]
 mod house;
+mod ogc;
 mod packages;
 mod python;
 mod soak;
@@ -28,6 +29,7 @@ const USAGE: &str = "usage:
   cargo xtask answers --write DIR | --against DIR [--program PATH] [--only WORD] [--seconds N] [--jobs N]
                               runs every verb on every file; keeps the answers in DIR, or compares with those there
   cargo xtask wild DIR..      runs `coface info` on every file below the folders; counts what is read, and why the rest is refused
+  cargo xtask ogc DIR..       runs the XML test cases of JTS or GEOS below the folders: isValid and overlays of polygons
   cargo xtask soak [--minutes N]
                               asks the program and the Python package the same again and again; answers, files and memory must stay
   cargo xtask advisories [DIR]
@@ -51,6 +53,7 @@ fn main() -> ExitCode {
         Some("advisories") => advisories::advisories(&words[1..]),
         Some("soak") => soak::soak(&words[1..]),
         Some("wild") => wild::wild(&words[1..]),
+        Some("ogc") => ogc::ogc(&words[1..]),
         Some("api") => api::api(&words[1..]),
         Some("types") => typescript::types(&words[1..]),
         Some("fuzz") => fuzz::fuzz(&words[1..]),

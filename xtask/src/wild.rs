@@ -94,7 +94,7 @@ pub(crate) fn build() -> Option<PathBuf> {
 }
 
 /// Adds the regular files below a folder; links are not followed.
-fn add_files(folder: &Path, files: &mut Vec<PathBuf>) -> std::io::Result<()> {
+pub(crate) fn add_files(folder: &Path, files: &mut Vec<PathBuf>) -> std::io::Result<()> {
     for entry in std::fs::read_dir(folder)? {
         let entry = entry?;
         let kind = entry.file_type()?;

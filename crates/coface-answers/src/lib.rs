@@ -32,8 +32,9 @@ pub use cocycles::{
 };
 pub use congruence::{BlockRule, CongruenceRequest, ModelCongruence};
 pub use facts::{
-    Answer, BoundaryPart, DataSummary, GeometryCheck, GeometryFacts, GeometryUnchecked, GroupSummary, Kind,
-    Moment, Problem, ProblemKind, Report, ReportRequest, Skin, Witness, homology_of_volume,
+    Answer, BoundaryPart, DataSummary, DrawnFault, DrawnPlace, DrawnPolygons, GeometryCheck, GeometryFacts,
+    GeometryUnchecked, GroupSummary, Kind, Moment, Problem, ProblemKind, Report, ReportRequest, Skin,
+    Witness, homology_of_volume,
 };
 pub use groups::{FoundGroups, GivenWalks, GroupsRequest, ShortPaths, SurfaceLoops};
 pub use homology::{

@@ -1,7 +1,7 @@
 //! The report for people: aligned, at 80 columns, with a gloss for each word a newcomer may not know.
 
 use crate::facts::geometry_sentence;
-use crate::{Answer, GeometryFacts, Kind, Problem, ProblemKind, Report};
+use crate::{Answer, DrawnFault, DrawnPolygons, GeometryFacts, Kind, Problem, ProblemKind, Report};
 use anstyle::{AnsiColor, Style};
 use coface_algebra::escaped;
 use coface_arrange::spatial::checks::{Fault, FaultScope};
@@ -682,11 +682,14 @@ fn problems(page: &mut Page, report: &Report, limit: usize) {
         faults.iter().partition(|fault| fault.scope() == FaultScope::Surface);
     let said: Vec<&str> = report.problems().iter().map(Problem::message).collect();
     let of_geometry: Vec<String> = of_surface.iter().map(|fault| geometry_sentence(fault)).collect();
+    let drawn = report.drawn_polygons().map_or(&[][..], DrawnPolygons::faults);
+    let of_drawn: Vec<String> = drawn.iter().map(DrawnFault::sentence).collect();
     let remarks: Vec<&String> = (report.warnings().iter())
-        .filter(|warning| !said.contains(&warning.as_str()) && !of_geometry.contains(warning))
+        .filter(|warning| !said.contains(&warning.as_str()))
+        .filter(|warning| !of_geometry.contains(warning) && !of_drawn.contains(warning))
         .collect();
     page.blank();
-    let has_problems = !said.is_empty() || !remarks.is_empty() || !of_surface.is_empty();
+    let has_problems = !said.is_empty() || !remarks.is_empty() || !of_surface.is_empty() || !drawn.is_empty();
     if has_problems {
         page.heading("problems");
         for problem in report.problems() {
@@ -702,6 +705,20 @@ fn problems(page: &mut Page, report: &Report, limit: usize) {
         for (fault, sentence) in of_surface.iter().zip(&of_geometry) {
             bullet(page, BAD, sentence);
             fault_places(page, fault, limit);
+        }
+        for (fault, sentence) in drawn.iter().zip(&of_drawn) {
+            bullet(page, BAD, sentence);
+            // The sentence has the first place.
+            for place in fault.places.iter().take(limit).skip(1) {
+                let ring = |&(polygon, ring): &(usize, usize)| match ring {
+                    0 => format!("polygon {polygon}"),
+                    hole => format!("hole {hole} of polygon {polygon}"),
+                };
+                let rings: Vec<String> = place.rings.iter().map(ring).collect();
+                let [x, y] = place.point.map(number);
+                page.paragraph(6, PLAIN, &format!("{} at ({x}, {y})", rings.join(", ")));
+            }
+            more_of(page, 6, fault.places.len(), limit, "place");
         }
         for remark in remarks {
             bullet(page, ODD, remark);

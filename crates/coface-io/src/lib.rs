@@ -70,6 +70,7 @@ mod unpacking;
 mod values;
 pub mod volume;
 pub mod vtk;
+mod wkb;
 pub mod wkt;
 #[cfg(feature = "xml")]
 mod xml_text;

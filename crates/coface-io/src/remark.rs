@@ -228,6 +228,8 @@ pub enum RemarkCode {
     LooseCell,
     /// Faces in space cross, overlap, or are not as ISO 19107 asks; the message has its code.
     GeometryFault,
+    /// A polygon of a drawing is not valid as OGC's Simple feature access says.
+    InvalidPolygon,
     /// Cells of a chain complex are no balls: a face has several rims, or a cell voids or tunnels. The homology is that of the
     /// boundary matrices, not that of the space.
     CellsNotBalls,
@@ -258,7 +260,7 @@ pub enum RemarkCode {
     ReversedInput,
     /// Faces with holes or slits were written as triangles.
     FacesTriangulated,
-    /// Segments beside polygons bound nothing and were left out.
+    /// Segments beside polygons, or points, bound nothing and were left out.
     UnboundedSegments,
     /// A hole of a drawing is not inside of its outer ring; what is outside counts as empty.
     DrawingAssumption,

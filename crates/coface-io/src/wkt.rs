@@ -3,6 +3,7 @@
 //! A file holds geometries one after the other, on lines of their own or with `;` between them: `POINT`, `LINESTRING`,
 //! `LINEARRING`, `POLYGON`, `TRIANGLE`, the `MULTI` forms, `POLYHEDRALSURFACE`, `TIN` and `GEOMETRYCOLLECTION`, in any
 //! case, with `Z`, `M` or `ZM`, and `SRID=..;` in front. Heights are kept, measures and reference systems passed over.
+//! A geometry may also be well-known binary in hexadecimal digits, as databases give it.
 //!
 //! Rings of polygons become closed lines with the integers `polygon` and `ring`, as in [`geojson`](super::geojson), and with `feature`, the
 //! number of the geometry, where one has several polygons.
@@ -13,6 +14,7 @@ use super::drawing::{
     Drawing, Features, Place, Shape, closed, push_list, push_place, shapes, written_dimension,
 };
 use super::scanner::{Scanner, parse_f64, quoted};
+use super::wkb;
 use coface_algebra::{Error, ErrorKind};
 use std::io::{Read, Write};
 
@@ -81,6 +83,9 @@ fn axes_of(word: &[u8]) -> Option<Axes> {
 
 /// Whether a line begins as a geometry does.
 pub(super) fn is_geometry(line: &[u8]) -> bool {
+    if wkb::is_digits(line) {
+        return true;
+    }
     let upper = line[..line.len().min(64)].to_ascii_uppercase();
     if let Some(rest) = upper.strip_prefix(b"SRID=") {
         return rest.first().is_some_and(u8::is_ascii_digit);
@@ -128,7 +133,11 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
         }
         seen = true;
         reader.drawing.begin_feature(None);
-        reader.geometry(0)?;
+        if byte == b'0' {
+            wkb::read(&mut reader.scanner, &mut reader.drawing, reader.line)?;
+        } else {
+            reader.geometry(0)?;
+        }
     }
     if !seen {
         return Err(Error::parse("the file has no geometry").at_line(reader.line).with_cure(CURE));
@@ -516,6 +525,39 @@ mod tests {
         assert_eq!(measured.positions().dimension(), 2);
         assert_eq!(measured.remarks().len(), 1);
         assert_eq!(read(&b"POINT ZM (1 2 3 4)"[..]).unwrap().positions().as_flat(), [1., 2., 3.]);
+    }
+
+    #[test]
+    fn binary_in_digits_is_read() {
+        // Of both byte orders: POINT (1 2), and the polygon and the line below with the flags of EWKB and the numbers of ISO.
+        let point = "0101000000000000000000F03F0000000000000040\n00000000013ff00000000000004000000000000000";
+        let model = read(point.as_bytes()).unwrap();
+        assert_eq!(model.positions().as_flat(), [1.0, 2.0]);
+        assert!(is_geometry(point.lines().next().unwrap().as_bytes()) && !is_geometry(b"0101"));
+        let number = |x: f64| x.to_le_bytes().iter().map(|byte| format!("{byte:02x}")).collect::<String>();
+        let ring = [0., 0., 5., 1., 0., 6., 0., 1., 7., 0., 0., 5.].map(number).concat();
+        let with_srid = format!("01030000a0e61000000100000004000000{ring}");
+        let of_iso = format!("01eb0300000100000004000000{ring}");
+        let text = read(&b"POLYGON Z ((0 0 5, 1 0 6, 0 1 7, 0 0 5))"[..]).unwrap();
+        for binary in [&with_srid, &of_iso] {
+            assert_eq!(read(binary.as_bytes()).unwrap(), text);
+        }
+        let two = format!("{with_srid}\nLINESTRING (0 0, 1 1)\n{of_iso}");
+        assert_eq!(read(two.as_bytes()).unwrap().lines().len(), 3);
+        let multi = "010600000002000000010300000001000000040000000000";
+        for (binary, message) in [
+            (&with_srid[..40], "ends too early"),
+            (multi, "ends too early"),
+            ("010a00000000000000", "curved sides"),
+            ("016300000000000000", "99 is no kind"),
+            ("0201000000000000000", "2 is no byte order"),
+            ("0101000000zz0000000000000000000000000000", "hexadecimal"),
+            ("0101000000000000000000f07f0000000000000040", "finite"),
+        ] {
+            let error = read(binary.as_bytes()).unwrap_err();
+            assert!(error.to_string().contains(message) && error.cure().is_some(), "{binary}: {error}");
+        }
+        assert!(read(&b"0101000000000000000000F87F000000000000F87F"[..]).unwrap().points().is_empty());
     }
 
     #[test]

@@ -401,6 +401,42 @@ export interface DrawingInput {
   segments: number;
 }
 
+/** One kind of fault of polygons of a drawing. */
+export interface DrawnFaultAnswer {
+  /** In how many places it is. */
+  count: number;
+  /** One sentence that says where it is first, and what it means. */
+  message: string;
+  /** The word for it, such as `ring_crosses_itself`. */
+  name: string;
+  /** The first places. */
+  places: DrawnPlaceAnswer[];
+  /** What other programs call it, such as `Self-intersection`; several words can have one. */
+  reason: string;
+}
+
+/** Where a polygon of a drawing is not valid. */
+export interface DrawnPlaceAnswer {
+  /** A point of the place, rounded. */
+  point: [number, number];
+  /** The rings that have the fault, one or two, as pairs: a polygon of the drawing, and a ring of it, 0 for the outer one. */
+  rings: [number, number][];
+}
+
+/** Whether the polygons with rings of a drawing are valid: those of one geometry together, as OGC's Simple feature access says. */
+export interface DrawnPolygonsAnswer {
+  /** The number of polygons. */
+  count: number;
+  /** What is wrong. */
+  faults: DrawnFaultAnswer[];
+  /** The first fault with its place in the words of other programs, such as `Self-intersection[1 1]`; `null` if there is none. */
+  reason?: string | null;
+  /** The outer rings that run clockwise and the holes that run counterclockwise: RFC 7946 has them the other way. */
+  reversed_rings: number;
+  /** Whether all geometries are valid. */
+  valid: boolean;
+}
+
 /** The weights of edges in the energy of harmonic forms. */
 export type EdgeWeights = "cotangent" | "uniform";
 
@@ -730,6 +766,8 @@ export interface InfoAnswer {
   name?: string | null;
   /** Whether the top cells can be oriented so that neighbors agree; `null` where one of their facets lies in three. */
   orientable?: boolean | null;
+  /** Whether the polygons with rings of a drawing are valid; `null` for what has none, and where they were not checked. */
+  polygons?: DrawnPolygonsAnswer | null;
   /** What is wrong, and where. */
   problems: ProblemAnswer[];
   /** Whether every cell is a face of a cell of the highest degree; `null` for a chain complex. */
@@ -1131,26 +1169,46 @@ export interface PlanarBooleanAnswer {
 
 /** What rounding the coordinates of crossings does to an arrangement in the plane. */
 export interface PlanarRounding {
+  /** How often an edge was given a vertex for that. */
+  bends?: number;
   /** The number of edges that cross others when they are drawn with rounded coordinates. */
   broken_edges: number;
   /** Whether no coordinate was rounded. */
   exact: boolean;
+  /** The longest way that a point of an edge went for that, in the unit of the inputs. */
+  largest_movement?: number;
   /** The number of vertices that have the rounded position of another one. */
   merged_vertices: number;
+  /** The vertices that became one with others, or went to another place than the nearest, for that. */
+  moved?: number;
   /** The number of components that lie in another face. */
   moved_components: number;
+  /** How many times the complex was rounded and cut again because rounding would change it. */
+  rounds?: number;
   /** The number of vertices around which the order of the edges changes. */
   turned_vertices: number;
   /** Whether the drawing with rounded coordinates is the same complex. */
   valid: boolean;
+  /** The number of faces or polygons that are not there any more, because they were thinner. */
+  vanished?: number;
 }
 
 /** What rounding the coordinates of crossings does to polygons. */
 export interface PolygonRounding {
+  /** How often an edge was given a vertex for that. */
+  bends?: number;
   /** Whether no coordinate was rounded. */
   exact: boolean;
-  /** Whether the polygons are sound with rounded coordinates. */
+  /** The longest way that a point of the boundary went for that, in the unit of the inputs. */
+  largest_movement?: number;
+  /** The vertices that became one with others, or went to another place than the nearest, for that. */
+  moved?: number;
+  /** How many times the polygons were rounded and cut again because rounding broke them. */
+  rounds?: number;
+  /** Whether the polygons are valid with rounded coordinates, as one multipolygon of OGC's Simple feature access. */
   valid: boolean;
+  /** The number of faces or polygons that are not there any more, because they were thinner. */
+  vanished?: number;
 }
 
 /** One sort of fault with its places. */
@@ -1219,7 +1277,7 @@ export interface Remark {
 }
 
 /** What sort of remark a [`Remark`] is. The word in the JSON is the name in kebab case: `isolated-vertex`. */
-export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "features-joined" | "thin-cells" | "data-left-out" | "merged-within-block" | "topology-repaired" | "decision-uncertified" | "model-repaired" | "not-drawn" | "earlier-run-ignored" | "input-refused";
+export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "invalid-polygon" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "features-joined" | "thin-cells" | "data-left-out" | "merged-within-block" | "topology-repaired" | "decision-uncertified" | "model-repaired" | "not-drawn" | "earlier-run-ignored" | "input-refused";
 
 /** A still picture. */
 export interface RenderAnswer {
@@ -1280,6 +1338,8 @@ export interface RowAnswer {
   name?: string | null;
   /** Whether the top cells can be oriented so that neighbors agree; `null` where one of their facets lies in three. */
   orientable?: boolean | null;
+  /** Whether the polygons with rings of a drawing are valid; `null` for what has none, and where they were not checked. */
+  polygons?: DrawnPolygonsAnswer | null;
   /** What is wrong, and where. */
   problems: ProblemAnswer[];
   /** Whether every cell is a face of a cell of the highest degree; `null` for a chain complex. */

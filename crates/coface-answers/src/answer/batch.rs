@@ -1,8 +1,8 @@
 //! What `batch` answers: how many rows were written, and what each of them says.
 
 use super::{
-    BoundarySurface, CellsOfShape, DataAnswer, GeometryAnswer, HomologyGroup, InfoAnswer, ManifoldAnswer,
-    MassAnswer, MomentAnswer, NamedGroup, ProblemAnswer, Remark, SurfaceAnswer,
+    BoundarySurface, CellsOfShape, DataAnswer, DrawnPolygonsAnswer, GeometryAnswer, HomologyGroup,
+    InfoAnswer, ManifoldAnswer, MassAnswer, MomentAnswer, NamedGroup, ProblemAnswer, Remark, SurfaceAnswer,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -109,6 +109,9 @@ pub struct RowAnswer {
     /// Whether the faces are sound in space; `null` for what has no faces with coordinates.
     #[serde(default)]
     pub geometry: Option<GeometryAnswer>,
+    /// Whether the polygons with rings of a drawing are valid; `null` for what has none, and where they were not checked.
+    #[serde(default)]
+    pub polygons: Option<DrawnPolygonsAnswer>,
     /// What was odd, one sentence each: the reader's remarks, then the first sentence of each problem.
     pub warnings: Vec<String>,
 }
@@ -156,6 +159,7 @@ impl RowAnswer {
             problems,
             geometry,
             warnings,
+            polygons,
             remarks: _,
         } = answer;
         Self {
@@ -186,6 +190,7 @@ impl RowAnswer {
             groups,
             problems,
             geometry,
+            polygons,
             warnings,
         }
     }

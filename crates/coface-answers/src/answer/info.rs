@@ -1,7 +1,7 @@
 //! The answer of `info`: the report on a model.
 
 use super::{HomologyGroup, Remark};
-use crate::{GeometryFacts, Problem, Report};
+use crate::{DrawnFault, DrawnPlace, DrawnPolygons, GeometryFacts, Problem, Report};
 use coface_arrange::spatial::checks::{Fault, FaultPlace, GeometryFaults};
 use coface_complexes::surface::{SurfaceComponent, SurfaceType};
 use schemars::JsonSchema;
@@ -69,6 +69,9 @@ pub struct InfoAnswer {
     /// Whether the faces are sound in space; `null` for what has no faces with coordinates.
     #[serde(default)]
     pub geometry: Option<GeometryAnswer>,
+    /// Whether the polygons with rings of a drawing are valid; `null` for what has none, and where they were not checked.
+    #[serde(default)]
+    pub polygons: Option<DrawnPolygonsAnswer>,
     /// What was odd, one sentence each: the reader's remarks, then the first sentence of each problem.
     pub warnings: Vec<String>,
     /// The warnings with their codes, counts and first places.
@@ -303,6 +306,72 @@ impl GeometryAnswer {
     }
 }
 
+/// Whether the polygons with rings of a drawing are valid: those of one geometry together, as OGC's Simple feature access says.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct DrawnPolygonsAnswer {
+    /// The number of polygons.
+    pub count: usize,
+    /// Whether all geometries are valid.
+    pub valid: bool,
+    /// The first fault with its place in the words of other programs, such as `Self-intersection[1 1]`; `null` if there is none.
+    pub reason: Option<String>,
+    /// What is wrong.
+    pub faults: Vec<DrawnFaultAnswer>,
+    /// The outer rings that run clockwise and the holes that run counterclockwise: RFC 7946 has them the other way.
+    pub reversed_rings: usize,
+}
+
+/// One kind of fault of polygons of a drawing.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct DrawnFaultAnswer {
+    /// The word for it, such as `ring_crosses_itself`.
+    pub name: String,
+    /// What other programs call it, such as `Self-intersection`; several words can have one.
+    pub reason: String,
+    /// In how many places it is.
+    pub count: usize,
+    /// One sentence that says where it is first, and what it means.
+    pub message: String,
+    /// The first places.
+    pub places: Vec<DrawnPlaceAnswer>,
+}
+
+/// Where a polygon of a drawing is not valid.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct DrawnPlaceAnswer {
+    /// A point of the place, rounded.
+    pub point: [f64; 2],
+    /// The rings that have the fault, one or two, as pairs: a polygon of the drawing, and a ring of it, 0 for the outer one.
+    pub rings: Vec<(usize, usize)>,
+}
+
+impl DrawnPolygonsAnswer {
+    fn of(found: &DrawnPolygons, limit: usize) -> Self {
+        let reason = |fault: &DrawnFault| {
+            let [x, y] = fault.places.first()?.point;
+            Some(format!("{}[{x} {y}]", fault.kind.reason()))
+        };
+        let place = |place: &DrawnPlace| DrawnPlaceAnswer { point: place.point, rings: place.rings.clone() };
+        let fault = |fault: &DrawnFault| DrawnFaultAnswer {
+            name: fault.kind.name().to_owned(),
+            reason: fault.kind.reason().to_owned(),
+            count: fault.places.len(),
+            message: fault.sentence(),
+            places: fault.places.iter().take(limit).map(place).collect(),
+        };
+        Self {
+            count: found.polygon_count(),
+            valid: found.faults().is_empty(),
+            reason: found.faults().first().and_then(reason),
+            faults: found.faults().iter().map(fault).collect(),
+            reversed_rings: found.reversed_rings(),
+        }
+    }
+}
+
 /// The reports on several inputs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct InfoReports {
@@ -431,6 +500,7 @@ impl Report {
                 .collect(),
             problems: self.problems.iter().map(|problem| ProblemAnswer::of(problem, limit)).collect(),
             geometry: self.geometry.as_ref().map(|facts| GeometryAnswer::of(facts, limit)),
+            polygons: self.drawn.as_ref().map(|found| DrawnPolygonsAnswer::of(found, limit)),
             warnings: self.warnings.clone(),
             remarks: self.remarks.clone(),
         }

@@ -63,9 +63,9 @@ pub use convert::{
 };
 pub use generate::GenerateAnswer;
 pub use info::{
-    BoundarySurface, CellsOfShape, DataAnswer, FailedInput, GeometryAnswer, GeometryFaultAnswer,
-    GeometryPlace, InfoAnswer, InfoEntry, InfoReports, ManifoldAnswer, MassAnswer, MomentAnswer, NamedGroup,
-    ProblemAnswer, SurfaceAnswer, WitnessAnswer,
+    BoundarySurface, CellsOfShape, DataAnswer, DrawnFaultAnswer, DrawnPlaceAnswer, DrawnPolygonsAnswer,
+    FailedInput, GeometryAnswer, GeometryFaultAnswer, GeometryPlace, InfoAnswer, InfoEntry, InfoReports,
+    ManifoldAnswer, MassAnswer, MomentAnswer, NamedGroup, ProblemAnswer, SurfaceAnswer, WitnessAnswer,
 };
 pub use loops::{
     CyclesAnswer, HomotopicAnswer, HomotopicComponent, LoopsAnswer, LoopsComponent, SubgroupsAnswer,

@@ -1,5 +1,6 @@
 //! From a model to its report.
 
+use super::drawn::DrawnPolygons;
 use super::geometry::{GeometryCheck, GeometryFacts, GeometryRequest, GeometryUnchecked};
 use super::moments::{Moment, check_exponents};
 use super::report::{DataSummary, GroupSummary, Kind, Report};
@@ -194,6 +195,7 @@ impl Report {
         let exponents = &request.moments[..];
         check_exponents(exponents)?;
         let kind = kind_of(&model);
+        let drawn = DrawnPolygons::of(&model, request.geometry.check)?;
         let mut model = model.into_parts();
         let mut remarks = std::mem::take(&mut model.remarks);
         let data = std::mem::take(&mut model.data).iter().map(DataSummary::of).collect();
@@ -228,6 +230,10 @@ impl Report {
             remarks.extend(geometry.remarks());
             report.geometry = Some(geometry.with_corrections(&remarks));
         }
+        if let Some(drawn) = &drawn {
+            remarks.extend(drawn.remarks());
+        }
+        report.drawn = drawn;
         report.warnings = remarks.iter().map(|remark| remark.message.clone()).collect();
         report.remarks = remarks;
         (report.data, report.groups) = (data, groups);

@@ -1,6 +1,7 @@
 //! The report on a model: what `coface info` says, as data.
 //!
 //! * [`GeometryFacts`] are the faults of faces in space; [`GeometryCheck`] says which surfaces are looked at.
+//! * [`DrawnPolygons`] are the faults of polygons with rings of a drawing in the plane.
 //! * A [`Report`] is what [`Report::of`] finds out about a model. A [`Problem`] is one sort of fault in it, with all its
 //!   places; a [`Witness`] shows why a model is no manifold; a [`Moment`] is an integral over it.
 //! * The **top cells** are those of the highest degree: the faces of a surface, the cells of a volume. A **ridge** is a
@@ -10,6 +11,7 @@
 
 mod cells;
 mod chains;
+mod drawn;
 mod examination;
 mod geometry;
 mod gluings;
@@ -21,6 +23,7 @@ mod report;
 mod simplicial;
 mod volume;
 
+pub use drawn::{DrawnFault, DrawnPlace, DrawnPolygons};
 pub use examination::ReportRequest;
 pub(crate) use geometry::sentence as geometry_sentence;
 pub use geometry::{GeometryCheck, GeometryFacts, GeometryUnchecked};

@@ -1,6 +1,6 @@
 //! The report as data.
 
-use super::{GeometryFacts, Moment, Problem};
+use super::{DrawnPolygons, GeometryFacts, Moment, Problem};
 use crate::answer::Remark;
 use coface_complexes::surface::{SurfaceComponent, SurfaceType};
 use coface_geometry::MassProperties;
@@ -474,6 +474,7 @@ pub struct Report {
     pub(crate) permutations: Vec<[String; 3]>,
     pub(crate) problems: Vec<Problem>,
     pub(crate) geometry: Option<GeometryFacts>,
+    pub(crate) drawn: Option<DrawnPolygons>,
     pub(crate) warnings: Vec<String>,
     pub(crate) remarks: Vec<Remark>,
 }
@@ -509,6 +510,7 @@ impl Report {
             permutations: Vec::new(),
             problems: Vec::new(),
             geometry: None,
+            drawn: None,
             warnings: Vec::new(),
             remarks: Vec::new(),
         }
@@ -898,6 +900,19 @@ impl Report {
     /// ```
     pub fn geometry(&self) -> Option<&GeometryFacts> {
         self.geometry.as_ref()
+    }
+
+    /// What is wrong with the polygons with rings of a drawing; `None` for what has none, and where they were not checked.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = coface_io::read(&b"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// assert!(coface_answers::Report::of(square)?.drawn_polygons().is_some_and(|found| found.faults().is_empty()));
+    /// # Ok(()) }
+    /// ```
+    pub fn drawn_polygons(&self) -> Option<&DrawnPolygons> {
+        self.drawn.as_ref()
     }
 
     /// What was odd, one sentence each: the reader's remarks, then the first sentence of each problem.

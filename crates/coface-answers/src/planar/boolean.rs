@@ -517,6 +517,11 @@ impl RegionBoolean {
                 .at(count, []),
             ),
         }
+        if self.drawing.point_count > 0 {
+            let count = self.drawing.point_count;
+            let message = format!("{} left out: a point bounds nothing", text::count(count, "point"));
+            remarks.push(Remark::new(RemarkCode::UnboundedSegments, message).at(count, []));
+        }
         remarks.extend(self.remarks.iter().cloned());
         if !self.is_valid {
             remarks.push(Remark::new(

@@ -43,6 +43,8 @@ pub struct PlanarDrawing {
     pub(super) polygons: Vec<Polygon>,
     pub(super) regions: Vec<Region>,
     pub(super) features: DrawnFeatures,
+    /// The number of points of their own.
+    pub(super) point_count: usize,
     /// Those of the models.
     pub(super) remarks: Vec<Remark>,
 }
@@ -163,6 +165,7 @@ impl PlanarDrawing {
         }
         self.names.push(name.to_owned());
         self.remarks.extend(remarks_of_file(name, model));
+        self.point_count += model.points().len();
         self.vertex_starts.push(first + model.vertex_count() as u32);
         for point in model.positions().as_flat().chunks_exact(model.positions().dimension().max(1)) {
             flat.extend_from_slice(&point[..2]);

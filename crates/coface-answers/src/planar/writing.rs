@@ -133,7 +133,7 @@ impl DrawingArrangement {
 impl RegionBoolean {
     /// Writes the result in a format.
     ///
-    /// * WKT: one `POLYGON` or `MULTIPOLYGON`; each polygon by itself where they have edges in common because walls are kept.
+    /// * WKT: one `POLYGON` or `MULTIPOLYGON`; each polygon by itself where edges between selected faces are kept.
     /// * GeoJSON, SVG: polygons with holes. A polygon of GeoJSON has the properties `polygon`, `area` and `regions` (the names of
     ///   those that contain some of it), and those of all features that contain some of it, but for these three. A
     ///   key with equal values keeps its value, one with different values has the list of them

@@ -167,7 +167,7 @@ proptest! {
             prop_assert_eq!(as_it_is.is_valid_when_rounded(), !has_faults(&as_it_is));
             let valid = combined(&pair, formula, &BooleanRequest::default());
             prop_assert!(valid.is_valid_when_rounded() && !has_faults(&valid));
-            let size = valid.positions().as_flat().iter().fold(1.0f64, |most, x| most.max(x.abs()));
+            let size = as_it_is.positions().as_flat().iter().fold(1.0f64, |most, x| most.max(x.abs()));
             prop_assert!((valid.area() - as_it_is.area()).abs() <= 1000.0 * size * f64::EPSILON);
             if valid.answer().rounding.rounds == 0 {
                 prop_assert_eq!(written(&valid), written(&as_it_is));

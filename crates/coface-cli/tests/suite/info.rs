@@ -1,7 +1,7 @@
 //! `coface info`: what it says of parts and of small models.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
-use crate::program::coface;
+use crate::program::{coface, coface_reading};
 use serde_json::json;
 
 /// The parts of a file are named where there are several, and the permutations of few halfedges are shown in cycles.
@@ -95,4 +95,57 @@ fn points_from_the_origin_are_no_empty_mesh() {
     let named = format!("{unnamed}.xyz");
     std::fs::write(&named, points).unwrap();
     assert_eq!(coface(&["info", "--json", &named]).json()["f_vector"], json!([3]));
+}
+
+/// Every fault of a polygon of a drawing is said, with its place and the words of other programs.
+#[test]
+fn polygons_of_drawings_are_checked() {
+    let info = |text: &str| coface_reading(&["info", "-", "--json"], text.as_bytes()).json();
+    let valid = info("POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 1 2, 2 1, 1 1))");
+    assert_eq!(
+        valid["polygons"],
+        json!({"count": 1, "valid": true, "reason": null, "faults": [], "reversed_rings": 0})
+    );
+    assert_eq!(valid["remarks"], json!([]));
+    for (text, name, reason, place) in [
+        (
+            "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))",
+            "ring_crosses_itself",
+            "Self-intersection[1 1]",
+            json!([[0, 0]]),
+        ),
+        (
+            "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (0 1, 0 2, 2 1, 0 1))",
+            "rings_overlap",
+            "Self-intersection[0 1]",
+            json!([[0, 0], [0, 1]]),
+        ),
+        (
+            "MULTIPOLYGON (((0 0, 9 0, 9 9, 0 9, 0 0)), ((2 2, 3 2, 3 3, 2 2)))",
+            "polygons_nested",
+            "Nested shells[2 2]",
+            json!([[1, 0], [0, 0]]),
+        ),
+        (
+            "POLYGON ((0 0, 1 1, 0 0, 1 1, 0 0))",
+            "too_few_points",
+            "Too few points in geometry component[0 0]",
+            json!([[0, 0]]),
+        ),
+    ] {
+        let found = info(text);
+        let fault = &found["polygons"]["faults"][0];
+        assert_eq!((&fault["name"], &found["polygons"]["reason"]), (&json!(name), &json!(reason)), "{text}");
+        assert_eq!(fault["places"][0]["rings"], place, "{text}");
+        assert_eq!(found["polygons"]["valid"], json!(false));
+        assert_eq!(found["remarks"][0]["code"], json!("invalid-polygon"));
+        assert_eq!(found["remarks"][0]["message"], fault["message"]);
+        let page = coface_reading(&["info", "-"], text.as_bytes()).stdout;
+        assert!(!page.contains("No problems"), "{page}");
+    }
+    // Polygons of several geometries may overlap: they are not one.
+    let two = info("POLYGON ((0 0, 2 0, 2 2, 0 0))\nPOLYGON ((1 0, 3 0, 3 2, 1 0))");
+    assert_eq!((&two["polygons"]["valid"], &two["polygons"]["count"]), (&json!(true), &json!(2)));
+    let reversed = info("POLYGON ((0 0, 0 1, 1 1, 0 0))");
+    assert_eq!(reversed["polygons"]["reversed_rings"], json!(1));
 }

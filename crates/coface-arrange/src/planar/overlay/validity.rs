@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 /// `rings` run through their vertices and back to the first, in any direction; `polygons` have the numbers of their rings,
 /// the outer one first. Valid polygons have simple rings; the holes of each are inside of its
 /// outer ring, not inside of each other; the inside of each is connected; two polygons touch in points at most, and two
-/// rings of one polygon as well. With `walls` polygons may have edges in common.
+/// rings of one polygon as well. With `shares_edges` polygons may have edges in common.
 ///
 /// # Errors
 /// As [`PlanarOverlay::new`].
@@ -46,7 +46,7 @@ pub fn are_valid_polygons(
     positions: &Positions,
     rings: &RaggedArray,
     polygons: &RaggedArray,
-    walls: bool,
+    shares_edges: bool,
 ) -> Result<bool, Error> {
     let mut polygon_of_ring = vec![0; rings.len()];
     for (polygon, own) in (0..).zip(polygons.iter()) {
@@ -62,7 +62,7 @@ pub fn are_valid_polygons(
     let overlay = PlanarOverlay::without_windings(positions, &directed, &polygon_of_ring, &options)?;
     Ok(overlay.rings.numbers.len() == rings.len()
         && overlay.crossings.is_empty()
-        && overlay.has_simple_edges(walls)
+        && overlay.has_simple_edges(shares_edges)
         && overlay.winds_once(polygons.len())
         && overlay.touches_apart(&polygon_of_ring))
 }
@@ -100,12 +100,12 @@ fn turn(mut corners: Vec<[f64; 2]>) -> Ordering {
 }
 
 impl PlanarOverlay {
-    /// Whether no edge has two sides along it; `walls` allows those of two regions.
-    fn has_simple_edges(&self, walls: bool) -> bool {
+    /// Whether no edge has two sides along it; `shares_edges` allows those of two regions.
+    fn has_simple_edges(&self, shares_edges: bool) -> bool {
         let region = |chain: u32| self.regions[self.chains.ring_of(&self.rings, chain) as usize];
         self.cells.edges.chains.iter().all(|chains| match *chains {
             [_] => true,
-            [a, b] => walls && region(a) != region(b),
+            [a, b] => shares_edges && region(a) != region(b),
             _ => false,
         })
     }
