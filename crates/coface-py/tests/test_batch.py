@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import os
+import pickle
 from pathlib import Path
 
 import numpy as np
@@ -33,10 +34,27 @@ def test_rows_are_reports(models: Path) -> None:
     report = coface.read(models / "torus.off").report().to_dict()
     # Rows name the file themselves, have one value a column, and no remarks.
     keys = report.keys() - {"file", "remarks"}
-    assert {key: torus[key] for key in keys} == {key: report[key] for key in keys}
+    assert {key: torus.report[key] for key in keys} == {key: report[key] for key in keys}
     assert (klein["name"], klein["error"], klein["bytes"]) == ("Klein bottle", None, (models / "klein.obj").stat().st_size)
     assert torus["seconds"] >= 0
     assert "seconds" not in coface.batch(str(models / "*.obj"), timings=False)[0]
+
+
+def test_rows_are_flat(models: Path) -> None:
+    rows = coface.batch(models, timings=False)
+    values = [value for row in rows for value in row.values()]
+    assert all(value is None or isinstance(value, (str, int, float, bool)) for value in values)
+    assert [row.get("betti_1") for row in rows] == [None, 1, 2]
+    assert [row["error_kind"] for row in rows] == ["parse", None, None]
+    # The whole report is found too.
+    assert rows[2]["f_vector"] == rows[2].report["f_vector"] and rows[0]["error"]["kind"] == "parse"
+    with pytest.raises(KeyError):
+        rows[2]["no such key"]
+    assert pickle.loads(pickle.dumps(rows[2])).report == rows[2].report
+    assert coface.batch(models, timings=False, flat=False) == [row.report for row in rows]
+    pandas = pytest.importorskip("pandas")
+    table = pandas.DataFrame(rows)
+    assert list(table["betti_1"])[1:] == [1, 2] and "homology" not in table
 
 
 def test_tables_are_the_same_for_any_number_of_jobs(models: Path, tmp_path: Path) -> None:
@@ -49,7 +67,7 @@ def test_tables_are_the_same_for_any_number_of_jobs(models: Path, tmp_path: Path
     assert [(row["name"], row["betti_1"], row["torsion_1"]) for row in rows[1:]] == [("Klein bottle", "1", "2"), ("torus", "2", "")]
     coface.batch(models, tmp_path / "rows.jsonl", timings=False)
     lines = [json.loads(line) for line in (tmp_path / "rows.jsonl").read_text().splitlines()]
-    assert lines == coface.batch(models, timings=False)
+    assert lines == coface.batch(models, timings=False, flat=False)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["models", "one.csv", "rows.jsonl", "two.csv"]
 
 

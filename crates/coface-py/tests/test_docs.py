@@ -6,6 +6,8 @@ import doctest
 import importlib
 import inspect
 import pkgutil
+import re
+from pathlib import Path
 
 import pytest
 
@@ -83,3 +85,36 @@ def test_signatures_are_told() -> None:
             except (TypeError, ValueError):
                 missing.append(where)
     assert missing == []
+
+
+PAGE = Path(__file__).resolve().parents[3] / "docs" / "python.md"
+
+
+def test_the_page_of_names_has_names_that_exist() -> None:
+    text = PAGE.read_text(encoding="utf-8")
+    right = [row.split("|")[2] for row in text.splitlines() if row.startswith("| ") and "---" not in row]
+    calls = re.findall(r"`([^`]*)`", " ".join(right) + text.partition("## In all")[0])
+    seen = 0
+    for call in calls:
+        for path in re.findall(r"\bcoface\.([A-Za-z][\w.]*)", call):
+            thing: object = coface
+            for name in path.split("."):
+                if name == "interop":
+                    importlib.import_module("coface.interop.trimesh")
+                assert hasattr(thing, name), call
+                thing = getattr(thing, name)
+            seen += 1
+    assert seen > 50
+    for name in re.findall(r"`?\bmodel\.([a-z_]+)", " ".join(right)):
+        assert hasattr(coface.Model, name), name
+    for name in re.findall(r"report\(\)\.([a-z_]+)", " ".join(right)):
+        assert hasattr(coface.Report, name), name
+
+
+def test_the_example_of_the_page_of_names_runs(tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    block = PAGE.read_text(encoding="utf-8").partition("```python\n")[2].partition("```")[0]
+    names: dict[str, object] = {}
+    exec(block, names)
+    assert repr(names["found"]) == "Homology(Z, Z^2, Z)" and (tmp_path / "torus.html").is_file()
+    assert getattr(names["loop"], "order") is None and len(getattr(names["loop"], "loop")) > 3

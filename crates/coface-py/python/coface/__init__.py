@@ -73,7 +73,7 @@ from coface._coface import (
     matrix_svg,
     read,
 )
-from coface._batch import BatchSummary, batch
+from coface._batch import BatchRow, BatchSummary, batch
 from coface._chains import (
     classes,
     cup_products,
@@ -134,11 +134,13 @@ from coface._doors import (  # isort: skip
     to_shapely,
     to_trimesh,
 )
+from coface.interop.skimage import from_labels
 from coface._plot import plot
 from coface._plot import plot_method as _plot_method
 
 __all__ = [
     "AssumptionWarning",
+    "BatchRow",
     "BatchSummary",
     "BoundaryOfBoundaryError",
     "CellEdge",
@@ -210,6 +212,7 @@ __all__ = [
     "families",
     "from_gudhi",
     "from_ifcopenshell",
+    "from_labels",
     "from_meshio",
     "from_networkx",
     "from_open3d",

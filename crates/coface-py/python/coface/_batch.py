@@ -8,10 +8,11 @@ import sys
 import tempfile
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import Any, TypedDict, overload
+from typing import Any, Literal, TypedDict, overload
 
 from coface import _coface
 from coface._coface import InvalidInputError
+from coface._faults import in_words
 from coface._volumes import voxel_rule
 
 _Path = str | os.PathLike[str]
@@ -32,11 +33,65 @@ class BatchSummary(TypedDict):
     resumed: int
 
 
+class BatchRow(dict[str, Any]):
+    """A row of a batch with one value a column, as tables have it; the keys of the whole report are found too.
+
+    ``pandas.DataFrame(rows)`` makes a table of rows. ``row["error"]``, ``row["f_vector"]`` and the other keys that are lists or dictionaries are
+    not columns, and are looked up in :attr:`report`.
+
+    Examples
+    --------
+    >>> import coface
+    >>> row = coface.BatchRow({"path": "a.off", "betti_1": 2}, {"path": "a.off", "f_vector": [7, 21, 14]})
+    >>> row["betti_1"], row["f_vector"], list(row)
+    (2, [7, 21, 14], ['path', 'betti_1'])
+    """
+
+    def __init__(self, columns: Mapping[str, Any], report: dict[str, Any]) -> None:
+        super().__init__(columns)
+        #: Everything that ``coface info --json`` says, with lists and dictionaries in it.
+        self.report = report
+
+    def __missing__(self, key: str) -> Any:
+        return self.report[key]
+
+    def __reduce__(self) -> tuple[type[BatchRow], tuple[dict[str, Any], dict[str, Any]]]:
+        return BatchRow, (dict(self), self.report)
+
+
+def row_of(line: str, flat: bool, timings: bool) -> dict[str, Any]:
+    """A row from its line of JSON."""
+    report: dict[str, Any] = json.loads(line)
+    return BatchRow(dict(json.loads(_coface._flat_line(line, timings))), report) if flat else report
+
+
 @overload
 def batch(
     paths: _Path | Iterable[_Path],
     out: None = None,
     *,
+    flat: Literal[True] = ...,
+    recursive: bool = ...,
+    jobs: int | None = ...,
+    timeout: float | None = ...,
+    memory: int | None = ...,
+    format: str | None = ...,
+    flatten: float | None = ...,
+    strict: bool = ...,
+    partial: bool = ...,
+    allow_outside: bool = ...,
+    voxels: Mapping[str, Any] | None = ...,
+    all_places: bool = ...,
+    timings: bool = ...,
+    restart: bool = ...,
+    progress: _Progress = ...,
+) -> list[BatchRow]: ...
+@overload
+def batch(
+    paths: _Path | Iterable[_Path],
+    out: None = None,
+    *,
+    flat: bool,
     recursive: bool = ...,
     jobs: int | None = ...,
     timeout: float | None = ...,
@@ -57,6 +112,7 @@ def batch(
     paths: _Path | Iterable[_Path],
     out: _Path,
     *,
+    flat: bool = ...,
     recursive: bool = ...,
     jobs: int | None = ...,
     timeout: float | None = ...,
@@ -72,10 +128,12 @@ def batch(
     restart: bool = ...,
     progress: _Progress = ...,
 ) -> BatchSummary: ...
+@in_words
 def batch(
     paths: _Path | Iterable[_Path],
     out: _Path | None = None,
     *,
+    flat: bool = True,
     recursive: bool = False,
     jobs: int | None = None,
     timeout: float | None = 60.0,
@@ -90,12 +148,13 @@ def batch(
     timings: bool = True,
     restart: bool = False,
     progress: _Progress = False,
-) -> list[dict[str, Any]] | BatchSummary:
+) -> list[BatchRow] | list[dict[str, Any]] | BatchSummary:
     """Report on many files: one row a file, errors as rows; of a file of several models a row for each.
 
     Files are read by worker processes, so one that crashes, never ends or needs too much memory costs its row alone. A row is a
-    dictionary: ``path``, ``bytes`` (``None`` of a URL), ``seconds``, ``error`` (``None``, or ``kind``, ``message`` and ``cure``), and everything that
-    ``coface info --json`` says.
+    dictionary with one value a column: ``path``, ``bytes`` (``None`` of a URL), ``seconds``, ``error_kind`` and ``error_message``, ``betti_1`` and so
+    on, so that ``pandas.DataFrame(rows)`` is a table. ``row["error"]`` (``None``, or ``kind``, ``message`` and ``cure``) and everything else that
+    ``coface info --json`` says is found in it too.
 
     Parameters
     ----------
@@ -105,6 +164,8 @@ def batch(
     out
         A file to write the rows to instead: ``.jsonl``, ``.csv`` or ``.parquet`` (by pyarrow). It appears whole at the end; a call that was cut
         short goes on where it was. Tables have one value a column, as those of ``coface batch``.
+    flat
+        Whether rows have one value a column; they are the reports with their lists and dictionaries otherwise.
     recursive
         Whether files of folders in folders are taken too.
     jobs
@@ -126,8 +187,8 @@ def batch(
 
     Returns
     -------
-    list of dict, or BatchSummary
-        The rows, in the order of the paths; with `out` the numbers of files, errors and rows from an earlier call.
+    list of BatchRow, list of dict, or BatchSummary
+        The rows, in the order of the paths; dictionaries with ``flat=False``; with `out` the numbers of files, errors and rows from an earlier call.
 
     Examples
     --------
@@ -145,7 +206,7 @@ def batch(
     )  # fmt: skip
     files = find_files(paths, recursive)
     if out is None:
-        return [json.loads(line) for line in _coface._batch_lines(files, options, progress)]
+        return [row_of(line, flat, timings) for line in _coface._batch_lines(files, options, progress)]
     target = Path(out)
     # Not the rows of an earlier run, in a folder of the files.
     files = [file for file in files if Path(file.split("#")[0]).resolve() != target.resolve()]

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     import numpy as np
     from scipy.sparse import csc_array
 
+    from coface._types import CupTable, CycleClass, Exactness, ExactSequence, GroupMap, IntersectionForm
+
 
 @in_words
 def laplacian(x: Any, degree: int, *, progress: Any = False) -> csc_array:
@@ -48,7 +50,7 @@ def laplacian(x: Any, degree: int, *, progress: Any = False) -> csc_array:
 
 
 @in_words
-def classes(x: Any, cycles: Iterable[Any], *, degree: int | None = None, progress: Any = False) -> list[dict[str, Any]]:
+def classes(x: Any, cycles: Iterable[Any], *, degree: int | None = None, progress: Any = False) -> list[CycleClass]:
     """The classes of cycles in integral homology, and whether they bound.
 
     Parameters
@@ -149,7 +151,7 @@ def decompose(
 @in_words
 def cup_products(
     x: Any, p: int, q: int, coefficients: str | int = "z", *, progress: Any = False
-) -> dict[str, Any]:
+) -> CupTable:
     """Cup products of a basis of cohomology in degree p with one in degree q, in a basis of degree p + q.
 
     Parameters
@@ -182,7 +184,7 @@ def cup_products(
 
 
 @in_words
-def intersection_form(x: Any, *, progress: Any = False) -> dict[str, Any]:
+def intersection_form(x: Any, *, progress: Any = False) -> IntersectionForm:
     """The intersection form of a closed oriented manifold of even dimension.
 
     Parameters
@@ -208,7 +210,7 @@ def intersection_form(x: Any, *, progress: Any = False) -> dict[str, Any]:
 
 
 @in_words
-def long_exact_sequence(x: Any, part: Any = "boundary", *, progress: Any = False) -> dict[str, Any]:
+def long_exact_sequence(x: Any, part: Any = "boundary", *, progress: Any = False) -> ExactSequence:
     """The long exact sequence of a pair, checked to be exact.
 
     Parameters
@@ -241,7 +243,7 @@ def long_exact_sequence(x: Any, part: Any = "boundary", *, progress: Any = False
 @in_words
 def induced_map(
     source: Any, target: Any, vertices: Mapping[int, int] | Iterable[tuple[int, int]], *, progress: Any = False
-) -> list[dict[str, Any]]:
+) -> list[GroupMap]:
     """The maps on integral homology that a simplicial map induces.
 
     Parameters
@@ -273,7 +275,7 @@ def induced_map(
 
 
 @in_words
-def is_exact(x: Any, values: ArrayLike, *, tolerance: float | None = None, progress: Any = False) -> dict[str, Any]:
+def is_exact(x: Any, values: ArrayLike, *, tolerance: float | None = None, progress: Any = False) -> Exactness:
     """Whether a cochain of degree 1 is closed, and whether it is exact.
 
     Parameters

@@ -1,3 +1,4 @@
+# Signatures and types by hand, docstrings by `python stubs.py --write`: with them it is longer than other files.
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, TypeAlias, final
@@ -5,16 +6,60 @@ from typing import Any, TypeAlias, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from scipy.sparse import csc_array, csr_array
+
 from coface._buildings import CellGraph
+from coface._types import (
+    CellCounts,
+    ComparedWalk,
+    CupTable,
+    CycleClass,
+    Exactness,
+    ExactSequence,
+    GroupMap,
+    IntersectionForm,
+    Json,
+    ManifoldFacts,
+    Problem,
+    Remark,
+    SetComparison,
+    SurfacePart,
+    Witness,
+)
 
 # What `progress` may be: whether a bar is shown, or a function that is called with (stage, done, total).
 _Progress: TypeAlias = bool | Callable[[str, int, int], object] | None
 # Lists of ids: an array of shape (m, k) where all have one length, else (flat, offsets).
-_Lists: TypeAlias = NDArray[Any] | tuple[NDArray[Any], NDArray[Any]]
+_Ids: TypeAlias = NDArray[np.int32] | NDArray[np.int64]
+_Lists: TypeAlias = _Ids | tuple[_Ids, NDArray[np.int64]]
 
 __version__: str
 
 class Error(Exception):
+    """A fault in data or in a request: it names the place, the fault and the cure.
+
+    Parameters
+    ----------
+    message
+        What is wrong.
+
+    Attributes
+    ----------
+    kind : str
+        What sort of fault it is: the name of the class without ``Error``.
+    message : str
+        The fault alone, without place and cure.
+    cure : str or None
+        What to do about it.
+    cells : list of list of int
+        The cells it is about, each by the numbers of its vertices.
+    file : str or None
+        The file it is in.
+    line : int or None
+        The line, from 1.
+    byte : int or None
+        The byte, from 0.
+    """
     message: str
     cure: str | None
     cells: list[list[int]]
@@ -33,7 +78,9 @@ class Error(Exception):
         byte: int | None = None,
     ) -> None: ...
     @property
-    def kind(self) -> str: ...
+    def kind(self) -> str:
+        """What sort of fault it is."""
+        ...
     def __reduce__(self) -> tuple[Any, ...]: ...
 
 class FileError(Error, OSError): ...
@@ -56,25 +103,61 @@ class AssumptionWarning(UserWarning): ...
 
 @final
 class Chain:
+    """An integral chain or cochain: cells with coefficients.
+
+    Made by :meth:`ChainComplex.chain` and by questions whose answers are chains.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     @property
-    def degree(self) -> int: ...
+    def degree(self) -> int:
+        """The degree of its cells."""
+        ...
     @property
-    def is_cochain(self) -> bool: ...
+    def is_cochain(self) -> bool:
+        """Whether it is a cochain."""
+        ...
     @property
-    def coefficients(self) -> NDArray[Any]: ...
+    def coefficients(self) -> NDArray[np.int64] | NDArray[np.object_]:
+        """The coefficients: ``int64``, objects where one is larger."""
+        ...
     @property
-    def cells(self) -> NDArray[np.int64]: ...
+    def cells(self) -> NDArray[np.int64]:
+        """The cells with a coefficient, rising, by their numbers in the complex."""
+        ...
     @property
-    def simplices(self) -> _Lists: ...
-    def as_vector(self) -> Any: ...
-    def terms(self) -> list[tuple[int, list[int]]]: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def simplices(self) -> _Lists:
+        """The vertices of those cells: an array of shape (m, k + 1), or ``(flat, offsets)`` where cells have different numbers of vertices.
+
+        The order of the vertices is the orientation that the coefficient is for. Cells that are not named by vertices have their own
+        number instead.
+        """
+        ...
+    def as_vector(self) -> csc_array:
+        """All coefficients as a column: one row for each cell of the degree.
+
+        Returns
+        -------
+        scipy.sparse.csc_array
+            Shape (cells, 1), ``int64``.
+        """
+        ...
+    def terms(self) -> list[tuple[int, list[int]]]:
+        """The chain as ``(coefficient, vertices)``, cell by cell."""
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """The chain as a dictionary: ``degree``, ``cochain``, ``cell_count``, ``cells`` and ``chain``, pairs of a coefficient and vertices."""
+        ...
     @staticmethod
-    def from_dict(chain: Mapping[str, Any]) -> Chain: ...
+    def from_dict(chain: Mapping[str, Any]) -> Chain:
+        """The chain that :meth:`to_dict` wrote."""
+        ...
     @property
-    def model(self) -> Model | None: ...
+    def model(self) -> Model | None:
+        """The model on whose cells it is; ``None`` where cells are numbers only."""
+        ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __len__(self) -> int: ...
     def __eq__(self, other: object, /) -> bool: ...
@@ -83,40 +166,157 @@ class Chain:
 
 @final
 class ChainComplex:
+    """A chain complex: for each degree a number of cells, and their boundaries as sparse integer matrices.
+
+    Made by :meth:`Model.chain_complex`, :meth:`Complex.chain_complex` or from matrices. That the boundary of a boundary is zero is
+    checked when it is made.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     @staticmethod
-    def from_boundaries(boundaries: Sequence[Any]) -> ChainComplex: ...
+    def from_boundaries(boundaries: Sequence[Any]) -> ChainComplex:
+        """A chain complex from its boundary matrices.
+
+        Parameters
+        ----------
+        boundaries : sequence of sparse arrays or array_like
+            The matrices of degrees 1, 2, ...: column j is the boundary of cell j.
+
+        Returns
+        -------
+        ChainComplex
+            Its cells are named by their numbers.
+
+        Raises
+        ------
+        BoundaryOfBoundaryError
+            If the product of two of them is not zero.
+        ShapeError
+            If they do not fit together.
+        """
+        ...
     @staticmethod
-    def of_points(count: int) -> ChainComplex: ...
+    def of_points(count: int) -> ChainComplex:
+        """So many points and nothing else."""
+        ...
     @property
-    def f_vector(self) -> tuple[int, ...]: ...
+    def f_vector(self) -> tuple[int, ...]:
+        """The numbers of cells of the degrees 0, 1, ..."""
+        ...
     @property
-    def dimension(self) -> int | None: ...
+    def dimension(self) -> int | None:
+        """The highest degree with cells; ``None`` of the empty complex."""
+        ...
     @property
-    def euler_characteristic(self) -> int: ...
-    def cell_count(self, degree: int) -> int: ...
-    def boundary(self, degree: int) -> Any: ...
-    def coboundary(self, degree: int) -> Any: ...
-    def simplices(self, degree: int) -> _Lists: ...
-    def homology(self, coefficients: str | int = ..., *, generators: bool = False, progress: _Progress = ...) -> Homology: ...
-    def cohomology(self, coefficients: str | int = ..., *, generators: bool = False, progress: _Progress = ...) -> Homology: ...
-    def chain(self, terms: Any, degree: int | None = None) -> Chain: ...
-    def cochain(self, terms: Any, degree: int | None = None) -> Chain: ...
-    def boundary_of(self, chain: Any, degree: int | None = None) -> Chain: ...
-    def coboundary_of(self, cochain: Any, degree: int | None = None) -> Chain: ...
-    def product(self, other: ChainComplex) -> ChainComplex: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def euler_characteristic(self) -> int:
+        """The alternating sum of the numbers of cells."""
+        ...
+    def cell_count(self, degree: int) -> int:
+        """The number of cells of a degree."""
+        ...
+    def boundary(self, degree: int) -> csc_array:
+        """The boundary matrix from degree k to k - 1, on the memory of the complex: column j is the boundary of cell j.
+
+        Parameters
+        ----------
+        degree : int
+            The degree k, at least 1; 0 of a reduced complex.
+
+        Returns
+        -------
+        scipy.sparse.csc_array
+            ``int32`` entries and indices, which cannot be written to: arithmetic on them makes new arrays.
+        """
+        ...
+    def coboundary(self, degree: int) -> csc_array:
+        """The coboundary matrix from degree k to k + 1: the transpose of the boundary matrix of degree k + 1."""
+        ...
+    def simplices(self, degree: int) -> _Lists:
+        """The vertices of the cells of a degree: an array of shape (m, k + 1), or ``(flat, offsets)``."""
+        ...
+    def homology(self, coefficients: str | int = ..., *, generators: bool = False, progress: _Progress = ...) -> Homology:
+        """Homology.
+
+        Parameters
+        ----------
+        coefficients : str or int
+            ``"z"``, ``"q"``, ``"f2"``, ``"z/4"``, or a modulus.
+        generators : bool
+            Whether short cycles that generate the groups are wanted.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        Homology
+            A group for each degree.
+        """
+        ...
+    def cohomology(self, coefficients: str | int = ..., *, generators: bool = False, progress: _Progress = ...) -> Homology:
+        """Cohomology; parameters as those of :meth:`homology`."""
+        ...
+    def chain(self, terms: Any, degree: int | None = None) -> Chain:
+        """A chain.
+
+        Parameters
+        ----------
+        terms : sequence of (int, cell), or vector
+            Coefficients and cells, a cell being its vertices in the order of its orientation, or its number; or one number for each cell.
+        degree : int, optional
+            The degree, where cells are numbers.
+
+        Returns
+        -------
+        Chain
+            The chain.
+        """
+        ...
+    def cochain(self, terms: Any, degree: int | None = None) -> Chain:
+        """A cochain; parameters as those of :meth:`chain`."""
+        ...
+    def boundary_of(self, chain: Any, degree: int | None = None) -> Chain:
+        """The boundary of a chain."""
+        ...
+    def coboundary_of(self, cochain: Any, degree: int | None = None) -> Chain:
+        """The coboundary of a cochain."""
+        ...
+    def product(self, other: ChainComplex) -> ChainComplex:
+        """The product of two chain complexes.
+
+        Parameters
+        ----------
+        other : ChainComplex
+            The second factor.
+
+        Returns
+        -------
+        ChainComplex
+            Cells are pairs of cells; the boundary is that of Leibniz.
+        """
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """This as a dictionary of JSON: ``recipe`` says how it is made again by ``from_dict``."""
+        ...
     @classmethod
-    def from_dict(cls, facts: Mapping[str, Any]) -> ChainComplex: ...
+    def from_dict(cls, facts: Mapping[str, Any]) -> ChainComplex:
+        """The answer that ``to_dict()`` wrote."""
+        ...
     @property
-    def source(self) -> Model | None: ...
+    def source(self) -> Model | None:
+        """The model that it was made of, whose vertices name its cells; ``None`` where cells are numbers only."""
+        ...
     def __mul__(self, other: ChainComplex, /) -> ChainComplex: ...
     def __rmul__(self, other: ChainComplex, /) -> ChainComplex: ...
-    def direct_sum(self, other: ChainComplex) -> ChainComplex: ...
+    def direct_sum(self, other: ChainComplex) -> ChainComplex:
+        """Both complexes side by side; also ``+``."""
+        ...
     def __add__(self, other: ChainComplex, /) -> ChainComplex: ...
     def __radd__(self, other: ChainComplex, /) -> ChainComplex: ...
-    def model(self) -> Model: ...
+    def model(self) -> Model:
+        """The complex as a model, for files."""
+        ...
     def __len__(self) -> int: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -125,33 +325,65 @@ class ChainComplex:
 
 @final
 class Cocycles:
+    """A basis of the first cohomology of a surface, dual to loops.
+
+    Made by :meth:`Surface.cocycles`.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     @property
-    def rank(self) -> int: ...
+    def rank(self) -> int:
+        """The rank of the first cohomology over the integers."""
+        ...
     @property
-    def method(self) -> str: ...
+    def method(self) -> str:
+        """How cocycles were found."""
+        ...
     @property
-    def pairing(self) -> list[list[int]]: ...
+    def pairing(self) -> list[list[int]]:
+        """The value of cocycle i on loop j."""
+        ...
     @property
-    def determinant(self) -> int | None: ...
+    def determinant(self) -> int | None:
+        """Its determinant."""
+        ...
     @property
-    def loops(self) -> list[list[int]]: ...
+    def loops(self) -> list[list[int]]:
+        """The loops, each a list of vertices, the first one again at the end."""
+        ...
     @property
-    def intersection(self) -> Any: ...
+    def intersection(self) -> list[list[int]] | None:
+        """How often loops cross each other, with signs, on closed oriented surfaces."""
+        ...
     @property
-    def weights(self) -> str | None: ...
+    def weights(self) -> str | None:
+        """The weights of harmonic forms: ``cotangent`` or ``uniform``."""
+        ...
     @property
-    def closed_residuals(self) -> Any: ...
+    def closed_residuals(self) -> list[float] | None:
+        """The largest sum of each harmonic form around a face."""
+        ...
     @property
-    def coclosed_residuals(self) -> Any: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def coclosed_residuals(self) -> list[float] | None:
+        """The largest weighted sum of each harmonic form at a vertex."""
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """The answer as a dictionary, in the words of the program's JSON, and how it was made: ``recipe``, which ``from_dict`` reads."""
+        ...
     @property
-    def cocycles(self) -> list[Chain]: ...
+    def cocycles(self) -> list[Chain]:
+        """The cocycles, integral cochains of degree 1."""
+        ...
     @property
-    def harmonic(self) -> NDArray[np.float64] | None: ...
+    def harmonic(self) -> NDArray[np.float64] | None:
+        """The harmonic forms, if they were asked for: ``float64``, shape (rank, edges)."""
+        ...
     @classmethod
-    def from_dict(cls, facts: Mapping[str, Any]) -> Cocycles: ...
+    def from_dict(cls, facts: Mapping[str, Any]) -> Cocycles:
+        """The answer that ``to_dict()`` wrote."""
+        ...
     def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __eq__(self, other: object, /) -> bool: ...
@@ -160,63 +392,279 @@ class Cocycles:
 
 @final
 class Complex:
+    """A simplicial complex: simplices by their vertices, closed under faces, of any dimension.
+
+    Vertices are any ids; simplices are listed in lexicographic order. Complexes do not change; what edits gives a new one.
+
+    Parameters
+    ----------
+    facets : array_like of int, optional
+        Simplices that make it up with their faces: an array of shape (m, k), a list of lists, or ``(flat, offsets)``.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     def __new__(cls, facets: Any = None, *, progress: _Progress = ...) -> Complex: ...
     @property
-    def f_vector(self) -> tuple[int, ...]: ...
+    def f_vector(self) -> tuple[int, ...]:
+        """The numbers of simplices of the dimensions 0, 1, ..."""
+        ...
     @property
-    def dimension(self) -> int | None: ...
+    def dimension(self) -> int | None:
+        """The highest dimension; ``None`` of the empty complex."""
+        ...
     @property
-    def euler_characteristic(self) -> int: ...
+    def euler_characteristic(self) -> int:
+        """The alternating sum of the numbers of simplices."""
+        ...
     @property
-    def vertices(self) -> NDArray[np.int64]: ...
-    def simplices(self, dimension: int) -> _Lists: ...
-    def facets(self) -> list[NDArray[np.int64]]: ...
-    def index(self, simplex: ArrayLike) -> int | None: ...
-    def star(self, of: Any) -> Simplices: ...
-    def closed_star(self, of: Any) -> Complex: ...
-    def closure(self, of: Any) -> Complex: ...
-    def link(self, of: Any) -> Complex: ...
-    def boundary_complex(self, of: Any = None) -> Complex: ...
-    def interior(self, of: Any = None) -> Simplices: ...
-    def skeleton(self, k: int) -> Complex: ...
-    def induced(self, vertices: ArrayLike) -> Complex: ...
-    def union(self, other: Complex) -> Complex: ...
-    def intersection(self, other: Complex) -> Complex: ...
-    def difference(self, other: Any) -> Simplices: ...
-    def is_subcomplex(self, of: Complex) -> bool: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def vertices(self) -> NDArray[np.int64]:
+        """The vertices, rising: ``int64``."""
+        ...
+    def simplices(self, dimension: int) -> _Lists:
+        """The simplices of a dimension, in lexicographic order.
+
+        Parameters
+        ----------
+        dimension : int
+            The dimension k.
+
+        Returns
+        -------
+        numpy.ndarray
+            ``int64``, shape (m, k + 1); row i is cell i of the chain complex.
+        """
+        ...
+    def facets(self) -> list[NDArray[np.int64]]:
+        """The simplices that are no faces of others, as a list of arrays by dimension.
+
+        Returns
+        -------
+        list of numpy.ndarray
+            Those of dimension k at place k, shape (m, k + 1).
+        """
+        ...
+    def index(self, simplex: ArrayLike) -> int | None:
+        """The place of a simplex among those of its dimension; ``None`` if it is not there."""
+        ...
+    def star(self, of: Any) -> Simplices:
+        """The simplices that have one of these as a face.
+
+        Parameters
+        ----------
+        of : array_like of int
+            One simplex, ``[0, 1]``, or several, ``[[0, 1], [3]]``.
+
+        Returns
+        -------
+        Simplices
+            The star; it need not be closed.
+
+        Raises
+        ------
+        NotInComplexError
+            If one is not there; ``.cells`` has it.
+        """
+        ...
+    def closed_star(self, of: Any) -> Complex:
+        """The simplices of the star with all their faces."""
+        ...
+    def closure(self, of: Any) -> Complex:
+        """The simplices with all their faces: the smallest complex that holds them."""
+        ...
+    def link(self, of: Any) -> Complex:
+        """The closure of the star without the star of the closure.
+
+        Parameters
+        ----------
+        of : array_like of int
+            One simplex or several.
+
+        Returns
+        -------
+        Complex
+            The link; of a vertex of a closed surface a cycle.
+        """
+        ...
+    def boundary_complex(self, of: Any = None) -> Complex:
+        """The complex of the facets that lie in just one simplex of the highest dimension.
+
+        Parameters
+        ----------
+        of : array_like of int, optional
+            A pure subcomplex instead of the whole.
+
+        Returns
+        -------
+        Complex
+            The boundary.
+
+        Raises
+        ------
+        NotPureError
+            If the simplices are not those of a pure complex.
+        """
+        ...
+    def interior(self, of: Any = None) -> Simplices:
+        """The simplices that are not in the boundary."""
+        ...
+    def skeleton(self, k: int) -> Complex:
+        """The simplices of dimension ``k`` and lower."""
+        ...
+    def induced(self, vertices: ArrayLike) -> Complex:
+        """The simplices all of whose vertices are among these."""
+        ...
+    def union(self, other: Complex) -> Complex:
+        """The simplices of both complexes; also ``|``."""
+        ...
+    def intersection(self, other: Complex) -> Complex:
+        """The simplices that both complexes have; also ``&``."""
+        ...
+    def difference(self, other: Any) -> Simplices:
+        """The simplices of this complex that the other does not have; also ``-``. They need not be a complex."""
+        ...
+    def is_subcomplex(self, of: Complex) -> bool:
+        """Whether every simplex is in the other complex; also ``<=``."""
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """This as a dictionary of JSON: ``recipe`` says how it is made again by ``from_dict``."""
+        ...
     @classmethod
-    def from_dict(cls, facts: Mapping[str, Any]) -> Complex: ...
+    def from_dict(cls, facts: Mapping[str, Any]) -> Complex:
+        """The answer that ``to_dict()`` wrote."""
+        ...
     def __or__(self, other: Complex, /) -> Complex: ...
     def __ror__(self, other: Complex, /) -> Complex: ...
     def __and__(self, other: Complex, /) -> Complex: ...
     def __rand__(self, other: Complex, /) -> Complex: ...
     def __sub__(self, other: Any, /) -> Simplices: ...
     def __rsub__(self, other: Any, /) -> Simplices: ...
-    def components(self) -> list[NDArray[np.int64]]: ...
-    def strong_components(self) -> list[Any]: ...
-    def is_pure(self) -> Verdict: ...
-    def is_manifold(self, *, progress: _Progress = ...) -> Verdict: ...
-    def is_orientable(self, *, progress: _Progress = ...) -> Verdict: ...
-    def orientation(self, *, progress: _Progress = ...) -> NDArray[np.int64] | None: ...
-    def disjoint_union(self, other: Complex) -> Complex: ...
-    def wedge(self, at: int, other: Complex, other_at: int) -> Complex: ...
-    def join(self, other: Complex) -> Complex: ...
-    def cone(self) -> tuple[Complex, int]: ...
-    def suspension(self) -> tuple[Complex, list[int]]: ...
-    def connected_sum(self, facet: ArrayLike, other: Complex, other_facet: ArrayLike) -> Complex: ...
-    def barycentric_subdivision(self) -> tuple[Complex, list[list[int]]]: ...
-    def product(self, other: Complex) -> tuple[Complex, Any]: ...
+    def components(self) -> list[NDArray[np.int64]]:
+        """The vertex sets of the connected components."""
+        ...
+    def strong_components(self) -> list[NDArray[np.int64]]:
+        """The facets of dimension d, joined where they share a facet: one array of shape (m, d + 1) for each strong component."""
+        ...
+    def is_pure(self) -> Verdict:
+        """Whether every simplex is a face of one of the highest dimension.
+
+        Returns
+        -------
+        Verdict
+            ``True`` or ``False`` in conditions; ``.cells`` has a facet of lower dimension.
+        """
+        ...
+    def is_manifold(self, *, progress: _Progress = ...) -> Verdict:
+        """Whether every point has a neighborhood like space or half-space.
+
+        Returns
+        -------
+        Verdict
+            ``True`` or ``False`` in conditions, where it could be decided; ``.cells`` has the simplices that show why not.
+        """
+        ...
+    def is_orientable(self, *, progress: _Progress = ...) -> Verdict:
+        """Whether the simplices of the highest dimension can be oriented so that neighbors agree.
+
+        Returns
+        -------
+        Verdict
+            ``True`` or ``False`` in conditions; if not, ``.cells`` is an odd cycle of facets, each the neighbor of the one before.
+        """
+        ...
+    def orientation(self, *, progress: _Progress = ...) -> NDArray[np.int64] | None:
+        """Signs of the simplices of the highest dimension that orient them coherently; ``None`` where there are none.
+
+        Returns
+        -------
+        numpy.ndarray or None
+            1 or -1 for each row of ``simplices(dimension)``: -1 reverses the order of its vertices.
+        """
+        ...
+    def disjoint_union(self, other: Complex) -> Complex:
+        """Both complexes side by side; vertices of the other get new numbers."""
+        ...
+    def wedge(self, at: int, other: Complex, other_at: int) -> Complex:
+        """Both complexes with a vertex of one and a vertex of the other made one."""
+        ...
+    def join(self, other: Complex) -> Complex:
+        """The simplices of both, and every simplex of one with every simplex of the other."""
+        ...
+    def cone(self) -> tuple[Complex, int]:
+        """Every simplex joined with one new vertex.
+
+        Returns
+        -------
+        complex : Complex
+            The cone.
+        apex : int
+            The new vertex.
+        """
+        ...
+    def suspension(self) -> tuple[Complex, list[int]]:
+        """Two cones on the complex.
+
+        Returns
+        -------
+        complex : Complex
+            The suspension.
+        apexes : list of int
+            The two new vertices.
+        """
+        ...
+    def connected_sum(self, facet: ArrayLike, other: Complex, other_facet: ArrayLike) -> Complex:
+        """Both complexes without a facet each, glued along the rims."""
+        ...
+    def barycentric_subdivision(self) -> tuple[Complex, list[list[int]]]:
+        """The barycentric subdivision.
+
+        Returns
+        -------
+        complex : Complex
+            A vertex for each simplex.
+        simplices : list of list of int
+            The simplex of each vertex.
+        """
+        ...
+    def product(self, other: Complex) -> tuple[Complex, NDArray[np.int64]]:
+        """The product, its cells cut into simplices along staircases; also ``*``.
+
+        Returns
+        -------
+        complex : Complex
+            The product.
+        vertices : numpy.ndarray of shape (n, 2)
+            The pair of vertices that each vertex is.
+        """
+        ...
     def __mul__(self, other: Complex, /) -> Complex: ...
     def __rmul__(self, other: Complex, /) -> Complex: ...
-    def chain_complex(self, *, progress: _Progress = ...) -> ChainComplex: ...
-    def model(self) -> Model: ...
-    def incidence(self, dimension: int, *, signed: bool = False) -> Any: ...
+    def chain_complex(self, *, progress: _Progress = ...) -> ChainComplex:
+        """The chain complex; cell i of degree k is row i of ``simplices(k)``."""
+        ...
+    def model(self) -> Model:
+        """The facets as a model, for files and questions about models."""
+        ...
+    def incidence(self, dimension: int, *, signed: bool = False) -> csc_array:
+        """Which simplices of dimension k - 1 are facets of which of dimension k.
+
+        Parameters
+        ----------
+        dimension : int
+            The dimension k.
+        signed : bool
+            Whether entries are 1 and -1, as in a boundary matrix, or 1.
+
+        Returns
+        -------
+        scipy.sparse.csc_array
+            One row for each (k - 1)-simplex, one column for each k-simplex.
+        """
+        ...
     def __contains__(self, simplex: Any, /) -> bool: ...
     def __len__(self) -> int: ...
-    def __iter__(self) -> Iterator[Any]: ...
+    def __iter__(self) -> Iterator[list[int]]: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
     def __le__(self, other: Complex, /) -> bool: ...
@@ -226,29 +674,67 @@ class Complex:
 
 @final
 class Congruence:
+    """Models merged within a tolerance: vertices nearby become one, and edges, faces and cells with them.
+
+    Made by :func:`congruence`.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     @property
-    def f_vector_before(self) -> list[int]: ...
+    def f_vector_before(self) -> list[int]:
+        """The numbers of cells before."""
+        ...
     @property
-    def f_vector(self) -> list[int]: ...
+    def f_vector(self) -> list[int]:
+        """The numbers of cells after."""
+        ...
     @property
-    def classes(self) -> list[int]: ...
+    def classes(self) -> list[int]:
+        """The numbers of classes by degree."""
+        ...
     @property
-    def largest_class_diameter(self) -> float: ...
+    def largest_class_diameter(self) -> float:
+        """The largest distance of vertices that became one."""
+        ...
     @property
-    def discarded(self) -> list[int]: ...
+    def discarded(self) -> list[int]:
+        """How many cells vanished, by degree."""
+        ...
     @property
-    def products_zero(self) -> bool: ...
-    def to_dict(self) -> dict[str, Any]: ...
-    def class_of(self, degree: int) -> NDArray[np.int64]: ...
-    def matrix(self, degree: int) -> Any: ...
+    def products_zero(self) -> bool:
+        """Whether products of boundary matrices are zero, found by multiplying."""
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """The answer as a dictionary, in the words of the program's JSON, and how it was made: ``recipe``, which ``from_dict`` reads."""
+        ...
+    def class_of(self, degree: int) -> NDArray[np.int64]:
+        """The class of each cell of a degree: ``int64``, -1 for cells that vanished or became several classes."""
+        ...
+    def matrix(self, degree: int) -> csc_array:
+        """The chain map onto the quotient: column j is the signed sum of classes that cell j became."""
+        ...
     @property
-    def vertices(self) -> NDArray[np.float64]: ...
-    def chain_complex(self) -> ChainComplex: ...
-    def model(self, *, progress: _Progress = ...) -> Model: ...
+    def vertices(self) -> NDArray[np.float64]:
+        """The positions of the classes of vertices."""
+        ...
+    def chain_complex(self) -> ChainComplex:
+        """The chain complex of the quotient."""
+        ...
+    def model(self, *, progress: _Progress = ...) -> Model:
+        """The merged mesh.
+
+        Raises
+        ------
+        UnsupportedFormatError
+            If its cells are no polygons and 3-cells any more; :meth:`chain_complex` has them.
+        """
+        ...
     @classmethod
-    def from_dict(cls, facts: Mapping[str, Any]) -> Congruence: ...
+    def from_dict(cls, facts: Mapping[str, Any]) -> Congruence:
+        """The answer that ``to_dict()`` wrote."""
+        ...
     def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __eq__(self, other: object, /) -> bool: ...
@@ -256,35 +742,69 @@ class Congruence:
 
 @final
 class Cover:
+    """A part of a universal cover: copies of a domain, glued.
+
+    Made by :meth:`Surface.cover`.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     @property
-    def component(self) -> int: ...
+    def component(self) -> int:
+        """The component that is covered."""
+        ...
     @property
-    def surface(self) -> str: ...
+    def surface(self) -> str:
+        """What it is."""
+        ...
     @property
-    def group(self) -> str: ...
+    def group(self) -> str:
+        """The name of its fundamental group."""
+        ...
     @property
-    def copies(self) -> int: ...
+    def copies(self) -> int:
+        """The number of copies."""
+        ...
     @property
-    def complete(self) -> bool: ...
+    def complete(self) -> bool:
+        """Whether it is the whole cover."""
+        ...
     @property
-    def spheres(self) -> list[int]: ...
+    def spheres(self) -> list[int]:
+        """The number of copies at each word length."""
+        ...
     @property
-    def f_vector(self) -> list[int]: ...
+    def f_vector(self) -> list[int]:
+        """The numbers of vertices, edges and faces."""
+        ...
     @property
-    def euler_characteristic(self) -> int: ...
+    def euler_characteristic(self) -> int:
+        """Vertices - edges + faces: 1 of a disk."""
+        ...
     @property
-    def letters(self) -> list[list[int]]: ...
+    def letters(self) -> list[list[int]]:
+        """The edges of the surface, by their vertices, that letters cross."""
+        ...
     @property
-    def words(self) -> list[list[int]]: ...
+    def words(self) -> list[list[int]]:
+        """The word of each copy: letters are 1, 2, .. and their inverses -1, -2, .."""
+        ...
     @property
-    def layout(self) -> str | None: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def layout(self) -> str | None:
+        """Where copies were put: ``flat``, ``disk`` or ``None`` for over the surface."""
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """The answer as a dictionary, in the words of the program's JSON, and how it was made: ``recipe``, which ``from_dict`` reads."""
+        ...
     @property
-    def model(self) -> Model: ...
+    def model(self) -> Model:
+        """The cover as a model; its data ``source``, ``copy`` and ``length`` say what lies below."""
+        ...
     @classmethod
-    def from_dict(cls, facts: Mapping[str, Any]) -> Cover: ...
+    def from_dict(cls, facts: Mapping[str, Any]) -> Cover:
+        """The answer that ``to_dict()`` wrote."""
+        ...
     def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __eq__(self, other: object, /) -> bool: ...
@@ -292,56 +812,146 @@ class Cover:
 
 @final
 class CuboidGrid:
+    """A grid of cuboids of any dimension: cells are products of intervals and points, their faces index arithmetic.
+
+    Parameters
+    ----------
+    shape : sequence of int, optional
+        The numbers of unit intervals along the axes.
+    lengths : sequence of sequence of float, optional
+        The lengths of the intervals of each axis instead, negative where one is empty.
+    """
     def __new__(cls, shape: ArrayLike | None = None, *, lengths: Sequence[Sequence[float]] | None = None) -> CuboidGrid: ...
     @property
-    def f_vector(self) -> tuple[int, ...]: ...
+    def f_vector(self) -> tuple[int, ...]:
+        """The numbers of cells of the dimensions 0, 1, ..."""
+        ...
     @property
-    def dimension(self) -> int | None: ...
-    def cell(self, dimension: int, cell: int) -> tuple[list[int], list[int]]: ...
-    def number(self, axes: Sequence[int], corner: Sequence[int]) -> int | None: ...
-    def cells(self, dimension: int) -> NDArray[np.int64]: ...
-    def facets(self, dimension: int, cell: int) -> list[tuple[int, int]]: ...
-    def cofaces(self, dimension: int, cell: int) -> list[tuple[int, int]]: ...
+    def dimension(self) -> int | None:
+        """The highest dimension of a cell; ``None`` of an empty grid."""
+        ...
+    def cell(self, dimension: int, cell: int) -> tuple[list[int], list[int]]:
+        """The axes along which a cell extends, and its lowest corner."""
+        ...
+    def number(self, axes: Sequence[int], corner: Sequence[int]) -> int | None:
+        """The number of the cell with these axes and this corner; ``None`` if there is none."""
+        ...
+    def cells(self, dimension: int) -> NDArray[np.int64]:
+        """The vertices of the cells of a dimension: ``int64``, shape (m, 2^k)."""
+        ...
+    def facets(self, dimension: int, cell: int) -> list[tuple[int, int]]:
+        """The facets of a cell with signs."""
+        ...
+    def cofaces(self, dimension: int, cell: int) -> list[tuple[int, int]]:
+        """The cells that a cell is a facet of, with signs."""
+        ...
     @property
-    def vertices(self) -> NDArray[np.float64]: ...
-    def chain_complex(self, *, progress: _Progress = ...) -> ChainComplex: ...
-    def model(self, *, simplices: bool = False) -> Model: ...
+    def vertices(self) -> NDArray[np.float64]:
+        """The positions of the vertices: shape (n, d)."""
+        ...
+    def chain_complex(self, *, progress: _Progress = ...) -> ChainComplex:
+        """The chain complex."""
+        ...
+    def model(self, *, simplices: bool = False) -> Model:
+        """The cells of the highest dimension as a model; cut into simplices if ``simplices``."""
+        ...
     def __len__(self) -> int: ...
     def __repr__(self) -> str: ...
 
 @final
 class Curve:
+    """A piecewise polynomial curve of the plane: a polyline or a spline.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 2)
+        Points on the curve, the first one again at the end of a closed one.
+    order : {2, 4, 6, 8}
+        2 for polylines, 4 for cubic splines, ..
+    ends : {"not-a-knot", "natural", "periodic"}
+        What holds at the ends.
+    """
     def __new__(cls, points: ArrayLike, order: int = 2, ends: str = "not-a-knot") -> Curve: ...
     @staticmethod
-    def closed(points: ArrayLike, kinks: str | float | Sequence[tuple[int, int]] | None = None, order: int = 4, ends: str = "not-a-knot") -> Curve: ...
+    def closed(points: ArrayLike, kinks: str | float | Sequence[tuple[int, int]] | None = None, order: int = 4, ends: str = "not-a-knot") -> Curve:
+        """A closed spline through points with kinks at some of them.
+
+        Parameters
+        ----------
+        points : array_like, shape (n, 2)
+            Points, the first one not repeated.
+        kinks : array_like of int, optional
+            Places of points where the curve may turn.
+        order : {2, 4, 6, 8}
+            The order.
+        ends : {"not-a-knot", "natural"}
+            What holds at kinks.
+        """
+        ...
     @staticmethod
-    def circle(center: Sequence[float], radius: float, pieces: int = 16, order: int = 4) -> Curve: ...
+    def circle(center: Sequence[float], radius: float, pieces: int = 16, order: int = 4) -> Curve:
+        """A circle, counterclockwise."""
+        ...
     @staticmethod
-    def ellipse(center: Sequence[float], axes: Sequence[float], pieces: int = 16, order: int = 4) -> Curve: ...
+    def ellipse(center: Sequence[float], axes: Sequence[float], pieces: int = 16, order: int = 4) -> Curve:
+        """An ellipse, counterclockwise."""
+        ...
     @property
-    def order(self) -> int: ...
+    def order(self) -> int:
+        """The order: the degree of pieces plus 1."""
+        ...
     @property
-    def pieces(self) -> int: ...
+    def pieces(self) -> int:
+        """The number of pieces."""
+        ...
     @property
-    def is_closed(self) -> bool: ...
+    def is_closed(self) -> bool:
+        """Whether it ends where it starts."""
+        ...
     @property
-    def knots(self) -> NDArray[np.float64]: ...
+    def knots(self) -> NDArray[np.float64]:
+        """The parameters where pieces meet."""
+        ...
     @property
-    def controls(self) -> NDArray[np.float64]: ...
-    def points(self, parameters: ArrayLike) -> NDArray[np.float64]: ...
-    def flattened(self, tolerance: float) -> NDArray[np.float64]: ...
+    def controls(self) -> NDArray[np.float64]:
+        """The Bezier controls of all pieces: shape (n, 2)."""
+        ...
+    def points(self, parameters: ArrayLike) -> NDArray[np.float64]:
+        """Points at parameters: shape (n, 2)."""
+        ...
+    def flattened(self, tolerance: float) -> NDArray[np.float64]:
+        """A polyline no farther from the curve than this: shape (n, 2)."""
+        ...
     @property
-    def signed_area(self) -> float: ...
-    def length(self, tolerance: float = 1e-12) -> float: ...
+    def signed_area(self) -> float:
+        """The area that it encloses, positive if it lies to the left."""
+        ...
+    def length(self, tolerance: float = 1e-12) -> float:
+        """The length, to this relative tolerance."""
+        ...
     @property
-    def bounding_box(self) -> list[list[float]]: ...
-    def reversed(self) -> Curve: ...
-    def translated(self, by: Sequence[float]) -> Curve: ...
-    def rotated(self, degrees: float, center: Sequence[float] = ...) -> Curve: ...
-    def locate(self, point: Sequence[float]) -> str: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def bounding_box(self) -> list[list[float]]:
+        """``[low, high]`` corners of the smallest box."""
+        ...
+    def reversed(self) -> Curve:
+        """The other way round."""
+        ...
+    def translated(self, by: Sequence[float]) -> Curve:
+        """Moved by a vector."""
+        ...
+    def rotated(self, degrees: float, center: Sequence[float] = ...) -> Curve:
+        """Turned by degrees about a center."""
+        ...
+    def locate(self, point: Sequence[float]) -> str:
+        """``inside``, ``outside`` or ``boundary``: where a point lies of a closed curve."""
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """This as a dictionary of JSON: ``recipe`` says how it is made again by ``from_dict``."""
+        ...
     @classmethod
-    def from_dict(cls, facts: Mapping[str, Any]) -> Curve: ...
+    def from_dict(cls, facts: Mapping[str, Any]) -> Curve:
+        """The answer that ``to_dict()`` wrote."""
+        ...
     def __len__(self) -> int: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -350,42 +960,84 @@ class Curve:
 
 @final
 class CutCells:
+    """A set on a Cartesian grid: what of each cell it covers. Arrays have one row of cells a row.
+
+    Made by :meth:`YinSet.cut_cells`.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     @property
-    def origin(self) -> list[float]: ...
+    def origin(self) -> list[float]:
+        """The lower left corner of the grid."""
+        ...
     @property
-    def spacing(self) -> list[float]: ...
+    def spacing(self) -> list[float]:
+        """The size of cells."""
+        ...
     @property
-    def coverage(self) -> NDArray[np.int8]: ...
+    def coverage(self) -> NDArray[np.int8]:
+        """For each cell -1 empty, 0 cut, 1 full: ``int8``, shape (rows, columns)."""
+        ...
     @property
-    def areas(self) -> NDArray[np.float64]: ...
+    def areas(self) -> NDArray[np.float64]:
+        """The area of the set in each cell: shape (rows, columns)."""
+        ...
     @property
-    def lengths(self) -> NDArray[np.float64]: ...
+    def lengths(self) -> NDArray[np.float64]:
+        """The length of the boundary in each cell: shape (rows, columns)."""
+        ...
     @property
-    def total_area(self) -> float: ...
+    def total_area(self) -> float:
+        """The area in all cells."""
+        ...
     @property
-    def total_length(self) -> float: ...
-    def counts(self) -> dict[str, Any]: ...
+    def total_length(self) -> float:
+        """The length of the boundary in all cells."""
+        ...
+    def counts(self) -> CellCounts:
+        """How many cells are full, cut and empty."""
+        ...
     def __repr__(self) -> str: ...
 
 @final
 class Domain:
+    """A surface cut open: a disk for each component, and seams.
+
+    Made by :meth:`Surface.cut`.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     @property
-    def components(self) -> list[dict[str, Any]]: ...
+    def components(self) -> list[dict[str, Json]]:
+        """For each component ``surface``, ``f_vector``, ``cut_edges``, ``boundary_edges``, ``seams``, ``word``, ``relator`` and more."""
+        ...
     @property
-    def f_vector(self) -> list[int]: ...
+    def f_vector(self) -> list[int]:
+        """The numbers of vertices, edges and faces of the opened surface."""
+        ...
     @property
-    def simplified(self) -> bool: ...
+    def simplified(self) -> bool:
+        """Whether the graph was made short."""
+        ...
     @property
-    def path(self) -> dict[str, Any] | None: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def path(self) -> dict[str, Json] | None:
+        """Of a cut along a path its ``kind`` and number of ``edges``."""
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """The answer as a dictionary, in the words of the program's JSON, and how it was made: ``recipe``, which ``from_dict`` reads."""
+        ...
     @property
-    def model(self) -> Model: ...
+    def model(self) -> Model:
+        """The opened surface: its lines are the seams, with the data ``seam`` and ``source``; vertices have ``source``."""
+        ...
     @classmethod
-    def from_dict(cls, facts: Mapping[str, Any]) -> Domain: ...
+    def from_dict(cls, facts: Mapping[str, Any]) -> Domain:
+        """The answer that ``to_dict()`` wrote."""
+        ...
     def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __eq__(self, other: object, /) -> bool: ...
@@ -393,32 +1045,107 @@ class Domain:
 
 @final
 class FundamentalGroup:
+    """The fundamental group of a component: generators, which are loops at a base, and relators.
+
+    Words are lists of letters: 1, 2, .. for generators and -1, -2, .. for their inverses.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     def __new__(cls, generators: int, relators: Sequence[Sequence[int]] = ..., *, time_limit: float | None = None) -> FundamentalGroup: ...
     @property
-    def base(self) -> int | None: ...
+    def base(self) -> int | None:
+        """The vertex that loops start from."""
+        ...
     @property
-    def generators(self) -> int: ...
+    def generators(self) -> int:
+        """The number of generators."""
+        ...
     @property
-    def relators(self) -> list[list[int]]: ...
+    def relators(self) -> list[list[int]]:
+        """The relators as lists of letters."""
+        ...
     @property
-    def name(self) -> str | None: ...
+    def name(self) -> str | None:
+        """What the group is called, where it was recognized."""
+        ...
     @property
-    def order(self) -> str | None: ...
+    def order(self) -> str | None:
+        """The number of elements, where the group was recognized as a finite one: ``int``, or a word such as ``infinite``."""
+        ...
     @property
-    def loops(self) -> list[NDArray[np.int64]]: ...
+    def loops(self) -> list[NDArray[np.int64]]:
+        """The loops of the generators, each an array of vertices, the first one again at the end."""
+        ...
     @property
-    def abelianization(self) -> HomologyGroup: ...
-    def subgroups(self, highest: int, *, time_limit: float | None = None, progress: _Progress = ...) -> list[tuple[int, int]] | None: ...
-    def homomorphisms(self, group: str, points: int, *, time_limit: float | None = None, progress: _Progress = ...) -> tuple[int, int] | None: ...
-    def index(self, words: Sequence[Sequence[int]] = ..., limit: int = 100000, *, progress: _Progress = ...) -> int | None: ...
-    def simplified(self, *, time_limit: float | None = None, progress: _Progress = ...) -> FundamentalGroup: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def abelianization(self) -> HomologyGroup:
+        """The group made commutative: the first homology."""
+        ...
+    def subgroups(self, highest: int, *, time_limit: float | None = None, progress: _Progress = ...) -> list[tuple[int, int]] | None:
+        """How many subgroups there are of each index, and how many classes of conjugate ones.
+
+        Parameters
+        ----------
+        highest : int
+            The highest index.
+        time_limit : float, optional
+            Seconds.
+
+        Returns
+        -------
+        list of (int, int) or None
+            Subgroups and classes of index 1, 2, ..; ``None`` if the time was too short.
+        """
+        ...
+    def homomorphisms(self, group: str, points: int, *, time_limit: float | None = None, progress: _Progress = ...) -> tuple[int, int] | None:
+        """How many homomorphisms there are to a group of permutations, and how many of them are onto.
+
+        Parameters
+        ----------
+        group : {"S", "A"}
+            Symmetric or alternating.
+        points : int
+            The number of points that are permuted.
+        time_limit : float, optional
+            Seconds.
+
+        Returns
+        -------
+        (int, int) or None
+            All, and those onto.
+        """
+        ...
+    def index(self, words: Sequence[Sequence[int]] = ..., limit: int = 100000, *, progress: _Progress = ...) -> int | None:
+        """The index of the subgroup that words generate, by enumeration of cosets.
+
+        Parameters
+        ----------
+        words : sequence of sequence of int
+            Generators of the subgroup; none for the trivial one, whose index is the order of the group.
+        limit : int
+            The number of cosets that are followed.
+
+        Returns
+        -------
+        int or None
+            The index; ``None`` if the limit was reached.
+        """
+        ...
+    def simplified(self, *, time_limit: float | None = None, progress: _Progress = ...) -> FundamentalGroup:
+        """The same group with a shorter presentation."""
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """This as a dictionary of JSON: ``recipe`` says how it is made again by ``from_dict``."""
+        ...
     @classmethod
-    def from_dict(cls, facts: Mapping[str, Any]) -> FundamentalGroup: ...
+    def from_dict(cls, facts: Mapping[str, Any]) -> FundamentalGroup:
+        """The answer that ``to_dict()`` wrote."""
+        ...
     @property
-    def model(self) -> Model | None: ...
+    def model(self) -> Model | None:
+        """The model that the loops run in; ``None`` of a group that was made of words."""
+        ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
     def __len__(self) -> int: ...
@@ -428,32 +1155,63 @@ class FundamentalGroup:
 
 @final
 class Generator:
+    """A cycle, or a cocycle, that generates a cyclic part of a group."""
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     @property
-    def order(self) -> int | None: ...
+    def order(self) -> int | None:
+        """The order; ``None`` where no multiple is zero."""
+        ...
     @property
-    def degree(self) -> int: ...
+    def degree(self) -> int:
+        """The degree."""
+        ...
     @property
-    def chain(self) -> Chain: ...
+    def chain(self) -> Chain:
+        """The cycle or cocycle."""
+        ...
     @property
-    def certificate(self) -> Chain | None: ...
+    def certificate(self) -> Chain | None:
+        """Of a cycle of finite order m, a chain whose boundary is m times the cycle."""
+        ...
     @property
-    def length(self) -> int: ...
+    def length(self) -> int:
+        """How many cells it runs through, with multiplicity."""
+        ...
     @property
-    def coefficients(self) -> NDArray[Any]: ...
+    def coefficients(self) -> NDArray[np.int64] | NDArray[np.object_]:
+        """The coefficients: ``int64``, objects where one is larger."""
+        ...
     @property
-    def cells(self) -> NDArray[np.int64]: ...
+    def cells(self) -> NDArray[np.int64]:
+        """The cells by their numbers."""
+        ...
     @property
-    def simplices(self) -> _Lists: ...
+    def simplices(self) -> _Lists:
+        """The vertices of the cells: an array of shape (m, k + 1), or ``(flat, offsets)``."""
+        ...
     @property
-    def loop(self) -> NDArray[np.int64] | None: ...
-    def as_vector(self) -> Any: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def loop(self) -> NDArray[np.int64] | None:
+        """Of a cycle of degree 1 its vertices in order, the first one again at the end: ``int64``. ``None`` of other degrees, of cocycles, and
+        of cycles that are no single closed walk.
+        """
+        ...
+    def as_vector(self) -> csc_array:
+        """All coefficients as a sparse column."""
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """The generator as a dictionary, as :meth:`Homology.to_dict` has it."""
+        ...
     @staticmethod
-    def from_dict(generator: Mapping[str, Any]) -> Generator: ...
+    def from_dict(generator: Mapping[str, Any]) -> Generator:
+        """The generator that :meth:`to_dict` wrote."""
+        ...
     @property
-    def model(self) -> Model | None: ...
+    def model(self) -> Model | None:
+        """The model on whose cells it is; ``None`` where cells are numbers only."""
+        ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -462,23 +1220,50 @@ class Generator:
 
 @final
 class Homology:
+    """Homology or cohomology: a group for each degree.
+
+    Made by :meth:`ChainComplex.homology`. ``homology[k]`` is the group of degree k.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     @property
-    def groups(self) -> tuple[HomologyGroup, ...]: ...
+    def groups(self) -> tuple[HomologyGroup, ...]:
+        """The groups of the degrees 0, 1, ..."""
+        ...
     @property
-    def betti_numbers(self) -> tuple[int, ...]: ...
+    def betti_numbers(self) -> tuple[int, ...]:
+        """The ranks of the free parts."""
+        ...
     @property
-    def torsion(self) -> tuple[tuple[int, ...], ...]: ...
+    def torsion(self) -> tuple[tuple[int, ...], ...]:
+        """The orders of the finite parts, one tuple a degree, each order dividing the next."""
+        ...
     @property
-    def is_cohomology(self) -> bool: ...
+    def is_cohomology(self) -> bool:
+        """Whether it is cohomology."""
+        ...
     @property
-    def euler_characteristic(self) -> int: ...
+    def euler_characteristic(self) -> int:
+        """The alternating sum of the Betti numbers."""
+        ...
     @property
-    def coefficients(self) -> str: ...
-    def to_dict(self) -> list[dict[str, Any]]: ...
+    def coefficients(self) -> str:
+        """The ring of coefficients: ``"Z"``, ``"Q"``, ``"Z/2"``, ..."""
+        ...
+    def to_dict(self) -> list[dict[str, Json]]:
+        """The groups as ``coface homology --json`` prints them.
+
+        A group that is not integral also has ``coefficients``, one of cohomology ``cohomology``, and one with generators ``generators``:
+        ``order`` (0 is infinite), ``length``, ``chain`` as pairs of a coefficient and vertices, ``cells`` and, of a cycle of finite order,
+        ``bounding``. :meth:`from_dict` reads all of it back.
+        """
+        ...
     @staticmethod
-    def from_dict(groups: Iterable[Mapping[str, Any]]) -> Homology: ...
+    def from_dict(groups: Iterable[Mapping[str, Any]]) -> Homology:
+        """The groups that :meth:`to_dict` wrote."""
+        ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __getitem__(self, degree: int, /) -> HomologyGroup: ...
     def __iter__(self) -> Iterator[HomologyGroup]: ...
@@ -489,25 +1274,46 @@ class Homology:
 
 @final
 class HomologyGroup:
+    """A group of one degree: a free part over the ring of coefficients, of rank :attr:`betti`, and cyclic groups of finite orders."""
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     @property
-    def degree(self) -> int: ...
+    def degree(self) -> int:
+        """The degree."""
+        ...
     @property
-    def betti(self) -> int: ...
+    def betti(self) -> int:
+        """The rank of the free part."""
+        ...
     @property
-    def torsion(self) -> tuple[int, ...]: ...
+    def torsion(self) -> tuple[int, ...]:
+        """The orders of the finite part, each dividing the next."""
+        ...
     @property
-    def generators(self) -> tuple[Generator, ...]: ...
+    def generators(self) -> tuple[Generator, ...]:
+        """The generators, if they were asked for: those of finite order in the order of :attr:`torsion`, and the free ones."""
+        ...
     @property
-    def coefficients(self) -> str: ...
+    def coefficients(self) -> str:
+        """The ring of coefficients: ``"Z"``, ``"Q"``, ``"Z/2"``, ..."""
+        ...
     @property
-    def is_cohomology(self) -> bool: ...
+    def is_cohomology(self) -> bool:
+        """Whether it is a group of cohomology."""
+        ...
     @property
-    def is_trivial(self) -> bool: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def is_trivial(self) -> bool:
+        """Whether it is the group of one element."""
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """The group as a dictionary: one entry of :meth:`Homology.to_dict`."""
+        ...
     @staticmethod
-    def from_dict(group: Mapping[str, Any]) -> HomologyGroup: ...
+    def from_dict(group: Mapping[str, Any]) -> HomologyGroup:
+        """The group that :meth:`to_dict` wrote."""
+        ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -516,106 +1322,562 @@ class HomologyGroup:
 
 @final
 class Kinks:
+    """The kinks of a set: knots where its boundary may turn, with names that stay.
+
+    A mapping from names to ``(curve, knot)``.
+    """
     @property
-    def vertices(self) -> NDArray[np.int64]: ...
+    def vertices(self) -> NDArray[np.int64]:
+        """The names, in the order of curves and knots."""
+        ...
     @property
-    def knots(self) -> NDArray[np.int64]: ...
+    def knots(self) -> NDArray[np.int64]:
+        """The curves and knots: ``int64``, shape (n, 2)."""
+        ...
     @property
-    def points(self) -> NDArray[np.float64]: ...
+    def points(self) -> NDArray[np.float64]:
+        """The points: ``float64``, shape (n, 2)."""
+        ...
     def __getitem__(self, vertex: int, /) -> tuple[int, int]: ...
     def __contains__(self, vertex: Any, /) -> bool: ...
-    def __iter__(self) -> Iterator[Any]: ...
+    def __iter__(self) -> Iterator[int]: ...
     def __len__(self) -> int: ...
     def __repr__(self) -> str: ...
 
 @final
 class LarModel:
+    """Cells of each degree as lists of vertices, as in the linear algebraic representation.
+
+    The characteristic matrix of a degree has these lists as rows; operators such as ``VV`` or ``FE`` are products of two of them.
+
+    Parameters
+    ----------
+    cells : Model, Complex, ChainComplex, or sequence of lists
+        A model, or for each degree 1, 2, .. lists of vertices.
+    vertex_count : int, optional
+        The number of vertices, where lists are given.
+    """
     def __new__(cls, cells: Any, vertex_count: int | None = None, *, progress: _Progress = ...) -> LarModel: ...
     @property
-    def f_vector(self) -> tuple[int, ...]: ...
-    def cells(self, degree: int) -> Any: ...
-    def characteristic(self, degree: int) -> Any: ...
-    def incidence(self, operator: str, kind: str = "counts", *, at_least: int | None = None, exactly: int | None = None, progress: _Progress = ...) -> Any: ...
-    def chain_complex(self, orientation: str = "given", positions: ArrayLike | None = None, *, progress: _Progress = ...) -> ChainComplex: ...
-    def product(self, other: LarModel) -> LarModel: ...
+    def f_vector(self) -> tuple[int, ...]:
+        """The numbers of cells of the degrees 0, 1, ..."""
+        ...
+    def cells(self, degree: int) -> _Lists:
+        """The vertices of the cells of a degree."""
+        ...
+    def characteristic(self, degree: int) -> csc_array:
+        """The characteristic matrix of a degree: one row for each cell, 1 in the columns of its vertices."""
+        ...
+    def incidence(self, operator: str, kind: str = "counts", *, at_least: int | None = None, exactly: int | None = None, progress: _Progress = ...) -> csr_array:
+        """An operator between cells of two degrees.
+
+        Parameters
+        ----------
+        operator : str
+            Rows and columns: two of ``V``, ``E``, ``F``, ``C``, as in ``"FE"``.
+        kind : {"counts", "incident", "signed"}
+            How many vertices two cells share, 1 where one is a face of the other (adjacent, if both have one degree), or the signs of
+            the boundary or coboundary operator.
+        at_least : int, optional
+            1 where so many vertices are shared, instead of ``kind``.
+        exactly : int, optional
+            1 where exactly so many vertices are shared, instead of ``kind``.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        scipy.sparse.csr_array
+            One row for each cell of the first degree. Of ``counts`` between cells of one degree the diagonal is not empty: a cell shares all its
+            vertices with itself. ``VV`` counts edges: an entry is the number of edges that join two vertices, the diagonal the number of
+            edges at a vertex. ``incident`` has no diagonal.
+        """
+        ...
+    def chain_complex(self, orientation: str = "given", positions: ArrayLike | None = None, *, progress: _Progress = ...) -> ChainComplex:
+        """The chain complex: with the signs that the cells came with, or found by spreading signs over facets.
+
+        Parameters
+        ----------
+        orientation : {"given", "lowest", "coherent", "positive"}
+            How cells of the highest degree are oriented: as they came, by their lowest facet, so that neighbors agree, or with a positive
+            measure.
+        positions : array_like, optional
+            Positions of the vertices, where measures decide.
+
+        Returns
+        -------
+        ChainComplex
+            The complex.
+        """
+        ...
+    def product(self, other: LarModel) -> LarModel:
+        """The product: cells are pairs of cells; also ``*``."""
+        ...
     def __mul__(self, other: LarModel, /) -> LarModel: ...
     def __rmul__(self, other: LarModel, /) -> LarModel: ...
     def __repr__(self) -> str: ...
 
 @final
 class Model:
+    """What a file holds: vertices with or without positions, polygons, 3-cells, lines, groups, data, or an abstract structure.
+
+    Models do not change; methods that edit give a new one.
+
+    Parameters
+    ----------
+    vertices : array_like, shape (n, d), optional
+        Positions.
+    faces : array_like of int, optional
+        Polygons: an array of shape (m, k), a list of lists, or ``(flat, offsets)``.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     def __new__(cls, vertices: ArrayLike | None = None, faces: Any = None) -> Model: ...
     @staticmethod
-    def from_arrays(vertices: ArrayLike | None = None, faces: Any = None, cells: Mapping[str, Any] | None = None, *, vertex_count: int | None = None) -> Model: ...
+    def from_arrays(vertices: ArrayLike | None = None, faces: Any = None, cells: Mapping[str, Any] | None = None, *, vertex_count: int | None = None) -> Model:
+        """A model from arrays.
+
+        Parameters
+        ----------
+        vertices : array_like, shape (n, d), optional
+            Positions. Without them the vertices are numbers only.
+        faces : array_like of int, optional
+            Polygons: an array of shape (m, k), a list of lists, or ``(flat, offsets)``.
+        cells : dict of str to array_like, optional
+            Cells by kind, in the words of meshio: ``vertex``, ``line``, ``triangle``, ``quad``, ``polygon``, ``tetra``, ``hexahedron``,
+            ``wedge``, ``pyramid``.
+        vertex_count : int, optional
+            How many vertices there are, where there are no positions and the last ones are in no cell.
+
+        Returns
+        -------
+        Model
+            Vertices and cells keep their numbers and order.
+
+        Raises
+        ------
+        InvalidInputError
+            For ids that are no integers, negative or beyond the vertices, repeated vertices, coordinates that are not finite.
+        """
+        ...
     @staticmethod
-    def from_facets(facets: Any) -> Model: ...
+    def from_facets(facets: Any) -> Model:
+        """A simplicial complex by its facets, of any dimensions; vertices are any ids.
+
+        Parameters
+        ----------
+        facets : array_like of int
+            An array of shape (m, k), a list of lists, or ``(flat, offsets)``.
+
+        Returns
+        -------
+        Model
+            All faces of the facets are meant to be there too.
+        """
+        ...
     @staticmethod
-    def from_halfedges(next: ArrayLike, twin: ArrayLike | None = None) -> Model: ...
+    def from_halfedges(next: ArrayLike, twin: ArrayLike | None = None) -> Model:
+        """A surface as permutations of its halfedges.
+
+        Parameters
+        ----------
+        next : array_like of int
+            The next halfedge around the face.
+        twin : array_like of int, optional
+            The other halfedge of the edge; ``h ^ 1`` if left out.
+
+        Returns
+        -------
+        Model
+            The surface.
+        """
+        ...
     @staticmethod
-    def from_gluings(rows: Sequence[Sequence[tuple[int, Sequence[int]] | None]]) -> Model: ...
+    def from_gluings(rows: Sequence[Sequence[tuple[int, Sequence[int]] | None]]) -> Model:
+        """Simplices with their facets glued in pairs.
+
+        Parameters
+        ----------
+        rows : list
+            For each simplex and each of its facets ``None`` or ``(neighbor, permutation)``, where the permutation sends vertex i of the
+            simplex to a vertex of the neighbor.
+
+        Returns
+        -------
+        Model
+            The gluing table.
+        """
+        ...
     @staticmethod
-    def from_signature(signature: str, dimension: int = 3) -> Model: ...
+    def from_signature(signature: str, dimension: int = 3) -> Model:
+        """A gluing table by its isomorphism signature.
+
+        Parameters
+        ----------
+        signature : str
+            The signature.
+        dimension : int
+            The dimension of the simplices.
+
+        Returns
+        -------
+        Model
+            The gluing table.
+        """
+        ...
     @staticmethod
-    def from_bytes(data: bytes | str, format: str | None = None, *, flatten: float | None = None, strict: bool = False, partial: bool = False, progress: _Progress = ...) -> Model: ...
+    def from_bytes(data: bytes | str, format: str | None = None, *, flatten: float | None = None, strict: bool = False, partial: bool = False, progress: _Progress = ...) -> Model:
+        """Reads a model from bytes or text.
+
+        Parameters
+        ----------
+        data : bytes or str
+            What a file would hold.
+        format : str, optional
+            The format, if it is not to be found out.
+        flatten : float, optional
+            How far the polylines of curved SVG paths may be from the curves.
+        strict, partial : bool
+            As those of :func:`read`.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        Model
+            What the bytes hold.
+        """
+        ...
     @property
-    def vertices(self) -> NDArray[np.float64] | None: ...
+    def vertices(self) -> NDArray[np.float64] | None:
+        """The positions of the vertices: ``float64``, shape (n, d), on the memory of the model; ``None`` if it has none. A file may hold
+        coordinates that are NaN or infinite; they stand here as they are. Those of a volume are the corners of its voxels, in units of voxels.
+        """
+        ...
     @property
-    def vertex_count(self) -> int: ...
+    def vertex_count(self) -> int:
+        """The number of vertices of the file; those that nothing uses count."""
+        ...
     @property
-    def faces(self) -> _Lists: ...
+    def faces(self) -> _Lists:
+        """The polygons: ``int32`` of shape (m, k) on the memory of the model where all have k corners, else ``(flat, offsets)``."""
+        ...
     @property
-    def lines(self) -> _Lists: ...
+    def lines(self) -> _Lists:
+        """The polylines, as :attr:`faces` has the polygons. A closed line has its first vertex again at its end."""
+        ...
     @property
-    def cells(self) -> dict[str, NDArray[Any]]: ...
+    def cells(self) -> dict[str, _Ids]:
+        """The 3-cells by kind: ``tetra``, ``hexahedron``, ``wedge``, ``pyramid``, each an array of shape (m, k)."""
+        ...
     @property
-    def points(self) -> NDArray[np.int64]: ...
+    def points(self) -> NDArray[np.int64]:
+        """The vertices that the file names as points."""
+        ...
     @property
-    def edges(self) -> _Lists: ...
-    def simplices(self, degree: int) -> _Lists: ...
+    def edges(self) -> _Lists:
+        """The edges of all cells: ``int64``, shape (m, 2), in the order of the chain complex."""
+        ...
+    def simplices(self, degree: int) -> _Lists:
+        """The vertices of all cells of a degree, in the order of the chain complex.
+
+        Parameters
+        ----------
+        degree : int
+            The dimension of the cells.
+
+        Returns
+        -------
+        numpy.ndarray or tuple of numpy.ndarray
+            ``int64`` of shape (m, k), or ``(flat, offsets)`` where cells have different numbers of vertices.
+        """
+        ...
     @property
-    def f_vector(self) -> tuple[int, ...]: ...
+    def f_vector(self) -> tuple[int, ...]:
+        """The numbers of cells of the dimensions 0, 1, ..., faces shared by cells counted once."""
+        ...
     @property
-    def dimension(self) -> int | None: ...
+    def dimension(self) -> int | None:
+        """The highest dimension of a cell; ``None`` of the empty model."""
+        ...
     @property
-    def euler_characteristic(self) -> int: ...
+    def euler_characteristic(self) -> int:
+        """The alternating sum of the numbers of cells."""
+        ...
     @property
-    def format(self) -> str | None: ...
+    def format(self) -> str | None:
+        """The name of the format that the model came from."""
+        ...
     @property
-    def structure(self) -> str | None: ...
+    def structure(self) -> str | None:
+        """What the file holds instead of vertices and cells: ``facets``, ``halfedges``, ``chains``, ``gluings``, ``volume`` or ``None``."""
+        ...
     @property
-    def facets(self) -> _Lists | None: ...
+    def facets(self) -> _Lists | None:
+        """The facets of a model of facets: an array of shape (m, k) or ``(flat, offsets)``; ``None`` of other models."""
+        ...
     @property
-    def halfedges(self) -> tuple[NDArray[np.int32], NDArray[np.int32]] | None: ...
+    def halfedges(self) -> tuple[NDArray[np.int32], NDArray[np.int32]] | None:
+        """The permutations ``(next, twin)`` of a model of halfedges; ``None`` of other models."""
+        ...
     @property
-    def gluings(self) -> list[list[tuple[int, list[int]] | None]] | None: ...
+    def gluings(self) -> list[list[tuple[int, list[int]] | None]] | None:
+        """The rows of a gluing table; ``None`` of other models."""
+        ...
     @property
-    def voxels(self) -> tuple[NDArray[np.bool_], list[int]] | None: ...
-    def signature(self) -> str: ...
+    def voxels(self) -> tuple[NDArray[np.bool_], list[int]] | None:
+        """The voxels of a volume, truth values, and the numbers of its axes that close up; ``None`` of other models."""
+        ...
+    def signature(self) -> str:
+        """The isomorphism signature of a gluing table; the same for tables that differ by names only."""
+        ...
     @property
-    def groups(self) -> list[tuple[str, str, NDArray[np.int64]]]: ...
+    def groups(self) -> list[tuple[str, str, NDArray[np.int64]]]:
+        """The named groups of the file: a list of (name, kind, members), kinds being ``vertices``, ``lines``, ``faces``, ``cells``."""
+        ...
     @property
-    def data(self) -> list[tuple[str, str, NDArray[Any]]]: ...
+    def data(self) -> list[tuple[str, str, NDArray[np.int64] | NDArray[np.float64]]]:
+        """The named data of the file: a list of (name, kind, array), the array of shape (m,) or (m, components)."""
+        ...
     @property
-    def warnings(self) -> list[str]: ...
-    def with_data(self, name: str, values: ArrayLike, on: str = "vertices") -> Model: ...
-    def with_group(self, name: str, members: ArrayLike, kind: str = "faces") -> Model: ...
-    def with_lines(self, lines: ArrayLike) -> Model: ...
-    def write(self, path: str | os.PathLike[str], format: str | None = None, *, progress: _Progress = ...) -> None: ...
-    def to_bytes(self, format: str) -> bytes: ...
-    def report(self, moments: Sequence[Sequence[int]] = ..., *, check: str = "usual", flatness: float | None = None, progress: _Progress = ...) -> Report: ...
-    def complex(self, *, progress: _Progress = ...) -> Complex: ...
-    def chain_complex(self, relative: str | Model | Complex | ChainComplex | None = None, *, reduced: bool = False, progress: _Progress = ...) -> ChainComplex: ...
-    def surface(self, *, boundary: bool = False, progress: _Progress = ...) -> Surface: ...
-    def repaired(self, *, split_edges: str | None = None, split_vertices: bool = False, orient: bool = False, keep_repeated: bool = False, progress: _Progress = ...) -> tuple[Model, NDArray[np.int64]]: ...
-    def to_model(self, *, surface: bool = False, spacing: Sequence[float] | None = None, origin: Sequence[float] | None = None) -> Model: ...
-    def triangulated(self, *, progress: _Progress = ...) -> Model: ...
-    def repaired_surface(self, *, tolerance: float = 0.0, closed: bool = False, progress: _Progress = ...) -> tuple[Model, dict[str, int]]: ...
-    def subdivided(self, *, progress: _Progress = ...) -> tuple[Model, Any]: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def warnings(self) -> list[str]:
+        """What was odd about the file."""
+        ...
+    def with_data(self, name: str, values: ArrayLike, on: str = "vertices") -> Model:
+        """The model with one more array of numbers on its cells.
+
+        Parameters
+        ----------
+        name : str
+            The name of the array.
+        values : array_like
+            Integers or reals, one row for each cell.
+        on : {"vertices", "lines", "faces", "cells"}
+            What the rows belong to.
+
+        Returns
+        -------
+        Model
+            The model with the data; :meth:`write` keeps them where the format does.
+        """
+        ...
+    def with_group(self, name: str, members: ArrayLike, kind: str = "faces") -> Model:
+        """The model with one more named group.
+
+        Parameters
+        ----------
+        name : str
+            The name.
+        members : array_like of int
+            Numbers of vertices, lines, faces or cells.
+        kind : {"vertices", "lines", "faces", "cells"}
+            What the members are.
+
+        Returns
+        -------
+        Model
+            The model with the group.
+        """
+        ...
+    def with_lines(self, lines: ArrayLike) -> Model:
+        """The model with these polylines instead of its own.
+
+        Parameters
+        ----------
+        lines : array_like of int
+            Each a list of vertices; a closed line has its first vertex again at its end.
+
+        Returns
+        -------
+        Model
+            The model with the lines.
+        """
+        ...
+    def write(self, path: str | os.PathLike[str], format: str | None = None, *, progress: _Progress = ...) -> None:
+        """Writes the model to a file, which appears whole or not at all.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The file; its extension decides the format.
+        format : str, optional
+            The format, instead of that of the extension.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Raises
+        ------
+        UnsupportedFormatError
+            If the format cannot hold the model.
+        """
+        ...
+    def to_bytes(self, format: str) -> bytes:
+        """The model as a file of this format would hold it.
+
+        Parameters
+        ----------
+        format : str
+            The format, such as ``"off"``.
+
+        Returns
+        -------
+        bytes
+            The content of the file.
+        """
+        ...
+    def report(self, moments: Sequence[Sequence[int]] = ..., *, check: str = "usual", flatness: float | None = None, progress: _Progress = ...) -> Report:
+        """Everything that ``coface info`` says: what it is, whether it is sound, what is wrong and where.
+
+        Parameters
+        ----------
+        moments : sequence of (int, int, int), optional
+            Exponents of further moments, each x^a y^b z^c over the volume and the surface.
+        check : {"usual", "geometry", "topology"}
+            Whether faces in space are checked, as :attr:`Report.geometry`: on surfaces of up to 200,000 faces, always, never.
+        flatness : float, optional
+            How far points of a flat face may be from its plane; by default a hundredth of the face.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        Report
+            The report.
+        """
+        ...
+    def complex(self, *, progress: _Progress = ...) -> Complex:
+        """The simplicial complex of a model of simplices.
+
+        Returns
+        -------
+        Complex
+            The facets, triangles, tetrahedra, segments and vertices with all their faces.
+
+        Raises
+        ------
+        InvalidInputError
+            If a cell is no simplex.
+        """
+        ...
+    def chain_complex(self, relative: str | Model | Complex | ChainComplex | None = None, *, reduced: bool = False, progress: _Progress = ...) -> ChainComplex:
+        """The chain complex of the cells, or of a pair.
+
+        Parameters
+        ----------
+        relative : "boundary" or Model, optional
+            A part that is divided out: the boundary, or the cells of a model with the same vertex numbers.
+        reduced : bool
+            Whether a cell of degree -1 below all vertices is added, so that a point has no homology. Degrees then count from it.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        ChainComplex
+            Its cells are named by the vertices of the model.
+        """
+        ...
+    def surface(self, *, boundary: bool = False, progress: _Progress = ...) -> Surface:
+        """The faces as a surface.
+
+        Parameters
+        ----------
+        boundary : bool
+            Of a model with 3-cells, whether its boundary is meant.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        Surface
+            The surface.
+
+        Raises
+        ------
+        NonManifoldError
+            If it is not a surface; ``.cells`` has the edge or vertex that shows it.
+        """
+        ...
+    def repaired(self, *, split_edges: str | None = None, split_vertices: bool = False, orient: bool = False, keep_repeated: bool = False, progress: _Progress = ...) -> tuple[Model, NDArray[np.int64]]:
+        """The model as a mesh that is a surface: edges with more than two faces and vertices with several fans are split.
+
+        Parameters
+        ----------
+        split_edges : {"apart", "pairs"}, optional
+            What becomes of edges in three and more faces: each face gets the edge for itself, or coherent pairs stay together.
+        split_vertices : bool
+            Whether a vertex with several fans is duplicated, one copy for each fan.
+        orient : bool
+            Whether faces are turned so that neighbors agree.
+        keep_repeated : bool
+            Whether faces that repeat an earlier one stay; they are left out otherwise, and faces are numbered anew.
+
+        Returns
+        -------
+        model : Model
+            The repaired model; the same repair again does nothing.
+        vertex_sources : numpy.ndarray
+            For each vertex the one that it was.
+        """
+        ...
+    def to_model(self, *, surface: bool = False, spacing: Sequence[float] | None = None, origin: Sequence[float] | None = None) -> Model:
+        """The voxels of a volume as a mesh.
+
+        Parameters
+        ----------
+        surface : bool
+            Whether the squares around the voxels are made, turned outward; the voxels themselves otherwise: hexahedra, quadrilaterals or
+            segments.
+        spacing, origin : sequence of float, optional
+            How long a voxel is along each axis, and where the first corner is; 1 and 0 if left out.
+
+        Returns
+        -------
+        Model
+            Vertices are the corners of voxels.
+        """
+        ...
+    def triangulated(self, *, progress: _Progress = ...) -> Model:
+        """The model with each face cut into triangles on its own corners; data and groups follow."""
+        ...
+    def repaired_surface(self, *, tolerance: float = 0.0, closed: bool = False, progress: _Progress = ...) -> tuple[Model, dict[str, int]]:
+        """A surface made of the polygons of the model: merged, cleaned, split, turned and, on request, closed.
+
+        Parameters
+        ----------
+        tolerance : float
+            Vertices within this distance are merged, in the unit of the positions; 0 merges equal positions.
+        closed : bool
+            Whether holes are filled.
+
+        Returns
+        -------
+        model : Model
+        done : dict
+            How much was done: the keys ``vertices_merged``, ``vertices_left_out``, ``polygons_collapsed``, ``polygons_repeated``,
+            ``lines_left_out``, ``edges_split``, ``vertices_split``, ``faces_turned``, ``holes_filled`` and ``triangles_added``.
+        """
+        ...
+    def subdivided(self, *, progress: _Progress = ...) -> tuple[Model, NDArray[np.int64]]:
+        """A gluing table or a surface of halfedges as a facet list, subdivided where that is needed to keep simplices apart.
+
+        Returns
+        -------
+        model : Model
+            The facet list.
+        carriers : numpy.ndarray of shape (n, 2)
+            For each vertex the dimension and the number of the cell that it lies in the interior of.
+        """
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """This as a dictionary of JSON: ``recipe`` says how it is made again by ``from_dict``."""
+        ...
     @classmethod
-    def from_dict(cls, facts: Mapping[str, Any]) -> Model: ...
+    def from_dict(cls, facts: Mapping[str, Any]) -> Model:
+        """The answer that ``to_dict()`` wrote."""
+        ...
     def __len__(self) -> int: ...
     def __bool__(self) -> bool: ...
     def __eq__(self, other: object, /) -> bool: ...
@@ -625,27 +1887,107 @@ class Model:
 
 @final
 class Persistence:
+    """Births and deaths of homology classes along a filtration, over a prime field.
+
+    Made by :func:`persistence`.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     @property
-    def prime(self) -> int: ...
+    def prime(self) -> int:
+        """The prime of the field."""
+        ...
     @property
-    def is_falling(self) -> bool: ...
+    def is_falling(self) -> bool:
+        """Whether values fall along the filtration."""
+        ...
     @property
-    def betti_numbers(self) -> tuple[int, ...]: ...
-    def diagram(self, degree: int) -> NDArray[np.float64]: ...
+    def betti_numbers(self) -> tuple[int, ...]:
+        """The numbers of classes that never die, by degree."""
+        ...
+    def diagram(self, degree: int) -> NDArray[np.float64]:
+        """Births and deaths of a degree.
+
+        Parameters
+        ----------
+        degree : int
+            The degree.
+
+        Returns
+        -------
+        numpy.ndarray
+            ``float64``, shape (n, 2); a class that never dies has the death inf.
+        """
+        ...
     @property
-    def diagrams(self) -> list[NDArray[np.float64]]: ...
-    def to_gudhi(self) -> list[tuple[int, tuple[float, float]]]: ...
-    def pairs(self, degree: int) -> NDArray[np.int64]: ...
-    def simplices(self, degree: int) -> list[tuple[list[int], list[int] | None]]: ...
-    def dying_cycle(self, degree: int, place: int) -> Chain | None: ...
-    def longer_than(self, length: float) -> Persistence: ...
-    def to_bytes(self, format: str) -> bytes: ...
-    def to_svg(self, title: str = "persistence diagram") -> str: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def diagrams(self) -> list[NDArray[np.float64]]:
+        """The diagrams of all degrees, as Ripser's users have them."""
+        ...
+    def to_gudhi(self) -> list[tuple[int, tuple[float, float]]]:
+        """All pairs as ``(degree, (birth, death))``, as GUDHI's users have them."""
+        ...
+    def pairs(self, degree: int) -> NDArray[np.int64]:
+        """The cells that make and end the classes of a degree.
+
+        Parameters
+        ----------
+        degree : int
+            The degree.
+
+        Returns
+        -------
+        numpy.ndarray
+            ``int64``, shape (n, 2): the numbers of a cell of this degree and of one of the next, -1 where there is none.
+        """
+        ...
+    def simplices(self, degree: int) -> list[tuple[list[int], list[int] | None]]:
+        """The vertices of the cells that make and end the classes of a degree: a list of pairs."""
+        ...
+    def dying_cycle(self, degree: int, place: int) -> Chain | None:
+        """The cycle that a death cell fills: its boundary.
+
+        Parameters
+        ----------
+        degree : int
+            The degree of the class.
+        place : int
+            Its row in :meth:`diagram`.
+
+        Returns
+        -------
+        Chain or None
+            The boundary of the cell that ends the class; ``None`` if it never ends.
+        """
+        ...
+    def longer_than(self, length: float) -> Persistence:
+        """The diagram without classes that live no longer than this."""
+        ...
+    def to_bytes(self, format: str) -> bytes:
+        """The diagram as a file has it.
+
+        Parameters
+        ----------
+        format : {"gudhi", "ripser", "csv"}
+            The format.
+
+        Returns
+        -------
+        bytes
+            The content of the file.
+        """
+        ...
+    def to_svg(self, title: str = "persistence diagram") -> str:
+        """The diagram as a picture: SVG."""
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """The answer as a dictionary, in the words of the program's JSON, and how it was made: ``recipe``, which ``from_dict`` reads."""
+        ...
     @classmethod
-    def from_dict(cls, facts: Mapping[str, Any]) -> Persistence: ...
+    def from_dict(cls, facts: Mapping[str, Any]) -> Persistence:
+        """The answer that ``to_dict()`` wrote."""
+        ...
     def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __eq__(self, other: object, /) -> bool: ...
@@ -654,46 +1996,123 @@ class Persistence:
 
 @final
 class PlanarArrangement:
+    """What segments cut the plane into: vertices, edges and bounded faces.
+
+    Made by :func:`arrange`.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     @property
-    def f_vector(self) -> list[int]: ...
+    def f_vector(self) -> list[int]:
+        """The numbers of vertices, edges and bounded faces."""
+        ...
     @property
-    def measures(self) -> list[float]: ...
+    def measures(self) -> list[float]:
+        """The areas of the bounded faces."""
+        ...
     @property
-    def inside(self) -> list[list[int]]: ...
+    def inside(self) -> list[list[int]]:
+        """For each bounded face the inputs that contain it."""
+        ...
     @property
-    def holes(self) -> Any: ...
+    def holes(self) -> int:
+        """The number of holes of bounded faces."""
+        ...
     @property
-    def components(self) -> Any: ...
+    def components(self) -> int:
+        """The number of connected components of vertices and edges."""
+        ...
     @property
-    def euler_characteristic(self) -> Any: ...
+    def euler_characteristic(self) -> int:
+        """Vertices - edges + bounded faces."""
+        ...
     @property
-    def bridges(self) -> Any: ...
+    def bridges(self) -> int:
+        """The number of edges with one face on both sides."""
+        ...
     @property
-    def dangling_edges(self) -> Any: ...
+    def dangling_edges(self) -> int:
+        """The number of those of them that hang on the rest by one end."""
+        ...
     @property
-    def rounding(self) -> Any: ...
+    def rounding(self) -> dict[str, Json] | None:
+        """What rounding of coordinates does."""
+        ...
     @property
-    def products_zero(self) -> Any: ...
+    def products_zero(self) -> bool:
+        """Whether products of boundary matrices are zero, found by multiplying."""
+        ...
     @property
-    def regions(self) -> Any: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def regions(self) -> list[str]:
+        """The names of the inputs that contain faces."""
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """The answer as a dictionary, in the words of the program's JSON, and how it was made: ``recipe``, which ``from_dict`` reads."""
+        ...
     @property
-    def warnings(self) -> list[str]: ...
+    def warnings(self) -> list[str]:
+        """What is odd about the inputs."""
+        ...
     @property
-    def vertices(self) -> NDArray[np.float64]: ...
+    def vertices(self) -> NDArray[np.float64]:
+        """The positions of the vertices: ``float64``, shape (n, 2)."""
+        ...
     @property
-    def edges(self) -> NDArray[np.int64]: ...
-    def walks(self, face: int) -> list[NDArray[np.int64]]: ...
-    def properties(self, face: int) -> dict[str, Any]: ...
-    def provenance(self) -> Any: ...
-    def chain_complex(self) -> ChainComplex: ...
-    def to_bytes(self, format: str) -> bytes: ...
-    def write(self, path: str | os.PathLike[str], format: str | None = None) -> None: ...
-    def model(self) -> Model: ...
+    def edges(self) -> NDArray[np.int64]:
+        """The ends of the edges: ``int64``, shape (m, 2)."""
+        ...
+    def walks(self, face: int) -> list[NDArray[np.int64]]:
+        """The walks around a bounded face, each an array of vertices with the face on the left: the outer one and those of holes.
+
+        Parameters
+        ----------
+        face : int
+            The number of the face.
+
+        Returns
+        -------
+        list of numpy.ndarray
+            Walks may run along an edge twice where it has the face on both sides.
+        """
+        ...
+    def properties(self, face: int) -> dict[str, Json]:
+        """The properties of all features of GeoJSON or TopoJSON that contain a bounded face.
+
+        Parameters
+        ----------
+        face : int
+            The number of the face.
+
+        Returns
+        -------
+        dict of str
+            A key with equal values has that value, a key with different values the list of them in the order of the
+            inputs.
+        """
+        ...
+    def provenance(self) -> dict[str, Json] | None:
+        """Where everything comes from: ``vertices``, ``edges`` (segments along each) and ``faces`` (inputs around each)."""
+        ...
+    def chain_complex(self) -> ChainComplex:
+        """The chain complex of vertices, edges and bounded faces, refined until each face is a disk: its homology is that of
+        the union of all edges, vertices and bounded faces.
+        """
+        ...
+    def to_bytes(self, format: str) -> bytes:
+        """The arrangement as a file of this format."""
+        ...
+    def write(self, path: str | os.PathLike[str], format: str | None = None) -> None:
+        """Writes the arrangement to a file."""
+        ...
+    def model(self) -> Model:
+        """The faces as a model: polygons with the plane's coordinates."""
+        ...
     @classmethod
-    def from_dict(cls, facts: Mapping[str, Any]) -> PlanarArrangement: ...
+    def from_dict(cls, facts: Mapping[str, Any]) -> PlanarArrangement:
+        """The answer that ``to_dict()`` wrote."""
+        ...
     def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __eq__(self, other: object, /) -> bool: ...
@@ -702,40 +2121,96 @@ class PlanarArrangement:
 
 @final
 class PlanarBoolean:
+    """Regions of the plane combined: polygons with holes.
+
+    Made by :func:`boolean`.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     @property
-    def measure(self) -> float: ...
+    def measure(self) -> float:
+        """The area."""
+        ...
     @property
-    def f_vector(self) -> list[int]: ...
+    def f_vector(self) -> list[int]:
+        """The numbers of vertices, edges and polygons."""
+        ...
     @property
-    def components(self) -> Any: ...
+    def components(self) -> int:
+        """The number of parts; those that touch in points only are different ones."""
+        ...
     @property
-    def closed(self) -> bool: ...
+    def closed(self) -> bool:
+        """Whether every edge has the result on one side."""
+        ...
     @property
-    def manifold(self) -> Any: ...
+    def manifold(self) -> ManifoldFacts:
+        """Whether the boundary is a curve everywhere; ``witness`` has pinched vertices."""
+        ...
     @property
-    def rounding(self) -> Any: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def rounding(self) -> dict[str, Json] | None:
+        """What rounding of coordinates does."""
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """The answer as a dictionary, in the words of the program's JSON, and how it was made: ``recipe``, which ``from_dict`` reads."""
+        ...
     @property
-    def holes(self) -> int: ...
+    def holes(self) -> int:
+        """The number of holes."""
+        ...
     @property
-    def areas(self) -> NDArray[np.float64]: ...
+    def areas(self) -> NDArray[np.float64]:
+        """The areas of the polygons."""
+        ...
     @property
-    def vertices(self) -> NDArray[np.float64]: ...
+    def vertices(self) -> NDArray[np.float64]:
+        """The positions of the vertices: ``float64``, shape (n, 2)."""
+        ...
     @property
-    def polygons(self) -> list[list[NDArray[np.int64]]]: ...
+    def polygons(self) -> list[list[NDArray[np.int64]]]:
+        """For each polygon its rings, each an array of vertices: the outer one and those of holes."""
+        ...
     @property
-    def pinches(self) -> NDArray[np.int64]: ...
+    def pinches(self) -> NDArray[np.int64]:
+        """Vertices where parts of the result touch."""
+        ...
     @property
-    def warnings(self) -> list[str]: ...
-    def properties(self, polygon: int) -> dict[str, Any]: ...
-    def provenance(self) -> Any: ...
-    def to_bytes(self, format: str) -> bytes: ...
-    def write(self, path: str | os.PathLike[str], format: str | None = None) -> None: ...
-    def model(self) -> Model: ...
+    def warnings(self) -> list[str]:
+        """What is odd about the inputs."""
+        ...
+    def properties(self, polygon: int) -> dict[str, Json]:
+        """The properties of all features of GeoJSON or TopoJSON that contain some of a polygon.
+
+        Parameters
+        ----------
+        polygon : int
+            The number of the polygon.
+
+        Returns
+        -------
+        dict of str
+            A key with equal values has that value, a key with different values the list of them in the order of the
+            inputs.
+        """
+        ...
+    def provenance(self) -> dict[str, Json] | None:
+        """Where everything comes from."""
+        ...
+    def to_bytes(self, format: str) -> bytes:
+        """The result as a file of this format."""
+        ...
+    def write(self, path: str | os.PathLike[str], format: str | None = None) -> None:
+        """Writes the result to a file."""
+        ...
+    def model(self) -> Model:
+        """The rings as a model of closed lines, which is input again."""
+        ...
     @classmethod
-    def from_dict(cls, facts: Mapping[str, Any]) -> PlanarBoolean: ...
+    def from_dict(cls, facts: Mapping[str, Any]) -> PlanarBoolean:
+        """The answer that ``to_dict()`` wrote."""
+        ...
     def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __eq__(self, other: object, /) -> bool: ...
@@ -744,64 +2219,169 @@ class PlanarBoolean:
 
 @final
 class Report:
+    """Everything that ``coface info`` says about a model.
+
+    Made by :meth:`Model.report`. A notion that does not apply is ``None``.
+    """
     def _repr_html_(self) -> str: ...
     @property
-    def kind(self) -> str: ...
+    def kind(self) -> str:
+        """``complex``, ``surface``, ``volume`` or ``planar``."""
+        ...
     @property
-    def dimension(self) -> int | None: ...
+    def dimension(self) -> int | None:
+        """The highest dimension of a cell."""
+        ...
     @property
-    def f_vector(self) -> tuple[int, ...]: ...
+    def f_vector(self) -> tuple[int, ...]:
+        """The numbers of cells of the dimensions 0, 1, ..."""
+        ...
     @property
-    def pure(self) -> bool | None: ...
+    def pure(self) -> bool | None:
+        """Whether every cell lies in one of the highest dimension."""
+        ...
     @property
-    def components(self) -> int: ...
+    def components(self) -> int:
+        """The number of connected components."""
+        ...
     @property
-    def euler_characteristic(self) -> int: ...
+    def euler_characteristic(self) -> int:
+        """The alternating sum of the numbers of cells."""
+        ...
     @property
-    def manifold(self) -> str: ...
+    def manifold(self) -> str:
+        """Whether it is a manifold: ``yes``, ``no`` or ``unknown``."""
+        ...
     @property
-    def closed(self) -> bool | None: ...
+    def closed(self) -> bool | None:
+        """Whether it is a manifold without boundary."""
+        ...
     @property
-    def witness(self) -> dict[str, Any] | None: ...
+    def witness(self) -> Witness | None:
+        """Why it is no manifold: a dictionary with ``kind``, ``cells`` (lists of vertices) and ``message``."""
+        ...
     @property
-    def boundary_loops(self) -> list[NDArray[np.int64]] | None: ...
+    def boundary_loops(self) -> list[NDArray[np.int64]] | None:
+        """The boundary loops of a surface, each an array of its vertices in order."""
+        ...
     @property
-    def boundary_surface(self) -> dict[str, Any] | None: ...
+    def boundary_surface(self) -> dict[str, Json] | None:
+        """The boundary surface of a volume: a dictionary with ``faces``, ``components``, ``euler_characteristic``, ``manifold``, ``name``."""
+        ...
     @property
-    def orientable(self) -> bool | None: ...
+    def orientable(self) -> bool | None:
+        """Whether it can be oriented."""
+        ...
     @property
-    def coherently_oriented(self) -> bool | None: ...
+    def coherently_oriented(self) -> bool | None:
+        """Whether its cells are oriented coherently as they stand."""
+        ...
     @property
-    def genus(self) -> int | None: ...
+    def genus(self) -> int | None:
+        """The genus of a connected surface; of one that cannot be oriented the number of cross-caps."""
+        ...
     @property
-    def name(self) -> str | None: ...
+    def name(self) -> str | None:
+        """What a connected surface is called, such as ``torus``."""
+        ...
     @property
-    def surfaces(self) -> list[dict[str, Any]]: ...
+    def surfaces(self) -> list[dict[str, Json]]:
+        """The components of a surface: dictionaries with ``f_vector``, ``euler_characteristic``, ``boundary_loops``, ``orientable``, ``genus``, ``name``."""
+        ...
     @property
-    def homology(self) -> Homology: ...
+    def homology(self) -> Homology:
+        """The integral homology."""
+        ...
     @property
-    def area(self) -> float | None: ...
+    def area(self) -> float | None:
+        """The area, in the unit of the file squared."""
+        ...
     @property
-    def signed_volume(self) -> float | None: ...
+    def signed_volume(self) -> float | None:
+        """The volume, positive where normals point outward."""
+        ...
     @property
-    def surface_centroid(self) -> list[float] | None: ...
+    def surface_centroid(self) -> list[float] | None:
+        """The center of the surface."""
+        ...
     @property
-    def mass(self) -> dict[str, Any] | None: ...
+    def mass(self) -> dict[str, Json] | None:
+        """What it encloses, at density 1: ``volume``, ``centroid`` and ``inertia`` about the centroid."""
+        ...
     @property
-    def moments(self) -> list[dict[str, Any]]: ...
+    def moments(self) -> list[dict[str, Json]]:
+        """The moments that were asked for: dictionaries with ``exponents``, ``volume`` and ``surface``."""
+        ...
     @property
-    def geometry(self) -> dict[str, Any] | None: ...
+    def geometry(self) -> dict[str, Json] | None:
+        """Whether faces in space are sound: a dictionary with ``checked``, ``reason``, ``sound_surface``, ``valid_solid``, and
+        ``faults``, each with ``code`` (of ISO 19107), ``name``, ``of``, ``count``, ``message`` and ``places``.
+        """
+        ...
     @property
-    def problems(self) -> list[dict[str, Any]]: ...
+    def problems(self) -> list[Problem]:
+        """What is wrong and where: dictionaries with ``kind``, ``count``, ``message``, ``cells`` and ``top_cells`` (lists of vertices)."""
+        ...
     @property
-    def warnings(self) -> list[str]: ...
-    def to_dict(self, limit: int = 100, *, model: bool = False) -> dict[str, Any]: ...
-    def to_text(self, title: str = "model", limit: int = ...) -> str: ...
-    def to_html(self, title: str = "model", figures: Sequence[tuple[str, str]] = ...) -> str: ...
+    def warnings(self) -> list[str]:
+        """What was odd about the file."""
+        ...
+    def to_dict(self, limit: int = 100, *, model: bool = False) -> dict[str, Json]:
+        """The report as ``coface info --json`` prints it, but for ``file``.
+
+        Parameters
+        ----------
+        limit
+            How many places of each problem are listed.
+        model
+            Whether the model stands in it too, as ``recipe``, which ``from_dict`` needs.
+
+        Returns
+        -------
+        dict
+            ``kind``, ``dimension``, ``f_vector``, ..., with ``format`` if the model came from a file.
+        """
+        ...
+    def to_text(self, title: str = "model", limit: int = ...) -> str:
+        """The report for people, at 80 columns.
+
+        Parameters
+        ----------
+        title : str
+            What it is about.
+        limit : int
+            How many places of each problem are listed.
+
+        Returns
+        -------
+        str
+            The text that ``coface info`` prints.
+        """
+        ...
+    def to_html(self, title: str = "model", figures: Sequence[tuple[str, str]] = ...) -> str:
+        """The report as a page for browsers: tables of facts, and pictures given as SVG.
+
+        Parameters
+        ----------
+        title : str
+            What it is about.
+        figures : sequence of (str, str)
+            Pictures as SVG, each with its caption.
+
+        Returns
+        -------
+        str
+            One page that needs no network.
+        """
+        ...
     @classmethod
-    def from_dict(cls, facts: Mapping[str, Any]) -> Report: ...
+    def from_dict(cls, facts: Mapping[str, Any]) -> Report:
+        """The answer that ``to_dict()`` wrote."""
+        ...
     @property
-    def model(self) -> Model: ...
+    def model(self) -> Model:
+        """The model that was asked about."""
+        ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -810,24 +2390,61 @@ class Report:
 
 @final
 class Simplices:
+    """A set of simplices that need not be closed under faces: a star, an interior, a selection.
+
+    Parameters
+    ----------
+    simplices : array_like of int
+        One simplex, ``[0, 1]``, or several, ``[[0, 1], [3]]``.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     def __new__(cls, simplices: Any) -> Simplices: ...
     @property
-    def f_vector(self) -> tuple[int, ...]: ...
+    def f_vector(self) -> tuple[int, ...]:
+        """The numbers of simplices of the dimensions 0, 1, ..."""
+        ...
     @property
-    def dimension(self) -> int | None: ...
+    def dimension(self) -> int | None:
+        """The highest dimension; ``None`` of the empty set."""
+        ...
     @property
-    def vertices(self) -> NDArray[np.int64]: ...
+    def vertices(self) -> NDArray[np.int64]:
+        """The vertices of all members, rising."""
+        ...
     @property
-    def is_complex(self) -> bool: ...
-    def simplices(self, dimension: int) -> _Lists: ...
-    def closure(self) -> Complex: ...
-    def complex(self) -> Complex: ...
-    def missing_faces(self) -> Simplices: ...
-    def maximal(self) -> Simplices: ...
-    def skeleton(self, k: int) -> Simplices: ...
-    def model(self, source: Model, *, as_facets: bool = False) -> Model: ...
+    def is_complex(self) -> bool:
+        """Whether all faces of members are members."""
+        ...
+    def simplices(self, dimension: int) -> _Lists:
+        """The members of a dimension: ``int64``, shape (m, k + 1)."""
+        ...
+    def closure(self) -> Complex:
+        """The members with all their faces."""
+        ...
+    def complex(self) -> Complex:
+        """The members as a complex.
+
+        Raises
+        ------
+        NotAComplexError
+            If a face is missing.
+        """
+        ...
+    def missing_faces(self) -> Simplices:
+        """The faces of members that are no members."""
+        ...
+    def maximal(self) -> Simplices:
+        """The members that are no faces of others."""
+        ...
+    def skeleton(self, k: int) -> Simplices:
+        """The members of dimension ``k`` and lower."""
+        ...
+    def model(self, source: Model, *, as_facets: bool = False) -> Model:
+        """The members as a model; facets only if ``as_facets``."""
+        ...
     def __or__(self, other: Any, /) -> Simplices: ...
     def __ror__(self, other: Any, /) -> Simplices: ...
     def __and__(self, other: Any, /) -> Simplices: ...
@@ -838,7 +2455,7 @@ class Simplices:
     def __ge__(self, other: Simplices, /) -> bool: ...
     def __contains__(self, simplex: Any, /) -> bool: ...
     def __len__(self) -> int: ...
-    def __iter__(self) -> Iterator[Any]: ...
+    def __iter__(self) -> Iterator[list[int]]: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
     def __repr__(self) -> str: ...
@@ -846,59 +2463,122 @@ class Simplices:
 
 @final
 class SimplicialGrid:
+    """A grid of cubes, each cut into simplices along its diagonal.
+
+    Parameters
+    ----------
+    shape : sequence of int
+        The numbers of cubes along the axes.
+    """
     def __new__(cls, shape: ArrayLike) -> SimplicialGrid: ...
     @property
-    def shape(self) -> tuple[Any, ...]: ...
+    def shape(self) -> tuple[int, ...]:
+        """The numbers of cubes along the axes."""
+        ...
     @property
-    def simplices(self) -> NDArray[np.int64]: ...
+    def simplices(self) -> NDArray[np.int64]:
+        """The simplices, vertices rising: ``int64``, shape (m, d + 1)."""
+        ...
     @property
-    def signs(self) -> NDArray[np.int64]: ...
+    def signs(self) -> NDArray[np.int64]:
+        """The signs that orient the simplices coherently: 1 or -1."""
+        ...
     @property
-    def vertices(self) -> NDArray[np.float64]: ...
-    def model(self) -> Model: ...
+    def vertices(self) -> NDArray[np.float64]:
+        """The positions of the vertices: shape (n, d)."""
+        ...
+    def model(self) -> Model:
+        """The simplices as a model."""
+        ...
     def __len__(self) -> int: ...
     def __repr__(self) -> str: ...
 
 @final
 class SolidBoolean:
+    """Solids combined: a surface.
+
+    Made by :func:`boolean`.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     @property
-    def measure(self) -> float | None: ...
+    def measure(self) -> float | None:
+        """The volume; ``None`` if the exterior is in the result."""
+        ...
     @property
-    def f_vector(self) -> list[int]: ...
+    def f_vector(self) -> list[int]:
+        """The numbers of vertices, edges and faces of the surface."""
+        ...
     @property
-    def components(self) -> Any: ...
+    def components(self) -> int:
+        """The number of components of the surface."""
+        ...
     @property
-    def closed(self) -> bool: ...
+    def closed(self) -> bool:
+        """Whether the surface has no rim."""
+        ...
     @property
-    def manifold(self) -> Any: ...
+    def manifold(self) -> ManifoldFacts:
+        """Whether the surface is a manifold, with a witness if not."""
+        ...
     @property
-    def area(self) -> float | None: ...
+    def area(self) -> float | None:
+        """The area of the surface."""
+        ...
     @property
-    def genus(self) -> int | None: ...
+    def genus(self) -> int | None:
+        """The genus of a connected surface."""
+        ...
     @property
-    def solids(self) -> int: ...
+    def solids(self) -> int:
+        """The number of parts that are connected through faces."""
+        ...
     @property
-    def voids(self) -> int: ...
+    def voids(self) -> int:
+        """The number of voids."""
+        ...
     @property
-    def unbounded(self) -> bool: ...
+    def unbounded(self) -> bool:
+        """Whether the exterior is in the result."""
+        ...
     @property
-    def pinches(self) -> Any: ...
+    def pinches(self) -> dict[str, Json]:
+        """Edges and vertices where the result is no surface."""
+        ...
     @property
-    def rounding(self) -> Any: ...
+    def rounding(self) -> dict[str, Json] | None:
+        """What rounding of coordinates does."""
+        ...
     @property
-    def joined(self) -> Any: ...
+    def joined(self) -> dict[str, Json] | None:
+        """What was put together, where that was asked for or needed."""
+        ...
     @property
-    def euler_characteristic(self) -> Any: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def euler_characteristic(self) -> int:
+        """Vertices - edges + faces."""
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """The answer as a dictionary, in the words of the program's JSON, and how it was made: ``recipe``, which ``from_dict`` reads."""
+        ...
     @property
-    def model(self) -> Model: ...
+    def model(self) -> Model:
+        """The surface."""
+        ...
     @property
-    def cells(self) -> Model: ...
-    def provenance(self) -> Any: ...
+    def cells(self) -> Model:
+        """The cells of the result as a chain complex with positions, refined until each is a ball, so that its homology is
+        that of the result.
+        """
+        ...
+    def provenance(self) -> dict[str, Json] | None:
+        """Where everything comes from."""
+        ...
     @classmethod
-    def from_dict(cls, facts: Mapping[str, Any]) -> SolidBoolean: ...
+    def from_dict(cls, facts: Mapping[str, Any]) -> SolidBoolean:
+        """The answer that ``to_dict()`` wrote."""
+        ...
     def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __eq__(self, other: object, /) -> bool: ...
@@ -906,47 +2586,116 @@ class SolidBoolean:
 
 @final
 class SpatialArrangement:
+    """What polygons cut space into: vertices, edges, faces and bounded cells.
+
+    Made by :func:`arrange`.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     @property
-    def f_vector(self) -> list[int]: ...
+    def f_vector(self) -> list[int]:
+        """The numbers of vertices, edges, faces and bounded cells."""
+        ...
     @property
-    def measures(self) -> list[float]: ...
+    def measures(self) -> list[float]:
+        """The volumes of the bounded cells."""
+        ...
     @property
-    def inside(self) -> list[list[int]]: ...
+    def inside(self) -> list[list[int]]:
+        """For each bounded cell the inputs that contain it."""
+        ...
     @property
-    def holes(self) -> Any: ...
+    def holes(self) -> int:
+        """The number of holes of faces."""
+        ...
     @property
-    def voids(self) -> Any: ...
+    def voids(self) -> int:
+        """The number of voids of cells."""
+        ...
     @property
-    def components(self) -> Any: ...
+    def components(self) -> int:
+        """The number of connected components of faces."""
+        ...
     @property
-    def euler_characteristic(self) -> Any: ...
+    def euler_characteristic(self) -> int:
+        """Vertices - edges + faces - bounded cells."""
+        ...
     @property
-    def dangling_faces(self) -> Any: ...
+    def dangling_faces(self) -> int:
+        """The number of faces with one cell, or the exterior, on both sides."""
+        ...
     @property
-    def rounding(self) -> Any: ...
+    def rounding(self) -> dict[str, Json] | None:
+        """What rounding of coordinates does."""
+        ...
     @property
-    def joined(self) -> Any: ...
+    def joined(self) -> dict[str, Json] | None:
+        """What was put together, where that was asked for or needed."""
+        ...
     @property
-    def products_zero(self) -> Any: ...
+    def products_zero(self) -> bool:
+        """Whether products of boundary matrices are zero, found by multiplying."""
+        ...
     @property
-    def regions(self) -> list[str]: ...
+    def regions(self) -> list[str]:
+        """The names of the inputs, if objects, groups, features or components are inputs."""
+        ...
     @property
-    def inputs_of_faces(self) -> list[list[int]] | None: ...
+    def inputs_of_faces(self) -> list[list[int]] | None:
+        """For each face the inputs that have a polygon there, if objects, groups, features or components are inputs."""
+        ...
     @property
-    def files(self) -> list[dict[str, Any]]: ...
+    def files(self) -> list[dict[str, Json]]:
+        """The inputs: names, numbers of polygons, and whether each is closed."""
+        ...
     @property
-    def remarks(self) -> list[dict[str, Any]]: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def remarks(self) -> list[Remark]:
+        """What was assumed or left out."""
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """The answer as a dictionary, in the words of the program's JSON, and how it was made: ``recipe``, which ``from_dict`` reads."""
+        ...
     @property
-    def vertices(self) -> NDArray[np.float64]: ...
-    def provenance(self) -> Any: ...
-    def chain_complex(self) -> ChainComplex: ...
-    def graph(self) -> CellGraph: ...
-    def model(self, *, triangles: bool | None = None) -> Model: ...
+    def vertices(self) -> NDArray[np.float64]:
+        """The positions of the vertices: ``float64``, shape (n, 3)."""
+        ...
+    def provenance(self) -> dict[str, Json] | None:
+        """Where everything comes from."""
+        ...
+    def chain_complex(self) -> ChainComplex:
+        """The chain complex of vertices, edges, faces and bounded cells, refined until each is a ball: its homology is that of
+        the union of all faces and bounded cells.
+        """
+        ...
+    def graph(self) -> CellGraph:
+        """The graph of the bounded cells: which are adjacent, and across how much area.
+
+        Returns
+        -------
+        CellGraph
+            Cells with volumes, centers and the inputs that contain them; pairs of cells with the area between them.
+        """
+        ...
+    def model(self, *, triangles: bool | None = None) -> Model:
+        """The faces as a model.
+
+        Parameters
+        ----------
+        triangles : bool, optional
+            Whether faces are cut into triangles; if all inputs are triangles, if left out.
+
+        Returns
+        -------
+        Model
+            The faces, in groups by the input that they come from.
+        """
+        ...
     @classmethod
-    def from_dict(cls, facts: Mapping[str, Any]) -> SpatialArrangement: ...
+    def from_dict(cls, facts: Mapping[str, Any]) -> SpatialArrangement:
+        """The answer that ``to_dict()`` wrote."""
+        ...
     def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __eq__(self, other: object, /) -> bool: ...
@@ -955,51 +2704,233 @@ class SpatialArrangement:
 
 @final
 class Surface:
+    """A surface: faces with sides, glued along edges.
+
+    Made by :meth:`Model.surface`. Side s runs along edge ``edge[s]`` of face ``face[s]``, from vertex ``vertex[s]``; the arrays have one
+    entry for each side. Vertices have numbers from 0; ``vertex_numbers`` has those of the file.
+
+    Parameters
+    ----------
+    model : Model
+        A model whose faces are a surface.
+    boundary : bool
+        Of a model with 3-cells, whether its boundary is meant.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     def __new__(cls, model: Any, *, boundary: bool = False, progress: _Progress = ...) -> Surface: ...
     @property
-    def f_vector(self) -> tuple[int, int, int]: ...
+    def f_vector(self) -> tuple[int, int, int]:
+        """The numbers of vertices, edges and faces."""
+        ...
     @property
-    def euler_characteristic(self) -> int: ...
+    def euler_characteristic(self) -> int:
+        """Vertices - edges + faces."""
+        ...
     @property
-    def next(self) -> NDArray[np.int64]: ...
+    def next(self) -> NDArray[np.int64]:
+        """The next side around the face of each side."""
+        ...
     @property
-    def twin(self) -> NDArray[np.int64]: ...
+    def twin(self) -> NDArray[np.int64]:
+        """The other side at the edge of each side; -1 on the boundary."""
+        ...
     @property
-    def vertex(self) -> NDArray[np.int64]: ...
+    def vertex(self) -> NDArray[np.int64]:
+        """The vertex that each side starts from."""
+        ...
     @property
-    def edge(self) -> NDArray[np.int64]: ...
+    def edge(self) -> NDArray[np.int64]:
+        """The edge of each side."""
+        ...
     @property
-    def face(self) -> NDArray[np.int64]: ...
+    def face(self) -> NDArray[np.int64]:
+        """The face of each side."""
+        ...
     @property
-    def edge_ends(self) -> NDArray[np.int32]: ...
+    def edge_ends(self) -> NDArray[np.int32]:
+        """The ends of each edge: ``int32``, shape (edges, 2), on the memory of the surface."""
+        ...
     @property
-    def vertex_numbers(self) -> NDArray[np.int64]: ...
+    def vertex_numbers(self) -> NDArray[np.int64]:
+        """The numbers in the file of the vertices."""
+        ...
     @property
-    def component_count(self) -> int: ...
+    def component_count(self) -> int:
+        """The number of connected components with faces."""
+        ...
     @property
-    def components(self) -> NDArray[np.int64]: ...
-    def boundary_loops(self) -> list[NDArray[np.int64]]: ...
+    def components(self) -> NDArray[np.int64]:
+        """The component of each face."""
+        ...
+    def boundary_loops(self) -> list[NDArray[np.int64]]:
+        """The boundary loops, each an array of its vertices in order, as numbers of the file."""
+        ...
     @property
-    def is_orientable(self) -> bool: ...
+    def is_orientable(self) -> bool:
+        """Whether faces can be turned so that neighbors agree."""
+        ...
     @property
-    def is_closed(self) -> bool: ...
-    def orientation(self) -> NDArray[np.int64]: ...
+    def is_closed(self) -> bool:
+        """Whether there is no boundary."""
+        ...
+    def orientation(self) -> NDArray[np.int64]:
+        """Signs of the faces that make neighbors agree, as far as that is possible: 1 or -1."""
+        ...
     @property
-    def genus(self) -> int | None: ...
-    def classify(self) -> list[dict[str, Any]]: ...
-    def cut(self, along: ArrayLike | None = None, *, simplify: bool = False, rounds: int | None = None, base: int | None = None, progress: _Progress = ...) -> Domain: ...
-    def cover(self, *, radius: int | None = None, copies: int | None = None, component: int = 0, layout: str = "auto", most_cells: int = 100000000, progress: _Progress = ...) -> Cover: ...
-    def double_cover(self, *, progress: _Progress = ...) -> Model: ...
-    def cocycles(self, *, method: str = "crossing", harmonic: bool = False, weights: str = "auto", progress: _Progress = ...) -> Cocycles: ...
-    def pi1(self, *, canonical: bool = False, shortest: bool = False, base: int | None = None, progress: _Progress = ...) -> list[FundamentalGroup]: ...
-    def shortest_cycles(self, kind: str = "non-contractible", *, through: int | None = None, progress: _Progress = ...) -> list[tuple[float, NDArray[np.int64]]]: ...
-    def compare(self, walks: Sequence[ArrayLike], *, progress: _Progress = ...) -> Any: ...
-    def model(self) -> Model: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def genus(self) -> int | None:
+        """The genus of a connected surface; of one that cannot be oriented the number of cross-caps; ``None`` if not connected."""
+        ...
+    def classify(self) -> list[SurfacePart]:
+        """What each component is, by the classification of surfaces.
+
+        Returns
+        -------
+        list of dict
+            ``name``, ``orientable``, ``genus``, ``boundary_loops``, ``euler_characteristic``, ``f_vector``.
+        """
+        ...
+    def cut(self, along: ArrayLike | None = None, *, simplify: bool = False, rounds: int | None = None, base: int | None = None, progress: _Progress = ...) -> Domain:
+        """The surface cut open to disks along a short graph, or along a path.
+
+        Parameters
+        ----------
+        along : array_like of int, optional
+            A path of vertices; if left out, a graph that leaves a disk of each component.
+        simplify : bool
+            Whether the graph is made short.
+        rounds : int, optional
+            How often every seam is made shorter.
+        base : int, optional
+            The vertex that the graph is grown from.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        Domain
+            The opened surface, and what each seam is for.
+        """
+        ...
+    def cover(self, *, radius: int | None = None, copies: int | None = None, component: int = 0, layout: str = "auto", most_cells: int = 100000000, progress: _Progress = ...) -> Cover:
+        """The universal cover of a component, as far as it is asked for.
+
+        Parameters
+        ----------
+        radius : int, optional
+            All copies of the domain at words of this length at most.
+        copies : int, optional
+            So many copies; 1 if neither is given.
+        component : int
+            The component.
+        layout : {"auto", "flat", "disk", "none"}
+            Where copies are put: in the plane, in the Poincare disk, whichever there is, or over the surface.
+        most_cells : int
+            More cells than this are refused.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        Cover
+            The copies glued together, with the element of the group of each.
+        """
+        ...
+    def double_cover(self, *, progress: _Progress = ...) -> Model:
+        """The cover that has each face twice, once for each of its sides; it can be oriented.
+
+        Returns
+        -------
+        Model
+            The cover; the data ``source`` and ``copy`` say what lies below.
+        """
+        ...
+    def cocycles(self, *, method: str = "crossing", harmonic: bool = False, weights: str = "auto", progress: _Progress = ...) -> Cocycles:
+        """A basis of the first cohomology dual to loops.
+
+        Parameters
+        ----------
+        method : {"crossing", "slicing"}
+            How cocycles are found: by the dual tree that crosses edges, or by slicing along loops.
+        harmonic : bool
+            Whether harmonic forms of the same classes are wanted.
+        weights : {"auto", "cotangent", "uniform"}
+            The weights of edges for harmonic forms.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        Cocycles
+            Loops, cocycles, their pairing, and harmonic forms.
+        """
+        ...
+    def pi1(self, *, canonical: bool = False, shortest: bool = False, base: int | None = None, progress: _Progress = ...) -> list[FundamentalGroup]:
+        """The fundamental groups of the components in generators of the surface, with their loops.
+
+        Parameters
+        ----------
+        canonical : bool
+            Whether generators are those of the normal form: a b a^-1 b^-1 ... or a a b b ...
+        shortest : bool
+            Whether loops are the shortest at the base.
+        base : int, optional
+            The vertex that loops start from.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        list of FundamentalGroup
+            One for each component with faces.
+        """
+        ...
+    def shortest_cycles(self, kind: str = "non-contractible", *, through: int | None = None, progress: _Progress = ...) -> list[tuple[float, NDArray[np.int64]]]:
+        """Shortest closed paths: one that cannot be contracted, one that does not separate, or a basis of homology.
+
+        Parameters
+        ----------
+        kind : {"non-contractible", "non-separating", "homology-basis"}
+            What is looked for.
+        through : int, optional
+            A vertex that it has to go through.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        list of (float, numpy.ndarray)
+            Lengths and vertices, the first one again at the end. Without positions each edge has the length 1.
+        """
+        ...
+    def compare(self, walks: Iterable[ArrayLike], *, progress: _Progress = ...) -> list[ComparedWalk]:
+        """What closed walks are: whether they can be contracted, bound, and which are homotopic.
+
+        Parameters
+        ----------
+        walks : sequence of array_like of int
+            Closed paths of vertices along edges, the first one again at the end.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        list of dict
+            ``contractible``, ``bounds``, ``word``, ``homotopic`` and ``freely_homotopic`` (numbers of other walks that are).
+        """
+        ...
+    def model(self) -> Model:
+        """The surface as a model."""
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """This as a dictionary of JSON: ``recipe`` says how it is made again by ``from_dict``."""
+        ...
     @classmethod
-    def from_dict(cls, facts: Mapping[str, Any]) -> Surface: ...
+    def from_dict(cls, facts: Mapping[str, Any]) -> Surface:
+        """The answer that ``to_dict()`` wrote."""
+        ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
     def __len__(self) -> int: ...
@@ -1008,64 +2939,228 @@ class Surface:
 
 @final
 class Verdict:
+    """An answer with what shows that it is right: true, false, or unknown.
+
+    In conditions it is its answer; ``bool`` of an unknown one raises.
+    """
     def _repr_html_(self) -> str: ...
     @property
-    def answer(self) -> bool | None: ...
+    def answer(self) -> bool | None:
+        """``True``, ``False``, or ``None`` where it could not be decided or the notion does not apply."""
+        ...
     @property
-    def kind(self) -> str | None: ...
+    def kind(self) -> str | None:
+        """What sort of thing is in the way."""
+        ...
     @property
-    def message(self) -> str | None: ...
+    def message(self) -> str | None:
+        """The same in words."""
+        ...
     @property
-    def cells(self) -> list[list[int]]: ...
+    def cells(self) -> list[list[int]]:
+        """The cells that show it, each by its vertices."""
+        ...
     @property
-    def closed(self) -> bool | None: ...
+    def closed(self) -> bool | None:
+        """Whether a manifold has no boundary."""
+        ...
     def __bool__(self) -> bool: ...
     def __repr__(self) -> str: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def to_dict(self) -> dict[str, Json]:
+        """The verdict as a dictionary."""
+        ...
 
 @final
 class YinSet:
+    """A set of the plane that is regular, open and semianalytic: bounded by polylines or splines, itself bounded or not.
+
+    Sets do not change; an edit gives a new one, and one that fails leaves everything as it was.
+
+    Parameters
+    ----------
+    curves : sequence of Curve
+        Boundaries with the set on their left, pairwise disjoint but for single points. Outermost ones that run clockwise leave everything
+        outside of them, with an :class:`AssumptionWarning`.
+    """
     def _repr_html_(self) -> str: ...
-    def plot(self, **options: Any) -> Any: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
     @property
-    def bounding_box(self) -> list[list[float]] | None: ...
+    def bounding_box(self) -> list[list[float]] | None:
+        """The lower left and upper right corners of the smallest box; ``None`` without curves."""
+        ...
     @property
-    def perimeter(self) -> float: ...
+    def perimeter(self) -> float:
+        """The length of the boundary."""
+        ...
     @property
-    def curve_counts(self) -> list[int]: ...
+    def curve_counts(self) -> list[int]:
+        """How many curves have the set inside, and how many outside."""
+        ...
     @property
-    def betti_open(self) -> list[int]: ...
+    def betti_open(self) -> list[int]:
+        """Components and holes of the open set."""
+        ...
     @property
-    def betti_closed(self) -> list[int]: ...
+    def betti_closed(self) -> list[int]:
+        """Components and holes of the closed set."""
+        ...
     @property
-    def atoms(self) -> list[list[int]]: ...
-    def to_dict(self) -> dict[str, Any]: ...
+    def atoms(self) -> list[list[int]]:
+        """For each connected component the numbers of its curves."""
+        ...
+    def to_dict(self) -> dict[str, Json]:
+        """The set as a dictionary, in the words of the program's JSON, with its curves in ``recipe``, which ``from_dict`` reads."""
+        ...
     @property
-    def curve_facts(self) -> list[dict[str, Any]]: ...
+    def curve_facts(self) -> list[dict[str, Json]]:
+        """For each curve ``sign``, ``area``, ``length``, ``knots``, ``kinks``, ``parent``, ``depth``, ``name``."""
+        ...
     def __new__(cls, curves: Sequence[Curve]) -> YinSet: ...
     @staticmethod
-    def read(path: str | os.PathLike[str], format: str | None = None, *, order: int | None = None, rule: str | None = None, kinks: str | float | Sequence[tuple[int, int]] | None = None, ends: str = "not-a-knot", fit: bool = False, canonical: bool = False, flatten: float | None = None, allow_outside: bool = False, progress: _Progress = ...) -> YinSet: ...
+    def read(path: str | os.PathLike[str], format: str | None = None, *, order: int | None = None, rule: str | None = None, kinks: str | float | Sequence[tuple[int, int]] | None = None, ends: str = "not-a-knot", fit: bool = False, canonical: bool = False, flatten: float | None = None, allow_outside: bool = False, progress: _Progress = ...) -> YinSet:
+        """Reads a set from a file: SVG, GeoJSON, WKT, JSON, ``.dat`` or any drawing with rings.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The file.
+        format : str, optional
+            The format, if it is not to be found out.
+        order : {2, 4, 6, 8}, optional
+            The order of the curves.
+        rule : {"nonzero", "evenodd", "positive"}, optional
+            What rings that cross contain.
+        kinks : "none", "all", float, or list of (int, int), optional
+            Where curves may turn: nowhere, everywhere, where polylines turn by more degrees, or at these (curve, knot).
+        ends : {"not-a-knot", "natural"}
+            What holds at kinks.
+        fit : bool
+            Whether points are fitted again.
+        canonical : bool
+            Whether the unique form is made.
+        flatten : float, optional
+            How far the polylines of curved paths may be from the curves, where the order is 2.
+        allow_outside : bool
+            Whether other files that the file names may lie outside of its folder: allow it for files that you trust.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+        """
+        ...
     @staticmethod
-    def from_rings(rings: Sequence[ArrayLike], *, order: int = 2, rule: str | None = None, kinks: str | float | Sequence[tuple[int, int]] | None = None, ends: str = "not-a-knot", canonical: bool = False, progress: _Progress = ...) -> YinSet: ...
+    def from_rings(rings: Sequence[ArrayLike], *, order: int = 2, rule: str | None = None, kinks: str | float | Sequence[tuple[int, int]] | None = None, ends: str = "not-a-knot", canonical: bool = False, progress: _Progress = ...) -> YinSet:
+        """A set bounded by rings of points.
+
+        Parameters
+        ----------
+        rings : sequence of array_like, each of shape (n, 2)
+            Rings, the first point not repeated.
+        order : {2, 4, 6, 8}
+            2 for polylines, 4 for cubic splines through the points, ..
+        rule : {"nonzero", "evenodd", "positive"}, optional
+            What rings that cross contain; without it the set lies to the left of each ring: inside of one that runs counterclockwise. Outermost
+            rings that run clockwise leave everything outside of them, with an :class:`AssumptionWarning`.
+        kinks : "none", "all", float, or list of (int, int), optional
+            Where splines may turn.
+        ends : {"not-a-knot", "natural"}
+            What holds at kinks.
+        canonical : bool
+            Whether the unique form is made.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+        """
+        ...
     @staticmethod
-    def from_model(model: Any, *, order: int | None = None, rule: str | None = None, kinks: str | float | Sequence[tuple[int, int]] | None = None, progress: _Progress = ...) -> YinSet: ...
+    def from_model(model: Any, *, order: int | None = None, rule: str | None = None, kinks: str | float | Sequence[tuple[int, int]] | None = None, progress: _Progress = ...) -> YinSet:
+        """The rings of a planar model as a set."""
+        ...
     @staticmethod
-    def from_shapely(geometry: Any, *, order: int = 2, kinks: str | float | Sequence[tuple[int, int]] | None = None, progress: _Progress = ...) -> YinSet: ...
-    def to_shapely(self, *, flatten: float | None = None) -> Any: ...
+    def from_shapely(geometry: Any, *, order: int = 2, kinks: str | float | Sequence[tuple[int, int]] | None = None, progress: _Progress = ...) -> YinSet:
+        """The polygons of a geometry of shapely, or of a list of them, as a set.
+
+        Parameters
+        ----------
+        geometry
+            Polygons with holes, in any direction.
+        order
+            2 for polylines, 4 for cubic splines through the points, ...
+        kinks
+            Where splines may turn, as in :meth:`YinSet.from_rings`.
+        progress
+            As for :func:`homology`.
+
+        Returns
+        -------
+        YinSet
+            Coordinates go over exactly.
+        """
+        ...
+    def to_shapely(self, *, flatten: float | None = None) -> Any:
+        """The set as polygons of shapely, with holes.
+
+        Parameters
+        ----------
+        flatten
+            How far chords may be from curves; not needed for polylines, whose coordinates go over exactly.
+
+        Returns
+        -------
+        shapely.Polygon or shapely.MultiPolygon
+        """
+        ...
     @staticmethod
-    def empty(order: int = 2) -> YinSet: ...
+    def empty(order: int = 2) -> YinSet:
+        """The set without points."""
+        ...
     @staticmethod
-    def plane(order: int = 2) -> YinSet: ...
+    def plane(order: int = 2) -> YinSet:
+        """The whole plane."""
+        ...
     @staticmethod
-    def combine(operation: str, sets: Sequence[YinSet], *, progress: _Progress = ...) -> YinSet: ...
-    def complement(self) -> YinSet: ...
-    def meet(self, other: YinSet) -> YinSet: ...
-    def join(self, other: YinSet) -> YinSet: ...
-    def difference(self, other: YinSet) -> YinSet: ...
-    def symmetric_difference(self, other: YinSet) -> YinSet: ...
-    def compare(self, other: YinSet) -> Any: ...
+    def combine(operation: str, sets: Sequence[YinSet], *, progress: _Progress = ...) -> YinSet:
+        """Any formula on any number of sets.
+
+        Parameters
+        ----------
+        operation : str
+            ``"meet"``, ``"join"``, ``"difference"``, ``"xor"``, or a formula of sets by number, such as ``"(0 | 1) & !2"``.
+        sets : sequence of YinSet
+            The sets.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        YinSet
+            The set; its :attr:`provenance` says where each piece of the boundary comes from.
+        """
+        ...
+    def complement(self) -> YinSet:
+        """The set of all points not in its closure; also ``~``."""
+        ...
+    def meet(self, other: YinSet) -> YinSet:
+        """The regularized intersection; also ``&``."""
+        ...
+    def join(self, other: YinSet) -> YinSet:
+        """The regularized union; also ``|``."""
+        ...
+    def difference(self, other: YinSet) -> YinSet:
+        """The regularized difference; also ``-``."""
+        ...
+    def symmetric_difference(self, other: YinSet) -> YinSet:
+        """What lies in exactly one of the two; also ``^``."""
+        ...
+    def compare(self, other: YinSet) -> SetComparison:
+        """How far another set is from this one: ``area_xor`` (the area of the symmetric difference; ``None`` if it is infinite) and
+        ``area_xor_error`` (an estimate from above, about 1e-14 of the box), ``area_signed``, ``area_signed_error``, ``hausdorff`` (of the
+        boundaries), ``components`` and ``holes`` of both.
+        """
+        ...
     @classmethod
-    def from_dict(cls, facts: Mapping[str, Any]) -> YinSet: ...
+    def from_dict(cls, facts: Mapping[str, Any]) -> YinSet:
+        """The answer that ``to_dict()`` wrote."""
+        ...
     def __invert__(self) -> YinSet: ...
     def __and__(self, other: YinSet, /) -> YinSet: ...
     def __rand__(self, other: YinSet, /) -> YinSet: ...
@@ -1075,38 +3170,170 @@ class YinSet:
     def __rsub__(self, other: YinSet, /) -> YinSet: ...
     def __xor__(self, other: YinSet, /) -> YinSet: ...
     def __rxor__(self, other: YinSet, /) -> YinSet: ...
-    def is_subset_of(self, other: YinSet) -> bool: ...
+    def is_subset_of(self, other: YinSet) -> bool:
+        """Whether every point is in the other set; also ``<=``."""
+        ...
     def __le__(self, other: YinSet, /) -> bool: ...
     def __ge__(self, other: YinSet, /) -> bool: ...
     @property
-    def is_empty(self) -> bool: ...
+    def is_empty(self) -> bool:
+        """Whether it has no points."""
+        ...
     @property
-    def is_plane(self) -> bool: ...
+    def is_plane(self) -> bool:
+        """Whether it is the whole plane."""
+        ...
     @property
-    def is_bounded(self) -> bool: ...
+    def is_bounded(self) -> bool:
+        """Whether it lies in some disk."""
+        ...
     @property
-    def area(self) -> float: ...
+    def area(self) -> float:
+        """The area; inf of an unbounded set."""
+        ...
     @property
-    def order(self) -> int: ...
+    def order(self) -> int:
+        """The order of its curves."""
+        ...
     @property
-    def curves(self) -> list[Curve]: ...
+    def curves(self) -> list[Curve]:
+        """The boundary curves, with the set on their left."""
+        ...
     @property
-    def remarks(self) -> list[str]: ...
+    def remarks(self) -> list[str]:
+        """What was odd about the input."""
+        ...
     @property
-    def provenance(self) -> Any: ...
+    def provenance(self) -> dict[str, Json] | None:
+        """Of a combination, ``sources``: for each curve and piece ``[operand, curve, piece, from, to]``; and ``uncertified`` decisions."""
+        ...
     @property
-    def kinks(self) -> Kinks: ...
-    def insert_kink(self, curve: int, knot: int) -> tuple[YinSet, int]: ...
-    def erase_kink(self, vertex: int) -> YinSet: ...
-    def reset_kinks(self, kinks: str | float | Sequence[tuple[int, int]] | None) -> YinSet: ...
-    def canonical(self) -> YinSet: ...
-    def locate(self, points: ArrayLike) -> NDArray[np.int8]: ...
+    def kinks(self) -> Kinks:
+        """The kinks."""
+        ...
+    def insert_kink(self, curve: int, knot: int) -> tuple[YinSet, int]:
+        """The set with one more kink.
+
+        Parameters
+        ----------
+        curve : int
+            The number of the curve.
+        knot : int
+            The number of the knot.
+
+        Returns
+        -------
+        set : YinSet
+            The curve fitted again.
+        vertex : int
+            The name of the kink.
+        """
+        ...
+    def erase_kink(self, vertex: int) -> YinSet:
+        """The set without the kink of this name."""
+        ...
+    def reset_kinks(self, kinks: str | float | Sequence[tuple[int, int]] | None) -> YinSet:
+        """The set with these kinks and no others: ``"none"``, ``"all"``, an angle in degrees, or pairs (curve, knot)."""
+        ...
+    def canonical(self) -> YinSet:
+        """The unique form: curves in order, each from its least knot."""
+        ...
+    def locate(self, points: ArrayLike) -> NDArray[np.int8]:
+        """Where points lie.
+
+        Parameters
+        ----------
+        points : array_like, shape (n, 2)
+            The points.
+
+        Returns
+        -------
+        numpy.ndarray of int8
+            1 inside, 0 on the boundary, -1 outside.
+        """
+        ...
     def __contains__(self, point: Any, /) -> bool: ...
-    def cut_cells(self, counts: tuple[int, int] = ..., *, origin: Sequence[float] | None = None, spacing: Sequence[float] | None = None, progress: _Progress = ...) -> CutCells: ...
-    def advected(self, flow: str | Callable[[float, float, float], Sequence[float]], end: float | None = None, *, step: float | None = None, spacing: float | None = None, period: float = 4.0, vortices: int = 4, velocity: Sequence[float] = ..., center: Sequence[float] = ..., speed: float = 1.0, verify: str = "each-step", repair: str | None = None, progress: _Progress = ...) -> tuple[YinSet, Any]: ...
-    def to_bytes(self, format: str, *, flatten: float | None = None) -> bytes: ...
-    def write(self, path: str | os.PathLike[str], format: str | None = None, *, flatten: float | None = None) -> None: ...
-    def to_svg(self, kind: str = "kinks") -> str: ...
+    def cut_cells(self, counts: tuple[int, int] = ..., *, origin: Sequence[float] | None = None, spacing: Sequence[float] | None = None, progress: _Progress = ...) -> CutCells:
+        """The set on a Cartesian grid.
+
+        Parameters
+        ----------
+        counts : (int, int)
+            Columns and rows.
+        origin : (float, float), optional
+            The lower left corner; of the bounding box, if left out.
+        spacing : (float, float), optional
+            The size of cells; so that the bounding box is covered, if left out.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        CutCells
+            The part of each cell that the set covers.
+        """
+        ...
+    def advected(self, flow: str | Callable[[float, float, float], Sequence[float]], end: float | None = None, *, step: float | None = None, spacing: float | None = None, period: float = 4.0, vortices: int = 4, velocity: Sequence[float] = ..., center: Sequence[float] = ..., speed: float = 1.0, verify: str = "each-step", repair: str | None = None, progress: _Progress = ...) -> tuple[YinSet, dict[str, Json]]:
+        """The set after it moved with a flow.
+
+        Parameters
+        ----------
+        flow : str or callable
+            ``"vortex"``, ``"deformation"``, ``"rotation"``, ``"translation"``, or a function of (x, y, t) that gives a velocity.
+        end : float, optional
+            The time at the end; the period, or 1.
+        step : float, optional
+            The time step; a hundredth of the time if left out.
+        spacing : float, optional
+            The largest distance of points along curves; a hundredth of the size if left out.
+        period : float
+            Of vortex and deformation.
+        vortices : int
+            Of deformation.
+        velocity : (float, float)
+            Of translation.
+        center : (float, float)
+            Of rotation.
+        speed : float
+            Of rotation.
+        verify : {"each-step", "end", "never"}
+            When it is checked that curves do not cross.
+        repair : {"nonzero", "evenodd", "positive"}, optional
+            The rule by which curves that cross are cut and pasted, instead of refused.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        set : YinSet
+            The set.
+        facts : dict
+            ``steps``, ``added``, ``removed``, ``vanished``, ``repairs``.
+        """
+        ...
+    def to_bytes(self, format: str, *, flatten: float | None = None) -> bytes:
+        """The set as a file of this format.
+
+        Parameters
+        ----------
+        format : str
+            ``"json"`` keeps everything; ``"svg"``, ``"geojson"``, ``"wkt"``, ``"dat"``, ..
+        flatten : float, optional
+            How far polylines may be from curves, where the format has polylines only.
+        """
+        ...
+    def write(self, path: str | os.PathLike[str], format: str | None = None, *, flatten: float | None = None) -> None:
+        """Writes the set to a file."""
+        ...
+    def to_svg(self, kind: str = "kinks") -> str:
+        """A picture: SVG.
+
+        Parameters
+        ----------
+        kind : {"set", "kinks", "forest"}
+            The set, the set with its kinks, or how curves lie in each other.
+        """
+        ...
     def __bool__(self) -> bool: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -1115,37 +3342,572 @@ class YinSet:
 
 @final
 class _Memory:
+    """Keeps memory of the library alive as long as an array looks at it."""
     ...
 
-def arrange(models: Any, *, dimension: int | None = None, rule: str | None = None, features: bool = False, inputs: str | None = None, prune: bool = False, snap: bool = False, exact: bool = False, grid: float | None = None, tolerance: float | None = None, max_cells: int | None = None, split: bool = True, merge_coplanar: bool = True, progress: _Progress = ...) -> Any: ...
-def graphml(graph: str) -> str: ...
-def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: str | None = None, features: bool = False, inputs: str | None = None, keep_walls: bool = False, snap: bool = False, exact: bool = False, grid: float | None = None, tolerance: float | None = None, max_cells: int | None = None, split: bool = True, merge_coplanar: bool = True, triangles: bool | None = None, open: str = "refuse", split_pinches: bool = False, progress: _Progress = ...) -> Any: ...
-def _chains(of: Any) -> Any: ...
-def congruence(models: Any, tolerance: float, *, greedy: bool = False, representative: str = "lowest", stable: bool = False, collisions: str = "rewrap", blocks: str = "models", within_blocks: str = "allow", method: str = "lists", progress: _Progress = ...) -> Congruence: ...
-def generate(family: str, *, boundary: bool = False, skeleton: int | None = None, progress: _Progress = ..., **parameters: Any) -> Model: ...
-def families() -> list[str]: ...
-def extruded(model: Any, heights: Sequence[float], *, progress: _Progress = ...) -> Model: ...
-def product(first: Any, second: Any, *, chains: bool = False, progress: _Progress = ...) -> Model: ...
-def entries(path: str | os.PathLike[str], format: str | None = None) -> list[str]: ...
-def read(path: str | os.PathLike[str], format: str | None = None, *, flatten: float | None = None, lod: float | None = None, strict: bool = False, partial: bool = False, allow_outside: bool = False, progress: _Progress = ...) -> Model: ...
+def arrange(models: Any, *, dimension: int | None = None, rule: str | None = None, features: bool = False, inputs: str | None = None, prune: bool = False, snap: bool = False, exact: bool = False, grid: float | None = None, tolerance: float | None = None, max_cells: int | None = None, split: bool = True, merge_coplanar: bool = True, progress: _Progress = ...) -> PlanarArrangement | SpatialArrangement:
+    """What segments cut the plane into, or polygons space, exactly.
+
+    Parameters
+    ----------
+    models : Model, sequence of Model, or dict of str to Model
+        The inputs.
+    dimension : {2, 3}, optional
+        The plane or space; by the models if left out.
+    rule : {"nonzero", "evenodd", "positive"}, optional
+        What is inside an input.
+    features : bool
+        The same as ``inputs="features"``.
+    inputs : {"files", "features", "objects", "groups", "components"}, optional
+        What an input is: a model, or its polygons of one name, its objects, groups or connected components.
+    prune : bool
+        In the plane, whether edges that hang on the rest by one end are left out.
+    snap : bool
+        Whether coordinates are rounded so that the result stays as it is.
+    tolerance : float, optional
+        In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
+    max_cells : int, optional
+        More cells than this are refused.
+    split : bool
+        In space, whether polygons that are not flat are split into triangles; otherwise they are refused.
+    merge_coplanar : bool
+        In space, whether faces of polygons in one plane are merged.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    PlanarArrangement or SpatialArrangement
+        The cells, what contains them, and where they come from.
+    """
+    ...
+def graphml(graph: str) -> str:
+    """A graph of cells, the text of its JSON, as GraphML.
+
+    Parameters
+    ----------
+    graph : str
+        What ``json.dumps(graph.to_dict())`` gives.
+
+    Returns
+    -------
+    str
+        The text of the file.
+    """
+    ...
+def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: str | None = None, features: bool = False, inputs: str | None = None, keep_walls: bool = False, snap: bool = False, exact: bool = False, grid: float | None = None, tolerance: float | None = None, max_cells: int | None = None, split: bool = True, merge_coplanar: bool = True, triangles: bool | None = None, open: str = "refuse", split_pinches: bool = False, progress: _Progress = ...) -> PlanarBoolean | SolidBoolean:
+    """Combines regions of the plane, or solids, exactly.
+
+    Parameters
+    ----------
+    operation : str
+        ``"union"``, ``"intersection"``, ``"difference"``, ``"xor"``, or a formula of inputs by number, such as ``"(0 | 1) & !2"``.
+    models : sequence of Model, or dict of str to Model
+        The inputs.
+    dimension : {2, 3}, optional
+        The plane or space; by the models if left out.
+    rule : {"nonzero", "evenodd", "positive"}, optional
+        What is inside an input.
+    features : bool
+        The same as ``inputs="features"``.
+    inputs : {"files", "features", "objects", "groups", "components"}, optional
+        What an input is: a model, or its polygons of one name, its objects, groups or connected components.
+    keep_walls : bool
+        Whether what lies inside the result is kept.
+    snap : bool
+        Whether coordinates are rounded so that the result stays as it is.
+    tolerance : float, optional
+        In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
+    max_cells : int, optional
+        More cells than this are refused.
+    split : bool
+        In space, whether polygons that are not flat are split into triangles; otherwise they are refused.
+    merge_coplanar : bool
+        In space, whether faces of polygons in one plane are merged.
+    triangles : bool, optional
+        In space, whether faces are cut into triangles; if all inputs are triangles, if left out.
+    open : {"refuse", "winding"}
+        In space, what is inside an input with a rim: it is refused, or decided by generalized winding numbers in floating point.
+    split_pinches : bool
+        In space, whether edges and vertices where the result is no surface are duplicated.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    PlanarBoolean or SolidBoolean
+        The result, which is input again.
+
+    Raises
+    ------
+    NotACycleError
+        If an input is open; the message names its rim.
+    """
+    ...
+def _chains(of: Model | Complex) -> ChainComplex: ...
+def congruence(models: Any, tolerance: float, *, greedy: bool = False, representative: str = "lowest", stable: bool = False, collisions: str = "rewrap", blocks: str = "models", within_blocks: str = "allow", method: str = "lists", progress: _Progress = ...) -> Congruence:
+    """Merges models within a tolerance.
+
+    Parameters
+    ----------
+    models : Model, sequence of Model, or dict of str to Model
+        The models.
+    tolerance : float
+        How near vertices become one, in the unit of the models.
+    greedy : bool
+        Whether a class is what is near its first vertex, instead of chains of near vertices.
+    representative : {"lowest", "mean", "median"}
+        Where a class is.
+    stable : bool
+        Whether classes are merged again until none are near.
+    collisions : {"rewrap", "keep", "refuse"}
+        What becomes of cells that lose terms without vanishing.
+    blocks : {"models", "components", "none"}
+        What a block is, for merges within one.
+    within_blocks : {"allow", "warn", "forbid"}
+        Whether vertices of one block may become one.
+    method : {"lists", "matrices"}
+        How it is computed; the result is the same.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    Congruence
+        The quotient, with the classes and signs of all cells.
+    """
+    ...
+def generate(family: str, *, boundary: bool = False, skeleton: int | None = None, progress: _Progress = ..., **parameters: Any) -> Model:
+    """A model made by rule: a grid, a shape with positions, or a known space.
+
+    Shapes are oriented coherently where that is possible, closed surfaces with the normal outward, solids positively.
+
+    Parameters
+    ----------
+    family : str
+        The name of the family; :func:`families` lists them. ``_`` and ``-`` are the same.
+    boundary : bool
+        The boundary of the model instead: the facets of exactly one cell.
+    skeleton : int, optional
+        The cells of this dimension instead, after ``boundary``.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+    **parameters
+        Those of ``coface generate FAMILY``, with ``_`` for ``-``: ``major_radius=3.0``, ``columns=64``, ``shape=(2, 3)``, ``cuboids=True``.
+
+    Returns
+    -------
+    Model
+        The model.
+    """
+    ...
+def families() -> list[str]:
+    """The families that :func:`generate` knows.
+
+    Returns
+    -------
+    list of str
+        Their names.
+    """
+    ...
+def extruded(model: Any, heights: Sequence[float], *, progress: _Progress = ...) -> Model:
+    """A model of points, segments, triangles or facets swept through layers: segments become triangles, triangles tetrahedra.
+
+    Parameters
+    ----------
+    model : Model or Complex
+        The model.
+    heights : sequence of float
+        The heights of the layers, negative where a layer is empty.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    Model
+        The sweep, with one more axis; of facets a facet list.
+    """
+    ...
+def product(first: Any, second: Any, *, chains: bool = False, progress: _Progress = ...) -> Model:
+    """The product of two models: of simplices a simplicial complex, its cells cut along staircases; else a chain complex.
+
+    Parameters
+    ----------
+    first, second : Model or Complex
+        The factors.
+    chains : bool
+        Whether products of cells are kept as they are, for simplices too.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    Model
+        A facet list, or a chain complex.
+    """
+    ...
+def entries(path: str | os.PathLike[str], format: str | None = None) -> list[str]:
+    """The models of a file that holds several.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        The file: a list of models in JSON, JSON lines, or isomorphism signatures.
+    format : str, optional
+        The format, such as ``"json"``, if it is not to be found out.
+
+    Returns
+    -------
+    list of str
+        Their names, or their places from 1: what :func:`read` takes behind a ``#``. Empty for a file of one model.
+    """
+    ...
+def read(path: str | os.PathLike[str], format: str | None = None, *, flatten: float | None = None, lod: float | None = None, strict: bool = False, partial: bool = False, allow_outside: bool = False, progress: _Progress = ...) -> Model:
+    """Reads a model from a file; its content and its name decide the format.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        The file. One model of several is ``file.json#name``: see :func:`entries`.
+    format : str, optional
+        The format, such as ``"off"``, if it is not to be found out.
+    flatten : float, optional
+        How far the polylines of curved SVG paths may be from the curves.
+    lod : float, optional
+        The level of detail of CityJSON; the highest of each object if left out.
+    strict : bool
+        Whether everything that the reader would assume, with an :class:`AssumptionWarning`, is an error instead.
+    partial : bool
+        Whether a damaged file is read up to its first fault.
+    allow_outside : bool
+        Whether other files that the file names may lie outside of its folder: allow it for files that you trust.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    Model
+        What the file holds.
+
+    Raises
+    ------
+    FileError
+        If the file cannot be read.
+    ParseError
+        If it breaks the rules of its format, with the line or byte.
+    """
+    ...
 def _model(parts: Mapping[str, Any]) -> Model: ...
 def _volume(voxels: NDArray[np.bool_], periodic: Sequence[int]) -> Model: ...
 def _read_volume(path: str | os.PathLike[str], voxels: tuple[str, tuple[float, float], Sequence[int]], allow_outside: bool = False, progress: _Progress = ...) -> Model: ...
-def persistence(complex: ChainComplex, *, vertex_values: ArrayLike | None = None, cell_values: Sequence[ArrayLike] | None = None, coefficients: str | int = ..., upper: bool = False, least: float = 0.0, progress: _Progress = ...) -> Persistence: ...
-def fundamental_groups(model: Any, *, simplify: bool = True, base: int | None = None, time_limit: float | None = None, progress: _Progress = ...) -> list[FundamentalGroup]: ...
-def render(model: Any, format: str = "svg", *, results: Sequence[Any] = ..., size: tuple[int, int] = ..., camera: Sequence[float] | None = None, up: Sequence[float] | None = None, perspective: float | None = None, edges: bool | None = None, dark: bool = False, witness: bool = False, title: str = "model", progress: _Progress = ...) -> bytes: ...
-def matrix_svg(complex: ChainComplex, title: str = "boundary matrices") -> str: ...
-def classes(complex: ChainComplex, cycles: Sequence[Any], *, degree: int | None = None, progress: _Progress = ...) -> list[dict[str, Any]]: ...
-def harmonic(complex: ChainComplex, degree: int, *, weights: Sequence[ArrayLike] | None = None, progress: _Progress = ...) -> Any: ...
-def decompose(complex: ChainComplex, degree: int, values: ArrayLike, *, weights: Sequence[ArrayLike] | None = None, progress: _Progress = ...) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]: ...
-def laplacian(complex: ChainComplex, degree: int, *, progress: _Progress = ...) -> Any: ...
-def matching(complex: ChainComplex, degree: int, *, progress: _Progress = ...) -> tuple[NDArray[np.int64], Any]: ...
-def invariant_factors(matrix: Any, *, progress: _Progress = ...) -> list[Any]: ...
-def cup_products(model: Any, p: int, q: int, coefficients: str | int = ..., *, progress: _Progress = ...) -> dict[str, Any]: ...
-def intersection_form(model: Any, *, progress: _Progress = ...) -> dict[str, Any]: ...
-def long_exact_sequence(model: Any, part: Any, *, progress: _Progress = ...) -> dict[str, Any]: ...
-def induced_map(source: Any, target: Any, vertices: Any, *, progress: _Progress = ...) -> list[dict[str, Any]]: ...
-def is_exact(model: Any, values: ArrayLike, *, tolerance: float | None = None, progress: _Progress = ...) -> dict[str, Any]: ...
+def persistence(complex: ChainComplex, *, vertex_values: ArrayLike | None = None, cell_values: Sequence[ArrayLike] | None = None, coefficients: str | int = ..., upper: bool = False, least: float = 0.0, progress: _Progress = ...) -> Persistence:
+    """Persistent homology of a filtration by values.
+
+    Parameters
+    ----------
+    complex : ChainComplex
+        The complex.
+    vertex_values : array_like of float, optional
+        A value for each vertex in the order of the complex; a cell enters with its last vertex.
+    cell_values : sequence of array_like, optional
+        For each degree a value for each cell; NaN where a cell enters as late as its cofaces allow.
+    coefficients : str or int
+        A prime field: ``"f2"``, ``"f3"``, ...
+    upper : bool
+        Whether a cell enters with its first vertex and values fall.
+    least : float
+        Classes that live no longer than this are left out.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    Persistence
+        The diagram.
+    """
+    ...
+def fundamental_groups(model: Any, *, simplify: bool = True, base: int | None = None, time_limit: float | None = None, progress: _Progress = ...) -> list[FundamentalGroup]:
+    """The fundamental groups of the components of a complex.
+
+    Parameters
+    ----------
+    model : Model, Complex or ChainComplex
+        What is asked about; cells have to say how they are attached.
+    simplify : bool
+        Whether presentations are made short by Tietze moves.
+    base : int, optional
+        The vertex that loops of its component start from.
+    time_limit : float, optional
+        Seconds for simplifying and recognizing a group.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    list of FundamentalGroup
+        One for each component.
+    """
+    ...
+def render(model: Any, format: str = "svg", *, results: Sequence[Any] = ..., size: tuple[int, int] = ..., camera: Sequence[float] | None = None, up: Sequence[float] | None = None, perspective: float | None = None, edges: bool | None = None, dark: bool = False, witness: bool = False, title: str = "model", progress: _Progress = ...) -> bytes:
+    """A still picture of a model, hidden lines removed.
+
+    Parameters
+    ----------
+    model : Model, Complex or ChainComplex
+        What is shown.
+    format : {"svg", "png"}
+        The format.
+    results : sequence of dict
+        Answers to be shown over it, as ``to_dict()`` gives them.
+    size : (int, int)
+        Width and height in pixels.
+    camera : (float, float, float), optional
+        The direction from which it is seen.
+    up : (float, float, float), optional
+        What is up.
+    perspective : float, optional
+        The angle of view in degrees; parallel if left out.
+    edges : bool, optional
+        Whether edges are drawn; if left out, where they can be distinguished.
+    dark : bool
+        Whether the background is dark.
+    witness : bool
+        Whether what is wrong is marked.
+    title : str
+        What it is called.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    bytes
+        The content of the file.
+    """
+    ...
+def matrix_svg(complex: ChainComplex, title: str = "boundary matrices") -> str:
+    """The boundary matrices of a complex as a picture: blue entries are positive, orange ones negative.
+
+    Parameters
+    ----------
+    complex : ChainComplex
+        The complex.
+    title : str
+        What it is called.
+
+    Returns
+    -------
+    str
+        SVG.
+    """
+    ...
+def classes(complex: ChainComplex, cycles: Sequence[Any], *, degree: int | None = None, progress: _Progress = ...) -> list[CycleClass]:
+    """The classes of cycles in integral homology, and whether they bound.
+
+    Parameters
+    ----------
+    complex : ChainComplex
+        The complex.
+    cycles : sequence
+        Cycles as :meth:`ChainComplex.chain` takes them.
+    degree : int, optional
+        Their degree, where they do not say it.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    list of dict
+        ``class``: coefficients in the generators; ``orders`` of these, 0 for infinite; ``bounds``; ``multiple``: the least that bounds;
+        ``bounding``: a chain whose boundary is that multiple; ``cocycle`` and ``value``: what shows that no multiple bounds.
+    """
+    ...
+def harmonic(complex: ChainComplex, degree: int, *, weights: Sequence[ArrayLike] | None = None, progress: _Progress = ...) -> NDArray[np.float64]:
+    """Harmonic cochains of a degree, dual to the free generators of homology.
+
+    Parameters
+    ----------
+    complex : ChainComplex
+        The complex.
+    degree : int
+        The degree.
+    weights : sequence of array_like, optional
+        For each degree a positive weight for each cell; 1 if left out.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    numpy.ndarray
+        ``float64``, shape (rank, cells): one row for each cochain.
+    """
+    ...
+def decompose(complex: ChainComplex, degree: int, values: ArrayLike, *, weights: Sequence[ArrayLike] | None = None, progress: _Progress = ...) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """The Hodge decomposition of a real cochain.
+
+    Parameters
+    ----------
+    complex : ChainComplex
+        The complex.
+    degree : int
+        The degree.
+    values : array_like
+        A value for each cell.
+    weights : sequence of array_like, optional
+        For each degree a positive weight for each cell; 1 if left out.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    exact, coexact, harmonic : numpy.ndarray
+        Orthogonal parts that add up to the cochain.
+    """
+    ...
+def laplacian(complex: ChainComplex, degree: int, *, progress: _Progress = ...) -> csc_array:
+    """The combinatorial Laplacian of a degree: boundary times coboundary and coboundary times boundary.
+
+    Parameters
+    ----------
+    complex : ChainComplex
+        The complex.
+    degree : int
+        The degree.
+
+    Returns
+    -------
+    scipy.sparse.csc_array
+        Symmetric, with integer entries.
+    """
+    ...
+def matching(complex: ChainComplex, degree: int, *, progress: _Progress = ...) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """A discrete gradient field: cells matched with faces, and critical cells.
+
+    Parameters
+    ----------
+    complex : ChainComplex
+        The complex.
+    degree : int
+        The degree of the faces.
+
+    Returns
+    -------
+    critical : numpy.ndarray
+        The critical cells of the degree.
+    pairs : numpy.ndarray of shape (n, 2)
+        Faces of the degree and the cells of the next one that they are matched with.
+    """
+    ...
+def invariant_factors(matrix: Any, *, progress: _Progress = ...) -> list[int]:
+    """The diagonal of the Smith normal form of an integer matrix, each entry dividing the next.
+
+    Parameters
+    ----------
+    matrix : sparse array or array_like
+        Integers of 32 bits.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    list of int
+        The entries that are not zero.
+    """
+    ...
+def cup_products(model: Any, p: int, q: int, coefficients: str | int = ..., *, progress: _Progress = ...) -> CupTable:
+    """Cup products of a basis of cohomology in degree p with one in degree q, in a basis of degree p + q.
+
+    Parameters
+    ----------
+    model : Model or Complex
+        Simplices, or a gluing table.
+    p, q : int
+        The degrees.
+    coefficients : str or int
+        ``"z"``, ``"f2"``, ..
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    dict
+        ``table[i][j]``: the coefficients of the product of class i and class j; ``first``, ``second``, ``target``: cocycles as lists of
+        (coefficient, vertices); ``first_orders``, ``second_orders``, ``target_orders``.
+    """
+    ...
+def intersection_form(model: Any, *, progress: _Progress = ...) -> IntersectionForm:
+    """The intersection form of a closed oriented manifold of even dimension.
+
+    Parameters
+    ----------
+    model : Model or Complex
+        The manifold, of simplices.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    dict
+        ``matrix``, ``rank``, ``determinant``, ``symmetric``, ``signature``, ``parity``, ``definiteness``, ``name``, ``basis``.
+    """
+    ...
+def long_exact_sequence(model: Any, part: Any, *, progress: _Progress = ...) -> ExactSequence:
+    """The long exact sequence of a pair, checked to be exact.
+
+    Parameters
+    ----------
+    model : Model or Complex
+        The whole.
+    part : "boundary", Model or Complex
+        The part.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    dict
+        ``part``, ``whole`` and ``pair``: homology; ``inclusion``, ``projection`` and ``connecting``: for each degree a map or ``None``, with
+        ``matrix`` (columns are images of generators), ``kernel`` and ``cokernel``.
+    """
+    ...
+def induced_map(source: Any, target: Any, vertices: Any, *, progress: _Progress = ...) -> list[GroupMap]:
+    """The maps on integral homology that a simplicial map induces.
+
+    Parameters
+    ----------
+    source, target : Model or Complex
+        Simplicial complexes.
+    vertices : dict of int to int, or sequence of (int, int)
+        The image of each vertex.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    list of dict
+        For each degree ``matrix`` (columns are images of generators), ``source_orders``, ``target_orders``, ``kernel``, ``cokernel``.
+    """
+    ...
+def is_exact(model: Any, values: ArrayLike, *, tolerance: float | None = None, progress: _Progress = ...) -> Exactness:
+    """Whether a cochain of degree 1 is closed, and whether it is exact.
+
+    Parameters
+    ----------
+    model : Model or Complex
+        What it is a cochain on.
+    values : array_like
+        A value for each edge, in the order of the chain complex; integers are decided exactly.
+    tolerance : float, optional
+        Which sums count as zero, for real values.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    dict
+        ``closed`` and ``exact``; ``potential`` of an exact one; ``walk`` and ``period`` of a closed one that is not; ``face`` and ``sum`` of one
+        that is not closed.
+    """
+    ...
 def _group(generators: int, relators: Sequence[Sequence[int]], base: int | None, loops: Sequence[Sequence[int]], model: Model | None) -> FundamentalGroup: ...
 def _surface(model: Any, boundary: bool) -> Surface: ...
 def _page(model: Any, title: str, results: Sequence[Any], report: bool, progress: _Progress = ...) -> str: ...

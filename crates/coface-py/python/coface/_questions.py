@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,10 +32,16 @@ from coface._records import asked
 from coface._faults import in_words
 
 
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+
+    from coface._types import SurfacePart
+
+
 @in_words
 def homology(
     x: Any,
-    coefficients: str = "z",
+    coefficients: str | int = "z",
     *,
     relative: Any = None,
     reduced: bool = False,
@@ -49,7 +55,7 @@ def homology(
     x
         Anything that :func:`as_chain_complex` understands.
     coefficients
-        ``"z"``, ``"q"``, ``"f2"``, ``"f3"``, ... for a prime field, ``"z/4"`` and the like.
+        ``"z"``, ``"q"``, ``"f2"``, ``"f3"``, ... for a prime field, ``"z/4"`` and the like, or a modulus: 2 is ``"f2"``.
     relative
         A part that is divided out: ``"boundary"``, the name of a group of the model, or anything that :func:`as_model` understands, with
         the same numbers of vertices.
@@ -92,7 +98,7 @@ def homology(
 @in_words
 def cohomology(
     x: Any,
-    coefficients: str = "z",
+    coefficients: str | int = "z",
     *,
     relative: Any = None,
     reduced: bool = False,
@@ -387,7 +393,7 @@ def harmonic(
 
 
 @in_words
-def classify(x: Any, *, boundary: bool = False, progress: Any = False) -> list[dict[str, Any]]:
+def classify(x: Any, *, boundary: bool = False, progress: Any = False) -> list[SurfacePart]:
     """What each component of a surface is.
 
     Parameters
@@ -422,7 +428,7 @@ def incidence(
     at_least: int | None = None,
     exactly: int | None = None,
     progress: Any = False,
-) -> Any:
+) -> csr_array:
     """Which cells share vertices, touch or bound, as a sparse matrix.
 
     Parameters
@@ -758,7 +764,7 @@ def persistence(
     vertex_values: Any = None,
     *,
     cell_values: Sequence[Any] | None = None,
-    coefficients: str = "f2",
+    coefficients: str | int = "f2",
     upper: bool = False,
     least: float = 0.0,
     progress: Any = False,

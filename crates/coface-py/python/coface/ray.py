@@ -11,12 +11,12 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterable, Mapping
-from typing import Any, overload
+from typing import Any, Literal, overload
 
 import ray
 
 from coface import _coface
-from coface._batch import MEMORY, BatchSummary, _Path, _Progress, find_files, worker_options, write_lines
+from coface._batch import BatchRow, BatchSummary, MEMORY, _Path, _Progress, find_files, row_of, worker_options, write_lines
 from coface._progress import Bar
 from coface.shards import Level, ShardHomology, Tree, merge, reduce, root_homology, summary
 
@@ -39,6 +39,27 @@ def batch(
     paths: _Path | Iterable[_Path],
     out: None = None,
     *,
+    flat: Literal[True] = ...,
+    recursive: bool = ...,
+    timeout: float | None = ...,
+    memory: int | None = ...,
+    format: str | None = ...,
+    flatten: float | None = ...,
+    strict: bool = ...,
+    partial: bool = ...,
+    allow_outside: bool = ...,
+    voxels: Mapping[str, Any] | None = ...,
+    all_places: bool = ...,
+    timings: bool = ...,
+    files_per_task: int = ...,
+    progress: bool = ...,
+) -> list[BatchRow]: ...
+@overload
+def batch(
+    paths: _Path | Iterable[_Path],
+    out: None = None,
+    *,
+    flat: bool,
     recursive: bool = ...,
     timeout: float | None = ...,
     memory: int | None = ...,
@@ -58,6 +79,7 @@ def batch(
     paths: _Path | Iterable[_Path],
     out: _Path,
     *,
+    flat: bool = ...,
     recursive: bool = ...,
     timeout: float | None = ...,
     memory: int | None = ...,
@@ -76,6 +98,7 @@ def batch(
     paths: _Path | Iterable[_Path],
     out: _Path | None = None,
     *,
+    flat: bool = True,
     recursive: bool = False,
     timeout: float | None = 60.0,
     memory: int | None = MEMORY,
@@ -89,7 +112,7 @@ def batch(
     timings: bool = True,
     files_per_task: int = 64,
     progress: bool = False,
-) -> list[dict[str, Any]] | BatchSummary:
+) -> list[BatchRow] | list[dict[str, Any]] | BatchSummary:
     """Report on many files as :func:`coface.batch` does, over Ray Data.
 
     Paths of files are read where tasks run, so they are on a folder that all machines share, or URLs of fsspec. Each task has a worker process
@@ -97,7 +120,7 @@ def batch(
 
     Parameters
     ----------
-    paths, recursive, timeout, memory, format, flatten, strict, partial, allow_outside, voxels, all_places,
+    paths, flat, recursive, timeout, memory, format, flatten, strict, partial, allow_outside, voxels, all_places,
     timings
         As those of :func:`coface.batch`; folders and patterns are looked up here.
     out
@@ -134,7 +157,7 @@ def batch(
     lines = (row["line"] for row in rows.iter_rows())
     if out is not None:
         return write_lines(lines, out, timings)
-    return [json.loads(line) for line in lines]
+    return [row_of(line, flat, timings) for line in lines]
 
 
 def _examine(files: dict[str, Any], options: dict[str, Any]) -> dict[str, list[str]]:

@@ -57,3 +57,46 @@ def from_model(model: Model, **options: Any) -> Any:
         return path.Path3D(entities=entities, vertices=positions(model, "to_trimesh"), **{"process": False, **options})
     points = positions(model, "to_trimesh")
     return library.Trimesh(points, triangles(model, "to_trimesh"), **{"process": False, **options})
+
+
+def boolean(meshes: Any, operation: str = "union", **options: Any) -> Any:
+    """Meshes combined exactly, as :mod:`trimesh.boolean` calls an engine.
+
+    Parameters
+    ----------
+    meshes
+        Closed meshes of trimesh.
+    operation
+        ``"union"``, ``"intersection"`` or ``"difference"``.
+    **options
+        As those of :func:`coface.boolean`; what trimesh asks for besides, such as ``check_volume``, is not needed here.
+
+    Returns
+    -------
+    trimesh.Trimesh
+        The result, of triangles.
+    """
+    from coface._models import as_model
+    from coface._questions import boolean as combined
+
+    kept = {name: value for name, value in options.items() if name in ("rule", "tolerance", "snap", "open", "progress")}
+    result = combined(operation, *[to_model(mesh) for mesh in meshes], dimension=3, triangles=True, **kept)
+    return from_model(as_model(result))
+
+
+def register() -> None:
+    """Makes ``engine="coface"`` known to :mod:`trimesh.boolean`, where its own engines are.
+
+    Examples
+    --------
+    >>> import coface.interop.trimesh as door, pytest
+    >>> trimesh = pytest.importorskip("trimesh")
+    >>> door.register()
+    >>> cubes = [trimesh.creation.box(), trimesh.creation.box().apply_translation([0.5, 0, 0])]
+    >>> round(float(trimesh.boolean.union(cubes, engine="coface").volume), 9)
+    1.5
+    """
+    library = needed("trimesh.boolean", "the engine coface of trimesh")
+    library._engines["coface"] = boolean
+    if hasattr(library, "engines_available"):
+        library.engines_available.add("coface")
