@@ -1,17 +1,14 @@
 //! Groups, and the cycles and cocycles that generate them.
 
-mod chain;
-mod facts;
-
-pub(crate) use chain::{Chain, Generator};
+pub(crate) use crate::chain::{Chain, Generator};
 
 use crate::arrays;
 use crate::errors::{OrRaise, invalid, no_place};
+use crate::homology_facts::{GroupFacts, read};
 use crate::json::from_python;
 use crate::objects::to_python;
 use coface::answers::text;
 use coface::topology::{AbelianGroup, Coefficients};
-use facts::{GroupFacts, read};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 

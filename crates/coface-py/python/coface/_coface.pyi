@@ -3364,6 +3364,11 @@ def arrange(models: Any, *, dimension: int | None = None, rule: str | None = Non
         In the plane, whether edges that hang on the rest by one end are left out.
     snap : bool
         Whether coordinates are rounded so that the result stays as it is.
+    exact : bool
+        In the plane, whether the exact result is kept where rounding its coordinates makes edges cross or overlap; otherwise edges
+        are cut and bent there by a few units of the last digit.
+    grid : float, optional
+        In the plane, all coordinates are multiples of this length.
     tolerance : float, optional
         In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
     max_cells : int, optional
@@ -3416,6 +3421,11 @@ def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: 
         Whether what lies inside the result is kept.
     snap : bool
         Whether coordinates are rounded so that the result stays as it is.
+    exact : bool
+        In the plane, whether the exact result is kept where rounding its coordinates makes edges cross or overlap; otherwise edges
+        are cut and bent there by a few units of the last digit.
+    grid : float, optional
+        In the plane, all coordinates are multiples of this length.
     tolerance : float, optional
         In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
     max_cells : int, optional

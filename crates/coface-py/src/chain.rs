@@ -1,7 +1,7 @@
 //! Chains, cochains and generators.
 
-use super::facts::{ChainFacts, GeneratorFacts, integer_of, read};
 use crate::arrays;
+use crate::homology_facts::{ChainFacts, GeneratorFacts, integer_of, read};
 use crate::json::from_python;
 use crate::objects::to_python;
 use crate::source::{Names, Naming};
@@ -282,7 +282,7 @@ impl Generator {
         length
     }
 
-    pub(super) fn facts(&self) -> GeneratorFacts {
+    pub(crate) fn facts(&self) -> GeneratorFacts {
         let chain = self.chain.get();
         let bounding = self.certificate.as_ref().map(Py::get);
         GeneratorFacts {
@@ -299,7 +299,7 @@ impl Generator {
         }
     }
 
-    pub(super) fn of_facts(py: Python<'_>, facts: &GeneratorFacts) -> PyResult<Self> {
+    pub(crate) fn of_facts(py: Python<'_>, facts: &GeneratorFacts) -> PyResult<Self> {
         let kind = (facts.degree, facts.cochain);
         let chain = Chain::of_parts(py, kind, facts.cell_count, &facts.cells, &facts.chain)?;
         let certificate = match (&facts.bounding, &facts.bounding_cells) {

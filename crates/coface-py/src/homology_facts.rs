@@ -12,44 +12,44 @@ use serde_json::Value;
 
 /// A chain or cochain: its cells by number, and its terms by vertices.
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
-pub(super) struct ChainFacts {
-    pub(super) cell_count: usize,
-    pub(super) cells: Vec<usize>,
-    pub(super) chain: Vec<ChainTerm>,
-    pub(super) cochain: bool,
-    pub(super) degree: usize,
+pub(crate) struct ChainFacts {
+    pub(crate) cell_count: usize,
+    pub(crate) cells: Vec<usize>,
+    pub(crate) chain: Vec<ChainTerm>,
+    pub(crate) cochain: bool,
+    pub(crate) degree: usize,
 }
 
 /// A generator in the words of the program, with the numbers of its cells.
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
-pub(super) struct GeneratorFacts {
+pub(crate) struct GeneratorFacts {
     #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub(super) bounding: Option<Vec<ChainTerm>>,
+    pub(crate) bounding: Option<Vec<ChainTerm>>,
     #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub(super) bounding_cell_count: Option<usize>,
+    pub(crate) bounding_cell_count: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub(super) bounding_cells: Option<Vec<usize>>,
-    pub(super) cell_count: usize,
-    pub(super) cells: Vec<usize>,
-    pub(super) chain: Vec<ChainTerm>,
-    pub(super) cochain: bool,
-    pub(super) degree: usize,
-    pub(super) length: WholeNumber,
+    pub(crate) bounding_cells: Option<Vec<usize>>,
+    pub(crate) cell_count: usize,
+    pub(crate) cells: Vec<usize>,
+    pub(crate) chain: Vec<ChainTerm>,
+    pub(crate) cochain: bool,
+    pub(crate) degree: usize,
+    pub(crate) length: WholeNumber,
     /// 0 where it is infinite.
-    pub(super) order: WholeNumber,
+    pub(crate) order: WholeNumber,
 }
 
 /// A group in the words of the program, with what those leave out: the ring if it is not Z, and generators.
 #[derive(Debug, Serialize, Deserialize)]
-pub(super) struct GroupFacts {
-    pub(super) betti: usize,
+pub(crate) struct GroupFacts {
+    pub(crate) betti: usize,
     #[serde(skip_serializing_if = "Option::is_none", default)]
     coefficients: Option<String>,
     #[serde(skip_serializing_if = "is_false", default)]
-    pub(super) cohomology: bool,
-    pub(super) degree: usize,
+    pub(crate) cohomology: bool,
+    pub(crate) degree: usize,
     #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub(super) generators: Option<Vec<GeneratorFacts>>,
+    pub(crate) generators: Option<Vec<GeneratorFacts>>,
     torsion: Vec<WholeNumber>,
 }
 
@@ -58,7 +58,7 @@ fn is_false(is: &bool) -> bool {
 }
 
 impl GroupFacts {
-    pub(super) fn of(
+    pub(crate) fn of(
         degree: usize,
         group: &AbelianGroup,
         ring: Coefficients,
@@ -75,7 +75,7 @@ impl GroupFacts {
         }
     }
 
-    pub(super) fn group(&self) -> Result<AbelianGroup, Error> {
+    pub(crate) fn group(&self) -> Result<AbelianGroup, Error> {
         let orders = self.torsion.iter().map(number).collect::<Result<Vec<_>, _>>()?;
         if let Some(order) = orders.iter().find(|order| order.signum() <= 0) {
             return Err(Error::invalid(format!("a cyclic part has the order {order}"))
@@ -84,7 +84,7 @@ impl GroupFacts {
         Ok(AbelianGroup::new(self.betti, orders))
     }
 
-    pub(super) fn ring(&self) -> Result<Coefficients, Error> {
+    pub(crate) fn ring(&self) -> Result<Coefficients, Error> {
         self.coefficients.as_deref().map_or(Ok(Coefficients::Integers), str::parse)
     }
 }
@@ -96,13 +96,13 @@ fn number(whole: &WholeNumber) -> Result<Integer, Error> {
     }
 }
 
-pub(super) fn integer_of(py: Python<'_>, whole: &WholeNumber) -> PyResult<Integer> {
+pub(crate) fn integer_of(py: Python<'_>, whole: &WholeNumber) -> PyResult<Integer> {
     use crate::errors::OrRaise;
     number(whole).or_raise(py)
 }
 
 /// What a dictionary says.
-pub(super) fn read<T: DeserializeOwned>(py: Python<'_>, value: Value, what: &str) -> PyResult<T> {
+pub(crate) fn read<T: DeserializeOwned>(py: Python<'_>, value: Value, what: &str) -> PyResult<T> {
     serde_json::from_value(value)
         .map_err(|fault| invalid(py, format!("this is not {what}: {fault}"), "give what to_dict() gave"))
 }
