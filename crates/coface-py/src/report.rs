@@ -225,6 +225,14 @@ impl Report {
         to_python(py, &self.report.answer(PLACES).geometry)
     }
 
+    /// Whether the polygons with rings of a drawing are valid, as OGC's Simple feature access says: a dictionary with ``count``, ``valid``,
+    /// ``reason`` (as ``shapely.is_valid_reason``), ``faults``, each with ``name``, ``reason``, ``count``, ``message`` and
+    /// ``places``, and ``reversed_rings``; ``None`` for what has no such polygons.
+    #[getter]
+    fn polygons<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.report.answer(PLACES).polygons)
+    }
+
     /// What is wrong and where: dictionaries with ``kind``, ``count``, ``message``, ``cells`` and ``top_cells`` (lists of vertices).
     #[getter]
     fn problems<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 import coface
@@ -39,3 +41,31 @@ def test_flatness_and_the_check_are_choices() -> None:
         model.report(check="everything")
     with pytest.raises(coface.InvalidInputError):
         model.report(flatness=-1.0)
+
+
+def test_polygons_of_drawings_are_checked(tmp_path: Path) -> None:
+    path = tmp_path / "bow.wkt"
+    path.write_text("POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))")
+    polygons = coface.read(path).report().polygons
+    assert (polygons["valid"], polygons["reason"]) == (False, "Self-intersection[1 1]")
+    assert polygons["faults"][0]["name"] == "ring_crosses_itself"
+    assert house(1.5).report().polygons is None
+
+
+def test_results_in_the_plane_are_valid_unless_they_are_exact(tmp_path: Path) -> None:
+    x, y = "-1120500.000000126", "-1120500.0000001257"
+    rings = [
+        f"{x} 850931.058865365,{y} 851343.3885007716,{y} 851342.2386007707,-1120399.762684411 851199.4941312922,{x} 850931.058865365",
+        f"{x} 851253.4627870625,{y} 851299.8179383819,-1120492.1498410008 851293.8417889411,{x} 851253.4627870625",
+    ]
+    models = []
+    for name, ring in zip("ab", rings, strict=True):
+        path = tmp_path / f"{name}.wkt"
+        path.write_text(f"POLYGON(({ring}))")
+        models.append(coface.read(path))
+    assert coface.boolean("union", models, exact=True).rounding["valid"] is False
+    assert coface.boolean("union", models).rounding["valid"] is True
+    on_grid = coface.boolean("union", models, grid=0.5)
+    assert (on_grid.vertices % 0.5 == 0.0).all()
+    with pytest.raises(coface.InvalidInputError):
+        coface.boolean("union", house(1.5), exact=True)

@@ -98,19 +98,24 @@ impl DrawingArrangement {
         let options = PlanarOptions::new().max_cells(request.max_cells);
         let exact = PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?;
         let (mut snap_rounds, mut movement, mut certificate) = (None, None, None);
-        let mut parts = if request.snap || request.grid.is_some() {
+        // The exact arrangement is kept where another one is made of it.
+        let (mut parts, exact) = if request.snap || request.grid.is_some() {
             let snapped = match request.grid {
                 Some(step) => exact.snapped_to_grid(step)?,
                 None => exact.snapped()?,
             };
             snap_rounds = Some(snapped.round_count());
-            Parts::of_snapped(&snapped, |source| source, |segment| [segment])
+            (Parts::of_snapped(&snapped, |source| source, |segment| [segment]), Some(exact))
         } else {
-            let parts = Parts::of(exact.clone());
             if !request.exact {
                 certificate = Some(exact.rounding_certificate()?).filter(RoundingCertificate::is_valid);
             }
-            if request.exact || certificate.is_some() { parts } else { parts.settled(&mut movement)? }
+            let parts = Parts::of(exact);
+            if request.exact || certificate.is_some() {
+                (parts, None)
+            } else {
+                (parts.settled(&mut movement)?, Some(parts.arrangement))
+            }
         };
         let is_exact = movement.is_none() && snap_rounds.is_none_or(|rounds| rounds == 0);
         if request.prune {
@@ -122,7 +127,7 @@ impl DrawingArrangement {
             None => crossed_rings(&drawing, &containment.windings),
         };
         // Rings that rounding turns inside out somewhere do not cross themselves as they were drawn.
-        let drawn = (!is_exact && !crossings.is_empty()).then(|| Parts::of(exact));
+        let drawn = exact.filter(|_| !is_exact && !crossings.is_empty()).map(Parts::of);
         if let Some(drawn) = &drawn {
             crossings = crossed_rings(&drawing, &drawn.containment(&drawing, None, true).windings);
         }
@@ -443,7 +448,7 @@ impl Parts {
     }
 
     /// The same with edges that are cut and bent until rounded coordinates are exact.
-    fn settled(self, movement: &mut Option<Movement>) -> Result<Self, Error> {
+    fn settled(&self, movement: &mut Option<Movement>) -> Result<Self, Error> {
         let arrangement = &self.arrangement;
         let edges: Vec<[u32; 2]> = (0..arrangement.edge_count())
             .map(|edge| arrangement.ends(EdgeId::new(edge)).map(VertexId::to_u32))

@@ -510,3 +510,50 @@ fn a_tolerance_that_is_none_is_refused() {
     let ran = run(&["arrange"], &[&square], &["--tolerance", "1"]);
     assert!(ran.fails_with(1).contains("for drawings in the plane leave it out"));
 }
+
+/// Results in the plane are one valid geometry, on a grid if that is asked for; in space there is neither.
+#[test]
+fn results_in_the_plane_are_valid_and_on_grids() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let (a, b, out) = (path("a.wkt"), path("b.wkt"), path("out.wkt"));
+    std::fs::write(
+        &a,
+        "POLYGON((-1120500.000000126 850931.058865365,-1120500.0000001257 851343.3885007716,\
+         -1120500.0000001257 851342.2386007707,-1120399.762684411 851199.4941312922,-1120500.000000126 850931.058865365))",
+    )
+    .unwrap();
+    std::fs::write(
+        &b,
+        "POLYGON((-1120500.000000126 851253.4627870625,-1120500.0000001257 851299.8179383819,\
+         -1120492.1498410008 851293.8417889411,-1120500.000000126 851253.4627870625))",
+    )
+    .unwrap();
+    let union = |options: &[&str]| {
+        let run = coface(&[&["boolean", "union", &a, &b, "-o", &out, "--json", "--quiet"], options].concat());
+        assert_eq!(run.status, 0, "{}", run.stderr);
+        (run.json(), coface(&["info", &out, "--json"]).json(), std::fs::read_to_string(&out).unwrap())
+    };
+    let (exact, checked, _) = union(&["--exact"]);
+    assert_eq!((&exact["rounding"]["valid"], &checked["polygons"]["valid"]), (&json!(false), &json!(false)));
+    let (valid, checked, text) = union(&[]);
+    assert_eq!((&valid["rounding"]["valid"], &checked["polygons"]["valid"]), (&json!(true), &json!(true)));
+    assert_eq!(text.lines().count(), 1);
+    let (_, checked, text) = union(&["--grid", "0.01"]);
+    assert_eq!(checked["polygons"]["valid"], json!(true));
+    let words: Vec<&str> =
+        text.split(|c: char| !c.is_ascii_digit() && c != '.').filter(|word| !word.is_empty()).collect();
+    assert!(words.len() > 6);
+    assert!(
+        words.iter().all(|word| word.split_once('.').is_none_or(|(_, digits)| digits.len() <= 2)),
+        "{text}"
+    );
+    let cube = path("cube.off");
+    assert_eq!(coface(&["generate", "box", "--boundary", "-o", &cube]).status, 0);
+    for option in [&["--exact"][..], &["--grid", "0.1"]] {
+        let run = coface(&[&["boolean", "union", &cube], option].concat());
+        assert!(run.status == 1 && run.stderr.contains("for drawings in the plane"), "{}", run.stderr);
+    }
+    assert_eq!(coface(&["boolean", "union", &a, &b, "--exact", "--snap"]).status, 2);
+    assert!(coface(&["boolean", "union", &a, &b, "--grid", "0"]).stderr.contains("0 is no step of a grid"));
+}

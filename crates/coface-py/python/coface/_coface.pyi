@@ -2319,6 +2319,13 @@ class Report:
         """
         ...
     @property
+    def polygons(self) -> dict[str, Json] | None:
+        """Whether the polygons with rings of a drawing are valid, as OGC's Simple feature access says: a dictionary with ``count``, ``valid``,
+        ``reason`` (as ``shapely.is_valid_reason``), ``faults``, each with ``name``, ``reason``, ``count``, ``message`` and
+        ``places``, and ``reversed_rings``; ``None`` for what has no such polygons.
+        """
+        ...
+    @property
     def problems(self) -> list[Problem]:
         """What is wrong and where: dictionaries with ``kind``, ``count``, ``message``, ``cells`` and ``top_cells`` (lists of vertices)."""
         ...
