@@ -91,3 +91,44 @@ def test_trimesh_has_the_engine() -> None:
         made = getattr(trimesh.boolean, operation)(cubes, engine="coface")
         assert made.is_watertight and abs(made.volume - volume) < 1e-12
     assert abs(cubes[0].union(cubes[1], engine="coface").volume - expected["union"]) < 1e-12
+
+
+class Tensors:
+    """What the conversions ask of torch."""
+
+    @staticmethod
+    def from_numpy(array):
+        return array
+
+    @staticmethod
+    def sparse_coo_tensor(indices, values, shape):
+        from scipy.sparse import coo_array
+
+        found = coo_array((values, tuple(indices)), shape=shape)
+        found.coalesce = lambda: found
+        return found
+
+    @staticmethod
+    def sparse_csr_tensor(starts, columns, values, size):
+        from scipy.sparse import csr_array
+
+        return csr_array((values, columns, starts), shape=size)
+
+
+def test_tensors_are_made_of_operators(monkeypatch) -> None:
+    import sys
+    import types
+
+    from coface.interop import torch as door
+
+    monkeypatch.setitem(sys.modules, "torch", Tensors())
+    monkeypatch.setitem(sys.modules, "torch_geometric", types.ModuleType("torch_geometric"))
+    monkeypatch.setitem(sys.modules, "torch_geometric.data", types.SimpleNamespace(Data=types.SimpleNamespace))
+    x = coface.generate("csaszar")
+    for layout in ("coo", "csr"):
+        assert np.array_equal(door.tensor(x, "laplacian", 1, layout=layout).toarray(), _dense(x, "laplacian", 1))
+    with pytest.raises(coface.InvalidInputError, match="layout"):
+        door.tensor(x, "laplacian", 1, layout="bsr")
+    graph = door.data(x)
+    assert (graph.num_nodes, graph.edge_index.shape, graph.pos.shape, graph.face.shape) == (7, (2, 42), (7, 3), (3, 14))
+    assert {tuple(pair) for pair in graph.edge_index.T.tolist()} == {(a, b) for a in range(7) for b in range(7) if a != b}
