@@ -17,6 +17,7 @@
 pub mod abaqus;
 mod assembly;
 mod blocks;
+mod cells_not_balls;
 pub mod cityjson;
 pub mod collada;
 pub mod container;
@@ -76,6 +77,7 @@ pub mod wkt;
 mod xml_text;
 pub mod yin;
 
+pub use cells_not_balls::cells_not_balls;
 pub use data::CellData;
 #[doc(hidden)]
 pub use drawing::{Features, features_of_shapes};

@@ -2,7 +2,7 @@
 
 use super::numbers::Numbers;
 use super::{CellData, FeatureTable, Format, Group, GroupKind};
-use crate::Remark;
+use crate::{Remark, cells_not_balls};
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::{ChainComplex, ChainRefinement};
 use coface_algebra::{Error, VertexId};
@@ -376,6 +376,23 @@ impl Model {
         refinement.check(complex)?;
         self.refinement = (!refinement.is_trivial()).then_some(refinement);
         Ok(self)
+    }
+
+    /// The model with a remark if cells of its chain complex [are no balls](cells_not_balls).
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_io::{Model, Structure};
+    /// let points = Model::from_structure(Structure::Chains(ChainComplex::of_points(2)));
+    /// assert!(points.with_remark_on_cells().remarks().is_empty());
+    /// ```
+    #[must_use]
+    pub fn with_remark_on_cells(mut self) -> Self {
+        if let Some(Structure::Chains(complex)) = &self.structure {
+            self.remarks.extend(cells_not_balls(complex));
+        }
+        self
     }
 
     /// What the cells of the chain complex are pieces of, if the file says so.

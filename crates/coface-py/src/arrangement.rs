@@ -151,7 +151,7 @@ pub(crate) fn arrange<'py>(
     let (arranged, answer) = run(py, progress, || {
         let mut arranged = SceneArrangement::of_scene(scene_of(&models, inputs, 1, true)?, &request)?;
         if arranged.crossings()?.count > 0 {
-            arranged = arranged.snapped()?;
+            arranged = arranged.validly_rounded()?.unwrap_or(arranged);
         }
         let answer = arranged.answer(rule.unwrap_or_default())?;
         Ok((arranged, answer))
@@ -337,7 +337,7 @@ pub(crate) fn boolean<'py>(
         request.rule = rule.unwrap_or_default();
         (request.open, request.split_pinches, request.keep_walls) = (open, split_pinches, keep_walls);
         if SolidBoolean::of(&arrangement, &request)?.crossings()?.count > 0 {
-            arrangement = arrangement.snapped()?;
+            arrangement = arrangement.validly_rounded()?.unwrap_or(arrangement);
         }
         let result = SolidBoolean::of(&arrangement, &request)?;
         let (answer, provenance) = (result.answer()?, result.provenance()?);

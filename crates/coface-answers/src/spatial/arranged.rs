@@ -126,7 +126,11 @@ impl Arranged {
 
     /// Whether rounding bent a face, so that it is no polygon any more.
     pub(super) fn is_bent(&self, face: CellId) -> bool {
-        self.arrangement.joined().is_some() && !self.arrangement.is_planar(FaceId::from_u32(face.to_u32()))
+        self.arrangement.joined().is_some() && !self.is_planar(face)
+    }
+
+    pub(super) fn is_planar(&self, face: CellId) -> bool {
+        self.arrangement.is_planar(FaceId::from_u32(face.to_u32()))
     }
 
     /// Triangles that make up a face, with drawn vertices.

@@ -304,7 +304,12 @@ impl<'a> SolidBoolean<'a> {
         if let Some(found) = self.crossings.get() {
             return Ok(found);
         }
-        let found = if self.arrangement.arranged.is_exactly_rounded() {
+        let arranged = &self.arrangement.arranged;
+        // Polygons of faces that are not planar may be drawn with other triangles than those that were cut.
+        let is_cut_so = || {
+            self.boundary.facets().iter().all(|facet| self.request.triangles || arranged.is_planar(facet.0))
+        };
+        let found = if arranged.is_exactly_rounded() && is_cut_so() {
             Crossings::default()
         } else {
             let polygons =
@@ -458,7 +463,8 @@ impl<'a> SolidBoolean<'a> {
         let [solids, voids] = self.part_counts();
         let surface = survey.surface();
         let files = self.input_answers();
-        let remarks = self.remarks(&files);
+        let crossings = self.crossings()?;
+        let remarks = self.remarks(&files, crossings);
         Ok(SolidBooleanAnswer {
             dimension: 3,
             measure: self.volume(),
@@ -483,15 +489,15 @@ impl<'a> SolidBoolean<'a> {
             pinches: self.pinches(),
             rule: rule_word(self.request.rule).to_owned(),
             files,
-            rounding: self.arrangement.rounding(self.closure()[0].iter().copied(), self.crossings()?),
+            rounding: self.arrangement.rounding(self.closure()[0].iter().copied(), crossings),
             joined: self.arrangement.joined(),
             remarks,
         })
     }
 
     /// What was left out or assumed of the inputs.
-    fn remarks(&self, files: &[SpatialInput]) -> Vec<Remark> {
-        let mut remarks = self.arrangement.remarks(files);
+    fn remarks(&self, files: &[SpatialInput], crossings: &Crossings) -> Vec<Remark> {
+        let mut remarks = self.arrangement.remarks(files, crossings);
         for file in files.iter().filter(|file| file.inside_by == Some(InsideMethod::GeneralizedWinding)) {
             let message =
                 format!("{} is open: what is inside of it was decided in floating point", file.file);

@@ -356,7 +356,7 @@ fn group_names(names: &[String]) -> Vec<String> {
 /// Balls as a model.
 fn model_of(balls: BallComplex) -> Result<Model, Error> {
     let (complex, positions, refinement) = balls.into_parts();
-    Model::from_chains(complex, positions)?.with_refinement(refinement)
+    Ok(Model::from_chains(complex, positions)?.with_refinement(refinement)?.with_remark_on_cells())
 }
 
 /// The cells on the two sides of each polygon as data, in the direction of the polygon.

@@ -10,7 +10,7 @@ use crate::answer::{
 use crate::text;
 use coface_algebra::UnionFind;
 use coface_algebra::chains::ChainComplex;
-use coface_algebra::{CellId, Error};
+use coface_algebra::{CellId, Error, ErrorKind};
 use coface_arrange::boolean::InsideRule;
 use coface_arrange::spatial::{Crossings, SplitPolygon};
 use coface_geometry::{Positions, cross, dot};
@@ -51,6 +51,8 @@ pub struct SceneArrangement {
     request: SpatialRequest,
     /// The number of cells without putting anything together, where that was done.
     cells_apart: Option<usize>,
+    /// What is said of thin cells of the arrangement before anything was put together to make rounding valid.
+    thin_apart: Option<Remark>,
     crossings: OnceLock<Crossings>,
 }
 
@@ -102,7 +104,8 @@ impl SceneArrangement {
             let apart = Arranged::new(&scene, &SpatialRequest { tolerance: None, snap: false, ..*request });
             apart.ok().map(|apart| apart.complex().cell_count(3))
         });
-        Ok(Self { scene, arranged, inputs, request: *request, cells_apart, crossings: OnceLock::new() })
+        let (request, crossings) = (*request, OnceLock::new());
+        Ok(Self { scene, arranged, inputs, request, cells_apart, thin_apart: None, crossings })
     }
 
     /// The same scene with coordinates that are exactly where they are rounded to: features that rounding would make
@@ -126,8 +129,34 @@ impl SceneArrangement {
         let arranged = self.arranged.snapped(&self.scene, &self.request)?;
         let inputs = Inputs::new(&self.scene, &arranged)?;
         let cells_apart = self.cells_apart.or(Some(self.complex().cell_count(3)));
+        let thin_apart = self.thin_cells();
         let (scene, request, crossings) = (self.scene.clone(), self.request, OnceLock::new());
-        Ok(Self { scene, arranged, inputs, request, cells_apart, crossings })
+        Ok(Self { scene, arranged, inputs, request, cells_apart, thin_apart, crossings })
+    }
+
+    /// The same scene [snapped](Self::snapped) so that its rounded coordinates are valid; none where no distance within
+    /// reach does that.
+    ///
+    /// # Errors
+    /// [`ErrorKind::TooLarge`] for more cells than the request takes.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let valid = arranged.validly_rounded()?.expect("its coordinates are exact as they are");
+    /// assert_eq!(valid.crossings()?.count, 0);
+    /// # Ok(()) }
+    /// ```
+    pub fn validly_rounded(&self) -> Result<Option<Self>, Error> {
+        match self.snapped() {
+            Err(error) if error.kind() == ErrorKind::InvalidInput => Ok(None),
+            other => other.map(Some),
+        }
     }
 
     /// Where faces with rounded coordinates meet otherwise than in common vertices and edges: nowhere if rounding is valid.
@@ -336,7 +365,8 @@ impl SceneArrangement {
         let mut f_vector = complex.f_vector().to_vec();
         f_vector.resize(4, 0);
         let files = self.input_answers();
-        let remarks = self.remarks(&files);
+        let crossings = self.crossings()?;
+        let remarks = self.remarks(&files, crossings);
         Ok(SpatialArrangementAnswer {
             dimension: 3,
             f_vector,
@@ -356,18 +386,24 @@ impl SceneArrangement {
                 listed: dropped.iter().take(MOST_LISTED).map(place).collect(),
             },
             split_polygons: SplitPolygons { count: split.len(), largest_deviation },
-            rounding: self.rounding((0..complex.cell_count(0)).map(CellId::new), self.crossings()?),
+            rounding: self.rounding((0..complex.cell_count(0)).map(CellId::new), crossings),
             joined: self.joined(),
             remarks,
         })
     }
 
     /// What was assumed and left out of the models, which polygons are not planar, and which models are inside out.
-    pub(super) fn remarks(&self, files: &[SpatialInput]) -> Vec<Remark> {
+    pub(super) fn remarks(&self, files: &[SpatialInput], crossings: &Crossings) -> Vec<Remark> {
         let mut remarks = self.scene.remarks().to_vec();
         remarks.extend(self.warped_polygons());
         remarks.extend(self.joined_features());
-        remarks.extend(self.thin_cells());
+        remarks.extend(self.thin_apart.clone().or_else(|| self.thin_cells()));
+        if crossings.count > 0 {
+            let places = text::count(crossings.count, "place");
+            let message = format!("with rounded coordinates faces cross in {places}");
+            let points = crossings.places.iter().map(|point| Place::point(point));
+            remarks.push(Remark::new(RemarkCode::RoundedInvalid, message).at(crossings.count, points));
+        }
         for file in files.iter().filter(|file| file.reversed_cells > 0) {
             let message = format!(
                 "{} is inside out, wholly or in part: it winds less than zero times around cells",
@@ -537,9 +573,6 @@ impl SceneArrangement {
         };
         if let Some(vanished) = joined.vanished_cells.filter(|&count| count > 0) {
             message += &format!("; {} vanished, thinner than that", text::count(vanished, "cell"));
-            if self.request.tolerance.is_none() {
-                message += "; --tolerance says how near is one";
-            }
         }
         Some(Remark::new(RemarkCode::FeaturesJoined, message).at(count, []))
     }
@@ -549,9 +582,10 @@ impl SceneArrangement {
         if self.request.tolerance.is_some() {
             return None;
         }
-        let flat = self.arranged.drawn_positions().as_flat().as_chunks::<3>().0;
+        let drawn = self.arranged.drawn_positions().as_flat().as_chunks::<3>().0;
+        let used = self.positions().as_flat().as_chunks::<3>().0;
         let extent = (0..3).map(|axis| {
-            let range = flat.iter().map(|point| point[axis]);
+            let range = used.iter().map(|point| point[axis]);
             range.clone().fold(f64::MIN, f64::max) - range.fold(f64::MAX, f64::min)
         });
         let extent = extent.fold(0.0, f64::max);
@@ -563,7 +597,7 @@ impl SceneArrangement {
             let mut area = 0.0;
             for &face in cells.column(cell).rows() {
                 for [a, b, c] in self.arranged.triangles(CellId::from_u32(face)).ok()? {
-                    let [a, b, c] = [a, b, c].map(|corner| flat[corner as usize]);
+                    let [a, b, c] = [a, b, c].map(|corner| drawn[corner as usize]);
                     let normal = cross([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
                     area += dot(normal, normal).sqrt() / 2.0;
                 }
@@ -575,7 +609,7 @@ impl SceneArrangement {
         let thickest = thin.iter().copied().reduce(f64::max)?;
         // A wedge is twice as thick as a slab, where it is thickest; to one digit, upwards.
         let unit =
-            4.0 * f64::EPSILON * flat.as_flattened().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            4.0 * f64::EPSILON * used.as_flattened().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let needed = (3.0 * thickest).max(unit);
         let scale = 10f64.powf(needed.log10().floor());
         let needed = (needed / scale).ceil() * scale;

@@ -41,7 +41,7 @@ pub fn read(mut input: impl Read) -> Result<Model, Error> {
     let container = Container::open(&bytes, Kind::Complex)?;
     let complex = to_complex(&container)?;
     if !container.has(Role::Positions, 0) {
-        return Ok(Model::from_structure(Structure::Chains(complex)));
+        return Ok(Model::from_structure(Structure::Chains(complex)).with_remark_on_cells());
     }
     let coordinates = container.array::<f64>(Role::Positions, 0)?.into_owned();
     let dimension = container.array::<u64>(Role::Meta, 0)?;
@@ -49,7 +49,7 @@ pub fn read(mut input: impl Read) -> Result<Model, Error> {
         return Err(container.lie(Role::Meta, 0, "positions have 1 to 255 coordinates"));
     };
     let positions = Positions::from_flat(dimension as usize, coordinates)?;
-    Model::from_chains(complex, positions)
+    Ok(Model::from_chains(complex, positions)?.with_remark_on_cells())
 }
 
 /// Writes the chain complex of a model, with the positions of its vertices if it has them; groups and data are not written.

@@ -262,10 +262,11 @@ fn chains(matrices: Vec<SparseMatrix>, positions: Option<Positions>) -> Result<M
         true => ChainComplex::of_points(positions.as_ref().map_or(0, Positions::len)),
         false => ChainComplex::new(matrices)?,
     };
-    match positions {
-        Some(positions) => Model::from_chains(complex, positions),
-        None => Ok(Model::from_structure(Structure::Chains(complex))),
-    }
+    let model = match positions {
+        Some(positions) => Model::from_chains(complex, positions)?,
+        None => Model::from_structure(Structure::Chains(complex)),
+    };
+    Ok(model.with_remark_on_cells())
 }
 
 /// Verifies that the list is a permutation of the halfedges `0..count`.

@@ -157,6 +157,27 @@ fn tunnels_voids_and_touching_solids() {
     }
 }
 
+/// A tunnel so small that planes through few of the vertices miss it.
+#[test]
+fn a_narrow_tunnel_among_many_vertices() {
+    let large = cuboid([0.0; 3], [100.0; 3], |p| p);
+    let tunnel = cuboid([61.3, 47.9, 0.0], [61.301, 47.901, 100.0], |p| p);
+    let voids = (0..40).map(|i| {
+        let low = [1, 7, 11].map(|step| 1.0 + f64::from(i * step % 43) * 2.0);
+        cuboid(low, low.map(|x| x + 1.0), |p| p)
+    });
+    let inputs: Vec<SpatialPolygons> = [large, tunnel].into_iter().chain(voids).collect();
+    let arrangement =
+        SpatialArrangement::new(&SpatialPolygons::joined(&inputs).unwrap(), &SpatialOptions::default())
+            .unwrap();
+    assert_eq!(arrangement.fine().cell_count(), 42);
+    let parts: Vec<Option<u32>> =
+        arrangement.volumes().unwrap().iter().map(|&volume| (volume > 1e5).then_some(0)).collect();
+    let balls = arrangement.ball_complex_of(&parts, BallRules::new()).unwrap();
+    assert_eq!(balls.parts_left(), [0u32; 0]);
+    assert_eq!(groups(balls.complex()), (vec![1, 1, 40], false));
+}
+
 #[test]
 fn an_apex_and_a_ridge_inside_a_face_touch_it() {
     // A pyramid on its apex, and a roof on its ridge, each on the top of a cube.

@@ -1,115 +1,134 @@
 //! Where to cut a piece that is no ball.
 
-use super::pieces::Kept;
 use crate::spatial::SpatialArrangement;
 use coface_algebra::{FaceId, UnionFind, VertexId};
-use std::collections::HashMap;
+use rayon::prelude::*;
+use std::cmp::Ordering;
 
-/// So many planes across each axis are tried.
-const MOST_PLANES: usize = 8;
+/// So many vertices across each axis are tried, then more where no plane through these or between them leaves fewer
+/// tunnels.
+const VERTICES_TRIED: [usize; 3] = [8, 64, 512];
+/// A piece with more tunnels is cut across each axis at once.
+const TUNNELS_FOR_ONE_CUT: i64 = 2;
 
-/// A rectangle across a piece, at right angles to an axis, through a vertex of its boundary or between two: of all tried
-/// the one that leaves the fewest tunnels, with the fewest rims.
+/// Rectangles across a piece, which has these half-faces around it, at right angles to an axis, through a vertex of its
+/// boundary or between two: of all tried the one that leaves the fewest tunnels, with the fewest rims; for pieces with many
+/// tunnels that across each axis.
 ///
-/// No plane is taken that is there already. A piece that lies between two parts of the faces at a vertex must be cut through that, so one can be given with an axis.
+/// No plane is taken that is there already. A piece that lies between two parts of the faces at a vertex must be cut
+/// through that, so one can be given with an axis.
 ///
 /// Where a rectangle is does not matter for what the cells are, only for how many are made: rounded coordinates do.
-pub(super) fn best_cut(
+pub(super) fn best_cuts(
     arrangement: &SpatialArrangement,
-    kept: &Kept,
-    piece: u32,
+    halves: &[u32],
     through: Option<(u32, usize)>,
     cuts: &[[[f64; 3]; 4]],
-) -> Option<[[f64; 3]; 4]> {
-    let surface = Surface::new(arrangement, kept, piece);
-    let mut best: Option<((i64, usize, f64), usize, f64)> = None;
+) -> Vec<[[f64; 3]; 4]> {
+    let surface = Surface::new(arrangement, halves);
     if let Some((vertex, axis)) = through {
         let level = arrangement.positions().point(VertexId::from_u32(vertex))[axis];
-        best = Some(((0, 0, 0.0), axis, level));
+        return surface.rectangle(axis, level).into_iter().collect();
     }
-    for axis in (0..3).filter(|_| through.is_none()) {
-        let [low, high] = surface.range(axis);
-        let is_new = |level: &f64| cuts.iter().all(|cut| cut.iter().any(|corner| corner[axis] != *level));
-        for level in surface.levels(axis).into_iter().filter(is_new) {
-            let Some((tunnels, rims)) = surface.tunnels_after(axis, level) else { continue };
-            let off = ((level - low) / (high - low) - 0.5).abs();
-            let merit = (tunnels, rims, off);
-            let is_better = best.is_none_or(|(known, ..)| {
-                (merit.0, merit.1).cmp(&(known.0, known.1)).then(merit.2.total_cmp(&known.2)).is_lt()
-            });
-            if is_better {
-                best = Some((merit, axis, level));
-            }
+    let is_new =
+        |axis: usize, level: f64| cuts.iter().all(|cut| cut.iter().any(|corner| corner[axis] != level));
+    let tunnels = surface.tunnels();
+    let mut best: Vec<Plane> = Vec::new();
+    for most in VERTICES_TRIED {
+        let planes: Vec<(usize, f64)> = (0..3)
+            .flat_map(|axis| surface.levels(axis, most).into_iter().map(move |level| (axis, level)))
+            .filter(|&(axis, level)| is_new(axis, level))
+            .collect();
+        let plane = |&(axis, level): &(usize, f64)| surface.cut_at(axis, level);
+        let mut found: Vec<Plane> = planes.par_iter().filter_map(plane).collect();
+        found.sort_by(Plane::compare);
+        best = found;
+        if best.first().is_some_and(|plane| plane.tunnels < tunnels) {
+            break;
         }
     }
-    let (_, axis, level) = best?;
-    let [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
-    let [across, up] = [u, v].map(|axis| {
-        let [low, high] = surface.range(axis);
-        let margin = (high - low) / 8.0;
-        [low - margin, high + margin]
-    });
-    let corner = |x: f64, y: f64| {
-        let mut point = [0.0; 3];
-        (point[axis], point[u], point[v]) = (level, x, y);
-        point
+    let is_first = |axis: usize| best.iter().find(|plane| plane.axis == axis);
+    let chosen: Vec<&Plane> = match tunnels > TUNNELS_FOR_ONE_CUT {
+        true => (0..3).filter_map(is_first).filter(|plane| plane.tunnels < tunnels).collect(),
+        false => Vec::new(),
     };
-    let corners = [
-        corner(across[0], up[0]),
-        corner(across[1], up[0]),
-        corner(across[1], up[1]),
-        corner(across[0], up[1]),
-    ];
-    corners.as_flattened().iter().all(|x| x.is_finite()).then_some(corners)
+    let chosen = if chosen.is_empty() { best.iter().take(1).collect() } else { chosen };
+    chosen.into_iter().filter_map(|plane| surface.rectangle(plane.axis, plane.level)).collect()
+}
+
+/// A plane at right angles to an axis, and what it does.
+struct Plane {
+    axis: usize,
+    level: f64,
+    /// The tunnels that are left.
+    tunnels: i64,
+    rims: usize,
+    /// How far it is from the middle of the piece, as a part of its extent.
+    off: f64,
+}
+
+impl Plane {
+    /// The better one first.
+    fn compare(&self, other: &Self) -> Ordering {
+        (self.tunnels, self.rims)
+            .cmp(&(other.tunnels, other.rims))
+            .then_with(|| self.off.total_cmp(&other.off))
+            .then_with(|| self.axis.cmp(&other.axis))
+    }
 }
 
 /// Where a triangle crosses a plane: the crossings at the two ends, where those are, and a vertex below and above.
 type Segment = ([u32; 2], [[f64; 2]; 2], [u32; 2]);
 
-/// The boundary of a piece as triangles, which run counterclockwise seen from outside of it.
+/// The boundary of a piece as triangles, which run counterclockwise seen from outside of it, on vertices of its own.
 struct Surface {
-    points: HashMap<u32, [f64; 3]>,
+    points: Vec<[f64; 3]>,
     triangles: Vec<[u32; 3]>,
+    /// Each once, the lower end first.
+    edges: Vec<[u32; 2]>,
 }
 
 impl Surface {
-    fn new(arrangement: &SpatialArrangement, kept: &Kept, piece: u32) -> Self {
-        let mut surface = Self { points: HashMap::new(), triangles: Vec::new() };
-        let positions = arrangement.fine_triangles().positions();
-        for face in 0..kept.is_kept.len() as u32 {
-            let sides = [0, 1].map(|side| kept.piece_at(arrangement, face, side) == piece);
-            if !kept.is_kept[face as usize] || !(sides[0] || sides[1]) {
-                continue;
-            }
+    fn new(arrangement: &SpatialArrangement, halves: &[u32]) -> Self {
+        let mut triangles = Vec::with_capacity(halves.len());
+        for &half in halves {
             // Exact triangles exist for all faces of an arrangement.
-            let own = arrangement.triangulated(FaceId::from_u32(face)).unwrap_or_default();
-            for triangle in own {
-                for vertex in triangle {
-                    let point = positions.point(VertexId::from_u32(vertex));
-                    surface.points.insert(vertex, [point[0], point[1], point[2]]);
-                }
-                let [a, b, c] = triangle;
-                surface.triangles.extend(sides[0].then_some([a, b, c]));
-                surface.triangles.extend(sides[1].then_some([a, c, b]));
-            }
+            let own = arrangement.triangulated(FaceId::from_u32(half >> 1)).unwrap_or_default();
+            triangles
+                .extend(own.into_iter().map(|[a, b, c]| if half & 1 == 0 { [a, b, c] } else { [a, c, b] }));
         }
-        surface
+        let mut vertices: Vec<u32> = triangles.as_flattened().to_vec();
+        vertices.sort_unstable();
+        vertices.dedup();
+        for corner in triangles.as_flattened_mut() {
+            *corner = vertices.partition_point(|vertex| vertex < corner) as u32;
+        }
+        let positions = arrangement.fine_triangles().positions();
+        let point = |&vertex: &u32| {
+            let point = positions.point(VertexId::from_u32(vertex));
+            [point[0], point[1], point[2]]
+        };
+        let sides = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]].map(|[p, q]| [p.min(q), p.max(q)]);
+        let mut edges: Vec<[u32; 2]> = triangles.iter().flat_map(sides).collect();
+        edges.sort_unstable();
+        edges.dedup();
+        Self { points: vertices.iter().map(point).collect(), triangles, edges }
     }
 
     fn range(&self, axis: usize) -> [f64; 2] {
-        self.points.values().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| {
+        self.points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| {
             [low.min(point[axis]), high.max(point[axis])]
         })
     }
 
     /// Coordinates of vertices strictly between the ends, and the middle of the largest gap; few of them.
-    fn levels(&self, axis: usize) -> Vec<f64> {
-        let mut all: Vec<f64> = self.points.values().map(|point| point[axis]).collect();
+    fn levels(&self, axis: usize, most: usize) -> Vec<f64> {
+        let mut all: Vec<f64> = self.points.iter().map(|point| point[axis]).collect();
         all.sort_by(f64::total_cmp);
         all.dedup();
         let mut levels: Vec<f64> = Vec::new();
         let inner = all.get(1..all.len().saturating_sub(1)).unwrap_or(&[]);
-        let step = inner.len().div_ceil(MOST_PLANES).max(1);
+        let step = inner.len().div_ceil(most).max(1);
         levels.extend(inner.iter().skip(step / 2).step_by(step));
         let middle = |pair: &[f64]| pair[0] + (pair[1] - pair[0]) / 2.0;
         let gaps = all.windows(2).step_by(step).map(middle);
@@ -119,40 +138,76 @@ impl Surface {
         levels
     }
 
+    /// A rectangle that is larger than the piece; none if that is too large.
+    fn rectangle(&self, axis: usize, level: f64) -> Option<[[f64; 3]; 4]> {
+        let [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+        let [across, up] = [u, v].map(|axis| {
+            let [low, high] = self.range(axis);
+            let margin = (high - low) / 8.0;
+            [low - margin, high + margin]
+        });
+        let corner = |x: f64, y: f64| {
+            let mut point = [0.0; 3];
+            (point[axis], point[u], point[v]) = (level, x, y);
+            point
+        };
+        let corners = [
+            corner(across[0], up[0]),
+            corner(across[1], up[0]),
+            corner(across[1], up[1]),
+            corner(across[0], up[1]),
+        ];
+        corners.as_flattened().iter().all(|x| x.is_finite()).then_some(corners)
+    }
+
+    fn characteristic(&self) -> i64 {
+        self.points.len() as i64 - self.edges.len() as i64 + self.triangles.len() as i64
+    }
+
+    /// The number of tunnels, where each connected part of the surface is around a solid.
+    fn tunnels(&self) -> i64 {
+        let mut parts = UnionFind::new(self.points.len());
+        for &[a, b] in &self.edges {
+            parts.unite(a, b);
+        }
+        parts.class_count() as i64 - self.characteristic() / 2
+    }
+
+    fn cut_at(&self, axis: usize, level: f64) -> Option<Plane> {
+        let (tunnels, rims) = self.tunnels_after(axis, level)?;
+        let [low, high] = self.range(axis);
+        let off = ((level - low) / (high - low) - 0.5).abs();
+        Some(Plane { axis, level, tunnels, rims, off })
+    }
+
     /// The number of tunnels of all parts after a cut a little above a level, and of rims of the cut; `None` if the
     /// plane misses the piece.
     fn tunnels_after(&self, axis: usize, level: f64) -> Option<(i64, usize)> {
-        let is_above = |vertex: u32| self.points[&vertex][axis] > level;
+        let is_above = |vertex: u32| self.points[vertex as usize][axis] > level;
         let [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
-        // Vertices of the surface, and crossings of edges with the plane, by numbers of their own.
-        let mut numbers: HashMap<[u32; 2], u32> = HashMap::new();
-        let mut number = |key: [u32; 2]| {
-            let next = numbers.len() as u32;
-            *numbers.entry(key).or_insert(next)
+        let crossed: Vec<[u32; 2]> =
+            self.edges.iter().copied().filter(|&[a, b]| is_above(a) != is_above(b)).collect();
+        if crossed.is_empty() {
+            return None;
+        }
+        let number = |a: u32, b: u32| {
+            let ends = [a.min(b), a.max(b)];
+            crossed.partition_point(|known| *known < ends) as u32
         };
         let crossing = |a: u32, b: u32| {
-            let [p, q] = [a, b].map(|vertex| self.points[&vertex]);
+            let [p, q] = [a, b].map(|vertex| self.points[vertex as usize]);
             let part = (level - p[axis]) / (q[axis] - p[axis]);
             [u, v].map(|axis| p[axis] + part * (q[axis] - p[axis]))
         };
-        let mut links: Vec<[u32; 2]> = Vec::new();
         let mut segments: Vec<Segment> = Vec::new();
-        let mut edges: Vec<[u32; 2]> = Vec::with_capacity(3 * self.triangles.len());
         for &[a, b, c] in &self.triangles {
-            for [p, q] in [[a, b], [b, c], [c, a]] {
-                edges.push([p.min(q), p.max(q)]);
-                if is_above(p) == is_above(q) {
-                    links.push([number([p, p]), number([q, q])]);
-                }
-            }
             for [p, q, r] in [[a, b, c], [b, c, a], [c, a, b]] {
                 // The corner that is alone on its side of the plane.
                 let lone = is_above(p);
                 if is_above(q) != lone && is_above(r) != lone {
-                    let at = [number([p.min(q), p.max(q)]), number([p.min(r), p.max(r)])];
+                    let at = [number(p, q), number(p, r)];
                     let places = [crossing(p, q), crossing(p, r)];
-                    let (low, high) = if lone { (q, p) } else { (p, q) };
-                    let sides = [number([low, low]), number([high, high])];
+                    let sides = if lone { [q, p] } else { [p, q] };
                     // The inside is on the left seen from above.
                     if lone {
                         segments.push((at, places, sides));
@@ -162,30 +217,24 @@ impl Surface {
                 }
             }
         }
-        if segments.is_empty() {
-            return None;
-        }
-        edges.sort_unstable();
-        edges.dedup();
-        let vertices: Vec<u32> = self.points.keys().map(|&vertex| number([vertex, vertex])).collect();
-        let count = numbers.len();
-        let mut rims = UnionFind::new(count);
-        let mut parts = UnionFind::new(count);
-        links.iter().for_each(|&[a, b]| {
+        let mut rims = UnionFind::new(crossed.len());
+        let mut parts = UnionFind::new(self.points.len());
+        for &[a, b] in self.edges.iter().filter(|&&[a, b]| is_above(a) == is_above(b)) {
             parts.unite(a, b);
-        });
-        segments.iter().for_each(|segment| {
+        }
+        for segment in &segments {
             rims.unite(segment.0[0], segment.0[1]);
-        });
+        }
         // Area and members of each rim.
-        let mut of_rim: HashMap<u32, (f64, Vec<usize>)> = HashMap::new();
+        let mut of_rim: Vec<(f64, Vec<usize>)> = vec![(0.0, Vec::new()); rims.class_count()];
+        let numbers = rims.class_numbers();
         for (i, (at, [p, q], _)) in segments.iter().enumerate() {
-            let rim = of_rim.entry(rims.find(at[0])).or_default();
+            let rim = &mut of_rim[numbers[at[0] as usize] as usize];
             rim.0 += p[0] * q[1] - p[1] * q[0];
             rim.1.push(i);
         }
-        let mut list: Vec<(f64, Vec<usize>)> = of_rim.into_values().collect();
-        list.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
+        of_rim.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
+        let list = of_rim;
         let rim_count = list.len();
         let winds_around = |own: &[usize], [x, y]: [f64; 2]| {
             let crossings = own.iter().filter(|&&i| {
@@ -218,10 +267,6 @@ impl Surface {
                 }
             }
         }
-        let mut roots: Vec<u32> = vertices.into_iter().map(|vertex| parts.find(vertex)).collect();
-        roots.sort_unstable();
-        roots.dedup();
-        let surface = self.points.len() as i64 - edges.len() as i64 + self.triangles.len() as i64;
-        Some((roots.len() as i64 - (surface + 2 * characteristic) / 2, rim_count))
+        Some((parts.class_count() as i64 - (self.characteristic() + 2 * characteristic) / 2, rim_count))
     }
 }

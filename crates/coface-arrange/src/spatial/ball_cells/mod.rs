@@ -16,7 +16,7 @@ mod pieces;
 mod touching;
 
 use self::building::build;
-use self::cutting_planes::best_cut;
+use self::cutting_planes::best_cuts;
 use self::matching::cells_of_cut;
 use self::pieces::{Kept, Pieces};
 use super::SpatialArrangement;
@@ -26,8 +26,47 @@ use coface_geometry::Positions;
 
 /// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
 const NONE: u32 = u32::MAX;
-/// Each round cuts every piece that is no ball once.
-const MOST_ROUNDS: usize = 24;
+/// Each round cuts every piece that is no ball.
+const MOST_ROUNDS: usize = 64;
+
+/// Rectangles across pieces. Each is there in the piece that it was made for alone.
+#[derive(Default)]
+struct Cuts {
+    rectangles: Vec<[[f64; 3]; 4]>,
+    /// The round in which each was made, and the piece it is for.
+    for_piece: Vec<(u32, u32)>,
+    /// For each round the piece that each cell of the arrangement of today was part of then.
+    rounds: Vec<Vec<u32>>,
+}
+
+impl Cuts {
+    /// Adds a round with the pieces that it was made in.
+    fn add(&mut self, next: Vec<(u32, [[f64; 3]; 4])>, piece_of_cell: Vec<u32>) {
+        let round = self.rounds.len() as u32;
+        self.rounds.push(piece_of_cell);
+        for (piece, rectangle) in next {
+            self.rectangles.push(rectangle);
+            self.for_piece.push((round, piece));
+        }
+    }
+
+    /// Goes on to an arrangement with more cuts, whose cells are parts of these.
+    fn follow(&mut self, cells: &[u32]) {
+        self.rounds.iter_mut().for_each(|pieces| *pieces = through(cells, pieces));
+    }
+
+    /// Whether a cut is there between two cells.
+    fn is_between(&self, cut: usize, sides: [u32; 2]) -> bool {
+        let (round, piece) = self.for_piece[cut];
+        let pieces = &self.rounds[round as usize];
+        sides.iter().all(|&cell| pieces.get(cell as usize) == Some(&piece))
+    }
+}
+
+/// What cells have that are parts of others, from what those have; no number for parts of the exterior.
+fn through(cells: &[u32], values: &[u32]) -> Vec<u32> {
+    cells.iter().map(|&cell| values.get(cell as usize).copied().unwrap_or(NONE)).collect()
+}
 
 /// Parts of space, made of cells of an arrangement, as a complex whose cells are balls.
 ///
@@ -139,52 +178,44 @@ impl SpatialArrangement {
         part_of_cell: &[Option<u32>],
         rules: BallRules,
     ) -> Result<BallComplex, Error> {
-        let packed: Vec<u32> = part_of_cell.iter().map(|part| part.unwrap_or(NONE)).collect();
-        let part_count =
-            packed.iter().filter(|&&part| part != NONE).max().map_or(0, |&part| part as usize + 1);
-        let mut is_cut = vec![false; part_count];
-        let mut cuts: Vec<[[f64; 3]; 4]> = Vec::new();
+        let parts: Vec<u32> = part_of_cell.iter().map(|part| part.unwrap_or(NONE)).collect();
+        let mut cuts = Cuts::default();
         let mut with_cuts: Option<Self> = None;
-        for round in 0..=MOST_ROUNDS {
+        let mut parts_now = parts.clone();
+        loop {
             let arrangement = with_cuts.as_ref().unwrap_or(self);
-            let own = match &with_cuts {
-                None => packed.clone(),
-                Some(cut) => {
-                    let Some(cells) = cells_of_cut(self, cut) else { break };
-                    cells.into_iter().map(|cell| packed.get(cell as usize).copied().unwrap_or(NONE)).collect()
-                }
-            };
-            let kept = Kept::new(arrangement, self.polygon_count(), &own, &is_cut, rules.keep_faces);
-            let pieces = Pieces::new(arrangement, &kept, &own);
+            let kept = Kept::new(arrangement, self.polygon_count(), &parts_now, &cuts, rules.keep_faces);
+            let pieces = Pieces::new(arrangement, &kept, &parts_now);
             let bad = pieces.no_balls();
-            let next: Vec<[[f64; 3]; 4]> = if round == MOST_ROUNDS {
+            let round = cuts.rounds.len();
+            let next: Vec<(u32, [[f64; 3]; 4])> = if round == MOST_ROUNDS {
                 Vec::new()
             } else {
+                let halves = kept.halves_of_pieces(arrangement);
                 let cut = |&piece: &u32| {
                     let through = pieces.vertex_between(piece).filter(|_| round % 2 == 0);
-                    best_cut(arrangement, &kept, piece, through.map(|vertex| (vertex, round / 2 % 3)), &cuts)
+                    let through = through.map(|vertex| (vertex, round / 2 % 3));
+                    let own = halves.list(piece as usize);
+                    let found = best_cuts(arrangement, own, through, &cuts.rectangles);
+                    found.into_iter().map(move |cut| (piece, cut))
                 };
-                bad.iter().filter_map(cut).collect()
+                bad.iter().flat_map(cut).collect()
             };
             if next.is_empty() {
                 return build(self, arrangement, &kept, &pieces, rules.triangles);
             }
-            bad.iter().for_each(|&piece| is_cut[pieces.part(piece) as usize] = true);
-            cuts.extend(next);
-            with_cuts = Some(self.with_cuts(&cuts)?);
+            let all: Vec<[[f64; 3]; 4]> =
+                cuts.rectangles.iter().copied().chain(next.iter().map(|own| own.1)).collect();
+            let further = self.with_cuts(&all)?;
+            // Where cells cannot be told in the arrangement with more cuts, the parts that have tunnels are named.
+            let Some(cells) = cells_of_cut(arrangement, &further) else {
+                return build(self, arrangement, &kept, &pieces, rules.triangles);
+            };
+            cuts.add(next, kept.piece_of_cell);
+            cuts.follow(&cells);
+            parts_now = through(&cells, &parts_now);
+            with_cuts = Some(further);
         }
-        // The cells cannot be told in the arrangement with cuts: without them, the parts that have tunnels are named.
-        is_cut.fill(false);
-        let kept = Kept::new(self, self.polygon_count(), &packed, &is_cut, rules.keep_faces);
-        let pieces = Pieces::new(self, &kept, &packed);
-        build(self, self, &kept, &pieces, rules.triangles)
-    }
-
-    /// Whether some and whether all polygons of a face have this number or a higher one.
-    fn is_from(&self, face: FaceId, first_polygon: usize) -> [bool; 2] {
-        let polygons = self.polygons_of_face(face);
-        let is_from = |&(polygon, _): &(u32, Sign)| polygon as usize >= first_polygon;
-        [polygons.iter().any(is_from), polygons.iter().all(is_from)]
     }
 
     /// The cell on a side of a face: behind for 0, in front for 1; no number for the exterior.

@@ -1,7 +1,7 @@
 //! Pieces of space between the faces that are kept, and whether they are balls.
 
-use super::NONE;
 use super::touching::facing_halves;
+use super::{Cuts, NONE};
 use crate::spatial::SpatialArrangement;
 use crate::spatial::face_walks::face_walks;
 use coface_algebra::{EdgeId, FaceId, RaggedArray, Sign, UnionFind};
@@ -22,16 +22,15 @@ pub(super) struct Kept {
 }
 
 impl Kept {
-    /// `parts` are those of the cells, and cuts stay in the parts that are to be cut.
+    /// `parts` are those of the cells. Polygons from a number on are cuts.
     pub(super) fn new(
         arrangement: &SpatialArrangement,
         first_cut: usize,
         parts: &[u32],
-        is_cut: &[bool],
+        cuts: &Cuts,
         keeps_faces: bool,
     ) -> Self {
         let face_count = arrangement.complex().face_count();
-        let has_cuts = arrangement.polygon_count() > first_cut;
         let part = |cell: u32| parts.get(cell as usize).copied().unwrap_or(NONE);
         let mut is_from_cut = vec![false; face_count];
         let mut is_kept = vec![false; face_count];
@@ -41,14 +40,18 @@ impl Kept {
             pieces.unite(cell, node(cell));
         }
         for face in 0..face_count {
-            let [some, all] = match has_cuts {
-                true => arrangement.is_from(FaceId::new(face), first_cut),
-                false => [false; 2],
+            let from = if cuts.rounds.is_empty() {
+                Vec::new()
+            } else {
+                arrangement.polygons_of_face(FaceId::new(face))
             };
+            let is_on = |&(polygon, _): &(u32, Sign)| polygon as usize >= first_cut;
+            let is_of_cuts = !from.is_empty() && from.iter().all(is_on);
             let sides = [0, 1].map(|side| arrangement.packed_cell(face as u32, side));
             let [behind, before] = sides.map(part);
-            let is_of_result = !all && (keeps_faces || behind != before);
-            let is_on_cut = some && behind == before && behind != NONE && is_cut[behind as usize];
+            let is_of_result = !is_of_cuts && (keeps_faces || behind != before);
+            let mut on = from.iter().filter(|own| is_on(own)).map(|own| own.0 as usize - first_cut);
+            let is_on_cut = on.any(|cut| cuts.is_between(cut, sides));
             is_from_cut[face] = !is_of_result;
             is_kept[face] = is_of_result || is_on_cut;
             if !is_kept[face] {
@@ -75,6 +78,16 @@ impl Kept {
     pub(super) fn piece_at(&self, arrangement: &SpatialArrangement, face: u32, side: u32) -> u32 {
         let cell = arrangement.packed_cell(face, side);
         self.piece_of_cell.get(cell as usize).copied().unwrap_or(self.piece_count as u32)
+    }
+
+    /// The half-faces around each piece, rising; twice a kept face, plus one in front of it. The last list has all others.
+    pub(super) fn halves_of_pieces(&self, arrangement: &SpatialArrangement) -> RaggedArray {
+        let halves = 0..2 * self.is_kept.len() as u32;
+        let piece = |half: u32| match self.is_kept[(half >> 1) as usize] {
+            true => self.piece_at(arrangement, half >> 1, half & 1),
+            false => self.piece_count as u32,
+        };
+        RaggedArray::grouped(self.piece_count + 1, halves.map(piece))
     }
 }
 

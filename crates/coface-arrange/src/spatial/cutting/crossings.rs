@@ -1,7 +1,7 @@
 //! Where triangles meet otherwise than in common corners and sides.
 
 use super::cut_triangles::check_input;
-use super::meetings::Meetings;
+use super::meetings::{Meetings, Place};
 use super::sheets::Sheets;
 use coface_algebra::Error;
 use coface_geometry::Positions;
@@ -11,7 +11,7 @@ use coface_geometry::Positions;
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Crossings {
-    /// The number of places; a segment that two faces have in common is one.
+    /// The number of places; a segment that two faces have in common is one, with its ends.
     pub count: usize,
     /// A point of each of the first of them.
     pub places: Vec<[f64; 3]>,
@@ -36,11 +36,14 @@ pub(in crate::spatial) fn crossings(
     };
     let degenerate = sheets.degenerate.iter().map(|&triangle| corner(triangle));
     let touching = meetings.vertices_on_edges.iter().map(|&[_, vertex]| sheets.point(vertex));
-    let crossing = meetings.places.iter().map(|place| place.point(&sheets).rounded());
+    let mut ends: Vec<Place> = meetings.cuts.iter().flat_map(|cut| cut.ends).collect();
+    ends.sort_unstable();
+    let alone = meetings.places.iter().filter(|place| ends.binary_search(place).is_err());
+    let crossing = alone.clone().map(|place| place.point(&sheets).rounded());
     let common = meetings.cuts.iter().map(|cut| cut.ends[0].point(&sheets).rounded());
     let overlapping =
         meetings.overlapping.iter().map(|&sheet| sheets.point(sheets.corners[sheet as usize][0]));
-    let count = degenerate.len() + touching.len() + crossing.len() + common.len() + overlapping.len();
+    let count = degenerate.len() + touching.len() + alone.count() + common.len() + overlapping.len();
     let all = degenerate.chain(touching).chain(crossing).chain(common).chain(overlapping);
     Ok(Crossings { count, places: all.take(most_listed).collect() })
 }

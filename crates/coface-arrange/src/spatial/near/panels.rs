@@ -56,8 +56,13 @@ impl Panel {
         self.sides = kept;
     }
 
-    fn has_corner(&self, vertex: u32) -> bool {
-        self.sides.iter().any(|side| side[0] == vertex)
+    /// The vertices on the sides and on the inside, rising.
+    fn vertices(&self) -> Vec<u32> {
+        let mut all: Vec<u32> = self.sides.iter().map(|side| side[0]).collect();
+        all.extend(&self.inside);
+        all.sort_unstable();
+        all.dedup();
+        all
     }
 }
 
@@ -171,11 +176,13 @@ impl NearFeatures {
                 let frame = self.box_of(panel.sides.iter().map(|side| side[0]), reach);
                 let mut own = Vec::new();
                 tree.visit(&frame, |place| own.push(used[place as usize]));
-                own.retain(|&vertex| {
-                    self.height(&lie, vertex).abs() <= reach
-                        && !panel.inside.contains(&vertex)
-                        && !panel.has_corner(vertex)
-                        && self.is_inside(panel, &lie, self.point(vertex))
+                own.retain(|&vertex| self.height(&lie, vertex).abs() <= reach);
+                if own.is_empty() {
+                    return own;
+                }
+                let known = panel.vertices();
+                own.retain(|vertex| {
+                    known.binary_search(vertex).is_err() && self.is_inside(panel, &lie, self.point(*vertex))
                 });
                 own
             })
@@ -277,10 +284,7 @@ impl NearFeatures {
 
     /// The sides of other panels on the inside of one, in both directions.
     fn sides_on(&self, panel: &Panel, lie: &Lie, sides: &[[u32; 2]]) -> Vec<[u32; 2]> {
-        let mut corners: Vec<u32> = panel.sides.iter().map(|side| side[0]).collect();
-        corners.extend(&panel.inside);
-        corners.sort_unstable();
-        corners.dedup();
+        let corners = panel.vertices();
         if corners.len() < 4 {
             return Vec::new();
         }

@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 ///
 /// Inputs are any mix of drawings: segments (.lines), OBJ with lines or polygons, GeoJSON, WKT, SVG. They are planar when all points
 /// have two coordinates or lie at height 0; otherwise polygons cut space. Everything is exact: nothing is decided with a tolerance, but
-/// for --tolerance.
+/// for --tolerance. Where rounded coordinates would make faces in space cross, what is so near is put together, and a remark says so.
 ///
 /// With -o the complex is written: GeoJSON, WKT and SVG have faces as polygons with holes; OBJ, PLY and VTK as polygons of a mesh;
 /// .lines has the edges; .json the chain complex with positions. .glb, .gltf and .png, in space .svg too, are to be looked at.

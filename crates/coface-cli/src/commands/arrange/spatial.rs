@@ -142,18 +142,20 @@ pub(super) fn run(
     let mut arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells, common))?;
     if arrangement.crossings()?.count > 0 {
         progress.stage("rounding");
-        arrangement = arrangement.snapped()?;
+        arrangement = arrangement.validly_rounded()?.unwrap_or(arrangement);
     }
     progress.stage("multiplying boundaries");
     let rule = verb.cells.rule.map(Rule::inside).unwrap_or_default();
-    let answer = arrangement.answer(rule)?;
+    let mut answer = arrangement.answer(rule)?;
     accept(&answer.remarks, common)?;
     progress.stage("writing");
     if let Some((path, target)) = output {
         let triangles = verb.space.triangles(arrangement.scene(), output);
         match target {
             Target::Model(Format::Json) => {
-                io::write_path(&arrangement.to_chains(verb.space.triangles)?, path, Some(Format::Json))?;
+                let model = arrangement.to_chains(verb.space.triangles)?;
+                answer.remarks.extend(model.remarks().iter().cloned());
+                io::write_path(&model, path, Some(Format::Json))?;
             }
             Target::Model(format) => {
                 let has_groups = matches!(format, Format::Obj | Format::Msh | Format::Medit);

@@ -70,8 +70,10 @@ pub(super) fn run(
     let mut result = SolidBoolean::of(&arrangement, &request)?;
     if result.crossings()?.count > 0 {
         progress.stage("rounding");
-        rounded = arrangement.snapped()?;
-        result = SolidBoolean::of(&rounded, &request)?;
+        if let Some(valid) = arrangement.validly_rounded()? {
+            rounded = valid;
+            result = SolidBoolean::of(&rounded, &request)?;
+        }
     }
     let mut answer = result.answer()?;
     accept(&answer.remarks, common)?;
@@ -79,6 +81,7 @@ pub(super) fn run(
     match output {
         Some((path, Target::Model(format))) => {
             let model = if format == Format::Json { result.to_chains()? } else { result.to_mesh()? };
+            answer.remarks.extend(model.remarks().iter().cloned());
             io::write_path(&model, path, Some(format))?;
         }
         Some((path, Target::Seen(seen))) => write_seen(path, &result.to_mesh()?, seen)?,

@@ -36,19 +36,6 @@ const TURNED: Files = &[(
      4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n\
      4 7 6 5 4\n",
 )];
-/// Two boxes side by side, turned by 11 degrees: rounded, their walls are no longer in one plane.
-const BESIDE: Files = &[(
-    "beside.obj",
-    "v 0.0 0.0 0\nv 1.963254366895328 0.3816179907530896 0\nv -0.1908089953765448 0.981627183447664 0\n\
-     v 1.7724453715187831 1.3632451742007536 0\nv 0.0 0.0 1\nv 1.963254366895328 0.3816179907530896 1\n\
-     v -0.1908089953765448 0.981627183447664 1\nv 1.7724453715187831 1.3632451742007536 1\n\
-     v 0.7908181880711191 1.1724361788242088 0\nv 2.7540725549664473 1.5540541695772983 0\n\
-     v 0.6000091926945743 2.154063362271873 0\nv 2.5632635595899025 2.5356813530249624 0\n\
-     v 0.7908181880711191 1.1724361788242088 1\nv 2.7540725549664473 1.5540541695772983 1\n\
-     v 0.6000091926945743 2.154063362271873 1\nv 2.5632635595899025 2.5356813530249624 1\n\
-     o a\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n\
-     o b\nf 9 11 12 10\nf 13 14 16 15\nf 9 10 14 13\nf 11 15 16 12\nf 9 13 15 11\nf 10 12 16 14\n",
-)];
 /// A tetrahedron of height 1e-12.
 const SLIVER: Files = &[(
     "sliver.off",
@@ -94,10 +81,6 @@ pub(super) const CASES: &[Case] = &[
         .files(OPEN)
         .refused("coface boolean union open.off")
         .cured(&[&["coface boolean union open.off --open winding"]]),
-    Case::new("spatial/scene_arrangement.rs", "; --tolerance says how near is one")
-        .files(BESIDE)
-        .answered("coface arrange beside.obj --inputs objects --json")
-        .cured(&[&["coface arrange beside.obj --inputs objects --tolerance 1e-9 --json"]]),
     Case::new("spatial/scene_arrangement.rs", "--tolerance {needed:.0e} puts together what is so near")
         .files(SLIVER)
         .answered("coface arrange sliver.off --json")
