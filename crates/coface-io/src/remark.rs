@@ -258,6 +258,8 @@ pub enum RemarkCode {
     ObjectsInFile,
     /// A surface is inside out, wholly or in part.
     ReversedInput,
+    /// A surface overlaps itself: it winds more than once around cells.
+    OverlappingInput,
     /// Faces with holes or slits were written as triangles.
     FacesTriangulated,
     /// Segments beside polygons, or points, bound nothing and were left out.

@@ -14,8 +14,8 @@ use coface::answers::answer::{
     SpatialArrangementAnswer,
 };
 use coface::answers::{
-    ArrangementRequest, BooleanRequest, DrawingArrangement, OpenInputs, PlanarDrawing, RegionBoolean,
-    RegionSource, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene, is_planar,
+    ArrangementRequest, BooleanRequest, DrawingArrangement, PlanarDrawing, RegionBoolean, RegionSource,
+    SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene, is_planar,
 };
 use coface::arrange::boolean::{BooleanFormula, InsideRule};
 use coface::arrange::spatial::NonPlanar;
@@ -256,8 +256,8 @@ fn spatial_request(
 ///     In space, whether faces of polygons in one plane are merged.
 /// triangles : bool, optional
 ///     In space, whether faces are cut into triangles; if all inputs are triangles, if left out.
-/// open : {"refuse", "winding"}
-///     In space, what is inside an input with a rim: it is refused, or decided by generalized winding numbers in floating point.
+/// open : {"refuse", "close"}
+///     In space, what becomes of an input with a rim: it is refused, or its mouths are closed with patches of least area.
 /// split_pinches : bool
 ///     In space, whether edges and vertices where the result is no surface are duplicated.
 /// progress : bool or callable, optional
@@ -307,8 +307,7 @@ pub(crate) fn boolean<'py>(
     let models = named_models(models)?;
     let inputs = inputs_of(py, inputs, features)?;
     let rule = rule_of(py, rule)?;
-    let open =
-        choice(py, "open", open, &[("refuse", OpenInputs::Refuse), ("winding", OpenInputs::Generalized)])?;
+    let closes_mouths = choice(py, "open", open, &[("refuse", false), ("close", true), ("winding", true)])?;
     if is_flat(py, &models, dimension)? {
         let mut request = BooleanRequest::default();
         (request.rule, request.keep_walls, request.snap, request.max_cells) =
@@ -330,12 +329,15 @@ pub(crate) fn boolean<'py>(
     refuse_planar(py, exact, grid)?;
     let spatial = spatial_request(snap, tolerance, max_cells, split, merge_coplanar);
     let solid = run(py, progress, || {
-        let scene = scene_of(&models, inputs, least_inputs(operation), keep_walls)?;
+        let mut scene = scene_of(&models, inputs, least_inputs(operation), keep_walls)?;
+        if closes_mouths {
+            scene.close_mouths()?;
+        }
         let mut request = SolidRequest::of(formula(operation, scene.names().len())?);
         request.triangles = triangles.unwrap_or_else(|| scene.is_triangulated());
         let mut arrangement = SceneArrangement::of_scene(scene, &spatial)?;
         request.rule = rule.unwrap_or_default();
-        (request.open, request.split_pinches, request.keep_walls) = (open, split_pinches, keep_walls);
+        (request.split_pinches, request.keep_walls) = (split_pinches, keep_walls);
         if SolidBoolean::of(&arrangement, &request)?.crossings()?.count > 0 {
             arrangement = arrangement.validly_rounded()?.unwrap_or(arrangement);
         }

@@ -236,8 +236,8 @@ pub enum InsideMethod {
     Winding,
     /// By the parity of crossings, since polygons disagree in direction.
     Parity,
-    /// By generalized winding numbers in floating point, since the model is open.
-    GeneralizedWinding,
+    /// By winding numbers of the model with patches that close its mouths.
+    ClosedMouths,
 }
 
 /// What was rounded in space.

@@ -1,10 +1,9 @@
 //! Boolean combinations of the models of a scene.
 
-use super::inputs::Membership;
 use super::{InputState, OpenInputs, SceneArrangement};
 use crate::answer::{
-    BoundaryManifold, BoundaryVerdict, BoundaryWitness, InsideMethod, Pinches, Place, Remark, RemarkCode,
-    SolidBooleanAnswer, SpatialInput,
+    BoundaryManifold, BoundaryVerdict, BoundaryWitness, InsideMethod, Pinches, SolidBooleanAnswer,
+    SpatialInput,
 };
 use crate::facts::witness;
 use crate::producer::Labels;
@@ -101,7 +100,6 @@ impl SolidRequest {
 pub struct SolidBoolean<'a> {
     pub(super) arrangement: &'a SceneArrangement,
     pub(super) request: SolidRequest,
-    membership: Membership,
     pub(super) selection: CellSelection,
     pub(super) boundary: SelectionBoundary,
     /// The boundary, with copies of vertices if pinches are split.
@@ -154,7 +152,8 @@ impl<'a> SolidBoolean<'a> {
             return Err(Error::invalid("pinches cannot be split while walls are kept")
                 .with_cure("ask for one of both; cells that touch are told apart by walls"));
         }
-        let membership = inputs.membership(scene, arranged, request.rule, request.open)?;
+        let membership =
+            inputs.membership(scene, arranged, request.rule, request.open, &arrangement.request)?;
         let complex = arranged.complex();
         let selection =
             CellSelection::by_membership(complex.cell_count(3), &request.formula, |cell, input| {
@@ -193,7 +192,6 @@ impl<'a> SolidBoolean<'a> {
         Ok(Self {
             arrangement,
             request: request.clone(),
-            membership,
             selection,
             boundary,
             surface,
@@ -464,7 +462,7 @@ impl<'a> SolidBoolean<'a> {
         let surface = survey.surface();
         let files = self.input_answers();
         let crossings = self.crossings()?;
-        let remarks = self.remarks(&files, crossings);
+        let remarks = self.arrangement.remarks(&files, crossings);
         Ok(SolidBooleanAnswer {
             dimension: 3,
             measure: self.volume(),
@@ -493,17 +491,6 @@ impl<'a> SolidBoolean<'a> {
             joined: self.arrangement.joined(),
             remarks,
         })
-    }
-
-    /// What was left out or assumed of the inputs.
-    fn remarks(&self, files: &[SpatialInput], crossings: &Crossings) -> Vec<Remark> {
-        let mut remarks = self.arrangement.remarks(files, crossings);
-        for file in files.iter().filter(|file| file.inside_by == Some(InsideMethod::GeneralizedWinding)) {
-            let message =
-                format!("{} is open: what is inside of it was decided in floating point", file.file);
-            remarks.push(Remark::new(RemarkCode::OpenInput, message).at(1, [Place::file(&file.file)]));
-        }
-        remarks
     }
 
     /// The numbers of vertices, edges and faces of the surface, faces with holes once; of triangles if faces are cut.
@@ -586,7 +573,7 @@ impl<'a> SolidBoolean<'a> {
         let mut files = self.arrangement.input_answers();
         for (input, file) in files.iter_mut().enumerate() {
             file.inside_by = Some(match self.arrangement.input_state(input) {
-                _ if self.membership.generalized.contains(&input) => InsideMethod::GeneralizedWinding,
+                _ if self.arrangement.scene.mouth_edges(input).is_some() => InsideMethod::ClosedMouths,
                 InputState::Incoherent { .. } => InsideMethod::Parity,
                 _ => InsideMethod::Winding,
             });

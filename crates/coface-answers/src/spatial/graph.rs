@@ -34,7 +34,8 @@ impl SceneArrangement {
     /// # Ok(()) }
     /// ```
     pub fn graph(&self, rule: InsideRule) -> Result<CellGraph, Error> {
-        let membership = self.inputs.membership(&self.scene, &self.arranged, rule, OpenInputs::Empty)?;
+        let membership =
+            self.inputs.membership(&self.scene, &self.arranged, rule, OpenInputs::Empty, &self.request)?;
         let cell_count = self.complex().cell_count(3);
         let volumes = self.volumes();
         let mut nodes: Vec<CellNode> = (0..cell_count)

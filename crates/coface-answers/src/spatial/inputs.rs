@@ -1,13 +1,10 @@
 //! The models of a scene as inputs of formulas: which are closed, and which cells are inside them.
 
-use super::SpatialScene;
 use super::arranged::Arranged;
+use super::{SpatialRequest, SpatialScene};
 use coface_algebra::{CellId, Error, ErrorKind, VertexId};
 use coface_algebra::{RaggedArray, SparseMatrix};
-use coface_arrange::boolean::{
-    InputRim, InsideRule, WindingNumbers, generalized_winding_numbers, point_inside,
-};
-use coface_geometry::Positions;
+use coface_arrange::boolean::{InputRim, InsideRule, WindingNumbers};
 use std::fmt::Write;
 
 /// So many vertices of a rim are named in a message.
@@ -32,7 +29,7 @@ pub enum InputState {
     },
 }
 
-/// What becomes of models that are open.
+/// What becomes of models that are open, where [their mouths](SpatialScene::close_mouths) are not closed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum OpenInputs {
     /// They are refused, with a closed walk along their rim.
@@ -40,9 +37,6 @@ pub enum OpenInputs {
     Refuse,
     /// Nothing is inside them. A model whose polygons only disagree in direction has an inside by parity.
     Empty,
-    /// A cell is inside if the generalized winding number of the model around a point of the cell is at least 1/2, in absolute value
-    /// for [`InsideRule::Nonzero`], and for [`InsideRule::Odd`] if the nearest integer is odd: floating point decides.
-    Generalized,
 }
 
 /// The models as chains of faces.
@@ -60,8 +54,6 @@ pub(super) struct Inputs {
 pub(super) struct Membership {
     /// The inputs that each cell is inside of, rising.
     inputs: RaggedArray,
-    /// The inputs that generalized winding numbers decided about.
-    pub(super) generalized: Vec<usize>,
 }
 
 impl Membership {
@@ -131,6 +123,7 @@ impl Inputs {
         arranged: &Arranged,
         rule: InsideRule,
         open: OpenInputs,
+        request: &SpatialRequest,
     ) -> Result<Membership, Error> {
         let cell_count = self.winding.cell_count();
         // Pairs of a cell and an input that it is inside of.
@@ -139,8 +132,6 @@ impl Inputs {
             let inside = self.winding.inputs_around(cell, rule);
             pairs.extend(inside.map(|input| (cell.to_u32(), input as u32)));
         }
-        let mut generalized = Vec::new();
-        let mut points = None;
         for (input, rim) in self.rims.iter().enumerate() {
             let Some(rim) = rim else { continue };
             let by_parity = rim.is_even() && (rule == InsideRule::Odd || open == OpenInputs::Empty);
@@ -149,28 +140,8 @@ impl Inputs {
                 pairs.extend((0..cell_count as u32).filter(is_odd).map(|cell| (cell, input as u32)));
                 continue;
             }
-            match open {
-                OpenInputs::Empty => {}
-                OpenInputs::Refuse => return Err(refusal(&scene.label(input), rim, arranged)),
-                OpenInputs::Generalized => {
-                    let points = match &points {
-                        Some(points) => points,
-                        None => points.insert(points_inside(arranged)?),
-                    };
-                    let numbers =
-                        generalized_winding_numbers(&scene.positions()?, &scene.fans(input), points)?;
-                    for (cell, number) in (0..).zip(numbers) {
-                        let is_inside = match rule {
-                            InsideRule::Nonzero => number.abs() >= 0.5,
-                            InsideRule::Positive => number >= 0.5,
-                            InsideRule::Odd => number.round().rem_euclid(2.0) == 1.0,
-                        };
-                        if is_inside {
-                            pairs.push((cell, input as u32));
-                        }
-                    }
-                    generalized.push(input);
-                }
+            if open == OpenInputs::Refuse {
+                return Err(refusal(scene, input, rim, arranged, request));
             }
         }
         pairs.sort_unstable();
@@ -184,34 +155,18 @@ impl Inputs {
             inputs.push(&own);
             rest = behind;
         }
-        Ok(Membership { inputs, generalized })
+        Ok(Membership { inputs })
     }
-}
-
-/// A point inside each cell; the middle of its largest triangle where rounding finds none.
-fn points_inside(arranged: &Arranged) -> Result<Positions, Error> {
-    let complex = arranged.complex();
-    let mut flat = Vec::new();
-    let mut triangles = Vec::new();
-    for cell in 0..complex.cell_count(3) {
-        triangles.clear();
-        let column = complex.boundary_matrix(3).map(|cells| cells.column(cell));
-        for (face, entry) in column.into_iter().flat_map(|column| column.iter()) {
-            let turned = |[a, b, c]: [u32; 3]| if entry > 0 { [a, b, c] } else { [a, c, b] };
-            triangles.extend(arranged.triangles(CellId::new(face))?.into_iter().map(turned));
-        }
-        let point = point_inside(arranged.drawn_positions(), &triangles);
-        flat.extend(point.unwrap_or_else(|| {
-            let corner = triangles.first().map_or(0, |triangle| triangle[0]);
-            let point = arranged.drawn_positions().point(VertexId::from_u32(corner));
-            [point[0], point[1], point[2]]
-        }));
-    }
-    Positions::from_flat(3, flat)
 }
 
 /// Says where a model is open.
-fn refusal(name: &str, rim: &InputRim, arranged: &Arranged) -> Error {
+fn refusal(
+    scene: &SpatialScene,
+    input: usize,
+    rim: &InputRim,
+    arranged: &Arranged,
+    request: &SpatialRequest,
+) -> Error {
     let mut walk = String::new();
     let vertices = rim.walk_vertices(arranged.complex());
     for (i, vertex) in vertices.iter().take(MOST_NAMED).enumerate() {
@@ -230,14 +185,20 @@ fn refusal(name: &str, rim: &InputRim, arranged: &Arranged) -> Error {
     let (fault, cure) = if rim.is_even() {
         (
             format!("polygons do not agree in direction across {count}; a walk along {edges}: {walk}"),
-            "turn polygons so that all agree (coface convert --orient), or count by parity (--rule evenodd)",
+            "turn polygons so that all agree (coface convert --orient), or count by parity (--rule evenodd)"
+                .to_owned(),
         )
     } else {
         (
             format!("the surface is not closed: it is open along {count}; a walk along {edges}: {walk}"),
-            "close it, or let generalized winding numbers decide what is inside (--open winding)",
+            match scene.closing_tolerance(input, request) {
+                Some(tolerance) => format!(
+                    "put together what nearly coincides (--tolerance {tolerance:.0e}), or close its mouths with patches (--open close)"
+                ),
+                None => "close it, or have its mouths closed with patches (--open close)".to_owned(),
+            },
         )
     };
     let steps = vertices.windows(2).map(|step| [step[0].to_u32(), step[1].to_u32()]);
-    Error::new(ErrorKind::NotACycle, fault).with_cells(steps).with_cure(cure).in_file(name.to_owned())
+    Error::new(ErrorKind::NotACycle, fault).with_cells(steps).with_cure(cure).in_file(scene.label(input))
 }

@@ -1,5 +1,6 @@
 //! Models as polygons in space.
 
+use super::mouths::Mouths;
 use crate::RegionSource;
 use crate::answer::{Place, Remark, RemarkCode, remarks_of_file};
 use crate::parts::{Part, closed_objects, parts_of};
@@ -40,18 +41,22 @@ pub struct SpatialScene {
     /// What makes an input.
     source: RegionSource,
     /// The names of the models.
-    files: Vec<String>,
+    pub(super) files: Vec<String>,
     /// The model that each input is of, and what its file calls it there.
-    parts: Vec<(u32, Option<String>)>,
-    flat: Vec<f64>,
+    pub(super) parts: Vec<(u32, Option<String>)>,
+    pub(super) flat: Vec<f64>,
     /// The first point of each model.
-    point_starts: Vec<u32>,
-    walks: RaggedArray,
-    polygon_of_walk: Vec<u32>,
-    input_of_polygon: Vec<u32>,
-    source_of_polygon: Vec<u32>,
-    is_wall: Vec<bool>,
-    remarks: Vec<Remark>,
+    pub(super) point_starts: Vec<u32>,
+    pub(super) walks: RaggedArray,
+    pub(super) polygon_of_walk: Vec<u32>,
+    pub(super) input_of_polygon: Vec<u32>,
+    pub(super) source_of_polygon: Vec<u32>,
+    pub(super) is_wall: Vec<bool>,
+    pub(super) remarks: Vec<Remark>,
+    /// The first polygon that is a patch, once mouths are closed.
+    pub(super) first_patch: Option<usize>,
+    /// What was open of each input and is closed by patches.
+    pub(super) mouths: Vec<Option<Mouths>>,
 }
 
 impl SpatialScene {
@@ -122,6 +127,8 @@ impl SpatialScene {
             source_of_polygon: Vec::new(),
             is_wall: Vec::new(),
             remarks: Vec::new(),
+            first_patch: None,
+            mouths: Vec::new(),
         };
         let models: Vec<(&str, &Model)> = models.into_iter().collect();
         scene.flat.reserve(models.iter().map(|(_, model)| model.positions().as_flat().len()).sum());
@@ -620,9 +627,11 @@ impl SpatialScene {
     /// # Errors
     /// Those of [`SpatialPolygons::check`].
     pub(super) fn check(&self, non_planar: NonPlanar) -> Result<(), Error> {
+        let own =
+            self.polygon_of_walk.partition_point(|&polygon| (polygon as usize) < self.own_polygon_count());
         let walks_of_input = RaggedArray::grouped(
             self.names.len(),
-            self.polygon_of_walk.iter().map(|&polygon| self.input_of_polygon[polygon as usize]),
+            self.polygon_of_walk[..own].iter().map(|&polygon| self.input_of_polygon[polygon as usize]),
         );
         for (input, walks) in walks_of_input.iter().enumerate() {
             let Some(&walk) = walks.first() else { continue };
@@ -747,16 +756,14 @@ impl SpatialScene {
         self.walks.uniform_width() == Some(3) && self.walks.len() == self.is_wall.len()
     }
 
-    /// Triangles with the same boundary as the polygons of a model that are no walls.
-    pub(super) fn fans(&self, input: usize) -> Vec<[u32; 3]> {
-        let mut triangles = Vec::new();
-        for (walk, &polygon) in self.walks.iter().zip(&self.polygon_of_walk) {
-            let polygon = polygon as usize;
-            if self.input_of_polygon[polygon] as usize == input && !self.is_wall[polygon] {
-                triangles.extend(walk[1..].windows(2).map(|pair| [walk[0], pair[0], pair[1]]));
-            }
-        }
-        triangles
+    /// The number of polygons that are no patches.
+    pub(super) fn own_polygon_count(&self) -> usize {
+        self.first_patch.unwrap_or_else(|| self.polygon_count())
+    }
+
+    /// The number of edges along which an input was open before its mouths were closed.
+    pub(super) fn mouth_edges(&self, input: usize) -> Option<usize> {
+        self.mouths.get(input)?.map(|mouths| mouths.edges)
     }
 }
 
@@ -765,7 +772,7 @@ fn too_large() -> Error {
 }
 
 /// Directed edges that close up, as walks that pass no vertex twice.
-fn closed_walks(sides: &mut [[u32; 2]]) -> RaggedArray {
+pub(super) fn closed_walks(sides: &mut [[u32; 2]]) -> RaggedArray {
     sides.sort_unstable();
     let mut is_used = vec![false; sides.len()];
     let mut walks = RaggedArray::new();

@@ -2,7 +2,7 @@
 
 use super::arranged::Arranged;
 use super::inputs::Inputs;
-use super::{InputState, OpenInputs, SpatialRequest, SpatialScene};
+use super::{InputState, OpenInputs, SpatialRequest, SpatialScene, in_one_digit};
 use crate::answer::{
     DegeneratePolygons, JoinedFeatures, Place, Remark, RemarkCode, SpatialArrangementAnswer, SpatialInput,
     SpatialRounding, SplitPolygons,
@@ -48,7 +48,7 @@ pub struct SceneArrangement {
     pub(super) scene: SpatialScene,
     pub(super) arranged: Arranged,
     pub(super) inputs: Inputs,
-    request: SpatialRequest,
+    pub(super) request: SpatialRequest,
     /// The number of cells without putting anything together, where that was done.
     cells_apart: Option<usize>,
     /// What is said of thin cells of the arrangement before anything was put together to make rounding valid.
@@ -268,7 +268,10 @@ impl SceneArrangement {
     /// # Ok(()) }
     /// ```
     pub fn input_state(&self, input: usize) -> InputState {
-        self.inputs.state(input)
+        match self.scene.mouth_edges(input) {
+            Some(edges) => InputState::Open { edges },
+            None => self.inputs.state(input),
+        }
     }
 
     /// Whether the products of neighboring boundary matrices are zero, found by multiplying.
@@ -353,7 +356,8 @@ impl SceneArrangement {
     /// ```
     pub fn answer(&self, rule: InsideRule) -> Result<SpatialArrangementAnswer, Error> {
         let complex = self.complex();
-        let membership = self.inputs.membership(&self.scene, &self.arranged, rule, OpenInputs::Empty)?;
+        let membership =
+            self.inputs.membership(&self.scene, &self.arranged, rule, OpenInputs::Empty, &self.request)?;
         let cells = complex.cell_count(3);
         let place = |polygon: &u32| {
             let polygon = *polygon as usize;
@@ -412,6 +416,17 @@ impl SceneArrangement {
             remarks.push(
                 Remark::new(RemarkCode::ReversedInput, message)
                     .at(file.reversed_cells, [Place::file(&file.file)]),
+            );
+        }
+        for file in files.iter().filter(|file| file.overlapping_cells > 0) {
+            let message = format!(
+                "{} overlaps itself: it winds more than once around {}, which are inside; --rule positive counts what winds backward as outside",
+                file.label(),
+                text::count(file.overlapping_cells, "cell")
+            );
+            remarks.push(
+                Remark::new(RemarkCode::OverlappingInput, message)
+                    .at(file.overlapping_cells, [Place::file(&file.file)]),
             );
         }
         remarks
@@ -493,10 +508,11 @@ impl SceneArrangement {
     /// The inputs in their order.
     pub(super) fn input_answers(&self) -> Vec<SpatialInput> {
         let mut polygons = vec![0usize; self.scene.names().len()];
-        self.scene.input_of_polygon().iter().for_each(|&input| polygons[input as usize] += 1);
+        let own = &self.scene.input_of_polygon()[..self.scene.own_polygon_count()];
+        own.iter().for_each(|&input| polygons[input as usize] += 1);
         let odd_cells = self.inputs.odd_cells();
         let file = |(input, name): (usize, &String)| {
-            let (closed, coherent, rim_edges) = match self.inputs.state(input) {
+            let (closed, coherent, rim_edges) = match self.input_state(input) {
                 InputState::Closed => (true, true, 0),
                 InputState::Incoherent { edges } => (true, false, edges),
                 InputState::Open { edges } => (false, false, edges),
@@ -611,8 +627,7 @@ impl SceneArrangement {
         let unit =
             4.0 * f64::EPSILON * used.as_flattened().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let needed = (3.0 * thickest).max(unit);
-        let scale = 10f64.powf(needed.log10().floor());
-        let needed = (needed / scale).ceil() * scale;
+        let needed = in_one_digit(needed);
         let subject = match thin.len() {
             1 => "1 cell is".to_owned(),
             count => format!("{count} cells are"),

@@ -288,13 +288,13 @@ fn what_cannot_be_combined_is_named() {
     let union = |other: &PathBuf, options: &[&str]| run(&["boolean", "union"], &[&a, other], options);
     let open = union(&lidless, &[]);
     let message = open.fails_with(1);
-    for part in
-        ["lidless.obj", "is open along 4 edges", "(1.5, 0.5, 0.5)", "(1.5, 1.5, 1.5)", "--open winding"]
+    for part in ["lidless.obj", "is open along 4 edges", "(1.5, 0.5, 0.5)", "(1.5, 1.5, 1.5)", "--open close"]
     {
         assert!(message.contains(part), "{message}");
     }
-    let object = combined("union", &[&a, &lidless], &["--open", "winding"]);
-    assert_eq!(object["files"][1]["inside_by"], json!("generalized_winding"));
+    let object = combined("union", &[&a, &lidless], &["--open", "close"]);
+    assert_eq!(object["files"][1]["inside_by"], json!("closed_mouths"));
+    assert_eq!(object["measure"], json!(1.875));
     // The arrangement only says so.
     let object = arranged(&[&a, &lidless], &[]);
     assert_eq!((&object["files"][1]["closed"], &object["files"][1]["rim_edges"]), (&json!(false), &json!(4)));

@@ -11,7 +11,7 @@ use crate::target::{Target, write_seen};
 use clap::{Args, ValueEnum};
 use coface::answers::answer::{BoundaryVerdict, Remark, RemarkCode, SolidBooleanAnswer};
 use coface::answers::text;
-use coface::answers::{OpenInputs, SceneArrangement, SolidBoolean, SolidRequest};
+use coface::answers::{SceneArrangement, SolidBoolean, SolidRequest};
 use coface::io;
 use coface::io::{Format, Model};
 use std::path::Path;
@@ -20,8 +20,7 @@ use std::path::Path;
 #[derive(Args)]
 #[command(next_help_heading = "In space")]
 pub(super) struct SolidOptions {
-    /// What becomes of surfaces that are open: refused with their rim, or cells are inside by generalized winding numbers, in
-    /// floating point
+    /// What becomes of surfaces that are open: refused with their rim, or their mouths closed with patches of least area
     #[arg(long, value_name = "WHAT", default_value = "refuse")]
     open: Open,
     /// What becomes of vertices and edges where the result is pinched: told, or split so that what touches comes apart
@@ -32,8 +31,8 @@ pub(super) struct SolidOptions {
 #[derive(Clone, Copy, ValueEnum)]
 enum Open {
     Refuse,
-    /// Generalized winding numbers
-    Winding,
+    #[value(alias = "winding")]
+    Close,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -52,17 +51,16 @@ pub(super) fn run(
 ) -> Result<(), Failure> {
     let output = output.map(in_space).transpose()?;
     progress.stage("arranging");
-    let scene = scene_of(verb.inputs, task.least_inputs(), models, verb.keep_walls)?;
+    let mut scene = scene_of(verb.inputs, task.least_inputs(), models, verb.keep_walls)?;
+    if matches!(verb.solids.open, Open::Close) {
+        scene.close_mouths()?;
+    }
     let count = scene.names().len();
     let triangles = verb.space.triangles(&scene, output);
     let arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells, common))?;
     progress.stage("combining");
     let mut request = SolidRequest::of(task.formula(count));
     request.rule = verb.cells.rule.map(Rule::inside).unwrap_or_default();
-    request.open = match verb.solids.open {
-        Open::Refuse => OpenInputs::Refuse,
-        Open::Winding => OpenInputs::Generalized,
-    };
     request.triangles = triangles;
     request.split_pinches = matches!(verb.solids.pinches, Pinches::Split);
     request.keep_walls = verb.keep_walls;

@@ -29,6 +29,18 @@ const OPEN: Files = &[(
     "OFF\n8 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n\
      4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n",
 )];
+/// A tetrahedron, listed twice.
+const OVERLAPPING: Files = &[(
+    "twice.off",
+    "OFF\n4 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n",
+)];
+/// A cube whose lid is 2.2e-16 above it.
+const CRACK: Files = &[(
+    "crack.off",
+    "OFF\n12 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n\
+     0 0 1.0000000000000002\n1 0 1.0000000000000002\n1 1 1.0000000000000002\n0 1 1.0000000000000002\n\
+     4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n4 8 9 10 11\n",
+)];
 /// A cube one face of which is turned inside out.
 const TURNED: Files = &[(
     "turned.off",
@@ -77,10 +89,22 @@ pub(super) const CASES: &[Case] = &[
             &["coface convert turned.off --orient -o solid.off", "coface boolean union solid.off"],
             &["coface boolean union turned.off --rule evenodd"],
         ]),
-    Case::new("spatial/inputs.rs", "let generalized winding numbers decide what is inside (--open winding)")
+    Case::new("spatial/scene_arrangement.rs", "--rule positive counts what winds backward as outside")
+        .files(OVERLAPPING)
+        .answered("coface boolean union twice.off")
+        .cured(&[&["coface boolean union twice.off --rule positive"]]),
+    Case::new("spatial/inputs.rs", "have its mouths closed with patches (--open close)")
         .files(OPEN)
         .refused("coface boolean union open.off")
-        .cured(&[&["coface boolean union open.off --open winding"]]),
+        .cured(&[&["coface boolean union open.off --open close"]]),
+    Case::new("spatial/inputs.rs", "put together what nearly coincides (--tolerance {tolerance:.0e})")
+        .files(CRACK)
+        .refused("coface boolean union crack.off")
+        .cured(&[&["coface boolean union crack.off --tolerance 2e-15"]]),
+    Case::new("spatial/inputs.rs", "or close its mouths with patches (--open close)")
+        .files(CRACK)
+        .refused("coface boolean union crack.off")
+        .cured(&[&["coface boolean union crack.off --open close"]]),
     Case::new("spatial/scene_arrangement.rs", "--tolerance {needed:.0e} puts together what is so near")
         .files(SLIVER)
         .answered("coface arrange sliver.off --json")
