@@ -225,6 +225,7 @@ impl Report {
             Remark::new(problem.kind().into(), problem.message())
                 .at(problem.count(), problem.cells().iter().map(Place::cell))
         }));
+        report.remarks.retain(|own| !remarks.contains(own));
         remarks.append(&mut report.remarks);
         if let Some(geometry) = report.geometry.take() {
             remarks.extend(geometry.remarks());

@@ -462,7 +462,7 @@ impl<'a> SolidBoolean<'a> {
         let surface = survey.surface();
         let files = self.input_answers();
         let crossings = self.crossings()?;
-        let remarks = self.arrangement.remarks(&files, crossings);
+        let remarks = self.arrangement.remarks(&files, self.request.rule, crossings);
         Ok(SolidBooleanAnswer {
             dimension: 3,
             measure: self.volume(),

@@ -370,7 +370,7 @@ impl SceneArrangement {
         f_vector.resize(4, 0);
         let files = self.input_answers();
         let crossings = self.crossings()?;
-        let remarks = self.remarks(&files, crossings);
+        let remarks = self.remarks(&files, rule, crossings);
         Ok(SpatialArrangementAnswer {
             dimension: 3,
             f_vector,
@@ -397,7 +397,12 @@ impl SceneArrangement {
     }
 
     /// What was assumed and left out of the models, which polygons are not planar, and which models are inside out.
-    pub(super) fn remarks(&self, files: &[SpatialInput], crossings: &Crossings) -> Vec<Remark> {
+    pub(super) fn remarks(
+        &self,
+        files: &[SpatialInput],
+        rule: InsideRule,
+        crossings: &Crossings,
+    ) -> Vec<Remark> {
         let mut remarks = self.scene.remarks().to_vec();
         remarks.extend(self.warped_polygons());
         remarks.extend(self.joined_features());
@@ -418,9 +423,9 @@ impl SceneArrangement {
                     .at(file.reversed_cells, [Place::file(&file.file)]),
             );
         }
-        for file in files.iter().filter(|file| file.overlapping_cells > 0) {
+        for file in files.iter().filter(|file| rule == InsideRule::Nonzero && file.overlapping_cells > 0) {
             let message = format!(
-                "{} overlaps itself: it winds more than once around {}, which are inside; --rule positive counts what winds backward as outside",
+                "{} overlaps itself: it winds more than once around {}; --rule positive counts what winds backward as outside",
                 file.label(),
                 text::count(file.overlapping_cells, "cell")
             );
