@@ -236,7 +236,10 @@ impl Model {
     /// >>> cone.f_vector
     /// (2, 2, 1)
     #[staticmethod]
-    fn from_gluings(py: Python<'_>, rows: Vec<Vec<Option<(u32, Vec<u32>)>>>) -> PyResult<Self> {
+    fn from_gluings(py: Python<'_>, rows: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let cure = "give for each facet None or (neighbor, [0, 2, 1])";
+        let wrong = |_| invalid(py, "the rows are no lists of gluings", cure);
+        let rows: Vec<Vec<Option<(u32, Vec<u32>)>>> = rows.extract().map_err(wrong)?;
         let table = GluingTable::from_rows(&rows).or_raise(py)?;
         Ok(Self::of(io::Model::from_structure(Structure::Gluings(table))))
     }

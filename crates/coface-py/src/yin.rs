@@ -12,7 +12,7 @@ use crate::answer::answer;
 use crate::arrangement::{formula, named_format, rule_of};
 use crate::arrays;
 use crate::congruence::choice;
-use crate::errors::{self, OrRaise, invalid};
+use crate::errors::{self, OrRaise, invalid, wrong_type};
 use crate::model::{Model, read_options};
 use crate::objects::to_python;
 use crate::source::Source;
@@ -65,6 +65,11 @@ fn ends_of(py: Python<'_>, ends: &str) -> PyResult<EndCondition> {
     }
 }
 
+/// What the class of a value is called.
+fn type_name(value: &Bound<'_, PyAny>) -> String {
+    value.get_type().name().map_or_else(|_| "value".to_owned(), |name| name.to_string())
+}
+
 fn kinks_of(kinks: &Bound<'_, PyAny>) -> PyResult<KinkRequest> {
     let py = kinks.py();
     if let Ok(word) = kinks.cast::<PyString>() {
@@ -88,7 +93,9 @@ fn kinks_of(kinks: &Bound<'_, PyAny>) -> PyResult<KinkRequest> {
             "give an angle between 0 and 180",
         ));
     }
-    let pairs: Vec<(u32, u32)> = kinks.extract()?;
+    let pairs: Vec<(u32, u32)> = kinks.extract().map_err(|_| {
+        invalid(py, format!("kinks are {kinks}"), "give \"none\", \"all\", an angle, or pairs (curve, knot)")
+    })?;
     Ok(KinkRequest::Listed(pairs.into_iter().map(|(curve, knot)| KnotIndex { curve, knot }).collect()))
 }
 
@@ -244,8 +251,17 @@ answer! { YinSet {
 
     #[new]
     #[pyo3(signature = (curves))]
-    fn new(py: Python<'_>, curves: Vec<Py<Curve>>) -> PyResult<Self> {
-        let curves: Vec<yin::Curve<'static>> = curves.iter().map(|curve| curve.get().curve.clone()).collect();
+    fn new(py: Python<'_>, curves: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let cure = "give curves: coface.YinSet([coface.Curve(points)]), or points to coface.YinSet.from_rings(rings)";
+        let wrong = |name: String| wrong_type(py, format!("a {name} is no Curve"), cure);
+        let listed = curves.try_iter().map_err(|_| wrong(type_name(curves)))?;
+        let mut given: Vec<yin::Curve<'static>> = Vec::new();
+        for curve in listed {
+            let curve = curve?;
+            let found = curve.cast::<Curve>().map_err(|_| wrong(type_name(&curve)))?;
+            given.push(found.get().curve.clone());
+        }
+        let curves = given;
         let set = run(py, None, || Self::of(PlanarSet::from_set(yin::YinSet::new(&curves)?)))?;
         set.warned(py, "the inside of a curve needs curve.reversed()")
     }
@@ -407,14 +423,21 @@ answer! { YinSet {
     #[pyo3(signature = (operation, sets, *, progress=None))]
     fn combine(
         py: Python<'_>,
-        operation: &str,
-        sets: Vec<Py<Self>>,
+        operation: &Bound<'_, PyAny>,
+        sets: &Bound<'_, PyAny>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
+        let cure = "call coface.YinSet.combine(\"meet\", [a, b])";
+        let Ok(operation) = operation.extract::<String>() else {
+            return Err(wrong_type(py, format!("the operation is a {}", type_name(operation)), cure));
+        };
+        let Ok(sets) = sets.extract::<Vec<Py<Self>>>() else {
+            return Err(wrong_type(py, format!("the sets are a {}", type_name(sets)), cure));
+        };
         let sets: Vec<Arc<PlanarSet>> = sets.iter().map(|set| Arc::clone(&set.get().set)).collect();
         run(py, progress, || {
             let operands: Vec<&yin::YinSet> = sets.iter().map(|set| set.set()).collect();
-            Self::combined(&operands, operation)
+            Self::combined(&operands, &operation)
         })
     }
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import inspect
 import json
+import pickle
 import types
 
 import numpy as np
@@ -123,11 +125,30 @@ def test_faults_in_arguments_are_faults_of_this_package() -> None:
         (lambda: coface.homology(ring)[9], IndexError),
         (lambda: coface.polygon([[0, 0], [1]]), ValueError),
         (lambda: coface.decompose(ring, 1, "values"), ValueError),
+        (lambda: coface.read(3), TypeError),
+        (lambda: coface.YinSet([[0, 0], [1, 0], [1, 1]]), TypeError),
+        (lambda: coface.YinSet.combine([], "meet"), TypeError),
+        (lambda: coface.YinSet.combine("meet", [1]), TypeError),
+        (lambda: coface.YinSet.from_rings([[[0, 0], [1, 0], [1, 1]]], kinks=[(0,)]), ValueError),
+        (lambda: coface.Model.from_gluings([[1]]), ValueError),
+        (lambda: coface.generate(3), TypeError),
+        (lambda: coface.as_model(ring).report(check=3), TypeError),
+        (lambda: coface.as_model(ring).to_bytes(3), TypeError),
+        (lambda: coface.Complex(ring).wedge(-1, coface.Complex(ring), 0), OverflowError),
+        (lambda: coface.Complex(ring).skeleton(), TypeError),
     ]:
         with pytest.raises(coface.Error) as caught:
             call()
         assert isinstance(caught.value, also)
         assert caught.value.kind in ("InvalidInput", "NotInComplex") and caught.value.cure
+
+
+def test_functions_and_methods_can_be_sent_to_processes() -> None:
+    for thing in (coface.read, coface.homology, coface.generate, coface.as_model, coface.boolean):
+        assert pickle.loads(pickle.dumps(thing)) is thing
+    report = pickle.loads(pickle.dumps(coface.as_model([[0, 1]]).report))
+    assert report().f_vector == (2, 1)
+    assert str(inspect.signature(coface.Model.report)).startswith("(self, ") and coface.Model.report.__doc__
 
 
 def test_faults_of_the_user_stay_as_they_are() -> None:

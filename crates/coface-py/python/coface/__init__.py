@@ -104,7 +104,7 @@ from coface._questions import (
     pi1,
     polygon,
 )
-from coface import _records
+from coface import _faults, _records
 from coface._notebook import repr_html as _repr_html
 from coface._view import page, render, view
 from coface._volumes import volume
@@ -284,3 +284,6 @@ for _shown in (
     if _shown not in (Report, Verdict):
         setattr(_shown, "plot", _plot_method)
 del _shown
+
+# Faults in arguments of what is compiled are faults of this package.
+_faults.compiled_in_words(globals())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import inspect
 import os
 from collections.abc import Callable
 from types import TracebackType
@@ -47,7 +48,8 @@ def in_words(function: Function) -> Function:
                 kind = InvalidTypeError
             elif isinstance(fault, OverflowError):
                 kind = OutOfRangeError
-            message, cure = f"{function.__name__}: {fault}", f"help(coface.{function.__name__}) says what it takes"
+            name = function.__qualname__
+            message, cure = f"{name}: {fault}", f"help(coface.{name}) says what it takes"
             raise kind(f"{message}; {cure}", fault=message, cure=cure) from fault
 
     return asked  # type: ignore[return-value]
@@ -61,3 +63,16 @@ def _is_own(place: TracebackType | None) -> bool:
         place = place.tb_next
     name = os.path.abspath(place.tb_frame.f_code.co_filename)
     return name.startswith((_OWN, _NUMPY))
+
+
+def compiled_in_words(names: dict[str, Any]) -> None:
+    """The same for the compiled functions and the methods of the compiled classes among these names."""
+    for name, thing in list(names.items()):
+        if inspect.isbuiltin(thing):
+            names[name] = asked = in_words(thing)
+            # Where pickles look for it.
+            asked.__module__ = "coface"
+        elif inspect.isclass(thing) and thing.__module__ == "coface" and not issubclass(thing, BaseException):
+            for member, value in list(vars(thing).items()):
+                if inspect.ismethoddescriptor(value) and not member.startswith("_") and hasattr(value, "__objclass__"):
+                    setattr(thing, member, in_words(value))
