@@ -20,6 +20,7 @@ from coface._coface import (
     Report,
     YinSet,
 )
+from coface._records import facts_of
 from coface._shown import is_model, shown
 
 #: So many bytes a cell shows at most.
@@ -62,8 +63,7 @@ def _facts(x: Any) -> str:
         return _table(_of_model(x))
     if not hasattr(x, "to_dict"):
         return ""
-    facts = x.to_dict()
-    return _table(facts if isinstance(facts, Mapping) else {})
+    return _table(facts_of(x))
 
 
 def _of_model(x: Any) -> dict[str, Any]:

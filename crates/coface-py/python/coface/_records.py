@@ -181,6 +181,24 @@ def from_dict(cls: type[Answer], facts: Mapping[str, Any]) -> Answer:
     return found
 
 
+#: The facts of answers that are asked for again, as the compiled part knows them.
+FACTS: dict[type, Callable[[Any], dict[str, Any]] | None] = {}
+
+
+def facts_of(x: Any) -> dict[str, Any]:
+    """The facts of an answer without how it was made, which takes time on large models.
+
+    Examples
+    --------
+    >>> import coface
+    >>> "recipe" in facts_of(coface.cover(coface.generate("torus"), radius=1))
+    False
+    """
+    compiled = FACTS.get(type(x))
+    found: Any = compiled(x) if compiled is not None else x.to_dict()
+    return {key: value for key, value in found.items() if key != "recipe"} if isinstance(found, dict) else {}
+
+
 def _facts(compiled: Callable[[Any], dict[str, Any]] | None) -> Callable[[Any], dict[str, Any]]:
     def to_dict(self: Any) -> dict[str, Any]:
         """The answer as a dictionary, in the words of the program's JSON, and how it was made: ``recipe``, which ``from_dict`` reads."""
@@ -233,10 +251,10 @@ def install() -> None:
 
         functools.update_wrapper(method, compiled)
         setattr(Surface, name.partition(".")[2], method)
-    facts = {cls: getattr(cls, "to_dict", None) for cls in ASKED}
-    facts[Persistence] = _persistence_facts
+    FACTS.update({cls: getattr(cls, "to_dict", None) for cls in ASKED})
+    FACTS[Persistence] = _persistence_facts
     for cls in ASKED:
-        setattr(cls, "to_dict", _facts(facts[cls]))
+        setattr(cls, "to_dict", _facts(FACTS[cls]))
         setattr(cls, "from_dict", classmethod(from_dict))
         setattr(cls, "__reduce__", _reduce)
         setattr(cls, "__eq__", _equal)
@@ -248,6 +266,8 @@ def install() -> None:
     setattr(Surface, "__eq__", _equal_surfaces)
     setattr(Surface, "__hash__", _hash)
     yin_facts, report_facts = YinSet.to_dict, Report.to_dict
+    FACTS[YinSet] = yin_facts
+    FACTS[Report] = report_facts
 
     def set_to_dict(self: YinSet) -> dict[str, Any]:
         """The set as a dictionary, in the words of the program's JSON, with its curves in ``recipe``, which ``from_dict`` reads."""

@@ -28,6 +28,7 @@ from coface._coface import (
     YinSet,
 )
 from coface._models import as_model
+from coface._records import facts_of
 
 #: Facts over a model in the words of the program's JSON, as :func:`coface.page` and :func:`coface.render` take them.
 Facts = dict[str, Any]
@@ -136,7 +137,7 @@ def _one(x: Any) -> Shown:
         return _cocycles(x)
     if isinstance(x, Persistence):
         complex = x.__dict__.get("recipe", (None, (None,)))[1][0]
-        return Shown(None if complex is None else complex.source, [{"diagram": x.to_dict()["diagram"]}] if len(x) else [])
+        return Shown(None if complex is None else complex.source, [{"diagram": facts_of(x)["diagram"]}] if len(x) else [])
     if isinstance(x, PlanarArrangement):
         model = x.model()
         is_plain = len(ragged(model.faces)[1]) - 1 == len(x.measures) > 0
