@@ -178,14 +178,13 @@ impl SpatialArrangement {
         part_of_cell: &[Option<u32>],
         rules: BallRules,
     ) -> Result<BallComplex, Error> {
-        let parts: Vec<u32> = part_of_cell.iter().map(|part| part.unwrap_or(NONE)).collect();
+        let mut parts: Vec<u32> = part_of_cell.iter().map(|part| part.unwrap_or(NONE)).collect();
         let mut cuts = Cuts::default();
         let mut with_cuts: Option<Self> = None;
-        let mut parts_now = parts.clone();
         loop {
             let arrangement = with_cuts.as_ref().unwrap_or(self);
-            let kept = Kept::new(arrangement, self.polygon_count(), &parts_now, &cuts, rules.keep_faces);
-            let pieces = Pieces::new(arrangement, &kept, &parts_now);
+            let kept = Kept::new(arrangement, self.polygon_count(), &parts, &cuts, rules.keep_faces);
+            let pieces = Pieces::new(arrangement, &kept, &parts);
             let bad = pieces.no_balls();
             let round = cuts.rounds.len();
             let next: Vec<(u32, [[f64; 3]; 4])> = if round == MOST_ROUNDS {
@@ -213,7 +212,7 @@ impl SpatialArrangement {
             };
             cuts.add(next, kept.piece_of_cell);
             cuts.follow(&cells);
-            parts_now = through(&cells, &parts_now);
+            parts = through(&cells, &parts);
             with_cuts = Some(further);
         }
     }
