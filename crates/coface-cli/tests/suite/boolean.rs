@@ -257,6 +257,18 @@ fn pinches_are_told_with_coordinates_and_split_on_request() {
     let object = combined("union", &[&a, &b], &["--pinches", "split"]);
     assert_eq!((&object["f_vector"], &object["manifold"]["verdict"]), (&json!([16, 24, 12]), &json!("yes")));
     assert_eq!((&object["components"], &object["solids"]), (&json!(2), &json!(2)));
+    // Files of meshes are manifolds without an option, chain complexes and results with walls are as they are.
+    let copies = |name: &str, options: &[&str]| {
+        let out = folder.path(name);
+        combined("union", &[&a, &b], &[options, &["-o", argument(&out)]].concat())["pinches"]["copies"]
+            .clone()
+    };
+    assert_eq!([copies("a.off", &[]), copies("a.json", &[])], [json!(1), json!(0)]);
+    assert_eq!(copies("b.off", &["--pinches", "tell"]), json!(0));
+    assert_eq!(copies("c.off", &["--keep-walls"]), json!(0));
+    let verdict =
+        |name: &str| coface(&["info", argument(&folder.path(name)), "--json"]).json()["manifold"].clone();
+    assert_ne!(verdict("a.off"), verdict("b.off"));
     let both = run(&["boolean", "union"], &[&a, &b], &["--pinches", "split", "--keep-walls"]);
     assert!(both.fails_with(1).contains("while walls are kept"));
 }

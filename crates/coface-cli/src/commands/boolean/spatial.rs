@@ -24,8 +24,9 @@ pub(super) struct SolidOptions {
     #[arg(long, value_name = "WHAT", default_value = "refuse")]
     open: Open,
     /// What becomes of vertices and edges where the result is pinched: told, or split so that what touches comes apart
-    #[arg(long, value_name = "WHAT", default_value = "tell")]
-    pinches: Pinches,
+    /// [default: split in files of meshes, where walls are not kept]
+    #[arg(long, value_name = "WHAT")]
+    pinches: Option<Pinches>,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -62,7 +63,11 @@ pub(super) fn run(
     let mut request = SolidRequest::of(task.formula(count));
     request.rule = verb.cells.rule.map(Rule::inside).unwrap_or_default();
     request.triangles = triangles;
-    request.split_pinches = matches!(verb.solids.pinches, Pinches::Split);
+    let is_mesh = output.and_then(|(_, target)| target.format()).is_some_and(|format| format != Format::Json);
+    request.split_pinches = match verb.solids.pinches {
+        Some(pinches) => matches!(pinches, Pinches::Split),
+        None => is_mesh && !verb.keep_walls,
+    };
     request.keep_walls = verb.keep_walls;
     let rounded;
     let mut result = SolidBoolean::of(&arrangement, &request)?;
@@ -93,6 +98,14 @@ pub(super) fn run(
         let faces = text::count(answer.faces_cut, "face");
         let message = format!("{faces} with holes or slits, which the format has not, written as triangles");
         answer.remarks.push(Remark::new(RemarkCode::FacesTriangulated, message).at(answer.faces_cut, []));
+    }
+    if answer.pinches.copies > 0 && verb.solids.pinches.is_none() {
+        let edges = text::count(answer.pinches.edge_count, "edge");
+        let vertices = text::count(answer.pinches.vertex_count, "vertex");
+        let message = format!(
+            "pinched at {edges} and {vertices}, which are written as copies; --pinches tell keeps them"
+        );
+        answer.remarks.push(Remark::new(RemarkCode::ModelRepaired, message).at(answer.pinches.copies, []));
     }
     say_remarks(&answer.remarks, common);
     if common.json {

@@ -160,6 +160,10 @@ pub(super) const CASES: &[Case] = &[
         .answered("coface arrange crossing.off")
         .cured(&[&["coface arrange crossing.off --snap --json"]])
         .shows("\"exact\":true"),
+    Case::new("boolean/spatial.rs", "which are written as copies; --pinches tell keeps them")
+        .files(PINCHED)
+        .answered("coface boolean union pinched.mesh -o out.off")
+        .cured(&[&["coface boolean union pinched.mesh --pinches tell -o out.off"]]),
     Case::new("boolean/spatial.rs", "--pinches split makes copies")
         .files(PINCHED)
         .answered("coface boolean union pinched.mesh")
