@@ -33,7 +33,7 @@ const PHRASES: [(&str, &str); 19] = [
 const WORDS: [(&str, &[&str]); 5] = [
     ("rule", &["nonzero", "evenodd", "positive"]),
     ("inputs", &["files", "features", "objects", "groups", "components"]),
-    ("open", &["refuse", "winding"]),
+    ("open", &["refuse", "close"]),
     ("check", &["usual", "geometry", "topology"]),
     ("format", &[]),
 ];

@@ -71,7 +71,7 @@ const VERBS: &[&str] = &[
     "arrange @ --json --inputs features",
     "boolean union @ --json",
     "boolean union @ --json --rule evenodd",
-    "boolean union @ --json --non-planar split --open winding --pinches split",
+    "boolean union @ --json --non-planar split --open close --pinches split",
     "yin info @ --json",
     "yin complement @ --json",
     "yin fit @ --json",

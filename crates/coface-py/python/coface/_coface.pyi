@@ -3443,8 +3443,8 @@ def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: 
         In space, whether faces of polygons in one plane are merged.
     triangles : bool, optional
         In space, whether faces are cut into triangles; if all inputs are triangles, if left out.
-    open : {"refuse", "winding"}
-        In space, what is inside an input with a rim: it is refused, or decided by generalized winding numbers in floating point.
+    open : {"refuse", "close"}
+        In space, what becomes of an input with a rim: it is refused, or its mouths are closed with patches of least area.
     split_pinches : bool
         In space, whether edges and vertices where the result is no surface are duplicated.
     progress : bool or callable, optional

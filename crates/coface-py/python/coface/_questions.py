@@ -714,7 +714,7 @@ def boolean(
     triangles
         In space, whether faces are cut into triangles; if all inputs are triangles, if left out.
     open
-        In space, what is inside an input with a rim: ``"refuse"`` it, or by ``"winding"`` numbers in floating point.
+        In space, what becomes of an input with a rim: ``"refuse"`` it, or ``"close"`` its mouths with patches of least area.
     split_pinches
         In space, whether edges and vertices where the result is no surface are duplicated.
     progress
