@@ -46,6 +46,7 @@ def _answers() -> dict[str, Any]:
         "SolidBoolean": coface.boolean("union", cube, coface.Model(cube.vertices + 0.5, cube.faces)),
         "Congruence": coface.congruence(cube, cube, tolerance=0.1),
         "YinSet": sets[0] - sets[1],
+        "CutCells": sets[0].cut_cells((3, 4), spacing=(1.0, 0.5)),
         "Curve": coface.Curve.circle([0, 0], 1),
         "Model": odd,
         "volume": coface.volume(np.arange(8).reshape(2, 2, 2), periodic=[1]),

@@ -23,6 +23,7 @@ from coface._coface import (
     Congruence,
     Cover,
     Curve,
+    CutCells,
     Domain,
     FundamentalGroup,
     Model,
@@ -35,6 +36,7 @@ from coface._coface import (
     Surface,
     YinSet,
 )
+from coface._faults import in_words
 
 Answer = TypeVar("Answer")
 
@@ -47,6 +49,7 @@ MAKERS: dict[str, Callable[..., Any]] = {
     "Surface.cocycles": Surface.cocycles,
     "Surface.cover": Surface.cover,
     "Surface.cut": Surface.cut,
+    "YinSet.cut_cells": YinSet.cut_cells,
     **{name: getattr(_coface, name) for name in ("_chains", "_curve", "_group", "_model", "_report", "_surface", "_yin_set")},
     **{name: getattr(_coface, name) for name in ("arrange", "boolean", "congruence", "persistence")},
 }
@@ -55,6 +58,7 @@ ASKED = (
     Cocycles,
     Congruence,
     Cover,
+    CutCells,
     Domain,
     Persistence,
     PlanarArrangement,
@@ -166,9 +170,9 @@ def read_back(value: Any) -> Any:
 
 
 #: The makers whose answers remember how they were made.
-RECIPES = ("arrange", "boolean", "congruence", "persistence", "Surface.cocycles", "Surface.cover", "Surface.cut")
-#: The methods of surfaces as they are compiled.
-_TOLD: dict[str, Callable[..., Any]] = {f"Surface.{name}": getattr(Surface, name) for name in ("cocycles", "cover", "cut")}
+RECIPES = ("arrange", "boolean", "congruence", "persistence", "Surface.cocycles", "Surface.cover", "Surface.cut", "YinSet.cut_cells")
+#: The methods among them as they are compiled.
+_TOLD: dict[str, Callable[..., Any]] = {name: maker for name, maker in MAKERS.items() if name.startswith(("Surface.", "YinSet."))}
 
 
 def from_dict(cls: type[Answer], facts: Mapping[str, Any]) -> Answer:
@@ -216,6 +220,19 @@ def _persistence_facts(self: Persistence) -> dict[str, Any]:
     return {"diagram": finite, "falling": self.is_falling, "prime": self.prime}
 
 
+def _cut_facts(self: CutCells) -> dict[str, Any]:
+    return {
+        "areas": self.areas.tolist(),
+        "counts": self.counts(),
+        "coverage": self.coverage.tolist(),
+        "lengths": self.lengths.tolist(),
+        "origin": self.origin,
+        "spacing": self.spacing,
+        "total_area": self.total_area,
+        "total_length": self.total_length,
+    }
+
+
 def _or_none(value: float) -> float | None:
     return value if math.isfinite(value) else None
 
@@ -250,9 +267,11 @@ def install() -> None:
             return asked(__name, self, *arguments, **options)
 
         functools.update_wrapper(method, compiled)
-        setattr(Surface, name.partition(".")[2], method)
+        owner: type = YinSet if name.startswith("YinSet.") else Surface
+        setattr(owner, name.partition(".")[2], in_words(method))
     FACTS.update({cls: getattr(cls, "to_dict", None) for cls in ASKED})
     FACTS[Persistence] = _persistence_facts
+    FACTS[CutCells] = _cut_facts
     for cls in ASKED:
         setattr(cls, "to_dict", _facts(FACTS[cls]))
         setattr(cls, "from_dict", classmethod(from_dict))

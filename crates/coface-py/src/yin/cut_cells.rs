@@ -7,7 +7,7 @@ use pyo3::types::PyDict;
 /// A set on a Cartesian grid: what of each cell it covers. Arrays have one row of cells a row.
 ///
 /// Made by :meth:`YinSet.cut_cells`.
-#[pyclass(frozen, module = "coface", name = "CutCells")]
+#[pyclass(frozen, dict, module = "coface", name = "CutCells")]
 pub(crate) struct CutCells {
     pub(super) origin: [f64; 2],
     pub(super) spacing: [f64; 2],
