@@ -796,7 +796,7 @@ export interface InfoReports {
 }
 
 /** How the cells inside of a model are found. */
-export type InsideMethod = "winding" | "parity" | "generalized_winding";
+export type InsideMethod = "winding" | "parity" | "closed_mouths";
 
 /** The intersection form of a closed oriented manifold of even dimension. */
 export interface IntersectionFormAnswer {
@@ -1277,7 +1277,7 @@ export interface Remark {
 }
 
 /** What sort of remark a [`Remark`] is. The word in the JSON is the name in kebab case: `isolated-vertex`. */
-export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "invalid-polygon" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "features-joined" | "thin-cells" | "data-left-out" | "merged-within-block" | "topology-repaired" | "decision-uncertified" | "model-repaired" | "not-drawn" | "earlier-run-ignored" | "input-refused";
+export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "invalid-polygon" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "overlapping-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "features-joined" | "thin-cells" | "data-left-out" | "merged-within-block" | "topology-repaired" | "decision-uncertified" | "model-repaired" | "not-drawn" | "earlier-run-ignored" | "input-refused";
 
 /** A still picture. */
 export interface RenderAnswer {
