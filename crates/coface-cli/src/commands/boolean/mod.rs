@@ -30,7 +30,7 @@ use std::path::PathBuf;
 ///
 /// Inputs in space are closed surfaces, volume meshes (the union of their cells), or chain complexes with positions (the union of
 /// their cells of degree 3, or the surface of their faces). The result is a surface that runs counterclockwise seen from outside; as .json
-/// a chain complex with solids as cells, or with the cells of the arrangement if walls are kept, cut until each is a ball; .glb, .gltf and
+/// a chain complex with solids as cells, or with --keep-walls the cells of the arrangement, cut until each is a ball; .glb, .gltf and
 /// .png, in space .svg too, are to be looked at.
 ///
 /// With --json: "measure" (the area or volume), "f_vector", "components", "closed", "manifold" with its witness; in the plane also

@@ -24,7 +24,7 @@ pub(super) struct SolidOptions {
     #[arg(long, value_name = "WHAT", default_value = "refuse")]
     open: Open,
     /// What becomes of vertices and edges where the result is pinched: told, or split so that what touches comes apart
-    /// [default: split in files of meshes, but for --keep-walls]
+    /// [default: split in files of meshes that keep no cells apart]
     #[arg(long, value_name = "WHAT")]
     pinches: Option<Pinches>,
 }
