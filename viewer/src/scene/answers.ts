@@ -1169,21 +1169,21 @@ export interface PlanarBooleanAnswer {
 
 /** What rounding the coordinates of crossings does to an arrangement in the plane. */
 export interface PlanarRounding {
-  /** How often an edge was given a vertex for that. */
+  /** How many vertices were added to edges. */
   bends?: number;
   /** The number of edges that cross others when they are drawn with rounded coordinates. */
   broken_edges: number;
   /** Whether no coordinate was rounded. */
   exact: boolean;
-  /** The longest way that a point of an edge went for that, in the unit of the inputs. */
+  /** The longest way that a point of an edge went, in the unit of the inputs. */
   largest_movement?: number;
   /** The number of vertices that have the rounded position of another one. */
   merged_vertices: number;
-  /** The vertices that became one with others, or went to another place than the nearest, for that. */
+  /** The vertices that became one with others, or went to another place than the nearest. */
   moved?: number;
   /** The number of components that lie in another face. */
   moved_components: number;
-  /** How many times the complex was rounded and cut again because rounding would change it. */
+  /** How many times the result was rounded and cut again. */
   rounds?: number;
   /** The number of vertices around which the order of the edges changes. */
   turned_vertices: number;
@@ -1195,15 +1195,15 @@ export interface PlanarRounding {
 
 /** What rounding the coordinates of crossings does to polygons. */
 export interface PolygonRounding {
-  /** How often an edge was given a vertex for that. */
+  /** How many vertices were added to edges. */
   bends?: number;
   /** Whether no coordinate was rounded. */
   exact: boolean;
-  /** The longest way that a point of the boundary went for that, in the unit of the inputs. */
+  /** The longest way that a point of an edge went, in the unit of the inputs. */
   largest_movement?: number;
-  /** The vertices that became one with others, or went to another place than the nearest, for that. */
+  /** The vertices that became one with others, or went to another place than the nearest. */
   moved?: number;
-  /** How many times the polygons were rounded and cut again because rounding broke them. */
+  /** How many times the result was rounded and cut again. */
   rounds?: number;
   /** Whether the polygons are valid with rounded coordinates, as one multipolygon of OGC's Simple feature access. */
   valid: boolean;

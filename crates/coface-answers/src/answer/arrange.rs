@@ -58,20 +58,25 @@ pub struct PlanarRounding {
     pub turned_vertices: usize,
     /// The number of components that lie in another face.
     pub moved_components: usize,
-    /// How many times the complex was rounded and cut again because rounding would change it.
-    #[serde(default)]
+    /// What was done so that it is.
+    #[serde(flatten)]
+    pub repair: RoundingRepair,
+}
+
+/// What was done in the plane because rounded coordinates alone would change a result.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+#[non_exhaustive]
+pub struct RoundingRepair {
+    /// How many times the result was rounded and cut again.
     pub rounds: usize,
-    /// How often an edge was given a vertex for that.
-    #[serde(default)]
+    /// How many vertices were added to edges.
     pub bends: usize,
-    /// The vertices that became one with others, or went to another place than the nearest, for that.
-    #[serde(default)]
+    /// The vertices that became one with others, or went to another place than the nearest.
     pub moved: usize,
-    /// The longest way that a point of an edge went for that, in the unit of the inputs.
-    #[serde(default)]
+    /// The longest way that a point of an edge went, in the unit of the inputs.
     pub largest_movement: f64,
     /// The number of faces or polygons that are not there any more, because they were thinner.
-    #[serde(default)]
     pub vanished: usize,
 }
 

@@ -1,7 +1,9 @@
 //! What `boolean` answers: combinations of regions in the plane, and of solids.
 
 use super::Remark;
-use super::arrange::{DrawingInput, JoinedFeatures, SpatialInput, SpatialRounding, VertexOrigin};
+use super::arrange::{
+    DrawingInput, JoinedFeatures, RoundingRepair, SpatialInput, SpatialRounding, VertexOrigin,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -90,21 +92,9 @@ pub struct PolygonRounding {
     pub exact: bool,
     /// Whether the polygons are valid with rounded coordinates, as one multipolygon of OGC's Simple feature access.
     pub valid: bool,
-    /// How many times the polygons were rounded and cut again because rounding broke them.
-    #[serde(default)]
-    pub rounds: usize,
-    /// How often an edge was given a vertex for that.
-    #[serde(default)]
-    pub bends: usize,
-    /// The vertices that became one with others, or went to another place than the nearest, for that.
-    #[serde(default)]
-    pub moved: usize,
-    /// The longest way that a point of the boundary went for that, in the unit of the inputs.
-    #[serde(default)]
-    pub largest_movement: f64,
-    /// The number of faces or polygons that are not there any more, because they were thinner.
-    #[serde(default)]
-    pub vanished: usize,
+    /// What was done so that they are.
+    #[serde(flatten)]
+    pub repair: RoundingRepair,
 }
 
 /// Where the cells of a combination of regions come from. A segment is a pair: an input and a number in it, both from 0.

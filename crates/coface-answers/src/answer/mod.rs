@@ -43,8 +43,8 @@ pub use incidence::IncidenceAnswer;
 
 pub use arrange::{
     DegeneratePolygons, DrawingInput, InsideMethod, JoinedFeatures, PlanarArrangementAnswer,
-    PlanarArrangementProvenance, PlanarRounding, SpatialArrangementAnswer, SpatialArrangementProvenance,
-    SpatialInput, SpatialRounding, SplitPolygons, VertexOrigin,
+    PlanarArrangementProvenance, PlanarRounding, RoundingRepair, SpatialArrangementAnswer,
+    SpatialArrangementProvenance, SpatialInput, SpatialRounding, SplitPolygons, VertexOrigin,
 };
 pub use batch::{BatchAnswer, RowAnswer};
 pub use boolean::{

@@ -536,10 +536,6 @@ fn rounding_answer(certificate: &RoundingCertificate, is_exact: bool, movement: 
         broken_edges: certificate.broken_edges.len(),
         turned_vertices: certificate.turned_vertices.len(),
         moved_components: certificate.moved_components.len(),
-        rounds: movement.rounds,
-        bends: movement.bends,
-        moved: movement.moved,
-        largest_movement: movement.largest,
-        vanished: movement.vanished,
+        repair: movement.answer(),
     }
 }

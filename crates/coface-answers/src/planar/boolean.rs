@@ -4,7 +4,6 @@ use super::containment::{Containment, ContainmentSearch};
 use super::crossings::{MOST_PLACES, crossed_rings, crossing_remark, refuse_crossings};
 use super::drawing::PlanarDrawing;
 use super::outcome::Outcome;
-use super::outline::Outline;
 use super::settling::Movement;
 use super::walks::Walks;
 use crate::answer::{
@@ -12,12 +11,9 @@ use crate::answer::{
     PlanarBooleanProvenance, PolygonRounding, Remark, RemarkCode,
 };
 use crate::text;
-use coface_algebra::RaggedArray;
 use coface_algebra::{EdgeId, Error, FaceId, VertexId};
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
-use coface_arrange::planar::{
-    PlanarArrangement, PlanarOptions, PlanarOverlay, SnappedArrangement, Step, VertexSource,
-};
+use coface_arrange::planar::{PlanarArrangement, PlanarOptions, PlanarOverlay, SnappedArrangement, Step};
 use coface_geometry::{Positions, Sum};
 
 /// How regions are combined.
@@ -67,22 +63,7 @@ pub struct BooleanRequest {
 #[derive(Clone, Debug)]
 pub struct RegionBoolean {
     pub(super) drawing: PlanarDrawing,
-    pub(super) outline: Outline,
-    pub(super) positions: Positions,
-    sources: Vec<VertexSource>,
-    /// The sides of all rings, lower vertex first, rising, each once, and the segments along them.
-    pub(super) edges: Vec<[u32; 2]>,
-    segments_of_edge: RaggedArray,
-    areas: Vec<f64>,
-    component_count: usize,
-    pinches: Vec<VertexId>,
-    /// For each polygon the regions that contain some of its faces, rising.
-    regions_of_polygon: RaggedArray,
-    /// For each polygon the features with properties that contain some of its faces, rising.
-    pub(super) features_of_polygon: RaggedArray,
-    pub(super) keeps_walls: bool,
-    is_valid: bool,
-    is_exact: bool,
+    pub(super) found: Outcome,
     /// What moved so that rounded coordinates are valid, if that was needed.
     movement: Option<Movement>,
     /// The vertices, edges and faces that the rings cut the plane into.
@@ -189,42 +170,7 @@ impl RegionBoolean {
             let (valid, settled) = found.settled()?;
             (found, movement) = (valid, Some(settled.movement));
         }
-        let Outcome {
-            outline,
-            positions,
-            sources,
-            edges,
-            segments_of_edge,
-            areas,
-            component_count,
-            pinches,
-            regions_of_polygon,
-            features_of_polygon,
-            is_exact,
-            is_valid,
-            ..
-        } = found;
-        Ok(Self {
-            drawing,
-            outline,
-            positions,
-            sources,
-            edges,
-            segments_of_edge,
-            areas,
-            component_count,
-            pinches,
-            regions_of_polygon,
-            features_of_polygon,
-            keeps_walls: request.keep_walls,
-            is_valid,
-            is_exact,
-            movement,
-            cell_counts,
-            snap_rounds,
-            warnings,
-            remarks,
-        })
+        Ok(Self { drawing, found, movement, cell_counts, snap_rounds, warnings, remarks })
     }
 
     /// The numbers of vertices, edges and polygons of the result.
@@ -242,7 +188,7 @@ impl RegionBoolean {
     /// # Ok(()) }
     /// ```
     pub fn f_vector(&self) -> [usize; 3] {
-        [self.positions.len(), self.edges.len(), self.outline.polygon_count()]
+        [self.found.positions.len(), self.found.edges.len(), self.found.outline.polygon_count()]
     }
 
     /// The area, in the square of the unit of the drawing.
@@ -261,7 +207,7 @@ impl RegionBoolean {
     /// ```
     pub fn area(&self) -> f64 {
         let mut sum = Sum::default();
-        self.areas.iter().for_each(|&area| sum.add(area));
+        self.found.areas.iter().for_each(|&area| sum.add(area));
         sum.value()
     }
 
@@ -280,7 +226,7 @@ impl RegionBoolean {
     /// # Ok(()) }
     /// ```
     pub fn polygon_areas(&self) -> &[f64] {
-        &self.areas
+        &self.found.areas
     }
 
     /// The number of parts whose inner points are connected. Parts that touch in points only are different ones.
@@ -298,7 +244,7 @@ impl RegionBoolean {
     /// # Ok(()) }
     /// ```
     pub fn component_count(&self) -> usize {
-        self.component_count
+        self.found.component_count
     }
 
     /// The number of holes.
@@ -316,7 +262,7 @@ impl RegionBoolean {
     /// # Ok(()) }
     /// ```
     pub fn hole_count(&self) -> usize {
-        self.outline.hole_count()
+        self.found.outline.hole_count()
     }
 
     /// The positions of the vertices of the result: each coordinate is the floating-point number nearest to the exact one.
@@ -334,7 +280,7 @@ impl RegionBoolean {
     /// # Ok(()) }
     /// ```
     pub fn positions(&self) -> &Positions {
-        &self.positions
+        &self.found.positions
     }
 
     /// The rings of a polygon by their vertices: the outer one, counterclockwise, then the holes, clockwise. Each is simple.
@@ -356,7 +302,7 @@ impl RegionBoolean {
     /// # Ok(()) }
     /// ```
     pub fn rings_of_polygon(&self, polygon: FaceId) -> impl ExactSizeIterator<Item = &[u32]> {
-        self.outline.rings_of(polygon.index())
+        self.found.outline.rings_of(polygon.index())
     }
 
     /// The edges of the result by their vertices, the lower first.
@@ -374,7 +320,7 @@ impl RegionBoolean {
     /// # Ok(()) }
     /// ```
     pub fn edges(&self) -> &[[u32; 2]] {
-        &self.edges
+        &self.found.edges
     }
 
     /// The segments of the drawing along an edge of the result, rising.
@@ -396,7 +342,7 @@ impl RegionBoolean {
     /// # Ok(()) }
     /// ```
     pub fn segments_of_edge(&self, edge: EdgeId) -> &[u32] {
-        self.segments_of_edge.list(edge.index())
+        self.found.segments_of_edge.list(edge.index())
     }
 
     /// The regions that contain some of a polygon, rising.
@@ -418,7 +364,7 @@ impl RegionBoolean {
     /// # Ok(()) }
     /// ```
     pub fn regions_of_polygon(&self, polygon: FaceId) -> &[u32] {
-        self.regions_of_polygon.list(polygon.index())
+        self.found.regions_of_polygon.list(polygon.index())
     }
 
     /// The vertices at which the boundary is no curve: more than two of its edges meet there.
@@ -436,7 +382,7 @@ impl RegionBoolean {
     /// # Ok(()) }
     /// ```
     pub fn pinches(&self) -> &[VertexId] {
-        &self.pinches
+        &self.found.pinches
     }
 
     /// What is odd about the inputs, each with the name of a model: holes that are not inside of their outer rings.
@@ -473,7 +419,7 @@ impl RegionBoolean {
     /// # Ok(()) }
     /// ```
     pub fn is_valid_when_rounded(&self) -> bool {
-        self.is_valid
+        self.found.is_valid
     }
 
     /// The result as an answer.
@@ -491,8 +437,8 @@ impl RegionBoolean {
     /// # Ok(()) }
     /// ```
     pub fn answer(&self) -> PlanarBooleanAnswer {
-        let witness = self.pinches.first().map(|&vertex| {
-            let [x, y] = [self.positions.point(vertex)[0], self.positions.point(vertex)[1]];
+        let witness = self.found.pinches.first().map(|&vertex| {
+            let [x, y] = [self.found.positions.point(vertex)[0], self.found.positions.point(vertex)[1]];
             BoundaryWitness {
                 kind: "pinched_vertex".to_owned(),
                 cells: vec![vec![vertex.to_u32()]],
@@ -523,7 +469,7 @@ impl RegionBoolean {
             remarks.push(Remark::new(RemarkCode::UnboundedSegments, message).at(count, []));
         }
         remarks.extend(self.remarks.iter().cloned());
-        if !self.is_valid {
+        if !self.found.is_valid {
             remarks.push(Remark::new(
                 RemarkCode::RoundedInvalid,
                 "coordinates are rounded, and with them the polygons are not valid; without --exact they are made valid",
@@ -535,25 +481,21 @@ impl RegionBoolean {
             dimension: 2,
             measure: self.area(),
             f_vector: self.f_vector(),
-            components: self.component_count,
+            components: self.found.component_count,
             closed: true,
             manifold: BoundaryManifold {
-                verdict: BoundaryVerdict::of(self.pinches.is_empty()),
+                verdict: BoundaryVerdict::of(self.found.pinches.is_empty()),
                 closed: true,
                 witness,
             },
-            polygons: self.outline.polygon_count(),
+            polygons: self.found.outline.polygon_count(),
             holes: self.hole_count(),
-            measures: self.areas.clone(),
-            pinches: self.pinches.len(),
+            measures: self.found.areas.clone(),
+            pinches: self.found.pinches.len(),
             rounding: PolygonRounding {
-                exact: self.is_exact,
-                valid: self.is_valid,
-                rounds: movement.rounds,
-                bends: movement.bends,
-                moved: movement.moved,
-                largest_movement: movement.largest,
-                vanished: movement.vanished,
+                exact: self.found.is_exact,
+                valid: self.found.is_valid,
+                repair: movement.answer(),
             },
             snap_rounds: self.snap_rounds,
             arrangement: self.cell_counts,
@@ -588,9 +530,9 @@ impl RegionBoolean {
         PlanarBooleanProvenance {
             inputs: drawing.names.clone(),
             regions: drawing.region_names().into_iter().map(str::to_owned).collect(),
-            vertices: self.sources.iter().map(|source| drawing.vertex_origin(source)).collect(),
-            edges: self.edges.iter().zip(self.segments_of_edge.iter()).map(edge).collect(),
-            polygons: self.regions_of_polygon.iter().map(<[u32]>::to_vec).collect(),
+            vertices: self.found.sources.iter().map(|source| drawing.vertex_origin(source)).collect(),
+            edges: self.found.edges.iter().zip(self.found.segments_of_edge.iter()).map(edge).collect(),
+            polygons: self.found.regions_of_polygon.iter().map(<[u32]>::to_vec).collect(),
         }
     }
 }

@@ -31,7 +31,7 @@ pub(super) struct Outcome {
     /// Whether rings run the wrong way because rounding turned them inside out.
     pub(super) is_turned: bool,
     /// Whether each face is a polygon.
-    has_walls: bool,
+    pub(super) has_walls: bool,
 }
 
 impl Outcome {

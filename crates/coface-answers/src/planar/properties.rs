@@ -242,7 +242,7 @@ impl RegionBoolean {
     /// # Ok(()) }
     /// ```
     pub fn features_of_polygon(&self, polygon: FaceId) -> &[u32] {
-        self.features_of_polygon.list(polygon.index())
+        self.found.features_of_polygon.list(polygon.index())
     }
 
     /// The properties of all features that contain some of a polygon, the text of a JSON object: see

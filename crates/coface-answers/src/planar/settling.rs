@@ -1,6 +1,6 @@
 //! Edges between rounded points, cut and bent until they meet in their ends only.
 
-use crate::answer::{Remark, RemarkCode};
+use crate::answer::{Remark, RemarkCode, RoundingRepair};
 use crate::text;
 use coface_algebra::{EdgeId, Error, VertexId};
 use coface_arrange::planar::{PlanarArrangement, SnappedArrangement};
@@ -66,12 +66,22 @@ impl Settled {
 }
 
 impl Movement {
+    pub(super) fn answer(&self) -> RoundingRepair {
+        RoundingRepair {
+            rounds: self.rounds,
+            bends: self.bends,
+            moved: self.moved,
+            largest_movement: self.largest,
+            vanished: self.vanished,
+        }
+    }
+
     /// Says that something moved so that these stay valid.
     pub(super) fn remark(&self, what: &str) -> Remark {
         let mut parts = Vec::new();
         if self.bends > 0 {
             let verb = if self.bends == 1 { "was" } else { "were" };
-            parts.push(format!("edges {verb} given {}", text::count(self.bends, "vertex")));
+            parts.push(format!("{} {verb} added to edges", text::count(self.bends, "vertex")));
         }
         if self.moved > 0 {
             parts.push(format!("{} moved or became one with others", text::count(self.moved, "vertex")));

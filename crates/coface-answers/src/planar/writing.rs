@@ -159,12 +159,12 @@ impl RegionBoolean {
     /// # Ok(()) }
     /// ```
     pub fn write(&self, out: &mut dyn Write, format: Format) -> Result<(), Error> {
-        let positions = self.positions.clone();
+        let positions = self.found.positions.clone();
         if format == Format::Lines {
-            let lines = RaggedArray::from_lists(&self.edges);
+            let lines = RaggedArray::from_lists(&self.found.edges);
             return io::write(&Model::from_lines(positions, lines)?, out, format);
         }
-        if format == Format::Wkt && self.outline.polygon_count() == 0 {
+        if format == Format::Wkt && self.found.outline.polygon_count() == 0 {
             out.write_all(b"POLYGON EMPTY\n")?;
             return Ok(());
         }
@@ -176,10 +176,10 @@ impl RegionBoolean {
                 let own = PolygonProperties { polygon, area: self.polygon_areas()[polygon], regions };
                 with_own(&own, self.merged_of_polygon(FaceId::new(polygon))?)
             };
-            let is_one = format == Format::Wkt && !self.keeps_walls;
-            return write_drawing(&self.outline, positions, &[], is_one, out, format, properties);
+            let is_one = format == Format::Wkt && !self.found.has_walls;
+            return write_drawing(&self.found.outline, positions, &[], is_one, out, format, properties);
         }
-        io::write(&mesh(&self.outline, &positions, &[])?, out, format)
+        io::write(&mesh(&self.found.outline, &positions, &[])?, out, format)
     }
 
     /// The result as polygons; one with holes is cut into triangles.
@@ -201,7 +201,7 @@ impl RegionBoolean {
     /// # Ok(()) }
     /// ```
     pub fn to_mesh(&self) -> Result<Model, Error> {
-        mesh(&self.outline, &self.positions, &[])
+        mesh(&self.found.outline, &self.found.positions, &[])
     }
 }
 

@@ -62,7 +62,7 @@ fn a_vertex_within_an_edge_is_seen_and_mended() {
     assert!(valid.is_valid_when_rounded() && !has_faults(&valid));
     assert_eq!(codes(&valid), [RemarkCode::FeaturesJoined]);
     let rounding = valid.answer().rounding;
-    assert!(!rounding.exact && rounding.rounds > 0 && rounding.largest_movement < 1e-9, "{rounding:?}");
+    assert!(!rounding.exact && rounding.repair.rounds > 0 && rounding.repair.largest_movement < 1e-9, "{rounding:?}");
     assert!((valid.area() - exact.area()).abs() < 1e-6);
 }
 
@@ -169,7 +169,7 @@ proptest! {
             prop_assert!(valid.is_valid_when_rounded() && !has_faults(&valid));
             let size = as_it_is.positions().as_flat().iter().fold(1.0f64, |most, x| most.max(x.abs()));
             prop_assert!((valid.area() - as_it_is.area()).abs() <= 1000.0 * size * f64::EPSILON);
-            if valid.answer().rounding.rounds == 0 {
+            if valid.answer().rounding.repair.rounds == 0 {
                 prop_assert_eq!(written(&valid), written(&as_it_is));
             }
             // What is written is the result, but for vertices that rounding puts on straight lines.

@@ -84,7 +84,7 @@ fn page(answer: &PlanarBooleanAnswer) -> String {
     fact("boundary", manifold, "");
     let value = match (answer.rounding.exact, answer.rounding.valid) {
         (true, _) => "none",
-        (_, true) if answer.rounding.rounds > 0 => "made valid",
+        (_, true) if answer.rounding.repair.rounds > 0 => "made valid",
         (_, true) => "harmless",
         _ => "breaks polygons",
     };
