@@ -62,7 +62,10 @@ fn a_vertex_within_an_edge_is_seen_and_mended() {
     assert!(valid.is_valid_when_rounded() && !has_faults(&valid));
     assert_eq!(codes(&valid), [RemarkCode::FeaturesJoined]);
     let rounding = valid.answer().rounding;
-    assert!(!rounding.exact && rounding.repair.rounds > 0 && rounding.repair.largest_movement < 1e-9, "{rounding:?}");
+    assert!(
+        !rounding.exact && rounding.repair.rounds > 0 && rounding.repair.largest_movement < 1e-9,
+        "{rounding:?}"
+    );
     assert!((valid.area() - exact.area()).abs() < 1e-6);
 }
 

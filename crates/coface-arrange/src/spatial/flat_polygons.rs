@@ -142,7 +142,7 @@ impl SpatialPolygons {
     /// let lists = RaggedArray::from_lists([[0, 1, 2], [3, 4, 5]]);
     /// let polygons = SpatialPolygons::from_polygons(Positions::from_flat(3, points)?, lists)?;
     /// let found = polygons.crossings(10)?;
-    /// assert_eq!((found.count, found.places), (1, vec![[1.0, 1.0, 0.0]]));
+    /// assert_eq!((found.count, found.places), (1, vec![[2.0, 2.0, 0.0]]));
     /// # Ok(()) }
     /// ```
     pub fn crossings(&self, most_listed: usize) -> Result<Crossings, Error> {

@@ -120,7 +120,7 @@ enum Form {
 }
 
 /// The columns: what they are called, and what of a row they hold.
-const COLUMNS: [(&str, Form); 42] = [
+const COLUMNS: [(&str, Form); 46] = [
     ("path", Form::Head(|head| head.path.as_deref().into())),
     ("bytes", Form::Head(|head| head.bytes.into())),
     (SECONDS, Form::Head(|head| head.seconds.into())),
@@ -181,6 +181,16 @@ const COLUMNS: [(&str, Form); 42] = [
         "geometry_faults",
         Form::Plain(|row| row.geometry.as_ref().filter(|own| own.checked).map(fault_codes).into()),
     ),
+    ("polygon_count", Form::Plain(|row| row.polygons.as_ref().map(|own| own.count).into())),
+    ("polygons_valid", Form::Plain(|row| row.polygons.as_ref().map(|own| own.valid).into())),
+    (
+        "polygon_faults",
+        Form::Plain(|row| match &row.polygons {
+            Some(own) => counts(own.faults.iter().map(|fault| (&fault.name, fault.count))),
+            None => Cell::Nothing,
+        }),
+    ),
+    ("reversed_rings", Form::Plain(|row| row.polygons.as_ref().map(|own| own.reversed_rings).into())),
     ("data", Form::Plain(|row| counts(row.data.iter().map(|data| (&data.name, data.components))))),
     (
         "problems",
@@ -329,6 +339,10 @@ mod tests {
             "problems": [{"kind": "loose_cell", "count": 9, "message": "m", "cells": [], "top_cells": []}],
             "warnings": ["one", "two"],
         });
+        row["polygons"] = json!({
+            "count": 2, "valid": false, "reason": "Self-intersection[1 1]", "reversed_rings": 1,
+            "faults": [{"name": "ring_crosses_itself", "reason": "Self-intersection", "count": 3, "message": "m", "places": []}],
+        });
         row["geometry"] = json!({
             "checked": true, "reason": null, "sound_surface": false, "valid_solid": false, "faces_left_out": 0,
             "shells_left_out": 0,
@@ -400,6 +414,10 @@ mod tests {
             ("sound_surface", "false"),
             ("valid_solid", "false"),
             ("geometry_faults", "\"306 faces_cross=2\""),
+            ("polygon_count", "2"),
+            ("polygons_valid", "false"),
+            ("polygon_faults", "\"ring_crosses_itself=3\""),
+            ("reversed_rings", "1"),
             ("data", "\"t=3\""),
             ("problems", "\"loose_cell=9\""),
             ("warnings", "\"one; two\""),
@@ -480,11 +498,17 @@ mod tests {
     fn every_key_of_a_report_is_in_a_column_or_left_out_on_purpose() {
         // The name is the path; cells of witnesses, surfaces and groups may be many; moments are not asked for.
         // What was not looked at in geometry is in the report of a file alone.
-        let left_out =
-            ["/file", "/manifold/witness/cells", "/geometry/faces_left_out", "/geometry/shells_left_out"];
+        // The first fault of polygons is one of the list.
+        let left_out = [
+            "/file",
+            "/manifold/witness/cells",
+            "/geometry/faces_left_out",
+            "/geometry/shells_left_out",
+            "/polygons/reason",
+        ];
         let unchanged = table(&full());
         let changes = changes(&full(), "");
-        assert_eq!(changes.len(), 43);
+        assert_eq!(changes.len(), 48);
         for (path, row) in changes {
             let row = match path.as_str() {
                 "/manifold/witness/cells" => {
