@@ -121,12 +121,12 @@ impl VoxelArguments {
     }
 }
 
-/// A tolerance.
+/// A length.
 pub(crate) fn length(text: &str) -> Result<f64, String> {
     text.parse()
         .ok()
         .filter(|length: &f64| length.is_finite() && *length >= 0.0)
-        .ok_or_else(|| "a tolerance is a finite length that is not negative".to_owned())
+        .ok_or_else(|| "give a finite length that is not negative".to_owned())
 }
 
 fn number(text: &str) -> Result<f64, String> {

@@ -430,6 +430,8 @@ mod tests {
             (b"SRID=4326;POINT (1 2)", Format::Wkt),
             (b"polygon z((0 0 1,", Format::Wkt),
             (b"MULTIPOINT\n(1 2)", Format::Wkt),
+            (b"CURVEPOLYGON (CIRCULARSTRING (0 0", Format::Wkt),
+            (b"MultiSurfaceZ (((0 0 1", Format::Wkt),
             (b"<?xml version=\"1.0\"?>\n<!-- a > b -->\n<svg width=\"1\">", Format::Svg),
             (b"<!DOCTYPE svg PUBLIC \"-//W3C//DTD SVG 1.1//EN\" \"svg11.dtd\">", Format::Svg),
             (b"\x89cfc\r\n\x1a\n\x01\0\0\0", Format::Container),

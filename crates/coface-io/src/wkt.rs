@@ -52,6 +52,9 @@ const KINDS: [(&str, Kind); 11] = [
     ("GEOMETRYCOLLECTION", Kind::Collection),
 ];
 
+/// Geometries with arcs, which are named and refused.
+const CURVED: [&str; 5] = ["CIRCULARSTRING", "COMPOUNDCURVE", "CURVEPOLYGON", "MULTICURVE", "MULTISURFACE"];
+
 /// The numbers of a position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Axes {
@@ -69,6 +72,12 @@ fn kind_of(word: &[u8]) -> Option<(Kind, Axes)> {
         let axes = axes_of(word.strip_prefix(name.as_bytes())?)?;
         Some((kind, axes))
     })
+}
+
+/// Whether a word names a geometry with arcs.
+fn is_curved(word: &[u8]) -> bool {
+    let word = word.to_ascii_uppercase();
+    CURVED.iter().any(|name| word.strip_prefix(name.as_bytes()).is_some_and(|rest| axes_of(rest).is_some()))
 }
 
 fn axes_of(word: &[u8]) -> Option<Axes> {
@@ -94,7 +103,8 @@ pub(super) fn is_geometry(line: &[u8]) -> bool {
     let rest = upper[length..].trim_ascii_start();
     let rest = [&b"ZM"[..], b"Z", b"M"].iter().find_map(|&axes| rest.strip_prefix(axes)).unwrap_or(rest);
     let rest = rest.trim_ascii_start();
-    kind_of(&upper[..length]).is_some() && (rest.is_empty() || rest[0] == b'(' || rest.starts_with(b"EMPTY"))
+    let is_named = kind_of(&upper[..length]).is_some() || is_curved(&upper[..length]);
+    is_named && (rest.is_empty() || rest[0] == b'(' || rest.starts_with(b"EMPTY"))
 }
 
 /// Reads geometries.
@@ -244,8 +254,7 @@ impl<R: Read> Reader<R> {
         }
         let Some((kind, mut axes)) = kind_of(&self.word) else {
             let name = quoted(&self.word);
-            let upper = self.word.to_ascii_uppercase();
-            if upper.windows(5).any(|part| part == b"CURVE" || part == b"CIRCU") {
+            if is_curved(&self.word) {
                 return Err(self
                     .fault(format!("{name} has curved sides"))
                     .with_cure("write it with straight lines"));

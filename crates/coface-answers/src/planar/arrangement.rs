@@ -3,7 +3,7 @@
 use super::containment::{Containment, ContainmentSearch};
 use super::crossings::{MOST_PLACES, crossed_rings, crossing_remark, refuse_crossings};
 use super::drawing::PlanarDrawing;
-use super::settling::{Movement, Settled};
+use super::settling::{Movement, Settled, vanished_faces};
 use super::sides::Sides;
 use crate::answer::{
     PlanarArrangementAnswer, PlanarArrangementProvenance, PlanarRounding, Remark, RemarkCode,
@@ -70,6 +70,7 @@ pub struct DrawingArrangement {
     certificate: Option<RoundingCertificate>,
     pub(super) containment: Containment,
     crossings: Option<Remark>,
+    vanished: Option<Remark>,
 }
 
 impl DrawingArrangement {
@@ -97,7 +98,7 @@ impl DrawingArrangement {
     pub fn new(drawing: PlanarDrawing, request: &ArrangementRequest) -> Result<Self, Error> {
         let options = PlanarOptions::new().max_cells(request.max_cells);
         let exact = PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?;
-        let (mut snap_rounds, mut movement, mut certificate) = (None, None, None);
+        let (mut snap_rounds, mut vanished, mut movement, mut certificate) = (None, None, None, None);
         // The exact arrangement is kept where another one is made of it.
         let (mut parts, exact) = if request.snap || request.grid.is_some() {
             let snapped = match request.grid {
@@ -105,6 +106,7 @@ impl DrawingArrangement {
                 None => exact.snapped()?,
             };
             snap_rounds = Some(snapped.round_count());
+            vanished = request.grid.and_then(|_| vanished_faces(&exact, &snapped));
             (Parts::of_snapped(&snapped, |source| source, |segment| [segment]), Some(exact))
         } else {
             if !request.exact {
@@ -148,6 +150,7 @@ impl DrawingArrangement {
             certificate,
             containment,
             crossings,
+            vanished,
         })
     }
 
@@ -351,7 +354,7 @@ impl DrawingArrangement {
         let is_exact = self.movement.is_none() && arrangement.is_exactly_rounded();
         let rounding = rounding_answer(&certificate, is_exact, &self.movement.unwrap_or_default());
         let mut remarks = self.drawing.remarks.clone();
-        remarks.extend(self.crossings.iter().cloned());
+        remarks.extend(self.crossings.iter().chain(&self.vanished).cloned());
         remarks.extend(self.containment.remarks(&self.drawing));
         if !rounding.valid {
             remarks.push(Remark::new(

@@ -4,7 +4,7 @@ use super::containment::{Containment, ContainmentSearch};
 use super::crossings::{MOST_PLACES, crossed_rings, crossing_remark, refuse_crossings};
 use super::drawing::PlanarDrawing;
 use super::outcome::Outcome;
-use super::settling::Movement;
+use super::settling::{Movement, vanished_faces};
 use super::walks::Walks;
 use crate::answer::{
     BoundaryManifold, BoundaryVerdict, BoundaryWitness, EdgeOrigin, PlanarBooleanAnswer,
@@ -117,14 +117,17 @@ impl RegionBoolean {
             .with_cure("take the complement within a region, as in \"a - b\""));
         }
         let options = PlanarOptions::new().max_cells(request.max_cells);
+        let mut vanished = None;
         let snapped = match (request.snap, request.grid) {
             (false, None) => None,
             (_, grid) => {
                 let exact = PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?;
-                Some(match grid {
+                let snapped = match grid {
                     Some(step) => exact.snapped_to_grid(step)?,
                     None => exact.snapped()?,
-                })
+                };
+                vanished = grid.and_then(|_| vanished_faces(&exact, &snapped));
+                Some(snapped)
             }
         };
         let walks = Walks::new(&drawing, snapped.as_ref());
@@ -163,7 +166,7 @@ impl RegionBoolean {
         let cell_counts = overlay.f_vector();
         let snap_rounds = snapped.as_ref().map(SnappedArrangement::round_count);
         let warnings = containment.warnings(&drawing);
-        let remarks = crossings.into_iter().chain(containment.remarks(&drawing)).collect();
+        let remarks = crossings.into_iter().chain(containment.remarks(&drawing)).chain(vanished).collect();
         drop((overlay, walks));
         let mut movement = None;
         if (!found.is_valid || found.is_turned) && !request.exact {

@@ -101,6 +101,15 @@ impl Movement {
     }
 }
 
+/// Says that faces vanished because their vertices were put on a grid.
+pub(super) fn vanished_faces(exact: &PlanarArrangement, snapped: &SnappedArrangement) -> Option<Remark> {
+    let [before, after] = [exact, snapped.arrangement()].map(PlanarArrangement::face_count);
+    let count = before.checked_sub(after).filter(|&count| count > 0)?;
+    let faces = text::count(count, "face");
+    let message = format!("on the grid the arrangement has {after} of {before} faces: {faces} vanished");
+    Some(Remark::new(RemarkCode::FeaturesJoined, message).at(count, []))
+}
+
 /// The distance of a point from a segment.
 fn distance([x, y]: [f64; 2], [[ax, ay], [bx, by]]: [[f64; 2]; 2]) -> f64 {
     let [dx, dy] = [bx - ax, by - ay];

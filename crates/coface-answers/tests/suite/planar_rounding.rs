@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use coface_algebra::{FaceId, RaggedArray};
-use coface_answers::answer::RemarkCode;
+use coface_answers::answer::{Remark, RemarkCode};
 use coface_answers::{
     ArrangementRequest, BooleanRequest, DrawingArrangement, PlanarDrawing, RegionBoolean, RegionSource,
 };
@@ -109,6 +109,30 @@ fn one_result_is_one_geometry() {
     let mut walls = BooleanRequest::default();
     walls.keep_walls = true;
     assert_eq!(written(&combined(&squares, "a", &walls)).lines().count(), 3);
+}
+
+/// A square that is smaller than the step of the grid beside one that is not.
+#[test]
+fn what_vanishes_on_a_grid_is_told() {
+    let pair =
+        ["POLYGON((0 0,8 0,8 8,0 8,0 0))", "POLYGON((20 20,21 20,21 21,20 21,20 20))"].map(str::to_owned);
+    let vanished = |step: f64| {
+        let mut request = BooleanRequest::default();
+        request.grid = Some(step);
+        let result = combined(&pair, "a | b", &request);
+        let mut asked = ArrangementRequest::default();
+        asked.grid = Some(step);
+        let arranged = DrawingArrangement::new(drawing(&pair), &asked).unwrap().answer().unwrap();
+        let counts = |remarks: &[Remark]| -> Vec<u64> {
+            let joined = remarks.iter().filter(|remark| remark.code == RemarkCode::FeaturesJoined);
+            joined.map(|remark| remark.count).collect()
+        };
+        assert_eq!(counts(&result.answer().remarks), counts(&arranged.remarks));
+        (result.f_vector()[2], counts(&arranged.remarks))
+    };
+    assert_eq!(vanished(1.0), (2, vec![]));
+    assert_eq!(vanished(4.0), (1, vec![1]));
+    assert_eq!(vanished(100.0), (0, vec![2]));
 }
 
 #[test]

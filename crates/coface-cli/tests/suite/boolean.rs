@@ -517,7 +517,7 @@ fn a_tolerance_that_is_none_is_refused() {
     let square = folder.text("square.wkt", "POLYGON((0 0,1 0,1 1,0 1,0 0))");
     for bad in ["-1", "nan", "a"] {
         let ran = run(&["arrange"], &[&cube], &["--tolerance", bad]);
-        assert!(ran.fails_with(2).contains("a tolerance is a finite length"));
+        assert!(ran.fails_with(2).contains("give a finite length that is not negative"));
     }
     let ran = run(&["arrange"], &[&square], &["--tolerance", "1"]);
     assert!(ran.fails_with(1).contains("for drawings in the plane leave it out"));

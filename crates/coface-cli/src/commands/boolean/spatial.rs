@@ -100,11 +100,8 @@ pub(super) fn run(
         answer.remarks.push(Remark::new(RemarkCode::FacesTriangulated, message).at(answer.faces_cut, []));
     }
     if answer.pinches.copies > 0 && verb.solids.pinches.is_none() {
-        let edges = text::count(answer.pinches.edge_count, "edge");
-        let vertices = text::count(answer.pinches.vertex_count, "vertex");
-        let message = format!(
-            "pinched at {edges} and {vertices}, which are written as copies; --pinches tell keeps them"
-        );
+        let at = pinched_at(&answer);
+        let message = format!("pinched at {at}, which are written as copies; --pinches tell keeps them");
         answer.remarks.push(Remark::new(RemarkCode::ModelRepaired, message).at(answer.pinches.copies, []));
     }
     say_remarks(&answer.remarks, common);
@@ -135,20 +132,27 @@ fn page(answer: &SolidBooleanAnswer) -> String {
     fact("faces", text::grouped(faces), sort);
     fact("components", text::grouped(answer.components), "of the surface");
     fact("area", answer.area.map_or("too large".to_owned(), text::number), "");
-    let edges = text::count(answer.pinches.edge_count, "edge");
-    let vertices = text::count(answer.pinches.vertex_count, "vertex");
+    let at = pinched_at(answer);
     let gloss = match (answer.pinches.edge_count + answer.pinches.vertex_count, &answer.manifold.witness) {
         (0, _) => String::new(),
-        (_, None) => format!("split at {edges} and {vertices}"),
+        (_, None) => format!("split at {at}"),
         (_, Some(witness)) => {
-            format!(
-                "pinched at {edges} and {vertices}, so: {}; --pinches split makes copies",
-                witness.message
-            )
+            format!("pinched at {at}, so: {}; --pinches split makes copies", witness.message)
         }
     };
     let is_manifold = answer.manifold.verdict == BoundaryVerdict::Yes;
     fact("manifold", if is_manifold { "yes" } else { "no" }.to_owned(), &gloss);
     facts.push(rounding(&answer.rounding));
     text::facts("Boolean combination of solids", &facts)
+}
+
+/// The edges and vertices where a result is pinched, by their numbers.
+fn pinched_at(answer: &SolidBooleanAnswer) -> String {
+    let edges = text::count(answer.pinches.edge_count, "edge");
+    let vertices = text::count(answer.pinches.vertex_count, "vertex");
+    match (answer.pinches.edge_count, answer.pinches.vertex_count) {
+        (_, 0) => edges,
+        (0, _) => vertices,
+        _ => format!("{edges} and {vertices}"),
+    }
 }
