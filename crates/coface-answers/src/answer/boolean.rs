@@ -35,7 +35,8 @@ pub struct PlanarBooleanAnswer {
     pub rounding: PolygonRounding,
     /// How many times coordinates were rounded and everything arranged again; null unless snapping was asked for.
     pub snap_rounds: Option<usize>,
-    /// The numbers of vertices, edges and faces that the inputs cut the plane into.
+    /// The numbers of vertices, edges and faces that the inputs cut the plane into; where many regions cover each other,
+    /// that the sides which are cut do.
     pub arrangement: [usize; 3],
     /// The names of the regions, which are the inputs of the formula.
     pub regions: Vec<String>,

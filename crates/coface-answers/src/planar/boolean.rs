@@ -2,6 +2,7 @@
 
 use super::containment::{Containment, ContainmentSearch};
 use super::crossings::{MOST_PLACES, crossed_rings, crossing_remark, refuse_crossings};
+use super::crowd::{Crowd, Leaving};
 use super::drawing::PlanarDrawing;
 use super::outcome::Outcome;
 use super::settling::{Movement, vanished_faces};
@@ -101,6 +102,16 @@ impl RegionBoolean {
         formula: &BooleanFormula,
         request: &BooleanRequest,
     ) -> Result<Self, Error> {
+        Self::leaving_out(drawing, formula, request, Leaving::default())
+    }
+
+    /// The same, with parts of rings left out as is said.
+    pub(super) fn leaving_out(
+        drawing: PlanarDrawing,
+        formula: &BooleanFormula,
+        request: &BooleanRequest,
+        leaving: Leaving,
+    ) -> Result<Self, Error> {
         drawing.check_regions()?;
         let region_count = drawing.regions.len();
         if formula.input_count() > region_count {
@@ -131,43 +142,21 @@ impl RegionBoolean {
             }
         };
         let walks = Walks::new(&drawing, snapped.as_ref());
-        let overlay = walks.overlay(&options)?;
-        let containment = containment(&drawing, &overlay, request.rule);
-        let crossings = match (request.rule, &snapped) {
-            (Some(_), _) => None,
-            (None, None) => crossings(&drawing, &overlay, &containment, request.strict)?,
-            // Rings that rounding turns inside out somewhere do not cross themselves as they were drawn.
-            (None, Some(_)) if crossed_rings(&drawing, &containment.windings).is_empty() => None,
-            (None, Some(_)) => {
-                let overlay = Walks::new(&drawing, None).overlay(&options)?;
-                let containment = self::containment(&drawing, &overlay, request.rule);
-                crossings(&drawing, &overlay, &containment, request.strict)?
-            }
+        let crowd = if snapped.is_some() || request.keep_walls {
+            None
+        } else {
+            Crowd::new(&drawing, &walks, formula, request.rule, &options, leaving)?
         };
-        let face_count = overlay.face_count();
-        let mut is_inside = vec![false; region_count];
-        let mut select = |face: usize| {
-            let regions = containment.regions.list(face);
-            regions.iter().for_each(|&region| is_inside[region as usize] = true);
-            let is_selected = formula.evaluate(|input| is_inside[input]);
-            regions.iter().for_each(|&region| is_inside[region as usize] = false);
-            is_selected
+        let Reading { mut found, cell_counts, containment, crossings } = match crowd {
+            Some(crowd) => Reading::of_crowd(crowd, &drawing, request)?,
+            None => Reading::new(&drawing, &walks, formula, request, snapped.is_some(), &options)?,
         };
-        let mut selected: Vec<bool> = (0..face_count).map(&mut select).collect();
-        selected.push(false);
-        let mut found = Outcome::new(
-            &overlay,
-            &selected,
-            request.keep_walls,
-            |source| walks.source(source),
-            |side| [walks.segment(side)],
-            [&containment.regions, &containment.features],
-        )?;
-        let cell_counts = overlay.f_vector();
         let snap_rounds = snapped.as_ref().map(SnappedArrangement::round_count);
-        let warnings = containment.warnings(&drawing);
-        let remarks = crossings.into_iter().chain(containment.remarks(&drawing)).chain(vanished).collect();
-        drop((overlay, walks));
+        let odd = containment.as_ref();
+        let warnings = odd.map_or_else(Vec::new, |containment| containment.warnings(&drawing));
+        let odd = odd.map_or_else(Vec::new, |containment| containment.remarks(&drawing));
+        let remarks = crossings.into_iter().chain(odd).chain(vanished).collect();
+        drop(walks);
         let mut movement = None;
         if (!found.is_valid || found.is_turned) && !request.exact {
             let (valid, settled) = found.settled()?;
@@ -540,8 +529,77 @@ impl RegionBoolean {
     }
 }
 
+/// What is read off an overlay.
+struct Reading {
+    found: Outcome,
+    cell_counts: [usize; 3],
+    /// What is odd about rings, if anything may be.
+    containment: Option<Containment>,
+    crossings: Option<Remark>,
+}
+
+impl Reading {
+    /// From all rings laid over each other.
+    fn new(
+        drawing: &PlanarDrawing,
+        walks: &Walks<'_>,
+        formula: &BooleanFormula,
+        request: &BooleanRequest,
+        is_snapped: bool,
+        options: &PlanarOptions,
+    ) -> Result<Self, Error> {
+        let overlay = walks.overlay(options)?;
+        let containment = containment(drawing, &overlay, request.rule);
+        let crossings = match (request.rule, is_snapped) {
+            (Some(_), _) => None,
+            (None, false) => crossings(drawing, &overlay, &containment, request.strict)?,
+            // Rings that rounding turns inside out somewhere do not cross themselves as they were drawn.
+            (None, true) if crossed_rings(drawing, &containment.windings).is_empty() => None,
+            (None, true) => {
+                let overlay = Walks::new(drawing, None).overlay(options)?;
+                let containment = self::containment(drawing, &overlay, request.rule);
+                crossings(drawing, &overlay, &containment, request.strict)?
+            }
+        };
+        let face_count = overlay.face_count();
+        let mut is_inside = vec![false; drawing.regions.len()];
+        let mut select = |face: usize| {
+            let regions = containment.regions.list(face);
+            regions.iter().for_each(|&region| is_inside[region as usize] = true);
+            let is_selected = formula.evaluate(|input| is_inside[input]);
+            regions.iter().for_each(|&region| is_inside[region as usize] = false);
+            is_selected
+        };
+        let mut selected: Vec<bool> = (0..face_count).map(&mut select).collect();
+        selected.push(false);
+        let found = Outcome::new(
+            &overlay,
+            &selected,
+            request.keep_walls,
+            |source| walks.source(source),
+            |side| [walks.segment(side)],
+            [&containment.regions, &containment.features],
+        )?;
+        Ok(Self { found, cell_counts: overlay.f_vector(), containment: Some(containment), crossings })
+    }
+
+    /// From the parts of rings that matter.
+    fn of_crowd(crowd: Crowd, drawing: &PlanarDrawing, request: &BooleanRequest) -> Result<Self, Error> {
+        let Crowd { found, cell_counts, invalid } = crowd;
+        let crossings = match (&invalid, request.rule) {
+            (Some((overlay, containment)), None) => crossings(drawing, overlay, containment, request.strict)?,
+            _ => None,
+        };
+        Ok(Self { found, cell_counts, containment: invalid.map(|(_, containment)| containment), crossings })
+    }
+}
+
 /// The regions around the faces of an overlay in which rings are regions.
-fn containment(drawing: &PlanarDrawing, overlay: &PlanarOverlay, rule: Option<InsideRule>) -> Containment {
+pub(super) fn containment(
+    drawing: &PlanarDrawing,
+    overlay: &PlanarOverlay,
+    rule: Option<InsideRule>,
+) -> Containment {
     let mut search = ContainmentSearch::new(drawing, rule, overlay.face_count());
     overlay.tour(|step| match step {
         Step::Into { face, across } => {

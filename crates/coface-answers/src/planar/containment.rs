@@ -51,13 +51,69 @@ impl Containment {
     }
 }
 
-/// What the face that a tour is in is inside of.
+/// What winding numbers of rings mean.
 ///
 /// A rule that is given holds for all rings; without one, drawings that state a rule keep it, and others wind when their number
 /// is not zero.
-pub(super) struct ContainmentSearch<'a> {
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fillings<'a> {
     drawing: &'a PlanarDrawing,
     rule: Option<InsideRule>,
+}
+
+impl<'a> Fillings<'a> {
+    pub(super) fn new(drawing: &'a PlanarDrawing, rule: Option<InsideRule>) -> Self {
+        Self { drawing, rule }
+    }
+
+    fn rule(&self) -> InsideRule {
+        self.rule.unwrap_or_default()
+    }
+
+    /// What is inside of a polygon by the rule that was asked for.
+    fn filling(&self, polygon: u32) -> Filling {
+        match (self.drawing.polygons[polygon as usize].filling, self.rule) {
+            (Filling::Stated(_), Some(rule)) => Filling::Stated(rule),
+            // This rule asks for the directions as they are.
+            (Filling::OuterWithoutHoles, Some(InsideRule::Positive)) => Filling::Stated(InsideRule::Positive),
+            (filling, _) => filling,
+        }
+    }
+
+    /// Whether what a ring winds around is taken out of its polygon.
+    fn is_hole(&self, ring: u32) -> bool {
+        let ring = self.drawing.rings[ring as usize];
+        ring.is_hole && self.filling(ring.polygon) == Filling::OuterWithoutHoles
+    }
+
+    /// Whether a point is inside of the rings of a polygon that are no holes, by how often these wind around it in sum.
+    pub(super) fn is_within(&self, polygon: u32, sum: i32) -> bool {
+        let rule = match self.filling(polygon) {
+            Filling::OuterWithoutHoles => self.rule(),
+            Filling::Stated(rule) => rule,
+            Filling::Lines => InsideRule::Odd,
+        };
+        rule.is_inside(sum)
+    }
+
+    /// Whether a point is inside of a polygon, by the winding numbers of its rings that are not zero.
+    pub(super) fn is_inside(&self, polygon: u32, windings: &[(u32, i32)]) -> bool {
+        let mut sum = 0;
+        for &(ring, winding) in windings {
+            if !self.is_hole(ring) {
+                sum += winding;
+            } else if self.rule().is_inside(winding) {
+                return false;
+            }
+        }
+        self.is_within(polygon, sum)
+    }
+}
+
+/// What the face that a tour is in is inside of.
+pub(super) struct ContainmentSearch<'a> {
+    drawing: &'a PlanarDrawing,
+    fillings: Fillings<'a>,
     winding: Vec<i32>,
     /// For each polygon: around how many holes and how often around the rest, or the sum of all winding numbers.
     holes: Vec<u32>,
@@ -81,7 +137,7 @@ impl<'a> ContainmentSearch<'a> {
         let ring_count = drawing.rings.len();
         Self {
             drawing,
-            rule,
+            fillings: Fillings::new(drawing, rule),
             winding: vec![0; ring_count],
             holes: vec![0; drawing.polygons.len()],
             sums: vec![0; drawing.polygons.len()],
@@ -96,38 +152,13 @@ impl<'a> ContainmentSearch<'a> {
         }
     }
 
-    fn rule(&self) -> InsideRule {
-        self.rule.unwrap_or_default()
-    }
-
     /// Whether the face is inside of the rings of a polygon that are no holes.
     fn is_within(&self, polygon: u32) -> bool {
-        let rule = match self.filling(polygon) {
-            Filling::OuterWithoutHoles => self.rule(),
-            Filling::Stated(rule) => rule,
-            Filling::Lines => InsideRule::Odd,
-        };
-        rule.is_inside(self.sums[polygon as usize])
+        self.fillings.is_within(polygon, self.sums[polygon as usize])
     }
 
     fn has_polygon(&self, polygon: u32) -> bool {
         self.is_within(polygon) && self.holes[polygon as usize] == 0
-    }
-
-    /// What is inside of a polygon by the rule that was asked for.
-    fn filling(&self, polygon: u32) -> Filling {
-        match (self.drawing.polygons[polygon as usize].filling, self.rule) {
-            (Filling::Stated(_), Some(rule)) => Filling::Stated(rule),
-            // This rule asks for the directions as they are.
-            (Filling::OuterWithoutHoles, Some(InsideRule::Positive)) => Filling::Stated(InsideRule::Positive),
-            (filling, _) => filling,
-        }
-    }
-
-    /// Whether what a ring winds around is taken out of its polygon.
-    fn is_hole(&self, ring: u32) -> bool {
-        let ring = self.drawing.rings[ring as usize];
-        ring.is_hole && self.filling(ring.polygon) == Filling::OuterWithoutHoles
     }
 
     /// The tour crosses a ring. Segments of no ring have numbers beyond the last.
@@ -138,8 +169,8 @@ impl<'a> ContainmentSearch<'a> {
         self.crossed.push(ring);
         let was_in = self.has_polygon(polygon);
         self.winding[ring as usize] += by;
-        if self.is_hole(ring) {
-            let rule = self.rule();
+        if self.fillings.is_hole(ring) {
+            let rule = self.fillings.rule();
             let [was, is] = [before, before + by].map(|winding| rule.is_inside(winding));
             self.holes[polygon as usize] += u32::from(is);
             self.holes[polygon as usize] -= u32::from(was);

@@ -18,6 +18,7 @@ mod boolean;
 mod canonical;
 mod containment;
 mod crossings;
+mod crowd;
 mod drawing;
 mod outcome;
 mod outline;

@@ -26,6 +26,15 @@ pub(super) struct Walks<'a> {
     segments: Vec<u32>,
 }
 
+/// The walks along some of the rings of a drawing.
+pub(super) struct RingWalks {
+    pub(super) corners: RaggedArray,
+    /// The ring of each walk.
+    pub(super) rings: Vec<u32>,
+    /// The segment of the drawing along each side of the walks.
+    pub(super) segments: Vec<u32>,
+}
+
 struct Snapped<'a> {
     arrangement: &'a SnappedArrangement,
     /// The edges along each segment of the drawing.
@@ -85,6 +94,22 @@ impl<'a> Walks<'a> {
             None => &self.drawing.positions,
         };
         PlanarOverlay::without_windings(positions, &self.corners, &self.rings, options)
+    }
+
+    /// The walks along rings alone, of those rings that are wanted.
+    pub(super) fn along_rings(&self, is_wanted: impl Fn(u32) -> bool) -> RingWalks {
+        let ring_count = self.drawing.rings.len() as u32;
+        let mut found = RingWalks { corners: RaggedArray::new(), rings: Vec::new(), segments: Vec::new() };
+        for (walk, &ring) in
+            self.rings.iter().enumerate().filter(|(_, ring)| **ring < ring_count && is_wanted(**ring))
+        {
+            let first = self.corners.start(walk);
+            let corners = self.corners.list(walk);
+            found.corners.push(corners);
+            found.rings.push(ring);
+            found.segments.extend_from_slice(&self.segments[first..first + corners.len()]);
+        }
+        found
     }
 
     /// The segment of the drawing along a side of the walks.

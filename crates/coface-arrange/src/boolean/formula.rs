@@ -21,8 +21,9 @@ pub struct BooleanFormula {
     input_count: usize,
 }
 
+/// An input, or an operator on what comes before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Step {
+pub(super) enum Step {
     Input(u32),
     Complement,
     Intersection,
@@ -228,6 +229,11 @@ impl BooleanFormula {
     /// ```
     pub fn evaluate(&self, input: impl Fn(usize) -> bool) -> bool {
         self.evaluate_on(&mut Vec::new(), input)
+    }
+
+    /// The steps, operands before their operators.
+    pub(super) fn steps(&self) -> &[Step] {
+        &self.steps
     }
 
     /// The same with a stack to use again.

@@ -12,6 +12,7 @@
 mod formula;
 mod generalized_winding;
 mod input_rim;
+mod partial_values;
 mod pinches;
 mod selection;
 mod selection_mesh;
@@ -20,6 +21,7 @@ mod winding;
 pub use formula::BooleanFormula;
 pub use generalized_winding::{generalized_winding_numbers, point_inside};
 pub use input_rim::InputRim;
+pub use partial_values::PartialValues;
 pub use selection::{CellSelection, SelectionBoundary};
 pub use selection_mesh::SelectionMesh;
 pub use winding::{InsideRule, WindingNumbers};

@@ -43,10 +43,10 @@ pub use gift_wrapped_faces::gift_wrapped_faces;
 pub use options::PlanarOptions;
 #[doc(hidden)]
 pub use overlay::RingCells;
-#[doc(hidden)]
-pub use overlay::turned_rings;
 pub use overlay::{ChainEdges, JordanFault, JordanRings, RingFault};
-pub use overlay::{PlanarOverlay, PlanarPolygons, are_valid_polygons};
+pub use overlay::{PlanarOverlay, PlanarPolygons, UndecidedRings, UndecidedSelection, are_valid_polygons};
+#[doc(hidden)]
+pub use overlay::{is_simple_ring, turned_rings};
 pub use polygon_faults::{PolygonFault, PolygonFaultKind, polygon_faults};
 pub use regions::PlanarRegions;
 pub use rounding::{RoundingCertificate, SnappedArrangement};

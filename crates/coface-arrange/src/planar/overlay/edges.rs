@@ -2,6 +2,8 @@
 
 use super::PlanarOverlay;
 use super::ring_cells::RingCells;
+use coface_geometry::predicates::{PlanarLine, PlanarPoint};
+use rayon::prelude::*;
 
 impl PlanarOverlay {
     /// Edges, faces and winding numbers.
@@ -56,5 +58,45 @@ impl PlanarOverlay {
                 is_a_along == is_b_along && next(from) == to
             })
         })
+    }
+
+    /// The regions of rings that have a side along an edge which is no chord. A region comes several times where
+    /// several of its rings run along the edge.
+    #[doc(hidden)]
+    pub fn edge_numbers(&self, edge: u32) -> impl Iterator<Item = u32> + '_ {
+        let chains = self.cells.edges.chains.list(edge as usize).iter().copied();
+        let is_given = |chain: &u32| {
+            let own = self.chains.chain(&self.rings, *chain);
+            !self.is_chord(own.sides[0])
+                || own.corners(&self.rings).into_iter().flatten().any(|side| !self.is_chord(side))
+        };
+        chains.filter(is_given).map(|chain| self.regions[self.chains.ring_of(&self.rings, chain) as usize])
+    }
+
+    /// The first and the last straight part of an edge, in its direction: each with the side that it is on and its
+    /// ends, rounded. There is one alone where the edge has no corners.
+    pub(super) fn straight_parts(&self, edge: u32) -> [Option<(PlanarLine, [[f64; 2]; 2])>; 2] {
+        let parts = self.parts();
+        let nodes = self.cells.edges.ends[edge as usize].map(|node| parts.rounded_node(node));
+        let [first, [b, a]] = [2 * edge, 2 * edge + 1].map(|halfedge| parts.departure(halfedge));
+        if parts.first_chain(edge).corner_count == 0 {
+            return [Some((first, nodes)), None];
+        }
+        [Some((first, [nodes[0], first[1]])), Some(([a, b], [a, nodes[1]]))]
+    }
+
+    /// The faces that points lie in, or that end at them; `None` for the unbounded one.
+    #[doc(hidden)]
+    pub fn faces_at(&self, points: &[[f64; 2]]) -> Vec<Option<u32>> {
+        if points.is_empty() {
+            return Vec::new();
+        }
+        let (tree, parts) = (self.rings.soup.tree(), self.parts());
+        let face = |&point: &[f64; 2]| {
+            let below = parts.halfedge_below(&tree, PlanarPoint::given(point))?;
+            let face = self.cells.face(below);
+            ((face as usize) < self.face_count()).then_some(face)
+        };
+        points.par_iter().with_min_len(16).map(face).collect()
     }
 }

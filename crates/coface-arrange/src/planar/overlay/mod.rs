@@ -19,6 +19,7 @@ mod regions;
 mod ring_cells;
 mod ring_nesting;
 mod tracing;
+mod undecided;
 mod validity;
 
 #[doc(hidden)]
@@ -33,6 +34,9 @@ pub use ring_cells::ChainEdges;
 pub use ring_cells::RingCells;
 #[doc(hidden)]
 pub use ring_nesting::RingFault;
+pub use undecided::{UndecidedRings, UndecidedSelection};
 pub use validity::are_valid_polygons;
+#[doc(hidden)]
+pub use validity::is_simple_ring;
 #[doc(hidden)]
 pub use validity::turned_rings;

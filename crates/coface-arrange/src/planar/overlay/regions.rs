@@ -53,6 +53,8 @@ pub struct PlanarOverlay {
     pub(super) regions: Vec<u32>,
     /// The lexicographically lowest corner of each edge between its ends.
     pub(super) lowest_corners: Vec<u32>,
+    /// Whether each side is there to close a ring only; nothing if none is.
+    chords: Vec<bool>,
 }
 
 impl std::fmt::Debug for PlanarOverlay {
@@ -141,10 +143,30 @@ impl PlanarOverlay {
         regions: &[u32],
         options: &PlanarOptions,
     ) -> Result<Self, Error> {
+        Self::with_chords(positions, rings, regions, options, &[])
+    }
+
+    /// The same with sides that are there to close rings only, by their places in the lists of all rings together: no
+    /// selection comes from them.
+    pub(super) fn with_chords(
+        positions: &Positions,
+        rings: &RaggedArray,
+        regions: &[u32],
+        options: &PlanarOptions,
+        is_chord: &[bool],
+    ) -> Result<Self, Error> {
         check(positions, rings, regions)?;
         let rings = Rings::new(positions, rings);
         let tree = rings.soup.tree();
-        let meetings = Meetings::of(&rings.soup, &tree, options)?;
+        let mut meetings = Meetings::of(&rings.soup, &tree, options)?;
+        let is_chord = |&place: &u32| is_chord.get(place as usize).copied().unwrap_or(false);
+        let mut chords: Vec<bool> = rings.places.iter().map(is_chord).collect();
+        if chords.contains(&true) {
+            // Of crossings at one place the first is what the place comes from.
+            meetings.crossings.sort_by_key(|own| own.segments.iter().any(|&side| chords[side as usize]));
+        } else {
+            chords = Vec::new();
+        }
         if meetings.crossings.len() + rings.points.len() >= 1 << 31 {
             return Err(Error::new(ErrorKind::TooLarge, "more than 2^31 corners and crossings")
                 .with_cure("lay the regions over each other in parts"));
@@ -180,7 +202,7 @@ impl PlanarOverlay {
         let regions: Vec<u32> = rings.numbers.iter().map(|&ring| regions[ring as usize]).collect();
         let region_count = regions.iter().max().map_or(0, |&last| last as usize + 1);
         let cells = RingCells { edges, orbits, faces, windings: Windings::default() };
-        let found = Self { rings, region_count, crossings, chains, cells, regions, lowest_corners };
+        let found = Self { rings, region_count, crossings, chains, cells, regions, lowest_corners, chords };
         if options.max_cells.is_some() {
             options.check(found.f_vector().iter().sum(), "in all")?;
         }
@@ -291,6 +313,11 @@ impl PlanarOverlay {
         }
     }
 
+    /// Whether a side, by its number among those with a length, is there to close a ring only.
+    pub(super) fn is_chord(&self, side: u32) -> bool {
+        self.chords.get(side as usize).copied().unwrap_or(false)
+    }
+
     /// Points where rings of a region meet each other or themselves, at most so many: those where two of their sides
     /// cross before the others, the lowest first.
     #[doc(hidden)]
@@ -378,7 +405,7 @@ fn check(positions: &Positions, rings: &RaggedArray, regions: &[u32]) -> Result<
 pub(super) struct Parts<'a> {
     rings: &'a Rings,
     crossings: &'a [Crossing],
-    chains: &'a Chains,
+    pub(super) chains: &'a Chains,
     edges: &'a ChainEdges,
 }
 
@@ -490,7 +517,7 @@ impl<'a> Parts<'a> {
     }
 
     /// The halfedge directly below a point, with the point on its left.
-    fn halfedge_below(&self, tree: &SegmentTree, from: PlanarPoint) -> Option<u32> {
+    pub(super) fn halfedge_below(&self, tree: &SegmentTree, from: PlanarPoint) -> Option<u32> {
         Ray { from }.first_below(tree, |side| {
             let [a, b] = self.rings.soup.line(side);
             let is_right = a[0] < b[0];

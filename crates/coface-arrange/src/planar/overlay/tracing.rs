@@ -324,7 +324,9 @@ impl<'a> Writer<'a> {
                 self.parts.end_side(chain, is_end == along)
             })
         };
-        sides(before, true).any(|side| sides(halfedge, false).any(|other| other == side))
+        sides(before, true)
+            .filter(|&side| !self.overlay.is_chord(side))
+            .any(|side| sides(halfedge, false).any(|other| other == side))
     }
 
     /// The sides along the start of a halfedge go with the last edge, if they do not yet.

@@ -1,7 +1,9 @@
 //! Whether polygons with holes are valid as they are drawn.
 
 use super::PlanarOverlay;
+use super::chains::Rings;
 use crate::planar::PlanarOptions;
+use crate::planar::crossings::Meetings;
 use crate::planar::tour::Step;
 use coface_algebra::{Error, RaggedArray, UnionFind};
 use coface_geometry::Positions;
@@ -65,6 +67,22 @@ pub fn are_valid_polygons(
         && overlay.has_simple_edges(shares_edges)
         && overlay.winds_once(polygons.len())
         && overlay.touches_apart(&polygon_of_ring))
+}
+
+/// Whether a ring has three corners or more and no point twice.
+#[doc(hidden)]
+pub fn is_simple_ring(positions: &Positions, ring: &[u32]) -> bool {
+    let mut one = RaggedArray::new();
+    one.push(ring);
+    let rings = Rings::new(positions, &one);
+    let Ok(meetings) = Meetings::of(&rings.soup, &rings.soup.tree(), &PlanarOptions::default()) else {
+        return false;
+    };
+    rings.points.len() > 2
+        && meetings.crossings.is_empty()
+        && meetings.touches.is_empty()
+        && meetings.equal_points.is_empty()
+        && meetings.collinear.is_empty()
 }
 
 /// For each ring whether it runs the other way than outer rings, which run counterclockwise, or holes, which run clockwise.
