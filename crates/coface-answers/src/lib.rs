@@ -12,6 +12,7 @@
 pub mod answer;
 mod cocycles;
 mod congruence;
+mod editing;
 mod facts;
 mod groups;
 mod homology;
@@ -31,6 +32,7 @@ pub use cocycles::{
     CocyclesRequest, FoundCocycles, GivenCochain, SurfaceCocycles, surface_harmonic_forms, tested_cochain,
 };
 pub use congruence::{BlockRule, CongruenceRequest, ModelCongruence};
+pub use editing::{CellName, Edit, EditLog, EditRecord, EditorState, SurfaceEditor};
 pub use facts::{
     Answer, BoundaryPart, DataSummary, DrawnFault, DrawnPlace, DrawnPolygons, GeometryCheck, GeometryFacts,
     GeometryUnchecked, GroupSummary, Kind, Moment, Problem, ProblemKind, Report, ReportRequest, Skin,
@@ -50,7 +52,8 @@ pub use planar::{
 };
 pub use producer::{CellNames, OrderedSimplices, Pair, Producer, Term};
 pub use repair::{
-    RepairRequest, SurfaceRepair, SurfaceRepairRequest, repaired, repaired_surface, triangulated,
+    RepairRequest, SurfaceRepair, SurfaceRepairRequest, dual_graph_model, dual_model, halfedge_model,
+    polygon_model, repaired, repaired_surface, triangulated,
 };
 pub use simplices::{model_of_simplices, simplicial_complex};
 pub use spatial::{

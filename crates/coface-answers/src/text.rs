@@ -59,6 +59,14 @@ fn page_of(name: &str, format: &str, report: &Report, limit: usize) -> Page {
     for [name, cycles, gloss] in &report.permutations {
         page.fact(name, PLAIN, cycles, gloss);
     }
+    for (i, row) in report.halfedges().iter().enumerate() {
+        let label = if i == 0 { "halfedges" } else { "" };
+        let pointed = format!("h{}: next h{}, twin h{}", row.halfedge, row.next, row.twin);
+        let face = if row.outer { "outer face" } else { "face" };
+        let gloss =
+            format!("from v{} to v{}, edge e{}, {face} f{}", row.source, row.target, row.edge, row.face);
+        page.fact(label, PLAIN, &pointed, &gloss);
+    }
     problems(&mut page, report, limit);
     page
 }
@@ -497,15 +505,23 @@ fn boundary(page: &mut Page, report: &Report, limit: usize) {
     }
     page.fact("boundary", PLAIN, &count(loops.len(), "loop"), "of edges that lie in one face only");
     for (i, part) in loops.iter().enumerate().take(limit) {
-        let first: Vec<String> = part.vertices().iter().take(6).map(|vertex| format!("v{vertex}")).collect();
-        let more = if part.vertices().len() > first.len() { " .." } else { "" };
-        let several = if part.is_simple() { "" } else { " (not a simple loop)" };
-        page.fact(
-            "",
-            PLAIN,
-            &format!("loop {}: {}{several}", i + 1, count(part.edge_count(), "edge")),
-            &format!("{}{more}", first.join(" ")),
-        );
+        let along = |vertices: &[u32]| {
+            let first: Vec<String> = vertices.iter().take(6).map(|vertex| format!("v{vertex}")).collect();
+            let more = if vertices.len() > first.len() { " .." } else { "" };
+            format!("{}{more}", first.join(" "))
+        };
+        let label = format!("loop {}: {}", i + 1, count(part.edge_count(), "edge"));
+        if part.is_simple() {
+            page.fact("", PLAIN, &label, &along(part.vertices()));
+            continue;
+        }
+        let walks = part.walks();
+        page.fact("", PLAIN, &label, &format!("{} that touch", count(walks.len(), "walk")));
+        for walk in walks.iter().take(limit) {
+            let value = format!("  {}", count(walk.len() - 1, "edge"));
+            page.fact("", PLAIN, &value, &along(walk));
+        }
+        more_of(page, INDENT, walks.len(), limit, "walk");
     }
     more_of(page, INDENT, loops.len(), limit, "loop");
 }

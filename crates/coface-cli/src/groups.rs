@@ -123,7 +123,7 @@ pub(crate) fn facts_of_walks(walks: &[WalkAnswer], pairs: &[WalkPair], limit: us
             (false, true) => format!("bounds, but cannot be contracted: {word}"),
             (false, false) => format!("does not bound: {word}"),
         };
-        facts.push(fact(format!("walk {i}"), verdict));
+        facts.push(fact(format!("walk {}", i + 1), verdict));
     }
     if walks.len() > limit {
         facts.push(fact(String::new(), format!("and {} more walks (--all prints all)", walks.len() - limit)));
@@ -135,7 +135,7 @@ pub(crate) fn facts_of_walks(walks: &[WalkAnswer], pairs: &[WalkPair], limit: us
             (_, _, true) => "homologous, but not homotopic",
             _ => "not homologous",
         };
-        let [i, j] = pair.walks;
+        let [i, j] = pair.walks.map(|walk| walk + 1);
         facts.push(fact(format!("walks {i}, {j}"), verdict.to_owned()));
     }
     if pairs.len() > limit {

@@ -9,6 +9,7 @@ use coface_algebra::{Error, VertexId};
 use coface_complexes::cell_mesh::CellShape;
 use coface_complexes::cubical::CubicalVolume;
 use coface_complexes::gluing::GluingTable;
+use coface_complexes::surface::HalfedgePermutations;
 use coface_geometry::{PartialPositions, Positions};
 
 /// What a file held: vertices with or without positions, polygons, 3-cells, lines, points, named groups, named data, or
@@ -101,12 +102,15 @@ impl ModelParts {
 pub enum Structure {
     /// Simplices of any dimension by their vertices; all faces are meant to be there too.
     Facets(RaggedArray),
-    /// A surface as two permutations of its halfedges `0..next.len()`.
+    /// A surface as two permutations of its halfedges `0..next.len()`. Vertices are the orbits of "twin, then next", faces
+    /// those of `next`, both numbered by their smallest halfedges.
     Halfedges {
         /// The next halfedge around the face.
         next: Vec<u32>,
         /// The other halfedge of the edge.
         twin: Vec<u32>,
+        /// The faces that are outer: they fill the boundary loops.
+        outer: Vec<u32>,
     },
     /// Boundary matrices.
     Chains(ChainComplex),
@@ -345,6 +349,37 @@ impl Model {
                 .with_cure("give each cell of degree 0 one point"));
         }
         let structure = Some(Structure::Chains(complex));
+        Ok(Self { vertex_count: points, positions, structure, ..Self::default() })
+    }
+
+    /// A surface of halfedges, with the positions of its vertices, or none.
+    ///
+    /// # Errors
+    /// [`coface_algebra::ErrorKind::InvalidInput`] unless there are as many positions as vertices, or none.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::surface::HalfedgePermutations;
+    /// use coface_geometry::Positions;
+    /// use coface_io::Model;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = || HalfedgePermutations::with_boundary(&[1, 2, 0], &[None; 3]);
+    /// let corners = Positions::from_flat(2, vec![0.0, 0.0, 1.0, 0.0, 0.0, 1.0])?;
+    /// assert_eq!(Model::from_halfedges(triangle()?, corners)?.vertex_count(), 3);
+    /// assert!(Model::from_halfedges(triangle()?, Positions::from_flat(1, vec![0.0])?).is_err());
+    /// # Ok(()) }
+    /// ```
+    pub fn from_halfedges(permutations: HalfedgePermutations, positions: Positions) -> Result<Self, Error> {
+        let points = positions.len();
+        if !positions.is_empty() {
+            let vertices = permutations.mesh()?.vertex_count();
+            if points != vertices {
+                return Err(Error::invalid(format!("there are {points} points for {vertices} vertices"))
+                    .with_cure("give each orbit of \"twin, then next\" one point"));
+            }
+        }
+        let (next, twin, outer) = permutations.into_parts();
+        let structure = Some(Structure::Halfedges { next, twin, outer });
         Ok(Self { vertex_count: points, positions, structure, ..Self::default() })
     }
 

@@ -25,6 +25,8 @@ use coface::algebra::RaggedArray;
 use coface::answers::{repaired, simplicial_complex, triangulated};
 use coface::complexes::cell_mesh::CellShape;
 use coface::complexes::gluing::GluingTable;
+use coface::complexes::surface::HalfedgePermutations;
+use coface::geometry::Positions;
 use coface::io::{self, CellData, Format, Group, Structure};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
@@ -182,7 +184,11 @@ impl Model {
     /// next : array_like of int
     ///     The next halfedge around the face.
     /// twin : array_like of int, optional
-    ///     The other halfedge of the edge; ``h ^ 1`` if left out.
+    ///     The other halfedge of the edge; ``h ^ 1`` if left out. ``None`` or -1 on the boundary, where there is none.
+    /// outer : array_like of int, optional
+    ///     The faces that fill boundary loops: orbits of ``next``, numbered by their smallest halfedges.
+    /// vertices : array_like of float, optional
+    ///     The position of each vertex: orbits of "twin, then next", numbered by their smallest halfedges.
     ///
     /// Returns
     /// -------
@@ -197,18 +203,38 @@ impl Model {
     /// >>> coface.Model.from_halfedges([2, 3, 1, 0]).report().name
     /// 'torus'
     #[staticmethod]
-    #[pyo3(signature = (next, twin=None))]
+    #[pyo3(signature = (next, twin=None, *, outer=None, vertices=None))]
     fn from_halfedges(
         py: Python<'_>,
         next: &Bound<'_, PyAny>,
         twin: Option<&Bound<'_, PyAny>>,
+        outer: Option<&Bound<'_, PyAny>>,
+        vertices: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         let next = arrays::ids(next, "next")?;
-        let twin = match twin {
-            Some(twin) => arrays::ids(twin, "twin")?,
-            None => (0..next.len() as u32).map(|halfedge| halfedge ^ 1).collect(),
+        let twins: Vec<Option<i64>> = match twin {
+            Some(twin) => twin.try_iter()?.map(|one| one?.extract()).collect::<PyResult<_>>()?,
+            None => (0..next.len() as i64).map(|halfedge| Some(halfedge ^ 1)).collect(),
         };
-        let model = io::Model::from_structure(Structure::Halfedges { next, twin });
+        let outer = outer.map_or(Ok(Vec::new()), |outer| arrays::ids(outer, "outer"))?;
+        let is_bare =
+            |(h, twin): (usize, &Option<i64>)| twin.is_none_or(|twin| twin == -1 || twin == h as i64);
+        let number = |twin: Option<i64>| twin.map(|twin| u32::try_from(twin).unwrap_or(u32::MAX));
+        let permutations = if twins.iter().enumerate().any(is_bare) {
+            let twins: Vec<Option<u32>> =
+                twins.into_iter().map(|twin| number(twin.filter(|&twin| twin != -1))).collect();
+            let (next, twin, mut all) =
+                HalfedgePermutations::with_boundary(&next, &twins).or_raise(py)?.into_parts();
+            all.extend(outer);
+            HalfedgePermutations::new(next, twin, all)
+        } else {
+            HalfedgePermutations::new(next, twins.into_iter().filter_map(number).collect(), outer)
+        };
+        let positions = match vertices {
+            Some(vertices) => arrays::positions(vertices, "vertices")?,
+            None => Positions::default(),
+        };
+        let model = io::Model::from_halfedges(permutations.or_raise(py)?, positions).or_raise(py)?;
         let source = Source::new(model);
         source.producer().or_raise(py)?;
         Ok(Self { source })

@@ -17,14 +17,16 @@ use coface::algebra::chains::Cochain;
 use coface::algebra::{Integer, Sign};
 use coface::answers::answer::{EdgeWeights, WholeNumber};
 use coface::answers::{
-    CutRequest, LayoutChoice, Producer, SurfaceCocycles, SurfaceModel, surface_harmonic_forms,
+    CellName, CutRequest, Edit, LayoutChoice, Producer, SurfaceCocycles, SurfaceEditor, SurfaceModel,
+    surface_harmonic_forms,
 };
 use coface::complexes::surface::{GeneralizedMap, SurfaceType};
+use coface::io::Structure;
 use coface::topology::{
     ClosedWalk, CoverExtent, CycleKind, HarmonicForm, ShortestCycle, SurfaceHomology, SurfaceHomotopy,
     TreeCotree, shortest_cycle, shortest_cycle_through, shortest_homology_basis, shortest_loops,
 };
-use coface::{Error, ErrorKind, FaceId, Fault, HalfedgeId, VertexId};
+use coface::{EdgeId, Error, ErrorKind, FaceId, Fault, HalfedgeId, VertexId};
 use numpy::{PyArray1, PyArrayMethods};
 use opened::BasisAnswer;
 use pyo3::prelude::*;
@@ -72,6 +74,8 @@ pub(crate) struct Surface {
     surface: Arc<SurfaceModel>,
     source: Arc<Source>,
     of_boundary: bool,
+    /// What was done to it, if it was edited.
+    editor: Option<Arc<SurfaceEditor>>,
 }
 
 /// Why the model is no surface, with the cure in Python.
@@ -108,7 +112,12 @@ pub(crate) fn surface_of(
             if boundary && is_volume { SurfaceModel::boundary_of(model) } else { SurfaceModel::of(model) };
         made.map_err(|error| explained(error, is_volume))
     })?;
-    Ok(Surface { surface: Arc::new(surface), source: Arc::clone(source), of_boundary: boundary && is_volume })
+    Ok(Surface {
+        surface: Arc::new(surface),
+        source: Arc::clone(source),
+        of_boundary: boundary && is_volume,
+        editor: None,
+    })
 }
 
 impl Surface {
@@ -127,6 +136,37 @@ impl Surface {
 
     fn walk_numbers(&self, walk: &ClosedWalk) -> Vec<u32> {
         walk.vertices(self.map().skeleton()).into_iter().map(|vertex| self.surface.number(vertex)).collect()
+    }
+
+    /// An edge of the surface as the editor names it.
+    fn cell(&self, given: &Bound<'_, PyAny>, is_halfedge: bool) -> PyResult<CellName> {
+        let Ok(number) = given.extract::<usize>() else { return Ok(CellName::Ends(given.extract()?)) };
+        let is_abstract = matches!(self.source.model.structure(), Some(Structure::Halfedges { .. }));
+        // The edges of polygons are numbered otherwise than in the mesh that is edited.
+        let edge = if is_halfedge { number / 2 } else { number };
+        if is_abstract || edge >= self.map().edge_count() {
+            return Ok(CellName::of(number));
+        }
+        let [a, b] = self.surface.edge_numbers(EdgeId::new(edge)).map(|end| end as usize);
+        Ok(CellName::Ends(if is_halfedge && number % 2 == 1 { [b, a] } else { [a, b] }))
+    }
+
+    /// The surface after an edit.
+    fn edited(
+        &self,
+        py: Python<'_>,
+        change: impl FnOnce(&mut SurfaceEditor) -> Result<(), Error>,
+    ) -> PyResult<Self> {
+        let mut editor = match &self.editor {
+            Some(editor) => SurfaceEditor::clone(editor),
+            None if self.of_boundary => {
+                SurfaceEditor::new(self.surface.to_model().or_raise(py)?).or_raise(py)?
+            }
+            None => SurfaceEditor::new(self.source.model.clone()).or_raise(py)?,
+        };
+        change(&mut editor).or_raise(py)?;
+        let source = Source::new(editor.model().or_raise(py)?);
+        Ok(Self { editor: Some(Arc::new(editor)), ..surface_of(py, &source, false, None)? })
     }
 
     fn naming(&self) -> Option<Naming> {
@@ -297,6 +337,8 @@ impl Surface {
     ///     How often every seam is made shorter.
     /// base : int, optional
     ///     The vertex that the graph is grown from.
+    /// roles : bool
+    ///     Whether ``roles`` is wanted: which edges are in the spanning tree, which the tree of faces crosses, and which close generators.
     /// progress : bool or callable, optional
     ///     ``True`` shows a bar; a function is called with (stage, done, total).
     ///
@@ -311,7 +353,8 @@ impl Surface {
     /// >>> domain = coface.generate("torus", columns=5, rows=4).surface().cut()
     /// >>> domain.components[0]["euler_characteristic"]
     /// 1
-    #[pyo3(signature = (along=None, *, simplify=false, rounds=None, base=None, progress=None))]
+    #[pyo3(signature = (along=None, *, simplify=false, rounds=None, base=None, roles=false, progress=None))]
+    #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
     fn cut(
         &self,
         py: Python<'_>,
@@ -319,6 +362,7 @@ impl Surface {
         simplify: bool,
         #[pyo3(from_py_with = whole_or_none)] rounds: Option<usize>,
         base: Option<u32>,
+        roles: bool,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Domain> {
         let along = along.map(|path| arrays::ids(path, "the path")).transpose()?;
@@ -327,12 +371,98 @@ impl Surface {
                 Some(path) => self.surface.cut_along(path)?,
                 None => {
                     let base = base.map(|base| self.surface.vertex_numbered(base)).transpose()?;
-                    self.surface.cut_open(&CutRequest { simplify, rounds, base })?
+                    self.surface.cut_open(&CutRequest { simplify, rounds, base, roles })?
                 }
             };
             Ok((cut.answer(), cut.model()?))
         })?;
         Ok(Domain { answer, model: Py::new(py, Model::of(model))? })
+    }
+
+    /// The surface with an edge turned by one corner counterclockwise: between two triangles, the other diagonal.
+    ///
+    /// Edges are given by their numbers or by their ends, ``(3, 5)``. Surfaces do not change: each edit gives a new one. :attr:`edits` has
+    /// what was done, and :meth:`undo` takes it back.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> square = coface.Model.from_facets([[0, 1, 2], [0, 2, 3]]).surface()
+    /// >>> flipped = square.flip_edge((0, 2))
+    /// >>> flipped.edits[0]["inverse"][0]["op"], flipped.undo().f_vector == square.f_vector
+    /// ('flip_edge_back', True)
+    fn flip_edge(&self, py: Python<'_>, edge: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let edge = self.cell(edge, false)?;
+        self.edited(py, |editor| editor.apply(&Edit::FlipEdge { edge }).map(drop))
+    }
+
+    /// The surface with an edge turned by one corner clockwise: the inverse of :meth:`flip_edge`.
+    fn flip_edge_back(&self, py: Python<'_>, edge: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let edge = self.cell(edge, false)?;
+        self.edited(py, |editor| editor.apply(&Edit::FlipEdgeBack { edge }).map(drop))
+    }
+
+    /// The surface with a vertex in the middle of an edge; the inverse is :meth:`remove_vertex`.
+    fn split_edge(&self, py: Python<'_>, edge: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let edge = self.cell(edge, false)?;
+        self.edited(py, |editor| editor.apply(&Edit::SplitEdge { edge }).map(drop))
+    }
+
+    /// The surface without a vertex that has exactly two edges, which become one.
+    fn remove_vertex(&self, py: Python<'_>, vertex: usize) -> PyResult<Self> {
+        self.edited(py, |editor| editor.apply(&Edit::RemoveVertex { vertex }).map(drop))
+    }
+
+    /// The surface with a face split by an edge between the sources of two of its halfedges, each given by its number or as ``(from, to)``.
+    fn split_face(&self, py: Python<'_>, start: &Bound<'_, PyAny>, end: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let (from, to) = (self.cell(start, true)?, self.cell(end, true)?);
+        self.edited(py, |editor| editor.apply(&Edit::SplitFace { from, to }).map(drop))
+    }
+
+    /// The surface without an edge between two faces, which become one; the inverse is :meth:`split_face`.
+    fn remove_edge(&self, py: Python<'_>, edge: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let edge = self.cell(edge, false)?;
+        self.edited(py, |editor| editor.apply(&Edit::RemoveEdge { edge }).map(drop))
+    }
+
+    /// The surface with a vertex drawn out to an edge, between the corners of two halfedges that leave it.
+    fn split_vertex(
+        &self,
+        py: Python<'_>,
+        start: &Bound<'_, PyAny>,
+        end: &Bound<'_, PyAny>,
+    ) -> PyResult<Self> {
+        let (from, to) = (self.cell(start, true)?, self.cell(end, true)?);
+        self.edited(py, |editor| editor.apply(&Edit::SplitVertex { from, to }).map(drop))
+    }
+
+    /// The surface with an edge contracted to a vertex: its faces lose a side each. The inverse of :meth:`split_vertex`.
+    fn contract_edge(&self, py: Python<'_>, edge: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let edge = self.cell(edge, false)?;
+        self.edited(py, |editor| editor.apply(&Edit::ContractEdge { edge }).map(drop))
+    }
+
+    /// The surface with an edge and the triangles beside it collapsed, where it stays a simplicial complex.
+    fn collapse_edge(&self, py: Python<'_>, edge: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let edge = self.cell(edge, false)?;
+        self.edited(py, |editor| editor.apply(&Edit::CollapseEdge { edge }).map(drop))
+    }
+
+    /// The surface with a vertex inside a face, joined to each corner.
+    fn poke_face(&self, py: Python<'_>, face: usize) -> PyResult<Self> {
+        self.edited(py, |editor| editor.apply(&Edit::PokeFace { face }).map(drop))
+    }
+
+    /// The surface before its last edits, with the same numbers.
+    #[pyo3(signature = (count=1))]
+    fn undo(&self, py: Python<'_>, #[pyo3(from_py_with = whole)] count: usize) -> PyResult<Self> {
+        self.edited(py, |editor| editor.undo(count))
+    }
+
+    /// What was done to the surface: each edit with its ``inverse``.
+    #[getter]
+    fn edits<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.editor.as_ref().map_or(&[][..], |editor| editor.records()))
     }
 
     /// The universal cover of a component, as far as it is asked for.

@@ -160,6 +160,7 @@ impl RowAnswer {
             geometry,
             warnings,
             polygons,
+            halfedges: _,
             remarks: _,
         } = answer;
         Self {

@@ -1,6 +1,6 @@
 //! The answer of `cut`: surfaces cut open.
 
-use super::Remark;
+use super::{Place, Remark, RemarkCode, TreesAnswer};
 use crate::{CutComponent, SurfaceCut};
 use coface_algebra::Word;
 use schemars::JsonSchema;
@@ -20,6 +20,9 @@ pub struct CutAnswer {
     pub components: Vec<CutPiece>,
     /// The numbers of vertices, edges and faces of all pieces together.
     pub f_vector: Vec<usize>,
+    /// What each edge is in the tree-cotree decomposition; absent unless it was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub roles: Option<TreesAnswer>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,
 }
@@ -71,8 +74,12 @@ pub struct FundamentalDomain {
 pub struct SeamAnswer {
     /// The number among all seams, counted from 1.
     pub number: usize,
-    /// `handle`, `crosscap`, `join` or `slit`.
+    /// `handle`: with the others of this kind it opens the handles of an orientable component; `crosscap`: with the others it opens the
+    /// cross-caps of one that is not orientable; `join`, `slit`.
     pub kind: String,
+    /// What the disk becomes when it is glued together again at this seam alone: `annulus` or `moebius`.
+    #[serde(default)]
+    pub glued: String,
     /// The number of its edges.
     pub edges: usize,
     /// Its length in the unit of the file; `null` without positions.
@@ -105,8 +112,26 @@ impl SurfaceCut<'_> {
                 .then(|| CutPath { kind: self.seams()[0].kind().to_owned(), edges: self.edges().len() }),
             components: self.components().iter().map(|component| self.piece(component)).collect(),
             f_vector: self.f_vector(),
-            remarks: Vec::new(),
+            roles: self.roles().cloned(),
+            remarks: self.remarks(),
         }
+    }
+
+    /// What the components leave out.
+    pub(crate) fn remarks(&self) -> Vec<Remark> {
+        let isolated = self.isolated_vertices();
+        if isolated.is_empty() {
+            return Vec::new();
+        }
+        let few: Vec<String> = isolated.iter().take(10).map(u32::to_string).collect();
+        let more = if isolated.len() > few.len() { ", .." } else { "" };
+        let vertices = crate::text::count(isolated.len(), "isolated vertex");
+        let message = format!(
+            "{vertices} in no face: no component has them, and nothing is cut there ({}{more})",
+            few.join(", ")
+        );
+        let places = isolated.iter().take(10).map(|&vertex| Place::cell(&[vertex]));
+        vec![Remark::new(RemarkCode::IsolatedVertex, message).at(isolated.len(), places)]
     }
 
     fn piece(&self, component: &CutComponent) -> CutPiece {
@@ -131,6 +156,7 @@ impl SurfaceCut<'_> {
         SeamAnswer {
             number: number + 1,
             kind: seam.kind().to_owned(),
+            glued: if seam.is_reversing() { "moebius" } else { "annulus" }.to_owned(),
             edges: seam.steps().len(),
             length: seam.length(),
             vertices: self.seam_vertices(number),

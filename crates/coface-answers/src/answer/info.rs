@@ -7,6 +7,27 @@ use coface_complexes::surface::{SurfaceComponent, SurfaceType};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+/// What a halfedge of a small surface points to, by the numbers of the file.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct HalfedgePointers {
+    /// The halfedge.
+    pub halfedge: usize,
+    /// The next one around its face.
+    pub next: usize,
+    /// The other one of its edge.
+    pub twin: usize,
+    /// The vertex that it leaves. Vertices, edges and faces are numbered by their smallest halfedges.
+    pub source: usize,
+    /// The vertex that it goes to.
+    pub target: usize,
+    /// Its edge.
+    pub edge: usize,
+    /// The face on its left.
+    pub face: usize,
+    /// Whether that is an outer face, which fills a boundary loop.
+    pub outer: bool,
+}
+
 /// The report on one model. A notion that does not apply is `null`. Lengths, areas and volumes are in the unit of the file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[non_exhaustive]
@@ -64,6 +85,9 @@ pub struct InfoAnswer {
     /// The named sets of vertices, lines, polygons and cells.
     #[serde(default)]
     pub groups: Vec<NamedGroup>,
+    /// Of a surface given by at most 60 halfedges: what each one points to; absent for other models.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub halfedges: Vec<HalfedgePointers>,
     /// What is wrong, and where.
     pub problems: Vec<ProblemAnswer>,
     /// Whether the faces are sound in space; `null` for what has no faces with coordinates.
@@ -491,6 +515,7 @@ impl Report {
                     range: data.range().map(|range| range.map(Some)),
                 })
                 .collect(),
+            halfedges: self.pointers.clone(),
             groups: (self.groups.iter())
                 .map(|group| NamedGroup {
                     name: group.name().to_owned(),

@@ -15,6 +15,7 @@ mod congruence;
 mod convert;
 mod cover;
 mod cut;
+mod edit;
 mod generate;
 mod groups;
 mod homology;
@@ -33,6 +34,7 @@ mod yin;
 
 pub use cover::{CoverAnswer, DoubleCoverAnswer};
 pub use cut::{CutAnswer, CutPath, CutPiece, FundamentalDomain, SeamAnswer};
+pub use edit::EditAnswer;
 pub use groups::{GroupAnswer, HomologyGroup, WholeNumber};
 pub use homology::{
     ChainTerm, CupProducts, CycleClass, GeneratorAnswer, GeneratorsFile, HarmonicCochain, HodgeNorms,
@@ -64,8 +66,9 @@ pub use convert::{
 pub use generate::GenerateAnswer;
 pub use info::{
     BoundarySurface, CellsOfShape, DataAnswer, DrawnFaultAnswer, DrawnPlaceAnswer, DrawnPolygonsAnswer,
-    FailedInput, GeometryAnswer, GeometryFaultAnswer, GeometryPlace, InfoAnswer, InfoEntry, InfoReports,
-    ManifoldAnswer, MassAnswer, MomentAnswer, NamedGroup, ProblemAnswer, SurfaceAnswer, WitnessAnswer,
+    FailedInput, GeometryAnswer, GeometryFaultAnswer, GeometryPlace, HalfedgePointers, InfoAnswer, InfoEntry,
+    InfoReports, ManifoldAnswer, MassAnswer, MomentAnswer, NamedGroup, ProblemAnswer, SurfaceAnswer,
+    WitnessAnswer,
 };
 pub use loops::{
     CyclesAnswer, HomotopicAnswer, HomotopicComponent, LoopsAnswer, LoopsComponent, SubgroupsAnswer,

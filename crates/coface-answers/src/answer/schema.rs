@@ -2,12 +2,12 @@
 
 use super::{
     BatchAnswer, CochainTestAnswer, CocyclesAnswer, CongruenceAnswer, ConvertAnswer, CoverAnswer, CutAnswer,
-    CyclesAnswer, DoubleCoverAnswer, GenerateAnswer, HomologyAnswer, HomotopicAnswer, IncidenceAnswer,
-    InfoAnswer, InfoReports, LoopsAnswer, PersistenceAnswer, Pi1Answer, PlanarArrangementAnswer,
-    PlanarBooleanAnswer, ReduceAnswer, RenderAnswer, RowAnswer, ShardAnswer, SimplicesAnswer,
-    SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer, YinAdvectAnswer,
-    YinCombinationAnswer, YinComparisonAnswer, YinCutCellsAnswer, YinInfoAnswer, YinKinksAnswer,
-    YinSetAnswer,
+    CyclesAnswer, DoubleCoverAnswer, EditAnswer, GenerateAnswer, HomologyAnswer, HomotopicAnswer,
+    IncidenceAnswer, InfoAnswer, InfoReports, LoopsAnswer, PersistenceAnswer, Pi1Answer,
+    PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer, RenderAnswer, RowAnswer, ShardAnswer,
+    SimplicesAnswer, SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer,
+    YinAdvectAnswer, YinCombinationAnswer, YinComparisonAnswer, YinCutCellsAnswer, YinInfoAnswer,
+    YinKinksAnswer, YinSetAnswer,
 };
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
@@ -67,6 +67,7 @@ answers! {
     "homotopic" => HomotopicAnswer,
     "subgroups" => SubgroupsAnswer,
     "cut" => CutAnswer,
+    "edit" => EditAnswer,
     "cover" => CoverAnswer,
     "cover --orientation" => DoubleCoverAnswer,
     "cocycles" => CocyclesAnswer,

@@ -129,7 +129,8 @@ impl CocyclesRequest {
         let mut found = match &map {
             Some(map) => {
                 let is_slicing = self.method == Some(CocycleBasisMethod::Slicing);
-                let on_surface = SurfaceCocycles::new(map, lengths.as_deref(), is_slicing)?;
+                let on_surface = SurfaceCocycles::new(map, lengths.as_deref(), is_slicing)
+                    .map_err(|error| named_walk(error, producer))?;
                 FoundCocycles::of_surface(producer, map, &on_surface)
             }
             None => FoundCocycles::in_general(producer)?,
@@ -380,6 +381,22 @@ impl<'a> FoundCocycles<'a> {
         }
         Ok(model)
     }
+}
+
+/// The fault of a closed walk with its vertices by their numbers in the file.
+fn named_walk(error: Error, producer: &Producer) -> Error {
+    const FEW: usize = 32;
+    let [walk] = error.cells() else { return error };
+    let walk: Vec<u32> =
+        walk.iter().flat_map(|&vertex| producer.cell_vertices(0, CellId::from_u32(vertex))).collect();
+    let few: Vec<String> = walk.iter().take(FEW).map(u32::to_string).collect();
+    let more = if walk.len() > FEW { " .." } else { "" };
+    Error::invalid(format!(
+        "the loop through vertices {}{more} is one-sided: slicing there leaves a single side and no jump",
+        few.join(" ")
+    ))
+    .with_cells([walk])
+    .with_cure("take the cocycles by crossing")
 }
 
 /// The cells of one degree, by their vertices.

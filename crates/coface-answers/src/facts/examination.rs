@@ -195,6 +195,7 @@ impl Report {
         let exponents = &request.moments[..];
         check_exponents(exponents)?;
         let kind = kind_of(&model);
+        let (permutations, pointers) = halfedges::pointers(&model)?;
         let drawn = DrawnPolygons::of(&model, request.geometry.check)?;
         let mut model = model.into_parts();
         let mut remarks = std::mem::take(&mut model.remarks);
@@ -235,6 +236,7 @@ impl Report {
             remarks.extend(drawn.remarks());
         }
         report.drawn = drawn;
+        (report.permutations, report.pointers) = (permutations, pointers);
         report.warnings = remarks.iter().map(|remark| remark.message.clone()).collect();
         report.remarks = remarks;
         (report.data, report.groups) = (data, groups);
@@ -368,7 +370,9 @@ mod tests {
         // A torus of one vertex beside a segment in a digon.
         let next = vec![2, 3, 1, 0, 5, 4];
         let twin = vec![1, 0, 3, 2, 5, 4];
-        let halfedges = Report::of(Model::from_structure(Structure::Halfedges { next, twin })).unwrap();
+        let halfedges =
+            Report::of(Model::from_structure(Structure::Halfedges { next, twin, outer: Vec::new() }))
+                .unwrap();
         assert_eq!(of(&halfedges), [("torus".into(), [1, 2, 1]), ("sphere".into(), [2, 1, 1])]);
         assert_eq!(halfedges.name(), Some("1 sphere and 1 torus"));
         let answer = halfedges.answer(1);

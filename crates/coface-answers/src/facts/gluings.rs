@@ -109,7 +109,8 @@ fn boundary_loops(table: &GluingTable, faces: &FaceClasses) -> Result<Vec<Bounda
             let (next, images) = rim.neighbor(at, from).expect("a boundary has no boundary");
             (at, from) = (next, images[1 - from] as usize);
         }
-        loops.push(BoundaryPart { edge_count: vertices.len(), vertices, is_simple: true });
+        let walks = vec![vertices.iter().chain(vertices.first()).copied().collect()];
+        loops.push(BoundaryPart { edge_count: vertices.len(), vertices, walks, is_simple: true });
     }
     Ok(loops)
 }

@@ -160,6 +160,11 @@ fn of_faces(mesh: &PolygonMesh, positions: &Positions, labels: &Labels, exponent
     let boundary_loops = survey.boundary_loops().iter().map(|part| BoundaryPart {
         vertices: part.vertices().iter().map(|&vertex| labels.of(vertex.to_u32())).collect(),
         edge_count: part.edges().len(),
+        walks: part
+            .walks()
+            .iter()
+            .map(|walk| walk.iter().map(|&vertex| labels.of(vertex.to_u32())).collect())
+            .collect(),
         is_simple: part.is_simple(),
     });
     Report {

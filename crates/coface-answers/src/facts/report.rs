@@ -1,6 +1,7 @@
 //! The report as data.
 
 use super::{DrawnPolygons, GeometryFacts, Moment, Problem};
+use crate::answer::HalfedgePointers;
 use crate::answer::Remark;
 use coface_complexes::surface::{SurfaceComponent, SurfaceType};
 use coface_geometry::MassProperties;
@@ -146,6 +147,7 @@ impl Witness {
 pub struct BoundaryPart {
     pub(crate) vertices: Vec<u32>,
     pub(crate) edge_count: usize,
+    pub(crate) walks: Vec<Vec<u32>>,
     pub(crate) is_simple: bool,
 }
 
@@ -176,6 +178,21 @@ impl BoundaryPart {
     /// ```
     pub fn edge_count(&self) -> usize {
         self.edge_count
+    }
+
+    /// The walks that its edges make: simple loops, whose first vertex is there again at the end, and paths between vertices where
+    /// an odd number of its edges meet.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = &b"OFF\n3 1 0\n0 0 0\n4 0 0\n0 3 0\n3 0 1 2\n"[..];
+    /// let report = coface_answers::Report::of(coface_io::read(triangle, coface_io::Format::Off)?)?;
+    /// assert_eq!(report.boundary_loops().map(|loops| &loops[0].walks()[0][..]), Some(&[0, 1, 2, 0][..]));
+    /// # Ok(()) }
+    /// ```
+    pub fn walks(&self) -> &[Vec<u32>] {
+        &self.walks
     }
 
     /// Whether it is one simple loop, as on a surface, and not several that run together.
@@ -472,6 +489,8 @@ pub struct Report {
     pub(crate) groups: Vec<GroupSummary>,
     /// The permutations of the halfedges of a small surface in cycles: name, cycles, what the cycles are.
     pub(crate) permutations: Vec<[String; 3]>,
+    /// What each halfedge of a small surface points to.
+    pub(crate) pointers: Vec<HalfedgePointers>,
     pub(crate) problems: Vec<Problem>,
     pub(crate) geometry: Option<GeometryFacts>,
     pub(crate) drawn: Option<DrawnPolygons>,
@@ -508,6 +527,7 @@ impl Report {
             data: Vec::new(),
             groups: Vec::new(),
             permutations: Vec::new(),
+            pointers: Vec::new(),
             problems: Vec::new(),
             geometry: None,
             drawn: None,
@@ -668,6 +688,20 @@ impl Report {
     /// ```
     pub fn boundary_loops(&self) -> Option<&[BoundaryPart]> {
         self.boundary_loops.as_deref()
+    }
+
+    /// What each halfedge of a surface of at most 60 halfedges points to, as the file numbers them; empty for other models.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let triangle = &br#"{"next": [1, 2, 0], "twin": [null, null, null]}"#[..];
+    /// let report = coface_answers::Report::of(coface_io::read(triangle, coface_io::Format::Json)?)?;
+    /// assert_eq!((report.halfedges()[0].twin, report.halfedges()[3].outer), (3, true));
+    /// # Ok(()) }
+    /// ```
+    pub fn halfedges(&self) -> &[HalfedgePointers] {
+        &self.pointers
     }
 
     /// The boundary of a volume; `None` for everything else and where there is none.

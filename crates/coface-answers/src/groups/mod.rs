@@ -9,6 +9,7 @@ mod surface;
 mod walks;
 
 pub use found::FoundGroups;
+pub(crate) use surface::roles_of_edges;
 
 use crate::Producer;
 use crate::answer::{GroupCounts, HomomorphismAnswer, SubgroupCount, TreesAnswer};

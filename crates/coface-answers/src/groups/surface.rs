@@ -110,7 +110,8 @@ pub(super) fn found(request: &GroupsRequest, producer: &Producer) -> Result<Foun
         }
     }
     let mut groups = FoundGroups::new(request, shown, producer);
-    groups.trees = (map.skeleton().edge_count() <= MOST_EDGES).then(|| trees_of(&map, &trees, &numbers));
+    groups.trees =
+        (map.skeleton().edge_count() <= MOST_EDGES).then(|| roles_of_edges(&map, &trees, &numbers));
     if has_lengths && lengths.is_none() {
         groups.remarks.push(unit_lengths());
     }
@@ -134,7 +135,8 @@ pub(super) fn found(request: &GroupsRequest, producer: &Producer) -> Result<Foun
 /// The edges of larger surfaces are not listed by their roles.
 pub(super) const MOST_EDGES: usize = 40;
 
-fn trees_of(map: &GeneralizedMap, trees: &TreeCotree, numbers: &[u32]) -> TreesAnswer {
+/// The edges of a surface by what they are in a tree-cotree decomposition, with these numbers of vertices.
+pub(crate) fn roles_of_edges(map: &GeneralizedMap, trees: &TreeCotree, numbers: &[u32]) -> TreesAnswer {
     let mut answer = TreesAnswer::default();
     for (ends, role) in map.skeleton().edge_ends().chunks_exact(2).zip(trees.roles()) {
         let ends = [ends[0], ends[1]].map(|end| numbers[end as usize]);

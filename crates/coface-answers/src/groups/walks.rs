@@ -96,7 +96,8 @@ fn closed_walks(
     }
     let mut known: Vec<(u32, usize)> = numbers.iter().copied().zip(0..).collect();
     known.sort_unstable();
-    let vertex = |walk: usize, number: u32| {
+    let vertex = |index: usize, number: u32| {
+        let walk = index + 1;
         let at = known.binary_search_by_key(&number, |&(number, _)| number);
         at.map(|at| VertexId::new(known[at].1)).map_err(|_| {
             let message = format!("walk {walk} goes through vertex {number}, which the model does not have");
@@ -116,7 +117,7 @@ fn closed_walks(
             .chunks(2)
             .flat_map(|ends| [[ends[0], ends[1]], [ends[1], ends[0]]])
             .collect();
-        for (walk, (list, ids)) in lists.iter().zip(&vertices).enumerate() {
+        for ((list, ids), walk) in lists.iter().zip(&vertices).zip(1..) {
             let missing =
                 ids.windows(2).position(|pair| !edges.contains(&[pair[0].to_u32(), pair[1].to_u32()]));
             if let (Some(first), Some(last)) = (list.first(), list.last())
@@ -129,7 +130,8 @@ fn closed_walks(
             if let Some(step) = missing {
                 let [from, to] = [list[step], list[step + 1]];
                 return Error::invalid(format!(
-                    "step {step} of walk {walk} goes from vertex {from} to {to}, but no edge joins them"
+                    "step {} of walk {walk} goes from vertex {from} to {to}, but no edge joins them",
+                    step + 1
                 ))
                 .with_cure("go along edges only")
                 .in_file(place);

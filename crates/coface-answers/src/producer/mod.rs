@@ -29,7 +29,7 @@ use coface_complexes::cubical::CubicalVolume;
 use coface_complexes::gluing::{FaceClasses, GluingTable};
 use coface_complexes::lar::LarModel;
 use coface_complexes::simplicial::FrozenComplex;
-use coface_complexes::surface::{HalfedgeMesh, PolygonMesh};
+use coface_complexes::surface::{HalfedgeMesh, HalfedgePermutations, PolygonMesh};
 use coface_geometry::{PartialPositions, Positions};
 use coface_io::{Model, ModelParts, Remark, Structure, segments};
 
@@ -114,8 +114,9 @@ impl Producer {
                 positions = cells.positions().unwrap_or_default();
                 (Cells::Voxels(Box::new(cells)), Labels::default())
             }
-            Some(Structure::Halfedges { next, twin }) => {
-                (Cells::Halfedges(HalfedgeMesh::from_permutations(&next, &twin)?), Labels::default())
+            Some(Structure::Halfedges { next, twin, outer }) => {
+                let permutations = HalfedgePermutations::new(next, twin, outer)?;
+                (Cells::Halfedges(permutations.mesh()?), Labels::default())
             }
             Some(Structure::Gluings(table)) => {
                 let faces = table.faces()?;

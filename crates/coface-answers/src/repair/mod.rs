@@ -1,11 +1,13 @@
 //! Models made ready for other questions: a manifold by splitting and turning ([`repaired`]), a surface by all that it takes
 //! ([`repaired_surface`]), simplices by subdivision ([`triangulated`]).
 
+mod halfedges;
 mod polygons_of;
 mod splitting;
 mod surface;
 mod triangulation;
 
+pub use halfedges::{dual_graph_model, dual_model, halfedge_model, polygon_model};
 pub use splitting::{RepairRequest, repaired};
 pub use surface::{SurfaceRepair, SurfaceRepairRequest, repaired_surface};
 pub use triangulation::triangulated;

@@ -3,7 +3,7 @@
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::simplicial::Carrier;
-use coface_complexes::surface::HalfedgeMesh;
+use coface_complexes::surface::HalfedgePermutations;
 use coface_io::{Model, Structure};
 
 /// A gluing table or a surface of halfedges as a facet list: its first barycentric subdivision if that tells simplices apart by
@@ -30,8 +30,8 @@ use coface_io::{Model, Structure};
 pub fn triangulated(model: &Model) -> Result<(Model, Vec<Carrier>), Error> {
     let (complex, carriers) = match model.structure() {
         Some(Structure::Gluings(table)) => table.faces()?.barycentric_subdivision()?.triangulation()?,
-        Some(Structure::Halfedges { next, twin }) => {
-            HalfedgeMesh::from_permutations(next, twin)?.triangulation()?
+        Some(Structure::Halfedges { next, twin, outer }) => {
+            HalfedgePermutations::new(next.clone(), twin.clone(), outer.clone())?.mesh()?.triangulation()?
         }
         _ => {
             return Err(Error::new(

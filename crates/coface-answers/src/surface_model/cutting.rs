@@ -1,6 +1,8 @@
 //! Surfaces cut open.
 
 use super::SurfaceModel;
+use crate::answer::TreesAnswer;
+use crate::groups::roles_of_edges;
 use coface_algebra::progress::stage;
 use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign, Word};
@@ -17,6 +19,8 @@ pub struct CutRequest {
     pub rounds: Option<usize>,
     /// The vertex where loops start and end, in its component.
     pub base: Option<VertexId>,
+    /// Whether the tree, the cotree and the edges in neither are wanted.
+    pub roles: bool,
 }
 
 /// A surface cut open along edges: what came of each component, and the seams.
@@ -31,19 +35,22 @@ pub struct SurfaceCut<'s> {
     components: Vec<CutComponent>,
     is_simplified: bool,
     is_long: bool,
+    roles: Option<TreesAnswer>,
 }
 
 /// A path of edges along which a surface is cut.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CutSeam {
     kind: String,
+    is_reversing: bool,
     steps: Vec<u32>,
     length: Option<f64>,
     component: usize,
 }
 
 impl CutSeam {
-    /// What it is for: `handle`, `crosscap`, `join`, `slit`; of a path that was given `two-sided`, `one-sided` or `open`.
+    /// What it is for: seams of the kind `handle` together open the handles of an orientable component, those of the
+    /// kind `crosscap` the cross-caps of one that is not; `join`, `slit`; of a path that was given `two-sided`, `one-sided` or `open`.
     ///
     /// # Examples
     /// ```
@@ -59,6 +66,11 @@ impl CutSeam {
     /// ```
     pub fn kind(&self) -> &str {
         &self.kind
+    }
+
+    /// Whether the disk, glued together again at this seam alone, becomes a Moebius band.
+    pub(crate) fn is_reversing(&self) -> bool {
+        self.is_reversing
     }
 
     /// Its length in the unit of the file; `None` without positions.
@@ -98,6 +110,8 @@ pub struct CutComponent {
     pub f_vector: [usize; 3],
     /// The number in the file of the vertex where loops start; none of a path.
     pub base: Option<u32>,
+    /// Its number of handles, or of cross-caps if it is not orientable; 0 of a surface cut along a path.
+    pub genus: usize,
     /// The number of generators of its fundamental group.
     pub generators: usize,
     /// The word of generators around the disk, where there is one and seams are those of the generators.
@@ -190,6 +204,7 @@ impl SurfaceModel {
         };
         let seam = |seam: &coface_topology::Seam| CutSeam {
             kind: seam.kind().to_string(),
+            is_reversing: seam.is_reversing(),
             steps: seam.steps().to_vec(),
             length: lengths.as_ref().map(|_| seam.length()),
             component: trees.component_of_vertex(seam.ends()[0]).unwrap_or_default(),
@@ -201,7 +216,8 @@ impl SurfaceModel {
         let (surfaces, orientation) = (map.surfaces(), map.orientation());
         for (i, component) in components.iter_mut().enumerate() {
             let found = &trees.components()[i];
-            component.surface = surfaces[orientation.component(found.root())].to_string();
+            let surface = &surfaces[orientation.component(found.root())];
+            (component.surface, component.genus) = (surface.to_string(), surface.genus());
             component.base = Some(self.number(found.base()));
             component.generators = found.generators().len();
             component.relator = cut.domains()[i].relator().filter(|_| !is_shortened);
@@ -209,7 +225,11 @@ impl SurfaceModel {
         }
         find_words(map, &slice, &seams, &mut components);
         let is_simplified = request.simplify;
-        Ok(SurfaceCut { surface: self, slice, edges, seams, components, is_simplified, is_long })
+        let roles = request.roles.then(|| {
+            let numbers: Vec<u32> = (0..map.vertex_count()).map(|v| self.number(VertexId::new(v))).collect();
+            roles_of_edges(map, &trees, &numbers)
+        });
+        Ok(SurfaceCut { surface: self, slice, edges, seams, components, is_simplified, is_long, roles })
     }
 
     /// Cuts along the path through these vertices, given by their numbers in the file; it is closed if the first is there again at the end.
@@ -234,6 +254,7 @@ impl SurfaceModel {
         let steps = self.steps_along(path)?;
         let _cutting = stage("cutting", 0);
         let is_closed = path.first() == path.last();
+        self.check_path(path, &steps)?;
         let slice = if is_closed { map.slice_cycle(&steps) } else { map.slice_path(&steps) }?;
         let edges: Vec<EdgeId> = steps.iter().map(|&step| EdgeId::from_u32(step >> 1)).collect();
         let orientation = slice.surface().orientation();
@@ -247,7 +268,8 @@ impl SurfaceModel {
             Some(PathKind::OneSided) => "one-sided",
             _ => "open",
         };
-        let seams = vec![CutSeam { kind: kind.to_owned(), steps, length: None, component: 0 }];
+        let is_reversing = slice.path_kind() == Some(PathKind::OneSided);
+        let seams = vec![CutSeam { kind: kind.to_owned(), is_reversing, steps, length: None, component: 0 }];
         Ok(SurfaceCut {
             surface: self,
             slice,
@@ -256,7 +278,66 @@ impl SurfaceModel {
             components,
             is_simplified: false,
             is_long: false,
+            roles: None,
         })
+    }
+
+    /// That a path can be cut along, with faults in the numbers of the file.
+    fn check_path(&self, path: &[u32], steps: &[u32]) -> Result<(), Error> {
+        let is_closed = path.first() == path.last();
+        let mut met: Vec<(u32, usize)> =
+            path.iter().copied().zip(0..).take(path.len() - usize::from(is_closed)).collect();
+        met.sort_unstable();
+        let mut edges: Vec<(u32, usize)> = steps.iter().map(|step| step >> 1).zip(0..).collect();
+        edges.sort_unstable();
+        if let Some(pair) = edges.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+            let (i, j) = (pair[0].1, pair[1].1);
+            let [a, b] = [path[i], path[i + 1]];
+            return Err(Error::invalid(format!(
+                "steps {} and {} both run along the edge of vertices {a} and {b}",
+                i + 1,
+                j + 1
+            ))
+            .with_cells([[a, b]])
+            .with_cure("give each edge once"));
+        }
+        if let Some(pair) = met.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+            let vertex = pair[0].0;
+            return Err(Error::invalid(format!("the path comes through vertex {vertex} twice"))
+                .with_cells([[vertex]])
+                .with_cure("give a path that does not meet itself"));
+        }
+        let map = self.map();
+        let is_boundary = |step: &u32| map.mate(map.first_side(EdgeId::from_u32(step >> 1))).is_none();
+        if let Some(i) = steps.iter().position(is_boundary) {
+            let [a, b] = [path[i], path[i + 1]];
+            return Err(Error::invalid(format!(
+                "step {} from vertex {a} to {b} runs along the boundary: there is nothing to cut",
+                i + 1
+            ))
+            .with_cells([[a, b]])
+            .with_cure("leave the step out"));
+        }
+        Ok(())
+    }
+
+    /// The vertices that lie in no face, by their numbers in the file: no component has them.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::SurfaceModel;
+    /// let text = &b"v 0 0 0\nv 9 9 9\nv 3 4 0\nv 0 4 0\nf 1 3 4\n"[..];
+    /// let surface = SurfaceModel::of(coface_io::read(text, coface_io::Format::Obj)?)?;
+    /// assert_eq!(surface.isolated_vertices(), [1]);
+    /// # Ok(()) }
+    /// ```
+    pub fn isolated_vertices(&self) -> Vec<u32> {
+        let map = self.map();
+        let mut is_isolated = vec![true; map.vertex_count()];
+        map.sides().for_each(|side| is_isolated[map.source(side).index()] = false);
+        let isolated = (0..map.vertex_count()).filter(|&vertex| is_isolated[vertex]);
+        isolated.map(|vertex| self.number(VertexId::new(vertex))).collect()
     }
 
     /// The steps along a path of vertices, given by their numbers in the file: 2e along edge e, 2e + 1 against it.
@@ -297,7 +378,7 @@ impl SurfaceModel {
                 let [a, b] = [path[i], path[i + 1]];
                 Error::new(
                     ErrorKind::NotInComplex,
-                    format!("step {i} goes from vertex {a} to vertex {b}, but no edge joins them"),
+                    format!("step {} goes from vertex {a} to vertex {b}, but no edge joins them", i + 1),
                 )
                 .with_cells([[a, b]])
                 .with_cure("go along edges only")
@@ -378,6 +459,25 @@ impl SurfaceCut<'_> {
     /// ```
     pub fn slice(&self) -> &Slice<GeneralizedMap> {
         &self.slice
+    }
+
+    /// The edges by what they are in the tree-cotree decomposition, if that was asked for.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CutRequest, SurfaceModel};
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cut = surface.cut_open(&CutRequest { roles: true, ..CutRequest::default() })?;
+    /// let roles = cut.roles().expect("they were asked for");
+    /// assert_eq!((roles.tree.len(), roles.cotree.len(), roles.generators.len()), (6, 13, 2));
+    /// # Ok(()) }
+    /// ```
+    pub fn roles(&self) -> Option<&TreesAnswer> {
+        self.roles.as_ref()
     }
 
     /// Whether seams were left longer than they could be because the surface is large.
@@ -462,6 +562,11 @@ impl SurfaceCut<'_> {
             .with_lines(lines)?
             .with_data(CellData::integers("seam", GroupKind::Lines, 1, numbers)?)?
             .with_data(CellData::integers("source", GroupKind::Lines, 2, sources)?)
+    }
+
+    /// The vertices that lie in no face, by their numbers in the file.
+    pub(crate) fn isolated_vertices(&self) -> Vec<u32> {
+        self.surface.isolated_vertices()
     }
 
     /// Whether it was cut along a path, and not to disks.

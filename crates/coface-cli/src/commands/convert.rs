@@ -12,7 +12,8 @@ use crate::target::unknown_extension;
 use clap::{Args, ValueEnum};
 use coface::answers::answer::{CarriersAnswer, ConvertAnswer, MeshRepairAnswer, Remark, RemarkCode};
 use coface::answers::{
-    PlanarSet, RepairRequest, SetRequest, SurfaceRepairRequest, repaired, repaired_surface, triangulated,
+    PlanarSet, RepairRequest, SetRequest, SurfaceRepairRequest, dual_graph_model, dual_model, halfedge_model,
+    polygon_model, repaired, repaired_surface, triangulated,
 };
 use coface::complexes::surface::FacesAtEdge;
 use coface::io;
@@ -46,6 +47,16 @@ pub(crate) struct Convert {
     /// With --triangulate: for each new vertex the cell [degree, number] of the table that it lies in, as JSON
     #[arg(long, value_name = "FILE", requires = "triangulate")]
     labels: Option<PathBuf>,
+    /// Make an oriented surface the permutations next and twin of its halfedges, with outer faces along its boundary; a name that ends in
+    /// .halfedges.json does so too
+    #[arg(long, conflicts_with = "triangulate")]
+    halfedges: bool,
+    /// Make a surface its dual: a vertex in each face, a face around each vertex
+    #[arg(long, conflicts_with_all = ["triangulate", "dual_graph"])]
+    dual: bool,
+    /// Make a surface its dual graph: a vertex in each face, a line across each edge
+    #[arg(long, conflicts_with_all = ["triangulate", "halfedges"])]
+    dual_graph: bool,
     /// Give each fan of faces its own copy of a vertex where several fans meet
     #[arg(long)]
     split_vertices: bool,
@@ -150,6 +161,7 @@ impl Convert {
                 write_json(place, &CarriersAnswer::new(carriers))?;
             }
         }
+        let mut reshaped = self.reshape(&mut loaded, format, target, &progress)?;
         if !matches!(format, Target::Model(Format::Npy | Format::Json | Format::Container))
             && let Some(Structure::Volume(volume)) = loaded.model.structure()
         {
@@ -168,10 +180,11 @@ impl Convert {
             (Target::Model(format), _) => io::write(&model, out, format),
             (Target::Scene(_), None) => unreachable!("a scene is made for what shows one"),
         };
-        let losses = match format {
+        reshaped.extend(match format {
             Target::Model(format) => losses_of(&model, format),
             Target::Scene(_) => scene.as_ref().map_or_else(Vec::new, |(scene, _)| scene.remarks()),
-        };
+        });
+        let losses = reshaped;
         let Some(path) = target else {
             // Made in memory first: a model that the format cannot hold leaves nothing on standard output.
             let mut bytes = Vec::new();
@@ -298,6 +311,41 @@ impl Convert {
             return print_json(&answer);
         }
         Ok(())
+    }
+
+    /// Makes the dual or the halfedges that were asked for, and polygons of halfedges for what has no words for these: says what changed.
+    fn reshape(
+        &self,
+        loaded: &mut Loaded,
+        format: Target,
+        path: Option<&Path>,
+        progress: &Progress,
+    ) -> Result<Vec<Remark>, Failure> {
+        let file = loaded.name.clone();
+        let in_file = |error: coface::Error| error.in_file(file.clone());
+        let name = path.map(|path| path.to_string_lossy().to_ascii_lowercase());
+        let is_named = name.is_some_and(|name| name.ends_with(".halfedges.json"));
+        let is_json = matches!(format, Target::Model(Format::Json | Format::Container));
+        if self.dual || self.dual_graph {
+            progress.stage("finding the dual");
+            let model = std::mem::take(&mut loaded.model);
+            loaded.model =
+                if self.dual { dual_model(model) } else { dual_graph_model(model) }.map_err(in_file)?;
+        }
+        if self.halfedges || is_named {
+            if !is_json {
+                return Err(Failure::new("only JSON holds halfedges: give -o OUT.halfedges.json"));
+            }
+            progress.stage("identifying cells");
+            let model = halfedge_model(std::mem::take(&mut loaded.model)).map_err(in_file)?;
+            let remarks = model.remarks().to_vec();
+            loaded.model = model;
+            return Ok(remarks);
+        }
+        if !is_json && matches!(loaded.model.structure(), Some(Structure::Halfedges { .. })) {
+            loaded.model = polygon_model(std::mem::take(&mut loaded.model)).map_err(in_file)?;
+        }
+        Ok(Vec::new())
     }
 
     /// Repairs the model as was asked for, if anything was: says what was done.

@@ -39,6 +39,10 @@ pub(crate) struct Cut {
     /// Cut along the path through these vertices instead, closed if the first is there again at the end: "0 1 2 0"
     #[arg(long, value_name = "PATH")]
     along: Option<String>,
+    /// With --json, or in the file of -o: "roles", which edges are in the spanning tree of vertices, which are crossed by that of faces, and
+    /// which are in neither and close the generators; coface view --with draws them
+    #[arg(long, conflicts_with = "along")]
+    roles: bool,
     /// Cut the boundary surface of a volume mesh
     #[arg(long)]
     boundary: bool,
@@ -54,6 +58,7 @@ impl Cut {
         let request = CutRequest {
             simplify: self.simplify,
             rounds: self.rounds,
+            roles: self.roles,
             base: self
                 .base
                 .map(|base| surface.vertex_numbered(base))
@@ -61,7 +66,7 @@ impl Cut {
                 .map_err(|error| error.in_file(name.clone()))?,
         };
         let cut = surface.cut_open(&request).map_err(|error| error.in_file(name.clone()))?;
-        let mut remarks = Vec::new();
+        let mut remarks = cut.answer().remarks;
         if cut.is_long() {
             let message = format!(
                 "{} seams on {} sides of faces are not made shorter; --rounds 1 does it",
@@ -107,7 +112,10 @@ impl Cut {
     ) -> Result<(), Failure> {
         let in_path = |error: coface::Error| Failure::new(format!("{name}: --along \"{path}\": {error}"));
         let cut = surface.cut_along(&vertices_of(path)?).map_err(in_path)?;
-        let object = self.save(&cut, name, Vec::new(), common, &progress)?;
+        let remarks = cut.answer().remarks;
+        accept(&remarks, common)?;
+        say_remarks(&remarks, common);
+        let object = self.save(&cut, name, remarks, common, &progress)?;
         drop(progress);
         let kind = cut.seams()[0].kind();
         let mut facts = vec![(
@@ -153,14 +161,22 @@ fn counts([v, e, f]: [usize; 3]) -> String {
     format!("{}, {}, {}", text::count(v, "vertex"), text::count(e, "edge"), text::count(f, "face"))
 }
 
-/// What a seam is for, in words.
-fn gloss(kind: &str) -> &'static str {
+/// What a seam is for, in words: how many of its kind the component has, and what they open together.
+fn gloss(kind: &str, seams: usize, genus: usize) -> String {
+    let together = |what: &str| {
+        let opened = if genus == 1 { format!("the {what}") } else { text::count(genus, what) };
+        if seams == 1 {
+            format!("it opens {opened}")
+        } else {
+            format!("one of {seams} seams that open {opened}")
+        }
+    };
     match kind {
-        "handle" => "it opens a handle",
-        "crosscap" => "it opens a cross-cap",
-        "join" => "it joins boundary loops, handles and cross-caps",
-        "slit" => "it opens the sphere",
-        _ => "",
+        "handle" => together("handle"),
+        "crosscap" => together("cross-cap"),
+        "join" => "it joins boundary loops, handles and cross-caps".to_owned(),
+        "slit" => "it opens the sphere".to_owned(),
+        _ => String::new(),
     }
 }
 
@@ -193,7 +209,9 @@ fn page(name: &str, cut: &SurfaceCut<'_>) -> String {
                 text::count(shown.steps().len(), "edge"),
                 way.join(" ")
             );
-            fact(if i == 0 { "seams" } else { "" }, value, gloss(shown.kind()));
+            let seams = component.seams.iter().filter(|&&other| cut.seams()[other].kind() == shown.kind());
+            let gloss = gloss(shown.kind(), seams.count(), component.genus);
+            fact(if i == 0 { "seams" } else { "" }, value, &gloss);
         }
         if rest > 0 {
             fact("", format!("and {rest} more (--json lists all)"), "");

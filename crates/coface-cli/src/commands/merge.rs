@@ -171,8 +171,10 @@ fn list(chains: &ShardChains) -> String {
             let order = chain.order.as_ref().map_or(String::new(), |order| format!(" of order {order}"));
             let length = length(&chain.terms);
             let cells = if length == Integer::ONE { "cell" } else { "cells" };
-            page +=
-                &format!("    generator {i} of degree {degree}: a cycle{order}, length {length} {cells}\n");
+            page += &format!(
+                "    generator {} of degree {degree}: a cycle{order}, length {length} {cells}\n",
+                i + 1
+            );
         }
     }
     page

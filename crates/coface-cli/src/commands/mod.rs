@@ -12,6 +12,7 @@ pub(crate) mod convert;
 pub(crate) mod cover;
 pub(crate) mod cut;
 pub(crate) mod cycles;
+pub(crate) mod edit;
 pub(crate) mod generate;
 pub(crate) mod homology;
 pub(crate) mod homotopic;

@@ -91,7 +91,7 @@ fn gltf_holds_triangles_and_generators() {
     let result = file(&folder, "r.json", r#"{"generators":[[],[{"order":0,"chain":[[1,[1,2]]]}]]}"#);
     let text = converted(&folder, "a.gltf", &["--color-by", argument(&result)]);
     let document: Value = serde_json::from_slice(&text).unwrap();
-    assert_eq!(document["nodes"][1]["name"], "H1 generator 0");
+    assert_eq!(document["nodes"][1]["name"], "H1 generator 1");
     assert_eq!(document["meshes"][1]["primitives"][0]["mode"], 1);
     let colored = converted(&folder, "a.gltf", &["--color-by", "component"]);
     let document: Value = serde_json::from_slice(&colored).unwrap();

@@ -154,13 +154,13 @@ fn walks_are_compared() {
     assert_eq!(pair(0, 1)["homotopic"], false);
     assert_eq!(pair(0, 4)["freely_homotopic"], true);
     let run = compare(json!([[0, 1, 0], [0, 1]]));
-    assert!(run.fails_with(1).contains("walk 1 starts at vertex 0 but ends at 1"), "{}", run.stderr);
+    assert!(run.fails_with(1).contains("walk 2 starts at vertex 0 but ends at 1"), "{}", run.stderr);
     let run = compare(json!([[0, 9, 0]]));
-    assert!(run.fails_with(1).contains("walk 0 goes through vertex 9"), "{}", run.stderr);
+    assert!(run.fails_with(1).contains("walk 1 goes through vertex 9"), "{}", run.stderr);
     // Two triangles apart: no edge between them.
     std::fs::write(&path, "[[10,11,12,20,10]]").unwrap();
     let run = coface_reading(&["pi1", "-", "--walks", argument(&path)], b"[[10,11,12],[20,21,22]]");
-    assert!(run.fails_with(1).contains("step 2 of walk 0 goes from vertex 12 to 20"), "{}", run.stderr);
+    assert!(run.fails_with(1).contains("step 3 of walk 1 goes from vertex 12 to 20"), "{}", run.stderr);
 }
 
 /// The torus with seven vertices.

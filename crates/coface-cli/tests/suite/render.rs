@@ -106,7 +106,7 @@ fn generators_have_their_color_and_shine_through_what_hides_them() {
     assert!(count(&seen, BLUE) > 40);
     assert_eq!(count(&drawn(&folder, &cube, &view), BLUE), 0);
     let svg = drawn_as_svg(&cube, &[&["--with", argument(&front)], &view[..]].concat());
-    assert!(svg.contains("stroke=\"#0072b2\"") && svg.contains("<title>H1 generator 0</title>"));
+    assert!(svg.contains("stroke=\"#0072b2\"") && svg.contains("<title>H1 generator 1</title>"));
     assert!(!svg.contains("stroke-opacity"));
     let behind = result("[1,[0,1]]");
     let hidden = drawn(&folder, &cube, &[&["--with", argument(&behind)], &view[..]].concat());
@@ -243,7 +243,7 @@ fn what_cannot_be_drawn_is_refused() {
         ("{\"betti\": 3}", "nothing that could be shown"),
         (
             r#"{"generators":[[],[{"chain":[[1,[0,8]]]}]]}"#,
-            "the model has 8 vertices, but H1 generator 0 has vertex 8",
+            "the model has 8 vertices, but H1 generator 1 has vertex 8",
         ),
     ] {
         let result = file(&folder, "result.json", text);

@@ -190,7 +190,7 @@ fn covers_grow_as_their_groups_do() {
     let double = reading(&["cover", "-", "--json", "--orientation"], PLANE);
     assert_eq!((&double["surfaces"], &double["copies"]), (&json!(["sphere"]), &json!(2)));
     for (arguments, input, message) in [
-        (["--radius", "5"], OCTAHEDRON, "1 copy"),
+        (["--copies", "5"], OCTAHEDRON, "1 copy"),
         (["--radius", "12"], OCTAGON, "copies"),
         (["--copies", "0"], TORUS, "cop"),
         (["--component", "3"], TORUS, "component"),
@@ -365,4 +365,239 @@ fn halfedges_become_facet_lists_with_labels() {
     let labels = labels["carriers"].as_array().unwrap();
     assert_eq!(labels.iter().filter(|label| label[0] == 0).count(), 1, "the one vertex");
     assert_eq!(labels.iter().filter(|label| label[0] == 1).count(), 9, "three in each edge");
+}
+
+#[test]
+fn a_radius_beyond_a_finite_cover_gives_all_of_it() {
+    let sphere = reading(&["cover", "-", "--json", "--radius", "9"], PLANE);
+    assert_eq!(
+        keys_of(&sphere, &["copies", "complete", "euler_characteristic"]),
+        [json!(2), json!(true), json!(2)]
+    );
+    let disk = reading(&["cover", "-", "--json", "--radius", "4"], "[[0,1,2],[1,2,3]]");
+    assert_eq!(
+        keys_of(&disk, &["copies", "complete", "euler_characteristic"]),
+        [json!(1), json!(true), json!(1)]
+    );
+    let error = coface_reading(&["cover", "-", "--copies", "3"], PLANE.as_bytes()).fails_with(1).to_owned();
+    assert!(error.contains("ask for 2 copies, or for radius 1 or more"), "{error}");
+}
+
+#[test]
+fn seams_are_named_as_the_surface_is() {
+    // The Klein bottle of one square: it has no handle, so that no seam opens one.
+    let folder = tempfile::tempdir().unwrap();
+    let klein = folder.path().join("klein.obj");
+    coface(&["generate", "klein", "-o", argument(&klein)]);
+    let seams =
+        coface(&["cut", argument(&klein), "--simplify", "--json"]).json()["components"][0]["seams"].clone();
+    let seams = seams.as_array().unwrap();
+    assert!(seams.iter().all(|seam| seam["kind"] == "crosscap"), "{seams:?}");
+    assert!(seams.iter().any(|seam| seam["glued"] == "moebius"), "{seams:?}");
+    let page = coface_reading(&["cut", "-", "--simplify"], OCTAGON.as_bytes()).stdout;
+    assert!(page.contains("one of 4 seams that open 2 handles"), "{page}");
+    let page = coface_reading(&["cut", "-", "--simplify"], PLANE.as_bytes()).stdout;
+    assert!(page.contains("it opens the cross-cap"), "{page}");
+}
+
+#[test]
+fn cut_names_isolated_vertices() {
+    let text = "OFF\n5 4 0\n9 9 9\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 1 3 2\n3 1 2 4\n3 2 3 4\n3 3 1 4\n";
+    for along in [&["--simplify"][..], &["--along", "1 2 3 1"]] {
+        let run = coface_reading(&[&["cut", "-", "--json"], along].concat(), text.as_bytes());
+        let remark = &run.json()["remarks"][0];
+        assert_eq!((&remark["code"], &remark["count"]), (&json!("isolated-vertex"), &json!(1)));
+        assert!(
+            run.stderr.contains("1 isolated vertex in no face") && run.stderr.contains("(0)"),
+            "{}",
+            run.stderr
+        );
+    }
+}
+
+#[test]
+fn paths_that_cannot_be_cut_are_named_by_vertices_of_the_file() {
+    let strip = r#"{"facets":[[10,11,14],[10,14,13],[11,12,15],[11,15,14]]}"#;
+    let fault = |path: &str| {
+        coface_reading(&["cut", "-", "--along", path], strip.as_bytes()).fails_with(1).to_owned()
+    };
+    assert!(
+        fault("10 11 14").contains("step 1 from vertex 10 to 11 runs along the boundary"),
+        "{}",
+        fault("10 11 14")
+    );
+    assert!(fault("11 14 11").contains("steps 1 and 2 both run along the edge of vertices 11 and 14"));
+    assert!(fault("11 14 10 11").contains("step 3 from vertex 10 to 11 runs along the boundary"));
+    assert!(fault("14 10 11 14 13").contains("the path comes through vertex 14 twice"));
+    assert!(fault("10 12").contains("step 1 goes from vertex 10 to vertex 12"));
+}
+
+#[test]
+fn boundaries_that_touch_are_told_as_walks() {
+    let page = coface_reading(&["info", "-"], b"[[0,1,2],[0,3,4]]").stdout;
+    assert!(page.contains("loop 1: 6 edges  2 walks that touch"), "{page}");
+    assert!(page.contains("3 edges  v0 v1 v2 v0") && page.contains("3 edges  v0 v3 v4 v0"), "{page}");
+    assert!(!page.contains("not a simple loop"), "{page}");
+}
+
+/// Four triangles around one with a boundary of six edges, as a course on surface topology has them: boundary halfedges have no twin.
+const FIGURE: &str =
+    r#"{"next":[5,10,1,11,3,9,8,6,7,0,2,4],"twin":[null,null,null,null,null,null,9,10,11,6,7,8]}"#;
+
+#[test]
+fn halfedges_without_twins_are_boundaries() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    std::fs::write(path("figure.json"), FIGURE).unwrap();
+    let report = coface(&["info", "--json", argument(&path("figure.json"))]).json();
+    assert_eq!(
+        keys_of(&report, &["name", "f_vector", "boundary_loops"]),
+        [json!("disk"), json!([6, 9, 4]), json!(1)]
+    );
+    assert_eq!(report["halfedges"][0]["next"], 5);
+    assert_eq!(
+        (&report["halfedges"][12]["outer"], &report["halfedges"][12]["face"]),
+        (&json!(true), &json!(4))
+    );
+    let page = coface(&["info", argument(&path("figure.json"))]).stdout;
+    assert!(page.contains("h0: next h5, twin h12") && page.contains("outer face f4"), "{page}");
+    // What is written is read as the same surface; -1 and the halfedge itself stand for no twin too.
+    coface(&["convert", argument(&path("figure.json")), "-o", argument(&path("again.json"))]);
+    let again = coface(&["info", "--json", argument(&path("again.json"))]).json();
+    assert_eq!(again["halfedges"], report["halfedges"]);
+    let own: Vec<i32> = (0..12)
+        .map(|h| {
+            if h < 6 {
+                h
+            } else if h < 9 {
+                h + 3
+            } else {
+                h - 3
+            }
+        })
+        .collect();
+    for twin in [
+        FIGURE.replace("null", "-1"),
+        FIGURE.replace(&FIGURE[FIGURE.find("\"twin\"").unwrap()..], &format!("\"twin\":{own:?}}}")),
+    ] {
+        assert_eq!(reading(&["info", "-", "--json"], &twin)["halfedges"], report["halfedges"]);
+    }
+    let error = coface_reading(&["info", "-"], br#"{"next":[1,0],"outer":[0],"twin":[1,0]}"#);
+    assert!(error.fails_with(1).contains("lies between outer faces only"), "{}", error.stderr);
+}
+
+#[test]
+fn meshes_become_halfedges_and_polygons_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    std::fs::write(path("cap.off"), OCTAHEDRON.replace("6 8 0", "6 6 0").replace("3 3 1 5\n3 0 3 5\n", ""))
+        .unwrap();
+    coface(&["convert", argument(&path("cap.off")), "-o", argument(&path("cap.halfedges.json"))]);
+    let file: Value = serde_json::from_slice(&std::fs::read(path("cap.halfedges.json")).unwrap()).unwrap();
+    assert_eq!((file["next"].as_array().unwrap().len(), &file["outer"]), (22, &json!([6])));
+    coface(&["convert", argument(&path("cap.halfedges.json")), "-o", argument(&path("back.off"))]);
+    let facts = |name: &str| {
+        let report = coface(&["info", "--json", argument(&path(name))]).json();
+        keys_of(&report, &["name", "f_vector", "area", "homology", "boundary_loops"])
+    };
+    assert_eq!(facts("cap.off"), facts("back.off"));
+    assert_eq!(facts("cap.off")[0], "disk");
+    let error =
+        coface_reading(&["convert", "-", "-o", argument(&path("no.halfedges.json"))], PLANE.as_bytes());
+    assert!(error.fails_with(1).contains("not orientable"), "{}", error.stderr);
+    // The dual of the octahedron is the cube; its dual graph has a line for each edge.
+    std::fs::write(path("octahedron.off"), OCTAHEDRON).unwrap();
+    coface(&["convert", argument(&path("octahedron.off")), "--dual", "-o", argument(&path("cube.off"))]);
+    assert_eq!(facts("cube.off")[1], json!([8, 12, 6]));
+    assert!(
+        coface(&["info", "--json", argument(&path("cube.off"))]).json()["signed_volume"].as_f64() > Some(0.0)
+    );
+    coface(&[
+        "convert",
+        argument(&path("octahedron.off")),
+        "--dual-graph",
+        "-o",
+        argument(&path("graph.obj")),
+    ]);
+    assert_eq!(facts("graph.obj")[1], json!([8, 12]));
+    // With a boundary the dual is the same surface.
+    coface(&["convert", argument(&path("cap.off")), "--dual", "-o", argument(&path("dual.off"))]);
+    assert_eq!((&facts("dual.off")[0], &facts("dual.off")[1]), (&json!("disk"), &json!([14, 19, 6])));
+    let torus = path("torus.json");
+    std::fs::write(&torus, r#"{"next":[2,3,4,5,0,1]}"#).unwrap();
+    coface(&["convert", argument(&torus), "--dual", "-o", argument(&path("dual.json"))]);
+    assert_eq!(facts("dual.json")[1], json!([2, 3, 1]));
+}
+
+#[test]
+fn edits_are_logged_and_undone() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    std::fs::write(path("a.off"), OCTAHEDRON).unwrap();
+    let (a, b, c, log) = (path("a.off"), path("b.off"), path("c.off"), path("log.json"));
+    let run = coface(&[
+        "edit",
+        argument(&a),
+        "--poke",
+        "0",
+        "--flip",
+        "0 2",
+        "--split",
+        "4 6",
+        "--poke",
+        "1",
+        "--json",
+        "--log",
+        argument(&log),
+        "-o",
+        argument(&b),
+    ]);
+    let answer = run.json();
+    let ops: Vec<&Value> = answer["edits"].as_array().unwrap().iter().map(|edit| &edit["op"]).collect();
+    assert_eq!(ops, ["poke_face", "flip_edge", "split_edge", "poke_face"]);
+    assert_eq!(answer["edits"][1]["inverse"][0]["op"], "flip_edge_back");
+    assert_eq!(coface(&["info", "--json", argument(&b)]).json()["name"], "sphere");
+    coface(&["edit", argument(&b), "--undo", argument(&log), "-o", argument(&c)]);
+    let read = |path: &Path| std::fs::read_to_string(path).unwrap();
+    coface(&["convert", argument(&a), "-o", argument(&a)]);
+    assert_eq!(read(&c), read(&a));
+    // Two of four, and what stays is one step of the log again.
+    coface(&[
+        "edit",
+        argument(&b),
+        "--undo",
+        argument(&log),
+        "--steps",
+        "2",
+        "-o",
+        argument(&c),
+        "--log",
+        argument(&log),
+    ]);
+    coface(&["edit", argument(&c), "--undo", argument(&log), "-o", argument(&b)]);
+    assert_eq!(read(&b), read(&a));
+    let error = coface(&["edit", argument(&a), "--undo", argument(&log)]);
+    assert!(error.fails_with(1).contains("not the surface that the edits of"), "{}", error.stderr);
+    coface(&["edit", argument(&a), "--flip", "0 1 2"]).fails_with(2);
+    let error = coface(&["edit", argument(&a), "--flip", "0 1"]);
+    assert!(error.fails_with(1).contains("no edge joins vertices 0 and 1"), "{}", error.stderr);
+}
+
+#[test]
+fn edges_have_roles() {
+    let folder = tempfile::tempdir().unwrap();
+    let (torus, cut) = (folder.path().join("torus.off"), folder.path().join("cut.json"));
+    coface(&["generate", "torus", "--columns", "5", "--rows", "4", "-o", argument(&torus)]);
+    let answer = coface(&["cut", argument(&torus), "--roles", "--json", "-o", argument(&cut)]).json();
+    let count = |key: &str| answer["roles"][key].as_array().unwrap().len();
+    assert_eq!((count("tree"), count("cotree"), count("generators")), (19, 39, 2));
+    assert!(coface(&["cut", argument(&torus), "--json"]).json().get("roles").is_none());
+    let picture = folder.path().join("torus.svg");
+    coface(&["render", argument(&torus), "--with", argument(&cut), "-o", argument(&picture)]);
+    let drawn = std::fs::read_to_string(picture).unwrap();
+    assert!(
+        drawn.contains("<title>generators</title>") && drawn.contains("<title>cotree</title>"),
+        "{}",
+        drawn.len()
+    );
 }

@@ -3,6 +3,7 @@
 use super::PolygonMesh;
 use coface_algebra::UnionFind;
 use coface_algebra::{EdgeId, VertexId};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A connected component of the graph of the edges with exactly one face.
 ///
@@ -12,6 +13,7 @@ use coface_algebra::{EdgeId, VertexId};
 pub struct BoundaryLoop {
     edges: Vec<EdgeId>,
     vertices: Vec<VertexId>,
+    walks: Vec<Vec<VertexId>>,
     is_simple: bool,
 }
 
@@ -25,6 +27,28 @@ impl BoundaryLoop {
     /// Its edges. Of a simple loop: in order, edge i from vertex i to the next. Otherwise rising.
     pub fn edges(&self) -> &[EdgeId] {
         &self.edges
+    }
+
+    /// The walks that its edges make, each edge in one of them: simple loops, whose first vertex is there again at the
+    /// end, and paths between vertices where an odd number of the edges meet. A simple loop is one walk.
+    ///
+    /// # Examples
+    /// Two triangles that touch in a vertex.
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::PolygonMesh;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let touching = PolygonMesh::new(5, RaggedArray::from_lists([[0, 1, 2], [0, 3, 4]]), &[])?;
+    /// let walks: Vec<Vec<usize>> = touching.boundary_loops()[0]
+    ///     .walks()
+    ///     .iter()
+    ///     .map(|walk| walk.iter().map(|v| v.index()).collect())
+    ///     .collect();
+    /// assert_eq!(walks, [[0, 1, 2, 0], [0, 3, 4, 0]]);
+    /// # Ok(()) }
+    /// ```
+    pub fn walks(&self) -> &[Vec<VertexId>] {
+        &self.walks
     }
 
     /// Whether each vertex lies on exactly two of the edges.
@@ -88,7 +112,12 @@ impl PolygonMesh {
 
         let class = partition.class_numbers();
         let mut loops: Vec<BoundaryLoop> = (0..partition.class_count())
-            .map(|_| BoundaryLoop { edges: Vec::new(), vertices: Vec::new(), is_simple: true })
+            .map(|_| BoundaryLoop {
+                edges: Vec::new(),
+                vertices: Vec::new(),
+                walks: Vec::new(),
+                is_simple: true,
+            })
             .collect();
         for v in 0..vertices.len() as u32 {
             let component = &mut loops[class[v as usize] as usize];
@@ -125,7 +154,11 @@ impl PolygonMesh {
                     edge = if *first == edge { *second } else { *first };
                 }
             }
-            for vertex in &mut component.vertices {
+            component.walks = match component.is_simple {
+                true => vec![component.vertices.iter().chain(component.vertices.first()).copied().collect()],
+                false => walks(&component.vertices, &ends, &edges_at),
+            };
+            for vertex in component.vertices.iter_mut().chain(component.walks.iter_mut().flatten()) {
                 *vertex = VertexId::from_u32(vertices[vertex.index()]);
             }
             for edge in &mut component.edges {
@@ -136,12 +169,50 @@ impl PolygonMesh {
     }
 }
 
+/// The edges at some vertices as simple loops and paths. Paths begin where an odd number of edges meet.
+fn walks<'a>(
+    vertices: &[VertexId],
+    ends: &[[u32; 2]],
+    edges_at: &impl Fn(u32) -> &'a [u32],
+) -> Vec<Vec<VertexId>> {
+    let mut met: BTreeSet<u32> = BTreeSet::new();
+    let mut walks = Vec::new();
+    let (odd, even): (Vec<u32>, Vec<u32>) =
+        vertices.iter().map(|vertex| vertex.to_u32()).partition(|&vertex| edges_at(vertex).len() % 2 == 1);
+    for start in odd.into_iter().chain(even) {
+        while let Some(first) = edges_at(start).iter().find(|edge| !met.contains(edge)) {
+            // The walk so far, from which each loop is taken as soon as it closes.
+            let mut walk = vec![start];
+            let mut places = BTreeMap::from([(start, 0)]);
+            let mut edge = Some(*first);
+            while let Some(along) = edge {
+                met.insert(along);
+                let [a, b] = ends[along as usize];
+                let at = if walk[walk.len() - 1] == a { b } else { a };
+                if let Some(&place) = places.get(&at) {
+                    walks.push(walk[place..].iter().chain([&at]).copied().map(VertexId::from_u32).collect());
+                    walk.drain(place + 1..).for_each(|vertex| {
+                        places.remove(&vertex);
+                    });
+                } else {
+                    places.insert(at, walk.len());
+                    walk.push(at);
+                }
+                edge = edges_at(at).iter().find(|edge| !met.contains(edge)).copied();
+            }
+            if walk.len() > 1 {
+                walks.push(walk.into_iter().map(VertexId::from_u32).collect());
+            }
+        }
+    }
+    walks
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use coface_algebra::RaggedArray;
     use proptest::prelude::*;
-    use std::collections::BTreeMap;
 
     fn loops_of(vertex_count: usize, polygons: &[Vec<u32>]) -> (PolygonMesh, Vec<BoundaryLoop>) {
         let mesh = PolygonMesh::new(vertex_count, RaggedArray::from_lists(polygons), &[]).unwrap();
@@ -193,6 +264,21 @@ mod tests {
                 }
                 prop_assert_eq!(component.is_simple(), degree.values().all(|&d| d == 2));
                 prop_assert_eq!(component.vertices().len(), degree.len());
+                let mut walked = Vec::new();
+                for walk in component.walks() {
+                    let is_closed = walk.first() == walk.last();
+                    for pair in walk.windows(2) {
+                        walked.push(mesh.edge_between(pair[0], pair[1]).unwrap());
+                    }
+                    let mut inside = walk[usize::from(is_closed)..].to_vec();
+                    inside.sort_unstable();
+                    prop_assert!(inside.windows(2).all(|pair| pair[0] != pair[1]), "a walk meets itself");
+                    prop_assert!(is_closed || [walk[0], walk[walk.len() - 1]].iter().all(|v| degree[v] % 2 == 1));
+                }
+                walked.sort_unstable();
+                let mut all = component.edges().to_vec();
+                all.sort_unstable();
+                prop_assert_eq!(walked, all);
                 if component.is_simple() {
                     let n = component.vertices().len();
                     for (i, &edge) in component.edges().iter().enumerate() {

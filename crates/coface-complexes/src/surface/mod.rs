@@ -39,7 +39,7 @@ pub use generalized_map::samples;
 pub use generalized_map::{FaceOrientation, GeneralizedMap, Glued, OrientationDoubleCover, PathKind, Slice};
 pub use halfedge::{
     CollapseObstacle, EdgeCollapse, EdgeRemoval, EdgeSplit, FacePoke, FaceSplit, HalfedgeMesh,
-    InnerHalfedges, Renumbering, SimplicialCollapse, VertexRemoval, VertexSplit,
+    HalfedgePermutations, InnerHalfedges, Renumbering, SimplicialCollapse, VertexRemoval, VertexSplit,
 };
 pub use manifold::{LinkComponent, LinkShape, SurfaceDefect, SurfaceFindings, SurfaceVerdict};
 pub use orientation::SurfaceOrientation;

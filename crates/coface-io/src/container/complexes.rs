@@ -8,7 +8,7 @@ use coface_algebra::{Entry, SparseMatrix, WideMatrix};
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::cell_mesh::CellMesh;
 use coface_complexes::simplicial::FrozenComplex;
-use coface_complexes::surface::{HalfedgeMesh, PolygonMesh};
+use coface_complexes::surface::{HalfedgePermutations, PolygonMesh};
 use coface_geometry::Positions;
 use std::io::{Read, Write};
 
@@ -81,8 +81,8 @@ pub fn write(model: &Model, mut out: impl Write) -> Result<(), Error> {
 fn complex_of(model: &Model, structure: Option<&Structure>) -> Result<ChainComplex, Error> {
     Ok(match structure {
         Some(Structure::Facets(facets)) => FrozenComplex::from_facets(facets)?.chain_complex()?,
-        Some(Structure::Halfedges { next, twin }) => {
-            HalfedgeMesh::from_permutations(next, twin)?.chain_complex()?
+        Some(Structure::Halfedges { next, twin, outer }) => {
+            HalfedgePermutations::new(next.clone(), twin.clone(), outer.clone())?.mesh()?.chain_complex()?
         }
         Some(Structure::Chains(complex)) => complex.clone(),
         Some(Structure::Gluings(table)) => table.faces()?.chain_complex()?,

@@ -2,7 +2,7 @@
 
 use super::coboundaries::{Coboundary, CoboundaryOf, degree_of_key};
 use super::curves::{CurveKeys, CurveList};
-use super::facets::{Facet, FacetList, HalfedgeList};
+use super::facets::{Facet, FacetList, HalfedgeList, OuterFaces, TwinList};
 use super::faults::Faults;
 use super::gluings::GluingList;
 use super::matrices::MatrixList;
@@ -19,7 +19,10 @@ pub(super) enum Content {
     Facets(RaggedArray),
     Halfedges {
         next: Vec<u32>,
-        twin: Option<Vec<u32>>,
+        twin: Option<Vec<Option<u32>>>,
+        /// The faces that are outer.
+        outer: Vec<u32>,
+        points: Option<PointList>,
     },
     Boundaries {
         matrices: Vec<SparseMatrix>,
@@ -161,13 +164,14 @@ fn visit_object<'de, A: MapAccess<'de>>(
 ) -> Result<(Option<String>, Content), A::Error> {
     let (mut name, mut facets, mut next, mut twin, mut boundaries) = (None, None, None, None, None);
     let (mut gluings, mut points, mut coboundaries, mut others) = (None, None, Vec::new(), Vec::new());
-    let (mut curves, mut pieces) = (CurveKeys::default(), None);
+    let (mut curves, mut pieces, mut outer) = (CurveKeys::default(), None, Vec::new());
     while let Some(key) = map.next_key::<String>()? {
         match key.as_str() {
             "name" => name = map.next_value_seed(Name)?,
             "facets" => facets = Some(map.next_value_seed(FacetList(faults))?),
             "next" => next = Some(map.next_value_seed(HalfedgeList { name: "next", faults })?),
-            "twin" => twin = Some(map.next_value_seed(HalfedgeList { name: "twin", faults })?),
+            "twin" => twin = Some(map.next_value_seed(TwinList(faults))?),
+            "outer" => outer = map.next_value_seed(OuterFaces)?,
             "boundaries" => boundaries = Some(map.next_value_seed(MatrixList(faults))?),
             "pieces_of" => pieces = Some(map.next_value()?),
             "gluings" => gluings = Some(map.next_value_seed(GluingList(faults))?),
@@ -201,7 +205,7 @@ fn visit_object<'de, A: MapAccess<'de>>(
     let content = match (facets, next, boundaries, gluings, coboundaries.is_empty()) {
         _ if has_curves => return Err(several(faults)),
         (Some(facets), None, None, None, true) => Content::Facets(facets),
-        (None, Some(next), None, None, true) => Content::Halfedges { next, twin },
+        (None, Some(next), None, None, true) => Content::Halfedges { next, twin, outer, points },
         (None, None, Some(matrices), None, true) => Content::Boundaries { matrices, points, pieces },
         (None, None, None, Some(table), true) => Content::Gluings(table),
         (None, None, None, None, false) => Content::Coboundaries { matrices: coboundaries, points },

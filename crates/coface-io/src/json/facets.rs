@@ -239,3 +239,50 @@ impl<'de> Visitor<'de> for HalfedgeList<'_> {
         }
     }
 }
+
+/// The twins of halfedges; `null` and -1 stand for no twin.
+pub(super) struct TwinList<'a>(pub(super) &'a Faults);
+
+impl<'de> DeserializeSeed<'de> for TwinList<'_> {
+    type Value = Vec<Option<u32>>;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
+        deserializer.deserialize_seq(self)
+    }
+}
+
+impl<'de> Visitor<'de> for TwinList<'_> {
+    type Value = Vec<Option<u32>>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "\"twin\", a list of halfedge numbers, with null on the boundary")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
+        let mut twins = Vec::new();
+        while let Some(twin) = list.next_element::<Option<i64>>()? {
+            let twin = match twin {
+                None | Some(-1) => None,
+                Some(number) => Some(u32::try_from(number).map_err(|_| {
+                    let message = format!("\"twin\" of halfedge {} is {number}", twins.len());
+                    let cure = "number from 0 to 2^32 - 1, and write null on the boundary";
+                    self.0.raise(Error::invalid(message).with_cure(cure))
+                })?),
+            };
+            twins.push(twin);
+        }
+        Ok(twins)
+    }
+}
+
+/// The numbers of outer faces. What is no list of numbers is another key of that name, and is passed over.
+pub(super) struct OuterFaces;
+
+impl<'de> DeserializeSeed<'de> for OuterFaces {
+    type Value = Vec<u32>;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
+        let given: serde_json::Value = serde::Deserialize::deserialize(deserializer)?;
+        Ok(serde_json::from_value(given).unwrap_or_default())
+    }
+}

@@ -4,7 +4,9 @@
 //! * `{"facets": [[0, 1, 2], ..]}`, or the bare list: simplices by their vertices, numbers from 0 to 2^32 - 1 that need
 //!   not be dense;
 //! * `{"next": [..], "twin": [..]}`: a surface as two permutations of its halfedges; without `twin`, halfedges 2i and
-//!   2i + 1 are twins;
+//!   2i + 1 are twins. A surface with boundary has `"outer": [face, ..]`, the faces that fill its boundary loops by the
+//!   numbers of the orbits of `next`, by their smallest halfedges; or `null` (or -1, or itself) as the twin of each
+//!   halfedge on the boundary, so that there are no halfedges outside: they are added after all others;
 //! * `{"boundaries": [{"rows": m, "cols": n, "entries": [[row, column, value], ..]}, ..]}`: the boundary matrices of
 //!   degrees 1, 2, ..; values at one place are added;
 //! * `{"vertices": [[x, y, ..], ..], "d0": [[row, column, value], ..], "d1": .., ..}`: points, and the coboundary matrices of
@@ -18,7 +20,8 @@
 //! * several of these: a list of such objects and lists of facets, or one after the other, such as one a line (JSON lines). [`read`]
 //!   takes the first, and [`read_entry`] the one of a `"name"` or at a place.
 //!
-//! Points under `"vertices"` can stand beside `"boundaries"` too. All matrices together have at
+//! Points under `"vertices"` can stand beside `"boundaries"` too, and beside `"next"`: vertices are the orbits of "twin, then
+//! next", numbered by their smallest halfedges. All matrices together have at
 //! most 2^20 rows and columns, and 16 more for each entry: an index that a file merely names takes no memory.
 //!
 //! Beside `"boundaries"`, `"pieces_of": [[cell or null, ..], ..]` says for each cell of degrees 0, 1, .. which cell it is a

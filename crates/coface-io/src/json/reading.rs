@@ -9,6 +9,7 @@ use crate::{Model, Remark, RemarkCode, Structure};
 use coface_algebra::SparseMatrix;
 use coface_algebra::chains::{ChainComplex, ChainRefinement};
 use coface_algebra::{Error, ErrorKind};
+use coface_complexes::surface::HalfedgePermutations;
 use coface_geometry::Positions;
 use serde::de::DeserializeSeed;
 use serde_json::error::Category;
@@ -210,11 +211,8 @@ fn located(error: serde_json::Error, fault: Option<Error>) -> Error {
 fn to_model(content: Content, tolerance: Option<f64>) -> Result<Model, Error> {
     let structure = match content {
         Content::Facets(facets) => Structure::Facets(facets),
-        Content::Halfedges { next, twin } => {
-            let twin = twin.unwrap_or_else(|| (0..next.len() as u32).map(|h| h ^ 1).collect());
-            check_permutation("next", &next, next.len())?;
-            check_permutation("twin", &twin, next.len())?;
-            Structure::Halfedges { next, twin }
+        Content::Halfedges { next, twin, outer, points } => {
+            return halfedges(next, twin, outer, positions(points)?);
         }
         Content::Boundaries { matrices, points, pieces } => {
             let model = chains(matrices, positions(points)?)?;
@@ -250,6 +248,36 @@ fn to_model(content: Content, tolerance: Option<f64>) -> Result<Model, Error> {
         }
     };
     Ok(Model::from_structure(structure))
+}
+
+/// A surface of halfedges; those without a twin lie on the boundary.
+fn halfedges(
+    next: Vec<u32>,
+    twin: Option<Vec<Option<u32>>>,
+    outer: Vec<u32>,
+    positions: Option<Positions>,
+) -> Result<Model, Error> {
+    check_permutation("next", &next, next.len())?;
+    let twin = twin.unwrap_or_else(|| (0..next.len() as u32).map(|h| Some(h ^ 1)).collect());
+    let is_bare = |(h, twin): (usize, &Option<u32>)| twin.is_none_or(|twin| twin as usize == h);
+    let permutations = if twin.iter().enumerate().any(is_bare) {
+        let closed = HalfedgePermutations::with_boundary(&next, &twin)?;
+        if outer.is_empty() {
+            closed
+        } else {
+            let (next, twin, mut all) = closed.into_parts();
+            all.extend(outer);
+            HalfedgePermutations::new(next, twin, all)?
+        }
+    } else {
+        let twin: Vec<u32> = twin.into_iter().flatten().collect();
+        check_permutation("twin", &twin, next.len())?;
+        if outer.is_empty() && positions.is_none() {
+            return Ok(Model::from_structure(Structure::Halfedges { next, twin, outer }));
+        }
+        HalfedgePermutations::new(next, twin, outer)?
+    };
+    Model::from_halfedges(permutations, positions.unwrap_or_default())
 }
 
 fn positions(points: Option<PointList>) -> Result<Option<Positions>, Error> {

@@ -35,11 +35,19 @@ pub fn write(model: &Model, out: impl Write) -> Result<(), Error> {
     let mut out = BufWriter::with_capacity(1 << 16, out);
     match model.structure() {
         Some(Structure::Facets(facets)) => write_facets(&mut out, facets.iter())?,
-        Some(Structure::Halfedges { next, twin }) => {
-            write!(out, "{{\"next\":")?;
+        Some(Structure::Halfedges { next, twin, outer }) => {
+            out.write_all(b"{")?;
+            if !model.positions().is_empty() {
+                write_points(&mut out, model.positions())?;
+            }
+            write!(out, "\"next\":")?;
             write_list(&mut out, next)?;
             write!(out, ",\n\"twin\":")?;
             write_list(&mut out, twin)?;
+            if !outer.is_empty() {
+                write!(out, ",\n\"outer\":")?;
+                write_list(&mut out, outer)?;
+            }
             writeln!(out, "}}")?;
         }
         Some(Structure::Chains(complex)) => {

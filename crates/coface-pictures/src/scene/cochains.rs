@@ -45,7 +45,7 @@ impl Form {
 /// Cocycles of integers: arrows on the edges where they are not zero.
 pub(super) fn cocycle_layers(result: &Shown, layers: &mut Vec<Layer>) {
     for (number, cocycle) in result.cocycles.list().iter().enumerate() {
-        let mut layer = Layer::new("cocycles", format!("cocycle {number}"));
+        let mut layer = Layer::new("cocycles", format!("cocycle {}", number + 1));
         cocycle.push_onto(&mut layer);
         layer.detail = format!("not zero on {} edges", cocycle.0.len());
         layer.has_arrows = true;
@@ -78,11 +78,11 @@ impl Scene {
         let mut layers = Vec::new();
         for (number, form) in with_values.chain(with_chains).enumerate() {
             let mut arrows = self.arrows(&form);
-            arrows.name = format!("harmonic form {number}, arrows");
+            arrows.name = format!("harmonic form {}, arrows", number + 1);
             arrows.is_on = number == 0;
             arrows.color = Some(number as u32);
             let mut lines = self.level_lines(&form);
-            lines.name = format!("harmonic form {number}, isolines");
+            lines.name = format!("harmonic form {}, isolines", number + 1);
             lines.detail = format!("{LEVELS} to a period");
             lines.color = Some(number as u32);
             layers.extend([arrows, lines]);

@@ -40,6 +40,7 @@ impl Scene {
         let mut layers = Vec::new();
         generators(result, &mut layers);
         seams(result, &mut layers);
+        roles(result, &mut layers);
         loops(result, &mut layers);
         cocycle_layers(result, &mut layers);
         simplex_sets(result, &mut layers);
@@ -127,7 +128,7 @@ fn generators(result: &Shown, layers: &mut Vec<Layer>) {
     for (degree, list) in result.generators.list().iter().enumerate() {
         for (number, generator) in list.list().iter().enumerate() {
             let power = if is_dual { "H^" } else { "H" };
-            let mut layer = Layer::new(group, format!("{power}{degree} generator {number}"));
+            let mut layer = Layer::new(group, format!("{power}{degree} generator {}", number + 1));
             generator.chain.push_onto(&mut layer);
             let order = match &generator.order {
                 Some(order) if !order.0.is_zero() => format!("order {}", order.0),
@@ -149,7 +150,7 @@ fn seams(result: &Shown, layers: &mut Vec<Layer>) {
         for (place, seam) in component.seams.list().iter().enumerate() {
             let number = seam.number.as_ref().map_or_else(String::new, |number| format!(" {}", number.0));
             let kind = seam.kind.0.as_deref().unwrap_or("seam");
-            let mut layer = Layer::new("cut", format!("{kind}{number} of component {at}"));
+            let mut layer = Layer::new("cut", format!("{kind}{number} of component {}", at + 1));
             layer.lines.push(&seam.vertices.0);
             layer.detail = edges(seam.edges.as_ref().map_or(0, |edges| edges.0));
             layer.color = Some(place as u32);
@@ -158,7 +159,31 @@ fn seams(result: &Shown, layers: &mut Vec<Layer>) {
             layers.push(layer);
         }
         for (number, walk) in component.loops.list().iter().enumerate() {
-            layers.push(loop_layer(walk, format!("loop {} of component {at}", number + 1)));
+            layers.push(loop_layer(walk, format!("loop {} of component {}", number + 1, at + 1)));
+        }
+    }
+}
+
+/// The edges of a tree-cotree decomposition by what they are.
+fn roles(result: &Shown, layers: &mut Vec<Layer>) {
+    for roles in [&result.roles, &result.trees].into_iter().flatten() {
+        let parts = [
+            ("tree", &roles.tree, "edges of the spanning tree of vertices"),
+            ("cotree", &roles.cotree, "edges that the spanning tree of faces crosses"),
+            ("generators", &roles.generators, "edges in neither: each closes a loop of the tree"),
+        ];
+        for (place, (name, list, detail)) in parts.into_iter().enumerate() {
+            if list.list().is_empty() {
+                continue;
+            }
+            let mut layer = Layer::new("tree and cotree", name.to_owned());
+            list.list().iter().for_each(|ends| {
+                layer.lines.push(&ends.0);
+            });
+            layer.detail = format!("{}: {detail}", edges(list.list().len()));
+            layer.color = Some(place as u32);
+            layer.is_on = true;
+            layers.push(layer);
         }
     }
 }

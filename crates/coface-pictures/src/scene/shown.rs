@@ -17,6 +17,9 @@ keyed! {
             /// Whether they are of cohomology.
             cohomology: Truth,
             components: Entries<Component>,
+            /// The edges of a tree-cotree decomposition.
+            roles: Option<Roles>,
+            trees: Option<Roles>,
             /// Closed walks, or cycles.
             loops: Entries<Walk>,
             walks: Entries<Walk>,
@@ -62,6 +65,13 @@ keyed! {
     struct Component {
         needed: {}
         may: { seams: Entries<Seam>, loops: Entries<Walk>, }
+    }
+}
+
+keyed! {
+    struct Roles {
+        needed: {}
+        may: { tree: Entries<Vertices>, cotree: Entries<Vertices>, generators: Entries<Vertices>, }
     }
 }
 

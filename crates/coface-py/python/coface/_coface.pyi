@@ -1034,6 +1034,10 @@ class Domain:
         """Whether the graph was made short."""
         ...
     @property
+    def roles(self) -> dict[str, Json] | None:
+        """The edges by ``tree``, ``cotree`` and ``generators``; ``None`` unless they were asked for."""
+        ...
+    @property
     def path(self) -> dict[str, Json] | None:
         """Of a cut along a path its ``kind`` and number of ``edges``."""
         ...
@@ -1488,7 +1492,7 @@ class Model:
         """
         ...
     @staticmethod
-    def from_halfedges(next: ArrayLike, twin: ArrayLike | None = None) -> Model:
+    def from_halfedges(next: ArrayLike, twin: ArrayLike | Sequence[int | None] | None = None, *, outer: ArrayLike | None = None, vertices: ArrayLike | None = None) -> Model:
         """A surface as permutations of its halfedges.
 
         Parameters
@@ -1496,7 +1500,11 @@ class Model:
         next : array_like of int
             The next halfedge around the face.
         twin : array_like of int, optional
-            The other halfedge of the edge; ``h ^ 1`` if left out.
+            The other halfedge of the edge; ``h ^ 1`` if left out. ``None`` or -1 on the boundary, where there is none.
+        outer : array_like of int, optional
+            The faces that fill boundary loops: orbits of ``next``, numbered by their smallest halfedges.
+        vertices : array_like of float, optional
+            The position of each vertex: orbits of "twin, then next", numbered by their smallest halfedges.
 
         Returns
         -------
@@ -2809,7 +2817,7 @@ class Surface:
             ``name``, ``orientable``, ``genus``, ``boundary_loops``, ``euler_characteristic``, ``f_vector``.
         """
         ...
-    def cut(self, along: ArrayLike | None = None, *, simplify: bool = False, rounds: int | None = None, base: int | None = None, progress: _Progress = ...) -> Domain:
+    def cut(self, along: ArrayLike | None = None, *, simplify: bool = False, rounds: int | None = None, base: int | None = None, roles: bool = False, progress: _Progress = ...) -> Domain:
         """The surface cut open to disks along a short graph, or along a path.
 
         Parameters
@@ -2822,6 +2830,8 @@ class Surface:
             How often every seam is made shorter.
         base : int, optional
             The vertex that the graph is grown from.
+        roles : bool
+            Whether ``roles`` is wanted: which edges are in the spanning tree, which the tree of faces crosses, and which close generators.
         progress : bool or callable, optional
             ``True`` shows a bar; a function is called with (stage, done, total).
 
@@ -2830,6 +2840,47 @@ class Surface:
         Domain
             The opened surface, and what each seam is for.
         """
+        ...
+    def flip_edge(self, edge: int | tuple[int, int]) -> Surface:
+        """The surface with an edge turned by one corner counterclockwise: between two triangles, the other diagonal.
+
+        Edges are given by their numbers or by their ends, ``(3, 5)``. Surfaces do not change: each edit gives a new one. :attr:`edits` has
+        what was done, and :meth:`undo` takes it back.
+        """
+        ...
+    def flip_edge_back(self, edge: int | tuple[int, int]) -> Surface:
+        """The surface with an edge turned by one corner clockwise: the inverse of :meth:`flip_edge`."""
+        ...
+    def split_edge(self, edge: int | tuple[int, int]) -> Surface:
+        """The surface with a vertex in the middle of an edge; the inverse is :meth:`remove_vertex`."""
+        ...
+    def remove_vertex(self, vertex: int) -> Surface:
+        """The surface without a vertex that has exactly two edges, which become one."""
+        ...
+    def split_face(self, start: int | tuple[int, int], end: int | tuple[int, int]) -> Surface:
+        """The surface with a face split by an edge between the sources of two of its halfedges, each given by its number or as ``(from, to)``."""
+        ...
+    def remove_edge(self, edge: int | tuple[int, int]) -> Surface:
+        """The surface without an edge between two faces, which become one; the inverse is :meth:`split_face`."""
+        ...
+    def split_vertex(self, start: int | tuple[int, int], end: int | tuple[int, int]) -> Surface:
+        """The surface with a vertex drawn out to an edge, between the corners of two halfedges that leave it."""
+        ...
+    def contract_edge(self, edge: int | tuple[int, int]) -> Surface:
+        """The surface with an edge contracted to a vertex: its faces lose a side each. The inverse of :meth:`split_vertex`."""
+        ...
+    def collapse_edge(self, edge: int | tuple[int, int]) -> Surface:
+        """The surface with an edge and the triangles beside it collapsed, where it stays a simplicial complex."""
+        ...
+    def poke_face(self, face: int) -> Surface:
+        """The surface with a vertex inside a face, joined to each corner."""
+        ...
+    def undo(self, count: int = 1) -> Surface:
+        """The surface before its last edits, with the same numbers."""
+        ...
+    @property
+    def edits(self) -> list[dict[str, Json]]:
+        """What was done to the surface: each edit with its ``inverse``."""
         ...
     def cover(self, *, radius: int | None = None, copies: int | None = None, component: int = 0, layout: str = "auto", most_cells: int = 100000000, progress: _Progress = ...) -> Cover:
         """The universal cover of a component, as far as it is asked for.

@@ -142,7 +142,7 @@ pub(super) fn facets_of(model: &io::Model) -> &RaggedArray {
 /// The permutations `next` and `twin` of a model of halfedges.
 pub(super) fn permutations_of(model: &io::Model) -> [&[u32]; 2] {
     match model.structure() {
-        Some(Structure::Halfedges { next, twin }) => [next, twin],
+        Some(Structure::Halfedges { next, twin, .. }) => [next, twin],
         _ => [&[], &[]],
     }
 }

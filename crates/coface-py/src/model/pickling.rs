@@ -12,6 +12,7 @@ use coface::algebra::RaggedArray;
 use coface::algebra::chains::ChainRefinement;
 use coface::complexes::cell_mesh::CellShape;
 use coface::complexes::gluing::GluingTable;
+use coface::complexes::surface::HalfedgePermutations;
 use coface::geometry::Positions;
 use coface::io;
 use coface::io::{Group, Structure};
@@ -41,7 +42,12 @@ pub(crate) fn _model(py: Python<'_>, parts: &Bound<'_, PyDict>) -> PyResult<Mode
     } else if let Some(pair) = parts.get_item("halfedges")? {
         let next = arrays::ids(&pair.get_item(0)?, "next")?;
         let twin = arrays::ids(&pair.get_item(1)?, "twin")?;
-        io::Model::from_structure(Structure::Halfedges { next, twin })
+        let outer = match parts.get_item("outer")? {
+            Some(outer) => arrays::ids(&outer, "outer")?,
+            None => Vec::new(),
+        };
+        let permutations = HalfedgePermutations::new(next, twin, outer).or_raise(py)?;
+        io::Model::from_halfedges(permutations, positions).or_raise(py)?
     } else if let Some(rows) = parts.get_item("gluings")? {
         let rows: Vec<Vec<Option<(u32, Vec<u32>)>>> = rows.extract()?;
         io::Model::from_structure(Structure::Gluings(GluingTable::from_rows(&rows).or_raise(py)?))
@@ -106,7 +112,12 @@ pub(super) fn parts<'py>(py: Python<'py>, model_of: &Model) -> PyResult<Bound<'p
         Some(Structure::Facets(facets)) => {
             parts.set_item("facets", pair(py, facets)?)?;
         }
-        Some(Structure::Halfedges { .. }) => parts.set_item("halfedges", model_of.halfedges(py)?)?,
+        Some(Structure::Halfedges { outer, .. }) => {
+            parts.set_item("halfedges", model_of.halfedges(py)?)?;
+            if !outer.is_empty() {
+                parts.set_item("outer", arrays::id_array(py, outer.iter().copied()))?;
+            }
+        }
         Some(Structure::Gluings(_)) => parts.set_item("gluings", model_of.gluings())?,
         Some(Structure::Volume(_)) => parts.set_item("voxels", model_of.voxels(py)?)?,
         Some(Structure::Chains(complex)) => {

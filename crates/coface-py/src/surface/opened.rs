@@ -25,6 +25,8 @@ answer! { Domain {
     f_vector,
     /// Whether the graph was made short.
     simplified,
+    /// The edges by ``tree``, ``cotree`` and ``generators``; ``None`` unless they were asked for.
+    roles,
     /// Of a cut along a path its ``kind`` and number of ``edges``.
     path,
 }

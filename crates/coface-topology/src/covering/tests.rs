@@ -170,9 +170,9 @@ fn impossible_covers_are_refused() {
     };
     let sphere = map_of(&known_spaces::simplex_boundary(2).unwrap());
     assert_eq!(
-        fault(&sphere, 0, CoverExtent::Radius(5), 1000),
-        "the fundamental group has 1 element, so the whole universal cover is 1 copy of the fundamental domain: radius 5 \
-         is beyond it; ask for radius 0 or 1 copy"
+        fault(&sphere, 0, CoverExtent::Copies(5), 1000),
+        "the fundamental group has 1 element, so the whole universal cover is 1 copy of the fundamental domain: 5 copies \
+         is beyond it; ask for 1 copy, or for radius 0 or more"
     );
     assert!(fault(&sphere, 0, CoverExtent::Copies(2), 1000).contains("2 copies is beyond it"));
     assert!(fault(&sphere, 1, CoverExtent::Radius(0), 1000).contains("no component 1"));

@@ -84,7 +84,7 @@ impl UniversalCover {
     ///
     /// # Errors
     /// [`ErrorKind::NotInComplex`] if there is no such component; [`ErrorKind::InvalidInput`] for no copies at all, and
-    /// for a radius or a number of copies beyond those of a finite cover: a sphere has 1 copy, a projective plane 2.
+    /// for more copies than a finite cover has: a sphere has 1 copy, a projective plane 2. A radius has no such bound.
     /// [`ErrorKind::TooLarge`] if there would be more than `most_cells` cells, with the number of copies that it takes;
     /// nothing is built then.
     ///
@@ -106,8 +106,9 @@ impl UniversalCover {
     /// let sphere = UniversalCover::new(&plane, &cut, 0, CoverExtent::Copies(2), 1000)?;
     /// assert_eq!(sphere.f_vector(), [12, 30, 20]);
     /// assert_eq!(sphere.euler_characteristic(), 2);
-    /// let error = UniversalCover::new(&plane, &cut, 0, CoverExtent::Radius(5), 1000).unwrap_err();
+    /// let error = UniversalCover::new(&plane, &cut, 0, CoverExtent::Copies(5), 1000).unwrap_err();
     /// assert!(error.message().contains("2 copies"));
+    /// assert!(UniversalCover::new(&plane, &cut, 0, CoverExtent::Radius(5), 1000)?.is_complete());
     /// # Ok(()) }
     /// ```
     pub fn new(
@@ -510,21 +511,16 @@ impl UniversalCover {
 /// The number of copies, if they can be had.
 fn copy_count(domain: &Domain, extent: CoverExtent, most_cells: usize) -> Result<usize, Error> {
     let group = &domain.group;
-    if let Some(order) = group.order() {
-        let asked = match extent {
-            CoverExtent::Radius(radius) if radius >= order => format!("radius {radius}"),
-            CoverExtent::Copies(count) if count > order => format!("{count} copies"),
-            _ => String::new(),
-        };
-        if !asked.is_empty() {
-            let (copies, radius) = if order == 1 { ("1 copy", 0) } else { ("2 copies", 1) };
-            return Err(Error::invalid(format!(
-                "the fundamental group has {order} element{}, so the whole universal cover is {copies} of the \
-                 fundamental domain: {asked} is beyond it",
-                if order == 1 { "" } else { "s" }
-            ))
-            .with_cure(format!("ask for radius {radius} or {copies}")));
-        }
+    if let (Some(order), CoverExtent::Copies(count)) = (group.order(), extent)
+        && count > order
+    {
+        let (copies, radius) = if order == 1 { ("1 copy", 0) } else { ("2 copies", 1) };
+        return Err(Error::invalid(format!(
+            "the fundamental group has {order} element{}, so the whole universal cover is {copies} of the \
+             fundamental domain: {count} copies is beyond it",
+            if order == 1 { "" } else { "s" }
+        ))
+        .with_cure(format!("ask for {copies}, or for radius {radius} or more")));
     }
     let most = (most_cells / domain.cell_count().max(1)).min(NONE as usize - 1);
     let too_large = |copies: String| {

@@ -69,7 +69,7 @@ impl ClosedWalk {
             if target(pair[0]) != source(pair[1]) {
                 return Err(Error::invalid(format!(
                     "step {} of the walk starts at {}, but the step before ends at {}",
-                    i + 1,
+                    i + 2,
                     source(pair[1]),
                     target(pair[0])
                 ))
@@ -128,8 +128,8 @@ impl ClosedWalk {
     ) -> Result<Vec<Self>, Error> {
         let ends = skeleton.edge_ends();
         let steps_at = RaggedArray::grouped(skeleton.vertex_count(), ends.iter().copied());
-        let walk = |(number, list): (usize, &L)| {
-            let list = list.as_ref();
+        let walk = |(index, list): (usize, &L)| {
+            let (number, list) = (index + 1, list.as_ref());
             if let Some(vertex) = list.iter().find(|vertex| vertex.index() >= skeleton.vertex_count()) {
                 return Err(Error::new(
                     ErrorKind::NotInComplex,
@@ -151,8 +151,10 @@ impl ClosedWalk {
                 let mut steps = steps_at.list(pair[0].index()).iter().copied();
                 steps.find(|&step| ends[(step ^ 1) as usize] == pair[1].to_u32()).ok_or_else(|| {
                     Error::invalid(format!(
-                        "step {i} of walk {number} goes from {} to {}, but no edge joins them",
-                        pair[0], pair[1]
+                        "step {} of walk {number} goes from {} to {}, but no edge joins them",
+                        i + 1,
+                        pair[0],
+                        pair[1]
                     ))
                     .with_cure("go along edges only")
                 })
@@ -294,7 +296,7 @@ mod tests {
         let skeleton = known_spaces::simplex(2).unwrap().freeze().two_skeleton().unwrap();
         let fault =
             |steps: &[u32]| ClosedWalk::new(&skeleton, steps.to_vec()).unwrap_err().message().to_owned();
-        assert_eq!(fault(&[0, 2, 5]), "step 1 of the walk starts at v0, but the step before ends at v1");
+        assert_eq!(fault(&[0, 2, 5]), "step 2 of the walk starts at v0, but the step before ends at v1");
         assert_eq!(fault(&[0, 4]), "the walk starts at v0 but its last step ends at v2");
         assert_eq!(fault(&[0, 6]), "there is no edge e3; there are 3");
         let square = known_spaces::circle(4).unwrap().freeze().two_skeleton().unwrap();
@@ -302,10 +304,10 @@ mod tests {
             let list: Vec<VertexId> = vertices.iter().map(|&v| VertexId::from_u32(v)).collect();
             ClosedWalk::from_vertices(&square, &[list]).unwrap_err().message().to_owned()
         };
-        assert_eq!(fault(&[0, 1, 3, 0]), "step 1 of walk 0 goes from v1 to v3, but no edge joins them");
-        assert_eq!(fault(&[0, 1]), "walk 0 starts at v0 but ends at v1");
-        assert_eq!(fault(&[0, 9, 0]), "walk 0 goes through v9; there are 4 vertices");
-        assert_eq!(fault(&[]), "walk 0 has no vertices");
+        assert_eq!(fault(&[0, 1, 3, 0]), "step 2 of walk 1 goes from v1 to v3, but no edge joins them");
+        assert_eq!(fault(&[0, 1]), "walk 1 starts at v0 but ends at v1");
+        assert_eq!(fault(&[0, 9, 0]), "walk 1 goes through v9; there are 4 vertices");
+        assert_eq!(fault(&[]), "walk 1 has no vertices");
     }
 
     #[test]

@@ -49,10 +49,11 @@ pub struct CutGraph {
 /// What a surface is cut open at along a seam.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum SeamKind {
-    /// Glued together again there, the disk becomes an annulus, and the seam lies on a cycle of seams and boundary: it
-    /// is part of what opens a handle.
+    /// It lies on a cycle of seams and boundary of an orientable surface: the seams of this kind together open the
+    /// handles, two of a torus, up to 6g - 3 of genus g.
     Handle,
-    /// Glued together again there, the disk becomes a Moebius band: it opens a crosscap.
+    /// It lies on a cycle of seams and boundary of a surface that is not orientable: the seams of this kind together
+    /// open the crosscaps. [`Seam::is_reversing`] tells those along which a single one opens.
     Crosscap,
     /// It joins boundary loops, or the seams of handles and crosscaps with these or with each other: without it the
     /// graph and the boundary are not connected.
@@ -79,6 +80,7 @@ pub struct Seam {
     steps: Vec<u32>,
     ends: [VertexId; 2],
     kind: SeamKind,
+    is_reversing: bool,
     length: f64,
 }
 
@@ -136,6 +138,23 @@ impl Seam {
     /// ```
     pub fn kind(&self) -> SeamKind {
         self.kind
+    }
+
+    /// Whether the disk, glued together again at this seam alone, becomes a Moebius band, and not an annulus.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_complexes::surface::GeneralizedMap;
+    /// use coface_topology::{CutGraph, TreeCotree};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let plane = GeneralizedMap::new(known_spaces::projective_plane()?.freeze().two_skeleton()?)?;
+    /// let graph = CutGraph::new(&plane, &TreeCotree::new(&plane), None)?;
+    /// assert!(graph.seams()[0].is_reversing());
+    /// # Ok(()) }
+    /// ```
+    pub fn is_reversing(&self) -> bool {
+        self.is_reversing
     }
 
     /// The sum of the lengths of its edges.
@@ -201,6 +220,7 @@ impl CutGraph {
         let paths = paths(map, &is_cut);
         let sliced = map.slice_edges(&edges_of(&is_cut))?;
         let orientation = sliced.surface().orientation();
+        let below = map.orientation();
         let joins = joins(map, &paths);
         let ends = map.skeleton().edge_ends();
         let is_outer = outer_vertices(map);
@@ -216,14 +236,15 @@ impl CutGraph {
             let [a, b] = [side, mate].map(|side| orientation.signs()[map.face(side).index()]);
             // Only a slit has loose ends.
             let is_loose = |corner: u32| degrees[corner as usize] == 1 && !is_outer[corner as usize];
-            let kind = match (is_loose(corners[0]), (a == b) == map.agrees(side), is_join) {
-                (true, ..) => SeamKind::Slit,
-                (_, false, _) => SeamKind::Crosscap,
-                (_, _, true) => SeamKind::Join,
+            let is_reversing = (a == b) != map.agrees(side);
+            let kind = match (is_loose(corners[0]), is_join && !is_reversing) {
+                (true, _) => SeamKind::Slit,
+                (_, true) => SeamKind::Join,
+                _ if below.conflicts()[below.component(map.face(side))].is_some() => SeamKind::Crosscap,
                 _ => SeamKind::Handle,
             };
             let length = steps.iter().map(|&step| lengths[(step >> 1) as usize]).sum();
-            Seam { ends: corners.map(VertexId::from_u32), steps, kind, length }
+            Seam { ends: corners.map(VertexId::from_u32), steps, kind, is_reversing, length }
         };
         let seams = paths.into_iter().zip(joins).map(seam).collect();
         Ok(Self { seams, is_cut })

@@ -3,7 +3,7 @@
 use super::ClosedWalk;
 use coface_algebra::chains::Cochain;
 use coface_algebra::progress::stage;
-use coface_algebra::{CellId, EdgeId, Error, ErrorKind, HalfedgeId};
+use coface_algebra::{CellId, EdgeId, Error, ErrorKind, HalfedgeId, VertexId};
 use coface_algebra::{Integer, Sign};
 use coface_complexes::surface::{FaceOrientation, GeneralizedMap};
 
@@ -178,7 +178,7 @@ impl<'a> Slicing<'a> {
             left = self.corner(step, left, steps[(i + 1) % steps.len()], &mut touching);
         }
         if left != start {
-            return Err(one_sided(walk));
+            return Err(one_sided(self.map, walk));
         }
         touching.sort_unstable_by_key(|step| step >> 1);
         let mut values: Vec<(u32, i64)> = Vec::new();
@@ -257,20 +257,18 @@ impl<'a> Slicing<'a> {
     }
 }
 
-fn one_sided(walk: &ClosedWalk) -> Error {
+fn one_sided(map: &GeneralizedMap, walk: &ClosedWalk) -> Error {
     const FEW: usize = 32;
-    let steps: Vec<String> = walk
-        .steps()
-        .iter()
-        .take(FEW)
-        .map(|step| format!("{}{}", if step & 1 == 0 { "" } else { "-" }, EdgeId::from_u32(step >> 1)))
-        .collect();
-    let more = if walk.len() > FEW { " .." } else { "" };
+    let ends = map.skeleton().edge_ends();
+    let targets = walk.steps().iter().map(|&step| VertexId::from_u32(ends[(step ^ 1) as usize]));
+    let vertices: Vec<VertexId> = std::iter::once(walk.start()).chain(targets).collect();
+    let few: Vec<String> = vertices.iter().take(FEW).map(ToString::to_string).collect();
+    let more = if vertices.len() > FEW { " .." } else { "" };
     Error::invalid(format!(
-        "the closed walk from {} along {}{more} is one-sided: left and right are exchanged along it, so that slicing there \
+        "the closed walk through {}{more} is one-sided: left and right are exchanged along it, so that slicing there \
          leaves a single side and no jump",
-        walk.start(),
-        steps.join(" ")
+        few.join(" ")
     ))
+    .with_cells([vertices.into_iter().map(VertexId::to_u32).collect::<Vec<_>>()])
     .with_cure("take the cocycles by crossing, or run through the walk twice")
 }

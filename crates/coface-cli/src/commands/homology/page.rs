@@ -43,8 +43,10 @@ fn list(generators: &[Vec<GeneratorAnswer>], is_cohomology: bool, names: CellNam
                 if found.order.is_zero() { String::new() } else { format!(" of order {}", found.order) };
             let length = &found.length;
             let cells = if *length == WholeNumber::Number(1) { "cell" } else { "cells" };
-            page +=
-                &format!("    generator {i} of degree {degree}: a {what}{order}, length {length} {cells}");
+            page += &format!(
+                "    generator {} of degree {degree}: a {what}{order}, length {length} {cells}",
+                i + 1
+            );
             if found.chain.len() <= MOST_CELLS {
                 let term = |(x, vertices): &ChainTerm| {
                     let word = names.word_of(vertices);

@@ -189,9 +189,9 @@ impl GeneralizedMap {
         match slice.path {
             Some(PathKind::TwoSided) => Ok(slice),
             Some(PathKind::OneSided) => Err(Error::invalid(format!(
-                "the closed path of {} steps from {start} along edge {} is one-sided: its left side comes back as its right side, so cutting along it opens one boundary loop and not two",
+                "the closed path of {} steps from {start} by {} is one-sided: its left side comes back as its right side, so cutting along it opens one boundary loop and not two",
                 steps.len(),
-                EdgeId::from_u32(steps[0] >> 1)
+                VertexId::from_u32(ends[(steps[0] ^ 1) as usize])
             ))
             .with_cure("cut along it as a path, or take a two-sided cycle")),
             _ => {
@@ -286,9 +286,8 @@ impl GeneralizedMap {
             if let Some(at) = at.filter(|&at| at != start) {
                 let [at, start] = [at, start].map(VertexId::from_u32);
                 return Err(Error::invalid(format!(
-                    "the steps are no path: step {i} along edge {} starts at {start}, but step {} ends at {at}",
-                    edge_of(step),
-                    i - 1
+                    "the steps are no path: step {} starts at {start}, but step {i} ends at {at}",
+                    i + 1
                 ))
                 .with_cure("give edges that follow one another, or cut along them as a set"));
             }
@@ -299,11 +298,11 @@ impl GeneralizedMap {
             steps.iter().enumerate().map(|(i, &step)| (step >> 1, i)).collect();
         edges.sort_unstable();
         if let Some(pair) = edges.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+            let [a, b] = self.skeleton().edge(EdgeId::from_u32(pair[0].0));
             return Err(Error::invalid(format!(
-                "steps {} and {} run along the same edge {}",
-                pair[0].1,
-                pair[1].1,
-                EdgeId::from_u32(pair[0].0)
+                "steps {} and {} run along the same edge, which joins {a} and {b}",
+                pair[0].1 + 1,
+                pair[1].1 + 1
             ))
             .with_cure("name each edge once, or cut along them as a set"));
         }
@@ -317,17 +316,18 @@ impl GeneralizedMap {
             return Err(Error::invalid(format!(
                 "the path comes through {} twice, before step {} and after step {}",
                 VertexId::from_u32(pair[0].0),
-                pair[0].1,
-                pair[1].1 - 1
+                pair[0].1 + 1,
+                pair[1].1
             ))
             .with_cure("cut along the edges as a set"));
         }
         let is_boundary = |edge: u32| self.mate(self.first_side(EdgeId::from_u32(edge))).is_none();
         let boundary = edges.iter().filter(|&&(edge, _)| is_boundary(edge)).min_by_key(|pair| pair.1);
         if let Some(&(edge, i)) = boundary {
+            let [a, b] = self.skeleton().edge(EdgeId::from_u32(edge));
             return Err(Error::invalid(format!(
-                "step {i} runs along edge {}, which lies on the boundary: there is nothing to cut",
-                EdgeId::from_u32(edge)
+                "step {} from {a} to {b} runs along the boundary: there is nothing to cut",
+                i + 1
             ))
             .with_cure("leave the step out"));
         }

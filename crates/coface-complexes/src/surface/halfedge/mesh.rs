@@ -659,7 +659,7 @@ impl HalfedgeMesh {
 }
 
 /// Checks that `next` is a permutation.
-fn check_next(next: &[u32]) -> Result<(), Error> {
+pub(super) fn check_next(next: &[u32]) -> Result<(), Error> {
     let mut is_met = vec![false; next.len()];
     for (h, &image) in next.iter().enumerate() {
         match is_met.get_mut(image as usize) {

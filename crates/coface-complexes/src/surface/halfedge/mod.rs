@@ -13,7 +13,7 @@
 //!   boundary edge has one.
 //!
 //! # Files
-//! `mesh` has [`HalfedgeMesh`] with its cells and counts. `polygons` and `sources` make it from other structures, `export`
+//! `mesh` has [`HalfedgeMesh`] with its cells and counts, `permutations` what it is written as. `polygons` and `sources` make it from other structures, `export`
 //! makes other structures of it; `boundary` fills loops with outer faces; `circulators` walks around cells; `check`
 //! verifies the invariants. `editing` changes a mesh step by step; `slicing` and `gluing` open and close it along edges.
 
@@ -25,6 +25,7 @@ mod export;
 mod gluing;
 mod inner;
 mod mesh;
+mod permutations;
 mod polygons;
 mod slicing;
 mod sources;
@@ -35,6 +36,7 @@ pub use editing::{
 };
 pub use inner::InnerHalfedges;
 pub use mesh::HalfedgeMesh;
+pub use permutations::HalfedgePermutations;
 
 #[cfg(test)]
 mod tests;

@@ -181,7 +181,7 @@ fn one_sided_loops_are_refused() {
     let once = ClosedWalk::new(plane.skeleton(), vec![0]).unwrap();
     let error = CocycleBasis::by_slicing(&plane, vec![once]).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::InvalidInput);
-    assert!(error.message().starts_with("the closed walk from v0 along e0 is one-sided"), "{error}");
+    assert!(error.message().starts_with("the closed walk through v0 v0 is one-sided"), "{error}");
     let twice = ClosedWalk::new(plane.skeleton(), vec![0, 0]).unwrap();
     assert!(is_exact(&plane, &Slicing::new(&plane).cocycle(&twice).unwrap()));
     // No inverse where there is a boundary between.

@@ -244,15 +244,15 @@ fn what_is_no_path_to_cut_names_the_step() {
     assert_eq!(fault(&[]), "a path to cut along needs an edge, and this one has no step");
     assert_eq!(
         fault(&[2 * top, 2 * other, 2 * inside]),
-        format!("the steps are no path: step 2 along edge e{inside} starts at v1, but step 1 ends at v2")
+        "the steps are no path: step 3 starts at v1, but step 2 ends at v2"
     );
     assert_eq!(
         fault(&[2 * inside, 2 * inside + 1]),
-        format!("steps 0 and 1 run along the same edge e{inside}")
+        "steps 1 and 2 run along the same edge, which joins v1 and v4"
     );
     assert_eq!(
         fault(&[2 * top, 2 * inside]),
-        format!("step 0 runs along edge e{top}, which lies on the boundary: there is nothing to cut")
+        "step 1 from v0 to v1 runs along the boundary: there is nothing to cut"
     );
     assert_eq!(fault(&[2 * inside, 99]), "there is no edge e49; the surface has 7 edges");
     assert_eq!(map.slice_edges(&[EdgeId::new(7)]).unwrap_err().kind(), ErrorKind::NotInComplex);
@@ -273,7 +273,7 @@ fn a_path_that_meets_itself_is_refused() {
     let map = GeneralizedMap::new(spectacles).unwrap();
     assert_eq!(
         map.slice_path(&[0, 2]).unwrap_err().message(),
-        "the path comes through v0 twice, before step 0 and after step 0"
+        "the path comes through v0 twice, before step 1 and after step 1"
     );
     assert_eq!(map.slice_path(&[4]).unwrap().path_kind(), Some(PathKind::TwoSided));
     assert_eq!(map.slice_edges(&[0, 1, 2].map(EdgeId::new)).unwrap().surface().surfaces().len(), 3);
@@ -297,7 +297,7 @@ fn one_sided_cycles_are_told() {
     let error = map.slice_cycle(&steps).unwrap_err();
     assert_eq!(
         error.message(),
-        "the closed path of 5 steps from v1 along edge e4 is one-sided: its left side comes back as its right side, so cutting along it opens one boundary loop and not two"
+        "the closed path of 5 steps from v1 by v2 is one-sided: its left side comes back as its right side, so cutting along it opens one boundary loop and not two"
     );
 }
 
