@@ -24,7 +24,7 @@ use coface_io::{Model, Structure};
 /// use coface_answers::{Edit, SurfaceEditor};
 /// use coface_io::Format;
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let square = coface_io::read(&b"v 0 0\nv 1 0\nv 1 1\nv 0 1\nf 1 2 3\nf 1 3 4\n"[..], Format::Obj)?;
+/// let square = coface_io::read(&b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n"[..], Format::Obj)?;
 /// let mut editor = SurfaceEditor::new(square)?;
 /// editor.apply(&Edit::FlipEdge { edge: "0 2".parse()? })?;
 /// assert!(editor.model()?.polygons().iter().all(|triangle| triangle.contains(&1) && triangle.contains(&3)));
@@ -130,11 +130,11 @@ impl SurfaceEditor {
     /// use coface_answers::{Edit, SurfaceEditor};
     /// use coface_io::Format;
     /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let triangle = coface_io::read(&b"v 0 0\nv 2 0\nv 0 2\nf 1 2 3\n"[..], Format::Obj)?;
+    /// let triangle = coface_io::read(&b"v 0 0 0\nv 2 0 0\nv 0 2 0\nf 1 2 3\n"[..], Format::Obj)?;
     /// let mut editor = SurfaceEditor::new(triangle)?;
     /// let record = editor.apply(&Edit::SplitEdge { edge: "0 1".parse()? })?;
     /// assert_eq!(record.added_vertex, Some(3));
-    /// assert_eq!(editor.model()?.positions().as_flat()[6..], [1.0, 0.0]);
+    /// assert_eq!(editor.model()?.positions().as_flat()[9..], [1.0, 0.0, 0.0]);
     /// # Ok(()) }
     /// ```
     pub fn apply(&mut self, edit: &Edit) -> Result<EditRecord, Error> {

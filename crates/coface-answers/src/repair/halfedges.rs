@@ -20,7 +20,7 @@ use coface_io::{Model, Place, Remark, RemarkCode, Structure};
 /// use coface_answers::halfedge_model;
 /// use coface_io::{Format, Structure};
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let square = coface_io::read(&b"v 0 0\nv 1 0\nv 1 1\nv 0 1\nf 1 2 3\nf 1 3 4\n"[..], Format::Obj)?;
+/// let square = coface_io::read(&b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n"[..], Format::Obj)?;
 /// let model = halfedge_model(square)?;
 /// let Some(Structure::Halfedges { outer, .. }) = model.structure() else { panic!() };
 /// assert_eq!((&outer[..], model.vertex_count()), (&[2][..], 4));
@@ -73,7 +73,7 @@ pub fn halfedge_model(model: Model) -> Result<Model, Error> {
 /// use coface_answers::{halfedge_model, polygon_model};
 /// use coface_io::Format;
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let square = coface_io::read(&b"v 0 0\nv 1 0\nv 1 1\nv 0 1\nf 1 2 3\nf 1 3 4\n"[..], Format::Obj)?;
+/// let square = coface_io::read(&b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n"[..], Format::Obj)?;
 /// let again = polygon_model(halfedge_model(square.clone())?)?;
 /// assert_eq!(again.polygons(), square.polygons());
 /// # Ok(()) }
@@ -155,7 +155,7 @@ pub fn dual_model(model: Model) -> Result<Model, Error> {
 /// use coface_answers::dual_graph_model;
 /// use coface_io::Format;
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let square = coface_io::read(&b"v 0 0\nv 3 0\nv 3 3\nv 0 3\nf 1 2 3\nf 1 3 4\n"[..], Format::Obj)?;
+/// let square = coface_io::read(&b"v 0 0 0\nv 3 0 0\nv 3 3 0\nv 0 3 0\nf 1 2 3\nf 1 3 4\n"[..], Format::Obj)?;
 /// let graph = dual_graph_model(square)?;
 /// assert_eq!((graph.vertex_count(), graph.lines().len()), (2, 1));
 /// assert_eq!(graph.positions().as_flat()[..2], [2.0, 1.0]);

@@ -3,9 +3,6 @@
 use crate::groups::CosetTable;
 use std::collections::BTreeMap;
 
-/// Groups with more elements are not compared with known ones.
-const LARGEST: usize = 1000;
-
 /// A finite group: elements 0, 1, ..., with 0 the unit.
 #[derive(Clone, Debug)]
 pub(super) struct FiniteGroup {
@@ -17,10 +14,13 @@ pub(super) struct FiniteGroup {
 }
 
 impl FiniteGroup {
+    /// Groups with more elements have no table.
+    pub(super) const LARGEST: usize = 1000;
+
     /// The group whose elements are the cosets of the trivial subgroup; `None` if it is too large for a table.
     pub(super) fn new(cosets: &CosetTable) -> Option<Self> {
         let order = cosets.index();
-        if order > LARGEST {
+        if order > Self::LARGEST {
             return None;
         }
         let mut products = vec![0; order * order];

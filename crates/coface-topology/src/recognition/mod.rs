@@ -11,6 +11,7 @@
 mod finite_group;
 mod group_name;
 mod manifold;
+mod metacyclic;
 mod presentations;
 mod rewriting;
 mod surface_groups;

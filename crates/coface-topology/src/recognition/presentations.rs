@@ -3,6 +3,7 @@
 use crate::groups::{CosetTable, Effort, Presentation, Simplification};
 use crate::recognition::finite_group::FiniteGroup;
 use crate::recognition::group_name::GroupName;
+use crate::recognition::metacyclic::inverted;
 use crate::recognition::rewriting::Rewriting;
 use coface_algebra::{UnionFind, Word};
 
@@ -15,7 +16,9 @@ impl Presentation {
     /// group when it is a quotient of that one and has as many elements; abelian if rewriting of words (D. E. Knuth,
     /// P. B. Bendix) finds that all commutators of generators are the unit; a direct product with Z if a generator is
     /// found to be central and its exponents add up to 0 in each relator; a Heisenberg group if each of the two
-    /// groups satisfies the relators of the other.
+    /// groups satisfies the relators of the other. Where one of two generators inverts the other, the order and the name
+    /// follow from the exponents in the relators, whatever the order is; a large finite group is the product with a
+    /// central cyclic subgroup whose order has no divisor in common with its index.
     ///
     /// # Complexity
     /// Bounded by `effort`; it is undecidable in general which group a presentation gives.
@@ -59,7 +62,26 @@ fn recognize_to_depth(group: &Presentation, effort: Effort, depth: usize) -> Opt
     if group.generator_count() == 1 {
         return Some(GroupName::Abelian(group.abelianization()));
     }
-    surface(group).or_else(|| finite(group, effort)).or_else(|| with_central_elements(group, effort, depth))
+    let inverted = inverted(group);
+    if let Some(name) = inverted.as_ref().filter(|name| !is_in_table(name)) {
+        return Some(name.clone());
+    }
+    surface(group)
+        .or_else(|| finite(group, effort))
+        .map(|name| {
+            if matches!(name, GroupName::Finite { name: None, .. }) {
+                inverted.clone().unwrap_or(name)
+            } else {
+                name
+            }
+        })
+        .or(inverted)
+        .or_else(|| with_central_elements(group, effort, depth))
+}
+
+/// Whether a finite group is small enough to be named by its table.
+fn is_in_table(name: &GroupName) -> bool {
+    matches!(name, GroupName::Finite { order, .. } if *order <= FiniteGroup::LARGEST)
 }
 
 /// The parts of a presentation that have no generator in common; generators without relators are one part.
@@ -155,8 +177,47 @@ fn finite(group: &Presentation, effort: Effort) -> Option<GroupName> {
     if generators.clone().all(|a| generators.clone().all(|b| commute(a, b))) {
         return Some(GroupName::Abelian(abelianization));
     }
-    let name = FiniteGroup::new(&elements).and_then(|group| group.name());
+    let name = match FiniteGroup::new(&elements) {
+        Some(table) => table.name(),
+        None => name_with_central_factor(group, &elements, effort),
+    };
     Some(GroupName::Finite { order: elements.index(), name })
+}
+
+/// The name of a large group as a product with a cyclic group of coprime order in the center: a central Hall subgroup is a
+/// direct factor (I. Schur, H. Zassenhaus), and the other factor is the quotient by it.
+fn name_with_central_factor(group: &Presentation, elements: &CosetTable, effort: Effort) -> Option<String> {
+    let order = elements.index();
+    let letters = 1..=group.generator_count() as i32;
+    let words = elements.representatives();
+    let is_central = |&x: &usize| {
+        letters.clone().all(|letter| {
+            elements.image(x, letter) == elements.image_by(elements.image(0, letter), &words[x])
+        })
+    };
+    let order_of = |x: usize| {
+        let powers = std::iter::successors(Some(x), |&power| Some(elements.image_by(power, &words[x])));
+        powers.take_while(|&power| power != 0).count() + 1
+    };
+    let gcd = |mut a: usize, mut b: usize| {
+        while b != 0 {
+            (a, b) = (b, a % b);
+        }
+        a
+    };
+    let (cyclic, x) = (1..order)
+        .filter(is_central)
+        .map(|x| (order_of(x), x))
+        .filter(|&(own, _)| gcd(own, order / own) == 1)
+        .max_by_key(|&(own, x)| (own, std::cmp::Reverse(x)))?;
+    let relators = group.relators().iter().cloned().chain([words[x].clone()]).collect();
+    let quotient = Presentation::new(group.generator_count(), relators).expect("letters are generators");
+    match recognize(Simplification::new(&quotient, effort).presentation(), effort)? {
+        GroupName::Finite { order: rest, name: Some(name) } if rest == order / cyclic => {
+            Some(format!("{name} x Z/{cyclic}"))
+        }
+        _ => None,
+    }
 }
 
 /// How many rules of rewriting are made.
@@ -268,4 +329,27 @@ fn vanishes_in_heisenberg(word: &Word, [a, b]: [usize; 2], k: i32) -> bool {
         }
     }
     (x, y, z) == (0, 0, 0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn name(count: usize, relators: &[&[i32]]) -> Option<String> {
+        let words = relators.iter().map(|word| Word::from_letters(word.iter().copied())).collect();
+        Presentation::new(count, words).unwrap().recognized(Effort::default()).map(|name| name.to_string())
+    }
+
+    #[test]
+    fn products_of_more_than_a_thousand_elements_have_names() {
+        // The closed 3-manifold gLLAQbcedfeftsqsqsj of the census.
+        let relators: [&[i32]; 3] = [&[-1, 3, 3], &[-2, 3, -2, 3, -2, 1, 3], &[-2, -2, 1, -2, -2, -2, 1]];
+        assert_eq!(name(3, &relators).as_deref(), Some("SL(2,5) x Z/13"));
+    }
+
+    #[test]
+    fn the_sum_of_two_projective_spaces_has_its_free_product() {
+        assert_eq!(name(2, &[&[1, 2, 1, 2], &[2, 2]]).as_deref(), Some("Z/2 * Z/2"));
+        assert_eq!(name(2, &[&[1, 1], &[2, 2]]).as_deref(), Some("Z/2 * Z/2"));
+    }
 }
