@@ -1,7 +1,9 @@
 //! What carriers have in common, handed to the pieces that lie there.
 
 use super::carriers::{Carriers, REACH};
-use super::{Meeting, Meetings, Overlap};
+use super::overlaps::opposite_on_arc;
+use super::polynomial::is_near;
+use super::{Meeting, Meetings, Overlap, Polynomial};
 use crate::curve::{bernstein, on_grid};
 
 /// Hands what carriers have in common to their pieces.
@@ -139,7 +141,10 @@ impl Distribution<'_> {
             return;
         }
         // The ends are the same bit for bit; lengths that are equal make no error.
-        let mapped = |t: f64, from: [f64; 2], to: [f64; 2]| {
+        let own = [c, d].map(|carrier| Polynomial::new(self.carriers.controls(carrier)));
+        let resolution = self.resolution;
+        let mapped = |t: f64, [first, second]: [usize; 2]| {
+            let [from, to] = [first, second].map(|k| [of_c, of_d][k]);
             if t == from[0] {
                 return to[0];
             }
@@ -147,7 +152,14 @@ impl Distribution<'_> {
                 return to[1];
             }
             let slope = (to[1] - to[0]) / (from[1] - from[0]);
-            on_grid((to[0] + (t - from[0]) * slope).clamp(0.0, 1.0))
+            let even = to[0] + (t - from[0]) * slope;
+            // Two parts of one polynomial have even steps opposite even ones.
+            let is_even = overlap.is_certified || is_near(own[first].at(t), own[second].at(even), resolution);
+            let found = match is_even {
+                true => even,
+                false => opposite_on_arc([&own[first], &own[second]], [from, to], t, resolution),
+            };
+            on_grid(found.clamp(0.0, 1.0))
         };
         for &p in self.carriers.pieces(c) {
             let [low, high] = sorted(self.carriers.span(p));
@@ -162,14 +174,14 @@ impl Distribution<'_> {
                 if own[0] > own[1] {
                     continue;
                 }
-                let [a, b] = sorted(own.map(|s| mapped(s, of_d, of_c)));
+                let [a, b] = sorted(own.map(|s| mapped(s, [1, 0])));
                 let ends = [a.max(low), b.min(high)];
                 if ends[0] > ends[1] {
                     continue;
                 }
                 let opposite = ends.map(|t| {
-                    let at = (0..2).find(|&k| mapped(own[k], of_d, of_c) == t);
-                    at.map_or_else(|| mapped(t, of_c, of_d).clamp(own[0], own[1]), |k| own[k])
+                    let at = (0..2).find(|&k| mapped(own[k], [1, 0]) == t);
+                    at.map_or_else(|| mapped(t, [0, 1]).clamp(own[0], own[1]), |k| own[k])
                 });
                 self.push_common([p, q], [ends, opposite], overlap.is_certified);
             }

@@ -104,9 +104,40 @@ fn is_common(a: &Polynomial, b: &Polynomial, [of_a, of_b]: [[f64; 2]; 2], tolera
         let part = i as f64 / (count + 1) as f64;
         let point = a.at(of_a[0] + part * (of_a[1] - of_a[0]));
         let guess = of_b[0] + part * (of_b[1] - of_b[0]);
-        let s = foot(b, point, guess).clamp(low, high);
-        is_near(b.at(s), point, tolerance)
+        place(b, point, guess, [low, high], tolerance).is_some()
     })
+}
+
+/// The parameter in a range at which a piece is within a distance of a point: that next to a guess, or where a search finds one.
+///
+/// Newton's iteration finds none where the piece nearly stands still at the guess.
+fn place(piece: &Polynomial, point: [f64; 2], guess: f64, range: [f64; 2], tolerance: f64) -> Option<f64> {
+    let s = foot(piece, point, guess).clamp(range[0], range[1]);
+    if is_near(piece.at(s), point, tolerance) {
+        return Some(s);
+    }
+    let mut found = Vec::new();
+    near_parameters(piece, point, tolerance, &mut found);
+    found.retain(|s| (range[0]..=range[1]).contains(s));
+    found.into_iter().min_by(|s, t| (s - guess).abs().total_cmp(&(t - guess).abs()))
+}
+
+/// The parameter of the second piece opposite one of the first, between which they have an arc in common.
+///
+/// Two pieces run through a common arc at different speeds, unless they are parts of one polynomial.
+pub(super) fn opposite_on_arc(
+    [a, b]: [&Polynomial; 2],
+    [of_a, of_b]: [[f64; 2]; 2],
+    t: f64,
+    tolerance: f64,
+) -> f64 {
+    if let Some(end) = (0..2).find(|&end| t == of_a[end]) {
+        return of_b[end];
+    }
+    let guess = of_b[0] + (t - of_a[0]) * (of_b[1] - of_b[0]) / (of_a[1] - of_a[0]);
+    let range = [of_b[0].min(of_b[1]), of_b[0].max(of_b[1])];
+    // The ends of the arc are within the resolution of each other, and what is between them is too.
+    place(b, a.at(t), guess, range, 2.0 * tolerance).unwrap_or(guess)
 }
 
 /// The parameter of the nearest point of a piece, from a guess: the root of $(B(s) - P) \cdot B'(s)$.

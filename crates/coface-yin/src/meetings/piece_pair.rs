@@ -4,7 +4,7 @@ use super::common_end::{has_no_other_point, has_no_point_between};
 use super::contacts::{Cluster, Contact, clusters};
 use super::line_contact::{LineContact, line_contact};
 use super::meeting::Found;
-use super::overlaps::{foot, overlaps_of};
+use super::overlaps::{foot, opposite_on_arc, overlaps_of};
 use super::polynomial::{is_apart, is_near, size};
 use super::roots::{IMAGE, Transversal, transversal_root};
 use super::segments::{enclosure, meet_segments};
@@ -119,14 +119,15 @@ impl<'a> PairSolver<'a> {
     /// Whether two parts have a part of an overlap in common, or the point next to one.
     fn follows(&self, overlap: &Overlap, parts: [usize; 2]) -> bool {
         let [a, b] = parts.map(|part| self.pieces.parts()[part].range);
-        let [of_a, of_b] = overlap.ranges;
+        let of_a = overlap.ranges[0];
         let slack = 1e-6;
         let [low, high] = [a[0].max(of_a[0]), a[1].min(of_a[1])];
         if low > high + slack {
             return false;
         }
-        let slope = (of_b[1] - of_b[0]) / (of_a[1] - of_a[0]);
-        let ends = [low, high].map(|t| of_b[0] + (t - of_a[0]) * slope);
+        let own = overlap.pieces.map(|piece| self.pieces.polynomial(piece as usize));
+        let tolerance = self.pieces.frame.resolution;
+        let ends = [low, high].map(|t| opposite_on_arc([&own[0], &own[1]], overlap.ranges, t, tolerance));
         ends[0].min(ends[1]) <= b[1] + slack && b[0] <= ends[0].max(ends[1]) + slack
     }
 

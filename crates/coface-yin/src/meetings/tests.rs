@@ -295,6 +295,59 @@ fn knots_on_a_curve_are_met_at_the_knot() {
     assert!(at_knot.iter().all(|meeting| meeting.point == middle && !meeting.is_certified));
 }
 
+/// The parameter of the first piece is the cube of the way, so at equal parameters it is far from the segment back.
+#[test]
+fn a_piece_that_stands_still_overlaps_its_closing_segment() {
+    let piece = [[1.3125, 0.0], [1.3125, 0.0], [1.3125, 0.0], [1.3125, -0.125]];
+    let other = [[0.0, 0.0], [0.0, 0.0], [0.0, 0.0], [0.0, 0.0625]];
+    for turned in [false, true] {
+        let mut own = closed_by_segment(&piece);
+        if turned {
+            own.reverse();
+        }
+        let found = of(&[&arena(4, &[own]), &arena(4, &[closed_by_segment(&other)])]);
+        assert!(found.points.is_empty(), "{turned}: {:?}", found.points);
+        let overlaps: Vec<_> =
+            found.overlaps.iter().map(|overlap| (overlap.pieces, overlap.ranges)).collect();
+        assert_eq!(overlaps, [([0, 1], [[0.0, 1.0], [1.0, 0.0]]), ([2, 3], [[0.0, 1.0], [1.0, 0.0]])]);
+    }
+}
+
+/// A piece that runs along a segment at a speed of its own, and goes on to bend away from it: the arc ends opposite a place on it.
+#[test]
+fn an_arc_at_another_speed_ends_opposite_its_end() {
+    let slow = [[0.0, 0.0], [0.0, 0.0], [0.0, 0.0], [1.0, 0.0]];
+    let segment = bernstein::straight_piece([[0.125, 0.0], [4.0, 0.0]], 4);
+    let away = |end: [f64; 2], start: [f64; 2]| {
+        let [x, y] = [0, 1].map(|axis| 0.5 * (end[axis] + start[axis]));
+        bernstein::straight_piece([end, [x, y - 1.0]], 4)[1..]
+            .iter()
+            .chain(&bernstein::straight_piece([[x, y - 1.0], start], 4)[1..])
+            .copied()
+            .collect::<Vec<_>>()
+    };
+    let closed = |piece: &[[f64; 2]]| [piece.to_vec(), away(piece[3], piece[0])].concat();
+    for turned in [false, true] {
+        let (mut a, b) = (closed(&slow), closed(&segment));
+        if turned {
+            a.reverse();
+        }
+        let own = if turned { 2 } else { 0 };
+        let found = of(&[&arena(4, &[a]), &arena(4, &[b])]);
+        let overlaps: Vec<_> = found.overlaps.iter().filter(|overlap| overlap.pieces == [own, 3]).collect();
+        assert_eq!(overlaps.len(), 1, "{turned}: {:?}", found.overlaps);
+        let [of_a, of_b] = overlaps[0].ranges.map(|[s, t]| [s.min(t), s.max(t)]);
+        let expected = if turned { [0.0, 0.5] } else { [0.5, 1.0] };
+        assert!((0..2).all(|k| (of_a[k] - expected[k]).abs() < 1e-9), "{turned}: {of_a:?}");
+        assert!(of_b[0] == 0.0 && (of_b[1] - 0.875 / 3.875).abs() < 1e-12, "{turned}: {of_b:?}");
+        assert!(
+            found.points.iter().all(|meeting| meeting.pieces != [own, 3]),
+            "{turned}: {:?}",
+            found.points
+        );
+    }
+}
+
 /// Control points on a lattice, so that they coincide now and then and can be moved exactly.
 fn piece(count: usize) -> impl Strategy<Value = Vec<[f64; 2]>> {
     prop::collection::vec(prop::array::uniform2((-32i32..=32).prop_map(|x| f64::from(x) / 16.0)), count)
