@@ -88,15 +88,24 @@ pub struct YinCombinationAnswer {
     pub files: Vec<String>,
     /// The decisions that were taken without proof.
     pub uncertified: Vec<YinDecision>,
+    /// What was nearer together than this may have been taken for one, in the unit of the files; 0 for sets of order 2.
+    pub resolution: f64,
+    /// How far the area is off at most.
+    pub area_error: f64,
     /// The set.
     #[serde(flatten)]
     pub set: YinSetAnswer,
 }
 
 impl YinCombinationAnswer {
-    /// A combination of sets of these files.
-    pub fn new(files: Vec<String>, uncertified: Vec<YinDecision>, set: YinSetAnswer) -> Self {
-        Self { files, uncertified, set }
+    /// A combination of sets of these files, with the resolution and the bound on the error of the area.
+    pub fn new(
+        files: Vec<String>,
+        uncertified: Vec<YinDecision>,
+        [resolution, area_error]: [f64; 2],
+        set: YinSetAnswer,
+    ) -> Self {
+        Self { files, uncertified, resolution, area_error, set }
     }
 }
 

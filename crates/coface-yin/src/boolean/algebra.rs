@@ -333,7 +333,7 @@ fn order_of(sets: &[&YinSet]) -> Order {
 /// The set of all points around which the curves of sets wind in a way that satisfies a condition.
 fn select(sets: &[&YinSet], condition: impl Fn(&[(u32, i32)]) -> bool) -> Result<Combination, Error> {
     match order_of(sets) {
-        Order::LINEAR => combine_linear(sets, condition),
+        Order::LINEAR => combine_linear(sets, condition).map(|found| found.with_area_error(sets)),
         _ => combine_curved(sets, Regions::Sets, condition),
     }
 }

@@ -111,6 +111,7 @@ fn combine_once(
         repair_count: 0,
         resolution: 0.0,
         report: Vec::new(),
+        area_error: 0.0,
     };
     Ok((found, is_doubtful))
 }

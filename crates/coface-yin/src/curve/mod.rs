@@ -3,6 +3,7 @@
 pub(crate) mod bernstein;
 mod block_tridiagonal;
 mod carrier;
+mod distance;
 mod end_condition;
 mod evaluation;
 mod extent;
@@ -22,6 +23,7 @@ mod separators;
 
 pub use carrier::Carrier;
 pub(crate) use carrier::on_grid;
+pub(crate) use distance::distance_to;
 pub use end_condition::EndCondition;
 pub(crate) use extent::monotone_breaks;
 pub use location::Location;

@@ -78,7 +78,7 @@ fn is_away_from_roots(coefficients: impl Iterator<Item = Dyadic>, reach: f64) ->
 }
 
 /// The coefficients of a polynomial in the argument from a number on.
-fn around(coefficients: &[Dyadic], at: f64) -> Coefficients {
+pub(super) fn around(coefficients: &[Dyadic], at: f64) -> Coefficients {
     let at = Dyadic::from(at);
     let mut found = coefficients.to_vec();
     // Horner's scheme, again and again.
@@ -90,8 +90,9 @@ fn around(coefficients: &[Dyadic], at: f64) -> Coefficients {
     found
 }
 
-/// The resultant by s of $x_B(s) - x_A(t)$ and $y_B(s) - y_A(t)$, by the power coefficients of both cubics, the constant ones zero.
-fn resultant(of_a: &[Coefficients; 2], of_b: &[Coefficients; 2]) -> Coefficients {
+/// The resultant by s of $x_B(s) - x_A(t)$ and $y_B(s) - y_A(t)$, by the power coefficients of both cubics, the constant ones of
+/// B zero.
+pub(super) fn resultant(of_a: &[Coefficients; 2], of_b: &[Coefficients; 2]) -> Coefficients {
     // The coefficients of both polynomials in s; the constant ones are polynomials in t.
     let coefficient = |axis: usize, power: usize| -> Coefficients {
         if power == 0 { of_a[axis].iter().map(|c| -c).collect() } else { vec![of_b[axis][power].clone()] }

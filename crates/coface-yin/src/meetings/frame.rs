@@ -19,15 +19,17 @@ pub(super) struct Frame {
     pub(super) resolution: f64,
     /// Distances in coordinates of the frame that are well above what rounding does to results.
     pub(super) finest: f64,
+    /// Whether the resolution is finer than the usual one: then exact arithmetic tells cubic pieces apart that run side by side.
+    pub(super) is_fine: bool,
     /// What rounding of points makes in coordinates of the frame, and a little more.
     pub(super) rounding: f64,
 }
 
-/// What is nearer than this is not told apart: 2^-40 of the largest extent, and at least 2^-48 of the largest coordinate, which is
-/// above what rounding does to control points of parts of pieces; and so many times that.
+/// What is nearer than this is not told apart: so many times 2^-40 of the largest extent, and at least as many times 2^-48 of the
+/// largest coordinate, and once that if it is less: that is above what rounding does to control points of parts of pieces.
 pub(crate) fn resolution(extent: [f64; 2], largest: f64, coarseness: f64) -> f64 {
     let [of_extent, of_coordinates] = [40, 48].map(|bits| 1.0 / (1u64 << bits) as f64);
-    coarseness * (extent[0].max(extent[1]) * of_extent).max(largest * of_coordinates)
+    (coarseness * extent[0].max(extent[1]) * of_extent).max(coarseness.max(1.0) * largest * of_coordinates)
 }
 
 impl Frame {
@@ -63,7 +65,7 @@ impl Frame {
         let resolution = resolution([extent; 2], farthest * factor, coarseness);
         let finest = (resolution / 32.0).max(farthest * factor / (1u64 << 46) as f64);
         let rounding = farthest * factor * 4.0 * f64::EPSILON;
-        Ok(Self { center, factor, resolution, finest, rounding })
+        Ok(Self { center, factor, resolution, finest, is_fine: coarseness < 1.0, rounding })
     }
 
     /// A point in this frame.

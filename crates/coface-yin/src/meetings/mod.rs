@@ -11,6 +11,8 @@
 //!   end are proven to have nothing else in common there, and so are two that touch where both parameters are fractions with
 //!   denominators up to 4096; a piece that is a part of another between such parameters is proven to be. Other curved pieces that touch
 //!   are not proven to: that they are within the resolution of each other is certain, and the report names the place.
+//!   At a finer resolution, which is taken where the usual one leaves something open, exact arithmetic finds where two cubic pieces
+//!   cross that run side by side, and that they do not, as far as rounding of results cannot change it.
 //! * A **part** of a piece is monotone in both coordinates. A piece that is a segment is one part, and segments meet each other
 //!   exactly.
 //! * A **meeting** is a common point of two pieces, or of a piece with itself at two parameters. An **overlap** is an arc that two
@@ -27,6 +29,7 @@ mod common_end;
 mod contacts;
 mod distribution;
 mod frame;
+mod isolation;
 mod line_contact;
 mod meeting;
 mod overlaps;

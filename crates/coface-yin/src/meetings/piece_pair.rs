@@ -2,10 +2,11 @@
 
 use super::common_end::{has_no_other_point, has_no_point_between};
 use super::contacts::{Cluster, Contact, clusters};
+use super::isolation::places_on;
 use super::line_contact::{LineContact, line_contact};
 use super::meeting::Found;
 use super::overlaps::{foot, opposite_on_arc, overlaps_of};
-use super::polynomial::{is_apart, is_near, size};
+use super::polynomial::{is_apart, is_near, minus, size};
 use super::roots::{IMAGE, Transversal, transversal_root};
 use super::segments::{enclosure, meet_segments};
 use super::side_by_side::{SideBySide, side_by_side};
@@ -160,7 +161,7 @@ impl<'a> PairSolver<'a> {
                     Transversal::Unknown => {}
                 }
             } else {
-                match side_by_side(&a, &b, resolution) {
+                match side_by_side(&a, &b, self.pieces.frame) {
                     SideBySide::Apart => continue,
                     // What is next to a common end is told from it when it hangs together with it.
                     SideBySide::Near(near) if !is_neighbor => {
@@ -229,8 +230,8 @@ impl<'a> PairSolver<'a> {
                 let is_in = (0..2).all(|k| wide[k][0] <= root.at[k] && root.at[k] <= wide[k][1]);
                 if is_in {
                     for k in 0..2 {
-                        group.ranges[k][0] = group.ranges[k][0].min(root.at[k]);
-                        group.ranges[k][1] = group.ranges[k][1].max(root.at[k]);
+                        group.ranges[k][0] = group.ranges[k][0].min(root.parameters[k][0]);
+                        group.ranges[k][1] = group.ranges[k][1].max(root.parameters[k][1]);
                     }
                 }
                 !is_in
@@ -269,11 +270,19 @@ impl<'a> PairSolver<'a> {
                 point: self.pieces.frame.to_world(root.point),
                 is_certified: is_one,
             };
-            self.snap(&mut meeting, root.parameters);
+            let mut parameters = root.parameters;
+            if is_one && let Some(exact) = self.polished(pair, &root) {
+                (meeting, parameters) = (exact, exact.parameters);
+            }
+            self.snap(&mut meeting, parameters);
             found.points.push(meeting);
         }
         for group in groups {
             if self.is_shared(pair, group.ranges) || self.is_beside_shared_end(pair, group.ranges) {
+                continue;
+            }
+            if let Some(crossings) = self.crossings(pair, &group) {
+                found.points.extend(crossings);
                 continue;
             }
             let at = group.nearest(&p, &q);
@@ -355,6 +364,168 @@ impl<'a> PairSolver<'a> {
                 has_no_point_between(&a, &b, wide(low, high))
             }
         })
+    }
+
+    /// The meeting at a root of two cubic pieces whose place is not known well, since they cross at a small angle: where exact arithmetic has
+    /// it, so that it is found in one place whatever else is there.
+    fn polished(&self, pair: [u32; 2], root: &Root) -> Option<Meeting> {
+        /// Places are known well up to here.
+        const WIDE: f64 = 1e-11;
+        let cubics = self.cubics(pair)?;
+        if root.parameters.iter().all(|[low, high]| high - low <= WIDE) {
+            return None;
+        }
+        let own = (0..2).find(|&k| root.parameters[1 - k][0] > 0.0 && root.parameters[1 - k][1] < 1.0)?;
+        let range = root.parameters[own].map(|t| t.clamp(0.0, 1.0));
+        match places_on(&cubics[own], &cubics[1 - own], range, false)?[..] {
+            [place] => self.crossing(pair, root.parameters[1 - own], own, place)?,
+            _ => None,
+        }
+    }
+
+    /// The control points of two different pieces if they are cubics that are not straight, and the resolution is fine.
+    fn cubics(&self, pair: [u32; 2]) -> Option<[[[f64; 2]; 4]; 2]> {
+        if !self.pieces.frame.is_fine
+            || pair[0] == pair[1]
+            || pair.iter().any(|&piece| self.pieces.is_straight(piece as usize))
+        {
+            return None;
+        }
+        let [a, b] = pair.map(|piece| <[[f64; 2]; 4]>::try_from(self.pieces.given(piece as usize)).ok());
+        Some([a?, b?])
+    }
+
+    /// The meetings of two cubic pieces in a cluster, where exact arithmetic tells them apart: those that cross, however near they are to
+    /// each other elsewhere, and a common end.
+    fn crossings(&self, pair: [u32; 2], group: &Cluster) -> Option<Vec<Meeting>> {
+        let cubics = self.cubics(pair)?;
+        let ranges = group.ranges.map(|range| range.map(|t| t.clamp(0.0, 1.0)));
+        let reaches = |k: usize, end: usize| ranges[k][end] == end as f64;
+        let common = [[0, 0], [0, 1], [1, 0], [1, 1]].into_iter().find(|&[end, other]| {
+            let is_one = cubics[0][3 * end] == cubics[1][3 * other];
+            is_one && reaches(0, end) && reaches(1, other)
+        });
+        let mut found = Vec::new();
+        if let Some([end, other]) = common {
+            // Both from the common end on.
+            let from = |mut controls: [[f64; 2]; 4], end: usize| {
+                if end == 1 {
+                    controls.reverse();
+                }
+                controls
+            };
+            let reach = if end == 1 { 1.0 - ranges[0][0] } else { ranges[0][1] };
+            let [a, b] = [from(cubics[0], end), from(cubics[1], other)];
+            let point = self.pieces.ends(pair[0] as usize)[end];
+            let mut is_certified = true;
+            let mut last = end as f64;
+            for place in places_on(&a, &b, [0.0, reach.next_up()], true)? {
+                let place = if end == 1 { [1.0 - place[1], 1.0 - place[0]] } else { place };
+                // Arcs that come together so near to their end that rounding may do that are no more than the end.
+                if !self.is_clear_between(pair, group, 0, [last, place[0]]) {
+                    is_certified = false;
+                    continue;
+                }
+                last = place[0];
+                found.extend(self.crossing(pair, group.ranges[1], 0, place)?);
+            }
+            let is_joint = self.pieces.joints(pair).any(|ends| ends == [end, other]);
+            if !is_joint {
+                let at = [end, other].map(|end| end as f64);
+                let parameters = at.map(|t| [t; 2]);
+                found.push(Meeting { pieces: pair, parameters, at, point, is_certified });
+            }
+            return Some(found);
+        }
+        // The one whose ends are elsewhere is that which the other is on.
+        let is_inner = |k: usize| !reaches(k, 0) && !reaches(k, 1);
+        let own = (0..2).find(|&k| is_inner(1 - k)).unwrap_or(0);
+        let [low, high] = ranges[own];
+        let wide = [low - (high - low), high + (high - low)].map(|t| t.clamp(0.0, 1.0));
+        let mut places = places_on(&cubics[own], &cubics[1 - own], wide, false)?;
+        let all = places.len();
+        places.retain(|place| low <= place[0] && place[1] <= high);
+        // Next to a common end that the cluster does not reach to they come together as near as they like.
+        let has_common_end = [0, 3].iter().any(|&i| [0, 3].iter().any(|&j| cubics[0][i] == cubics[1][j]));
+        let is_clear = match places[..] {
+            [] => {
+                let at = group.nearest(
+                    &self.pieces.polynomial(pair[0] as usize),
+                    &self.pieces.polynomial(pair[1] as usize),
+                );
+                // Or next to a crossing, which is found where it is.
+                has_common_end || all > 0 || self.gap(pair, group, 0, at[0]) > self.pieces.frame.finest
+            }
+            _ => places
+                .windows(2)
+                .all(|pair_of| self.is_clear_between(pair, group, own, [pair_of[0][1], pair_of[1][0]])),
+        };
+        if !is_clear {
+            return None;
+        }
+        for place in places {
+            found.extend(self.crossing(pair, group.ranges[1 - own], own, place)?);
+        }
+        Some(found)
+    }
+
+    /// Whether two pieces in a cluster are farther apart between two parameters of one of them than rounding of results can take away.
+    fn is_clear_between(&self, pair: [u32; 2], group: &Cluster, own: usize, ends: [f64; 2]) -> bool {
+        self.gap(pair, group, own, 0.5 * (ends[0] + ends[1])) > self.pieces.frame.finest
+    }
+
+    /// How far the point at a parameter of one of two pieces is from the other.
+    fn gap(&self, pair: [u32; 2], group: &Cluster, own: usize, t: f64) -> f64 {
+        let [p, q] = [own, 1 - own].map(|k| self.pieces.polynomial(pair[k] as usize));
+        let [of_own, mut of_other] = [group.ranges[own], group.ranges[1 - own]];
+        if group.is_against {
+            of_other.reverse();
+        }
+        let part = if of_own[0] < of_own[1] { (t - of_own[0]) / (of_own[1] - of_own[0]) } else { 0.5 };
+        let point = p.at(t);
+        let s = foot(&q, point, of_other[0] + part * (of_other[1] - of_other[0]));
+        let [x, y] = minus(q.at(s), point);
+        x.hypot(y)
+    }
+
+    /// The meeting at a place of one of two pieces that is known to be on the other or its continuation, where the one that belongs to a
+    /// range of the other is; nothing within if it is on the continuation, and nothing at all if that is not clear.
+    fn crossing(
+        &self,
+        pair: [u32; 2],
+        range: [f64; 2],
+        own: usize,
+        place: [f64; 2],
+    ) -> Option<Option<Meeting>> {
+        /// How well the parameter on the other piece is known at least.
+        const DOUBT: f64 = 1e-11;
+        let [p, q] = [own, 1 - own].map(|k| self.pieces.polynomial(pair[k] as usize));
+        let t = 0.5 * (place[0] + place[1]);
+        let point = p.at(t);
+        let [low, high] = range;
+        let s = foot(&q, point, 0.5 * (low + high));
+        let slack = 0.25 * (high - low) + DOUBT;
+        let is_clear = low - slack <= s
+            && s <= high + slack
+            && s.abs() > DOUBT
+            && (1.0 - s).abs() > DOUBT
+            && is_near(q.at(s), point, self.pieces.frame.resolution / 8.0);
+        if !is_clear {
+            return None;
+        }
+        if !(0.0..=1.0).contains(&s) {
+            return Some(None);
+        }
+        let mut at = [t; 2];
+        let mut parameters = [place; 2];
+        at[1 - own] = s;
+        parameters[1 - own] = enclosure(self.pieces, pair[1 - own] as usize, s);
+        let end = (0..2).find(|&end| t == end as f64);
+        let point = end.map_or_else(
+            || self.pieces.frame.to_world(point),
+            |end| self.pieces.ends(pair[own] as usize)[end],
+        );
+        Some(Some(Meeting { pieces: pair, parameters, at, point, is_certified: true }))
     }
 
     /// The one meeting of a cluster of two cubic pieces at parameters that are simple fractions, where it is proven that there is no

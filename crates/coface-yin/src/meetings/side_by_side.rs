@@ -1,13 +1,13 @@
 //! Pieces that run side by side: whether they stay apart, or within the resolution of each other.
 
-use super::Polynomial;
 use super::polynomial::{cross, dot, minus};
+use super::{Frame, Polynomial};
 
 /// How two pieces lie that run in nearly one direction or against each other.
 pub(super) enum SideBySide {
     /// No points of them are within the resolution of each other.
     Apart,
-    /// Between these parameters, each in [0, 1], all points of one are within the resolution of the other; elsewhere no points are
+    /// Between these parameters, each in [0, 1], all points of one are within the resolution of the other, or twice that if it is fine; elsewhere no points are
     /// opposite each other.
     Near([[f64; 2]; 2]),
     /// Neither is certain.
@@ -43,7 +43,8 @@ fn above(piece: &Polynomial, axis: [f64; 2], place: f64) -> f64 {
 /// Compares pieces as graphs over the chord of the first, by the polynomial $D(t) = A(t) - B(\varphi(t))$ with linear $\varphi$ that
 /// brings equal places together up to a small offset e: where B is nowhere steeper than m, its graph is off $A(t)$ by the part of D
 /// across the chord, up to $m e$.
-pub(super) fn side_by_side(a: &Polynomial, b: &Polynomial, resolution: f64) -> SideBySide {
+pub(super) fn side_by_side(a: &Polynomial, b: &Polynomial, frame: Frame) -> SideBySide {
+    let resolution = frame.resolution;
     /// Far above rounding of control points between -1 and 1.
     const ROUNDING: f64 = 1.0 / (1u64 << 47) as f64;
     let chord = a.chord();
@@ -73,7 +74,9 @@ pub(super) fn side_by_side(a: &Polynomial, b: &Polynomial, resolution: f64) -> S
     if low.max(-high) > doubt + resolution {
         return SideBySide::Apart;
     }
-    if high.max(-low) + doubt <= resolution {
+    // At a fine resolution, of which the doubt is a large part, one of both has to be certain where the distance hardly changes.
+    let near = if frame.is_fine { 2.0 * resolution } else { resolution };
+    if high.max(-low) + doubt <= near {
         // Where the parameters opposite each other are in [0, 1] for both.
         let place = |s: f64| ((s - from) / (to - from)).clamp(0.0, 1.0);
         let [s, t] = [place(0.0), place(1.0)];

@@ -71,7 +71,7 @@ fn two_circles_cross_twice() {
         for (k, piece) in meeting.pieces.into_iter().enumerate() {
             let at = pieces.frame.to_world(pieces.polynomial(piece as usize).at(meeting.at[k]));
             assert!((0..2).all(|axis| (at[axis] - meeting.point[axis]).abs() < 1e-14));
-            assert!(meeting.parameters[k][0] < meeting.at[k] && meeting.at[k] < meeting.parameters[k][1]);
+            assert!(meeting.parameters[k][0] <= meeting.at[k] && meeting.at[k] <= meeting.parameters[k][1]);
             assert!(meeting.parameters[k][1] - meeting.parameters[k][0] < 1e-11);
         }
     }

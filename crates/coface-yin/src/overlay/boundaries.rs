@@ -1,7 +1,7 @@
 //! The pieces of the boundaries of several sets, numbered one after the other.
 
-use crate::curve::bernstein;
 use crate::curve::bernstein::Piece;
+use crate::curve::{bernstein, distance_to};
 use crate::meetings::{Carriers, resolution};
 use crate::set::CurveArena;
 use crate::{Carrier, Order, PieceSource};
@@ -224,6 +224,25 @@ impl<'a> Boundaries<'a> {
         let way = bernstein::sub_range(self.carriers.controls(carrier), range);
         let [low, high] = bernstein::control_box(&way);
         range[0] == range[1] || (0..2).all(|axis| high[axis] - low[axis] <= 16.0 * self.resolution)
+    }
+
+    /// Whether two arcs between positions stay within a distance of each other, at places that are spread over both.
+    pub(super) fn are_near(&self, arcs: [[Position; 2]; 2], limit: f64) -> bool {
+        /// Places of each piece besides its ends.
+        const PLACES: usize = 7;
+        let pieces = arcs.map(|[from, to]| {
+            self.parts(from, to).map(|(piece, range)| self.part(piece, range)).collect::<Vec<Piece>>()
+        });
+        (0..2).all(|side| {
+            let other = &pieces[1 - side];
+            let is_near = |point: [f64; 2]| {
+                other.iter().any(|piece| distance_to(piece, point, limit.next_up()) <= limit)
+            };
+            pieces[side].iter().all(|piece| {
+                let last = (PLACES + 1) as f64;
+                (0..=PLACES + 1).all(|place| is_near(bernstein::value(piece, place as f64 / last)))
+            })
+        })
     }
 
     /// Whether the way from one position to another, which is not the same, stays within the resolution.

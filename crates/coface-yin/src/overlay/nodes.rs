@@ -11,9 +11,11 @@ use std::cmp::Ordering;
 /// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
 const NONE: u32 = u32::MAX;
 
-/// Two arcs between the same nodes that are shorter than this many times the resolution are contracted: they are within the
-/// resolution of each other.
+/// Two arcs between the same nodes that are shorter than this many times the resolution are contracted if they are near each other.
 const SHORT: f64 = 4096.0;
+
+/// Arcs are near each other within this many times the resolution: their ends may be off by a few of it.
+const NEAR: f64 = 8.0;
 
 /// A place where a curve comes to a node.
 #[derive(Clone, Copy, Debug)]
@@ -196,15 +198,18 @@ impl Gathering<'_> {
         is_tiny
     }
 
-    /// Contracts short arcs of which two run between the same sites.
+    /// Contracts short arcs of which two run between the same sites, near each other. Two that bound a blob are not.
     fn contract_bigons(&mut self, is_tiny: &mut [bool]) {
         let boundaries = self.boundaries;
         let mut short: Vec<([u32; 2], u32)> = Vec::new();
+        // The event that follows each on its curve.
+        let mut next: Vec<u32> = Vec::with_capacity(self.events.len());
         let curve_of = |event: &Event| boundaries.curve_of(event.position.piece);
         let mut first = 0;
         for own in self.events.chunk_by(|a, b| curve_of(a) == curve_of(b)) {
             for (at, from) in own.iter().enumerate() {
                 let to = &own[(at + 1) % own.len()];
+                next.push((first + (at + 1) % own.len()) as u32);
                 let is_short = !is_tiny[first + at]
                     && from.position != to.position
                     && boundaries.is_within(from.position, to.position, SHORT * boundaries.resolution);
@@ -216,9 +221,25 @@ impl Gathering<'_> {
             first += own.len();
         }
         short.sort_unstable();
+        let mut is_near = vec![false; self.events.len()];
         for group in short.chunk_by(|a, b| a.0 == b.0).filter(|group| group.len() > 1) {
-            self.classes.unite(group[0].0[0], group[0].0[1]);
-            group.iter().for_each(|&(_, at)| is_tiny[at as usize] = true);
+            let arc = |at: u32| [at, next[at as usize]].map(|event| self.events[event as usize].position);
+            for (i, &(_, a)) in group.iter().enumerate() {
+                for &(_, b) in &group[i + 1..] {
+                    if boundaries.are_near([arc(a), arc(b)], NEAR * boundaries.resolution) {
+                        is_near[a as usize] = true;
+                        is_near[b as usize] = true;
+                    }
+                }
+            }
+            // Between two sites that are one all arcs end where they begin: those that are not near any other stay.
+            if group.iter().any(|&(_, at)| is_near[at as usize]) {
+                self.classes.unite(group[0].0[0], group[0].0[1]);
+            }
+            group
+                .iter()
+                .filter(|(_, at)| is_near[*at as usize])
+                .for_each(|&(_, at)| is_tiny[at as usize] = true);
         }
     }
 

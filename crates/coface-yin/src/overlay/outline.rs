@@ -123,6 +123,7 @@ impl CurvedOverlay<'_> {
             repair_count: 0,
             resolution: self.boundaries.resolution,
             report: self.report,
+            area_error: 0.0,
         })
     }
 

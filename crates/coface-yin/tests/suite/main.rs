@@ -1,5 +1,6 @@
 //! Tests of `coface-yin`, in one program: each test program links everything anew.
 
+mod small_differences;
 mod splines;
 mod yin_algebra;
 mod yin_booleans;

@@ -75,10 +75,14 @@ pub(super) fn combined(
     let operands: Vec<&YinSet> = sets.iter().map(PlanarSet::set).collect();
     let combination = YinSet::combine(&operands, formula)?;
     let decisions = PlanarSet::decisions(&combination);
+    let bounds = [combination.resolution(), combination.area_error()];
     let uncertified = (!decisions.is_empty()).then(|| {
         let message = format!(
-            "{} could not be certified at the resolution of the arithmetic; --json lists them",
-            text::count(decisions.len(), "decision")
+            "{} could not be certified at the resolution of the arithmetic; --json lists them; the resolution is {:.1e}, and the area \
+             is off by at most {:.1e}; `coface yin compare` measures how far two sets are apart without such decisions",
+            text::count(decisions.len(), "decision"),
+            bounds[0],
+            bounds[1]
         );
         Remark::new(RemarkCode::DecisionUncertified, message).at(decisions.len(), [])
     });
@@ -87,7 +91,7 @@ pub(super) fn combined(
     let sources = provenance.map(|path| (path, PlanarSet::provenance(&combination)));
     let result = PlanarSet::of_combination(combination, &sets);
     progress.stage("measuring");
-    let mut answer = YinCombinationAnswer::new(files, decisions, result.answer()?);
+    let mut answer = YinCombinationAnswer::new(files, decisions, bounds, result.answer()?);
     for (set, name) in sets.iter().zip(&answer.files) {
         let of_file = |remark: &Remark| remark.clone().at(remark.count as usize, [Place::file(name)]);
         answer.set.remarks.extend(set.remarks().iter().map(of_file));
