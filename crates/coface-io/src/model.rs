@@ -6,11 +6,13 @@ use crate::{Remark, cells_not_balls};
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::{ChainComplex, ChainRefinement};
 use coface_algebra::{Error, VertexId};
+use coface_arrange::spatial::ExactPolygons;
 use coface_complexes::cell_mesh::CellShape;
 use coface_complexes::cubical::CubicalVolume;
 use coface_complexes::gluing::GluingTable;
 use coface_complexes::surface::HalfedgePermutations;
 use coface_geometry::{PartialPositions, Positions};
+use std::sync::Arc;
 
 /// What a file held: vertices with or without positions, polygons, 3-cells, lines, points, named groups, named data, or
 /// an abstract [`Structure`] instead of all these.
@@ -36,6 +38,8 @@ pub struct Model {
     pub(crate) data: Vec<CellData>,
     pub(crate) structure: Option<Structure>,
     pub(crate) refinement: Option<ChainRefinement>,
+    /// The faces before coordinates were rounded.
+    pub(crate) exact: Option<Arc<ExactPolygons>>,
     pub(crate) features: FeatureTable,
     pub(crate) remarks: Vec<Remark>,
 }
@@ -92,6 +96,7 @@ impl ModelParts {
             structure,
             remarks,
             refinement: None,
+            exact: None,
             features: FeatureTable::default(),
         }
     }
@@ -435,6 +440,26 @@ impl Model {
         self.refinement.as_ref()
     }
 
+    /// The model with its faces as they were before coordinates were rounded.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_io::{Model, Structure};
+    /// let points = Model::from_structure(Structure::Chains(ChainComplex::of_points(2)));
+    /// assert!(points.with_exact_polygons(Default::default()).exact_polygons().is_some());
+    /// ```
+    #[must_use]
+    pub fn with_exact_polygons(mut self, exact: Arc<ExactPolygons>) -> Self {
+        self.exact = Some(exact);
+        self
+    }
+
+    /// The faces as they were before coordinates were rounded, if they are known: arrangements and Booleans take these.
+    pub fn exact_polygons(&self) -> Option<&Arc<ExactPolygons>> {
+        self.exact.as_ref()
+    }
+
     /// The model of the cells that those of the chain complex are pieces of; `None` if there are no pieces.
     ///
     /// # Errors
@@ -601,6 +626,7 @@ impl Model {
             data,
             structure,
             refinement: _,
+            exact: _,
             features: _,
             remarks,
         } = self;
@@ -917,6 +943,7 @@ impl PartialEq for Model {
             && self.data == other.data
             && self.structure == other.structure
             && self.refinement == other.refinement
+            && self.exact == other.exact
             && self.features == other.features
     }
 }

@@ -272,6 +272,8 @@ pub enum RemarkCode {
     EmptyBoundary,
     /// Coordinates were rounded, and the rounded result is not valid.
     RoundedInvalid,
+    /// A model that is known exactly was taken with rounded points.
+    PointsRounded,
     /// Features that were nearly one were put together: within the tolerance asked for, or to make rounded coordinates valid.
     FeaturesJoined,
     /// Cells are so thin that they are not meant, as a rule.

@@ -77,8 +77,8 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 /// snap : bool
 ///     Whether coordinates are rounded so that the result stays as it is.
 /// exact : bool
-///     In the plane, whether the exact result is kept where rounding its coordinates makes edges cross or overlap; otherwise edges
-///     are cut and bent there by a few units of the last digit.
+///     Whether the exact result is kept where rounding its coordinates makes edges or faces cross; otherwise these are cut and bent
+///     there by a few units of the last digit. In space its model keeps exact points, so that the next call takes it as it is.
 /// grid : float, optional
 ///     In the plane, all coordinates are multiples of this length.
 /// tolerance : float, optional
@@ -146,18 +146,18 @@ pub(crate) fn arrange<'py>(
     if prune {
         return Err(invalid(py, "prune is for drawings in the plane", "leave it out in space"));
     }
-    refuse_planar(py, exact, grid)?;
+    refuse_planar(py, grid)?;
     let request = spatial_request(snap, tolerance, max_cells, split, merge_coplanar);
     let (arranged, answer) = run(py, progress, || {
         let mut arranged = SceneArrangement::of_scene(scene_of(&models, inputs, 1, true)?, &request)?;
-        if arranged.crossings()?.count > 0 {
+        if !exact && arranged.crossings()?.count > 0 {
             arranged = arranged.validly_rounded()?.unwrap_or(arranged);
         }
         let answer = arranged.answer(rule.unwrap_or_default())?;
         Ok((arranged, answer))
     })?;
     let rule = rule.unwrap_or_default();
-    Ok(Bound::new(py, SpatialArrangement { arranged, rule, answer })?.into_any())
+    Ok(Bound::new(py, SpatialArrangement { arranged, rule, answer, exact })?.into_any())
 }
 
 const SOURCES: [(&str, RegionSource); 5] = [
@@ -199,11 +199,10 @@ fn least_inputs(operation: &str) -> usize {
 }
 
 /// Refuses what is for drawings in the plane.
-fn refuse_planar(py: Python<'_>, exact: bool, grid: Option<f64>) -> PyResult<()> {
-    match (exact, grid) {
-        (true, _) => Err(invalid(py, "exact is for drawings in the plane", "leave it out in space")),
-        (_, Some(_)) => Err(invalid(py, "grid is for drawings in the plane", "leave it out in space")),
-        _ => Ok(()),
+fn refuse_planar(py: Python<'_>, grid: Option<f64>) -> PyResult<()> {
+    match grid {
+        Some(_) => Err(invalid(py, "grid is for drawings in the plane", "leave it out in space")),
+        None => Ok(()),
     }
 }
 
@@ -242,8 +241,8 @@ fn spatial_request(
 /// snap : bool
 ///     Whether coordinates are rounded so that the result stays as it is.
 /// exact : bool
-///     In the plane, whether the exact result is kept where rounding its coordinates makes edges cross or overlap; otherwise edges
-///     are cut and bent there by a few units of the last digit.
+///     Whether the exact result is kept where rounding its coordinates makes edges or faces cross; otherwise these are cut and bent
+///     there by a few units of the last digit. In space its model keeps exact points, so that the next call takes it as it is.
 /// grid : float, optional
 ///     In the plane, all coordinates are multiples of this length.
 /// tolerance : float, optional
@@ -326,7 +325,7 @@ pub(crate) fn boolean<'py>(
         let answer = result.answer();
         return Ok(Bound::new(py, PlanarBoolean { result, answer })?.into_any());
     }
-    refuse_planar(py, exact, grid)?;
+    refuse_planar(py, grid)?;
     let spatial = spatial_request(snap, tolerance, max_cells, split, merge_coplanar);
     let solid = run(py, progress, || {
         let mut scene = scene_of(&models, inputs, least_inputs(operation), keep_walls)?;
@@ -338,12 +337,15 @@ pub(crate) fn boolean<'py>(
         let mut arrangement = SceneArrangement::of_scene(scene, &spatial)?;
         request.rule = rule.unwrap_or_default();
         (request.split_pinches, request.keep_walls) = (split_pinches, keep_walls);
-        if SolidBoolean::of(&arrangement, &request)?.crossings()?.count > 0 {
+        if !exact && SolidBoolean::of(&arrangement, &request)?.crossings()?.count > 0 {
             arrangement = arrangement.validly_rounded()?.unwrap_or(arrangement);
         }
         let result = SolidBoolean::of(&arrangement, &request)?;
         let (answer, provenance) = (result.answer()?, result.provenance()?);
-        let mesh = result.to_mesh()?;
+        let mut mesh = result.to_mesh()?;
+        if exact && !answer.unbounded {
+            mesh = mesh.with_exact_polygons(result.exact_polygons()?.into());
+        }
         drop(result);
         Ok((answer, provenance, mesh, arrangement, request))
     })?;
@@ -709,6 +711,8 @@ pub(crate) struct SpatialArrangement {
     arranged: SceneArrangement,
     rule: InsideRule,
     answer: SpatialArrangementAnswer,
+    /// Whether models of it keep exact points.
+    exact: bool,
 }
 
 answer! { SpatialArrangement {
@@ -796,7 +800,11 @@ answer! { SpatialArrangement {
     fn model(&self, py: Python<'_>, triangles: Option<bool>) -> PyResult<Model> {
         run(py, None, || {
             let triangles = triangles.unwrap_or_else(|| self.arranged.scene().is_triangulated());
-            self.arranged.to_mesh(triangles, true)
+            let mesh = self.arranged.to_mesh(triangles, true)?;
+            Ok(match self.exact {
+                true => mesh.with_exact_polygons(self.arranged.exact_polygons().into()),
+                false => mesh,
+            })
         })
         .map(Model::of)
     }
@@ -867,7 +875,14 @@ answer! { SolidBooleanResult {
         if let Some(cells) = self.cells.get() {
             return Ok(cells.clone_ref(py));
         }
-        let made = run(py, None, || SolidBoolean::of(&self.arrangement, &self.request)?.to_chains())?;
+        let exact = self.model.get().source.model.exact_polygons().cloned();
+        let made = run(py, None, || {
+            let made = SolidBoolean::of(&self.arrangement, &self.request)?.to_chains()?;
+            Ok(match exact {
+                Some(exact) => made.with_exact_polygons(exact),
+                None => made,
+            })
+        })?;
         let made = Py::new(py, Model::of(made))?;
         Ok(self.cells.get_or_init(|| made).clone_ref(py))
     }

@@ -68,4 +68,25 @@ def test_results_in_the_plane_are_valid_unless_they_are_exact(tmp_path: Path) ->
     on_grid = coface.boolean("union", models, grid=0.5)
     assert (on_grid.vertices % 0.5 == 0.0).all()
     with pytest.raises(coface.InvalidInputError):
-        coface.boolean("union", house(1.5), exact=True)
+        coface.boolean("union", house(1.5), grid=0.5)
+
+
+def test_exact_results_are_input_again(tmp_path: Path) -> None:
+    corners = [
+        [0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y, z + 0.1 * x] for z in (0, 1) for y in (0, 1) for x in (0, 1)
+    ]
+    sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+    cube = coface.Model(corners, sides)
+    shifted = [[9 * x - 4.5, 9 * y - 4.5, 4 * z + 0.37 * x - 0.21 * y + 0.4] for x, y, z in corners]
+    knife = coface.Model(shifted, sides)
+    below = coface.boolean("difference", [cube, knife], exact=True)
+    above = coface.boolean("intersection", [cube, knife], exact=True)
+    nothing = coface.boolean("a ^ (b | c)", [cube, below, above], exact=True)
+    assert nothing.measure == 0 and list(nothing.f_vector) == [0, 0, 0]
+    # Files keep the exact points, also of the surface as a mesh.
+    for model in (below.cells, below.model):
+        model.write(tmp_path / "below.json")
+        read = coface.read(tmp_path / "below.json")
+        assert list(coface.boolean("a ^ (b | c)", [cube, read, above]).f_vector) == [0, 0, 0]
+    arranged = coface.arrange([cube, knife], exact=True)
+    assert len(coface.arrange([arranged.model()], exact=True)) == len(arranged)

@@ -5,7 +5,8 @@ use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, EdgeId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
 use coface_arrange::spatial::{
-    BallComplex, BallRules, Crossings, JoinedFeatures, SpatialArrangement, SpatialOptions, SplitPolygon,
+    BallComplex, BallRules, Crossings, ExactPolygons, JoinedFeatures, SpatialArrangement, SpatialOptions,
+    SplitPolygon,
 };
 use coface_geometry::Positions;
 use std::sync::OnceLock;
@@ -117,6 +118,13 @@ impl Arranged {
     /// The walks around a face in drawn vertices, the outer one first.
     pub(super) fn walks(&self, face: CellId) -> RaggedArray {
         self.arrangement.face_outlines(FaceId::from_u32(face.to_u32()))
+    }
+
+    /// Faces as polygons that lose nothing: sides of solids, plus where they run as the face does, and walls.
+    pub(super) fn exact_polygons(&self, surface: &[(CellId, Sign)], walls: &[CellId]) -> ExactPolygons {
+        let face = |face: &CellId| FaceId::from_u32(face.to_u32());
+        let surface: Vec<(FaceId, Sign)> = surface.iter().map(|(own, sign)| (face(own), *sign)).collect();
+        self.arrangement.exact_polygons(&surface, &walls.iter().map(face).collect::<Vec<_>>())
     }
 
     /// The corners of a face that is a triangle as it is.

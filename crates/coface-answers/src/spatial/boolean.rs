@@ -25,7 +25,7 @@ const CHUNK: usize = 1 << 11;
 /// A mesh has fewer corners than this.
 const MOST_CORNERS: usize = 1 << 30;
 /// Where a face has the exterior.
-const EXTERIOR: u32 = u32::MAX;
+pub(super) const EXTERIOR: u32 = u32::MAX;
 
 /// What is asked of a Boolean combination.
 #[derive(Clone, Debug)]

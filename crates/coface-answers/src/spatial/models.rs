@@ -1,13 +1,13 @@
 //! Arrangements and results as models and provenance.
 
-use super::boolean::refuse_unbounded;
+use super::boolean::{EXTERIOR, refuse_unbounded};
 use super::{SceneArrangement, SolidBoolean};
 use crate::answer::{SolidBooleanProvenance, SpatialArrangementProvenance};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error};
 use coface_algebra::{Sign, SparseMatrix};
 use coface_arrange::boolean::SelectionMesh;
-use coface_arrange::spatial::{BallComplex, BallRules};
+use coface_arrange::spatial::{BallComplex, BallRules, ExactPolygons};
 use coface_complexes::surface::PolygonMesh;
 use coface_io::{CellData, Group, GroupKind, GroupRole, Model};
 use std::collections::BTreeMap;
@@ -98,6 +98,38 @@ impl SceneArrangement {
     pub fn to_chains(&self, triangles: bool) -> Result<Model, Error> {
         let cells: Vec<Option<u32>> = (0..self.complex().cell_count(3) as u32).map(Some).collect();
         model_of(self.arranged.balls(&cells, BallRules::new().keep_faces(true).triangles(triangles))?)
+    }
+
+    /// The faces as polygons that lose nothing, for [`Model::with_exact_polygons`]: what the rounded coordinates of
+    /// [`Self::to_chains`] say nearly. Faces between two cells, and those with none, are walls.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SpatialRequest};
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// assert_eq!(arranged.exact_polygons().parts().len(), 4);
+    /// let again = arranged.to_chains(false)?.with_exact_polygons(arranged.exact_polygons().into());
+    /// let again = SceneArrangement::of([("again", &again)], &SpatialRequest::default())?;
+    /// assert_eq!(again.volumes(), [1.0]);
+    /// # Ok(()) }
+    /// ```
+    pub fn exact_polygons(&self) -> ExactPolygons {
+        let is_open = self.complex().cell_count(3) == 0;
+        let (mut surface, mut walls) = (Vec::new(), Vec::new());
+        for (face, &[back, front]) in self.sides_of_faces().iter().enumerate() {
+            let face = CellId::new(face);
+            match [back, front].map(|cell| cell != EXTERIOR) {
+                [true, false] => surface.push((face, Sign::Plus)),
+                [false, true] => surface.push((face, Sign::Minus)),
+                _ if is_open => surface.push((face, Sign::Plus)),
+                _ => walls.push(face),
+            }
+        }
+        self.arranged.exact_polygons(&surface, &walls)
     }
 
     /// The chain complex of [`Self::to_chains`].
@@ -255,6 +287,31 @@ impl SolidBoolean<'_> {
             }));
         }
         model_of(self.arrangement.arranged.balls(&parts, BallRules::new().triangles(self.request.triangles))?)
+    }
+
+    /// The polygons around the result as they are before coordinates are rounded, for [`Model::with_exact_polygons`]:
+    /// an input that the next operation takes as it is. Walls are there if they are kept.
+    ///
+    /// # Errors
+    /// [`coface_algebra::ErrorKind::UnsupportedFormat`] if the exterior is in the result.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // A tetrahedron of volume 1.
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
+    /// let result = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::union(1)))?;
+    /// assert_eq!(result.exact_polygons()?.walls(), [false; 4]);
+    /// # Ok(()) }
+    /// ```
+    pub fn exact_polygons(&self) -> Result<ExactPolygons, Error> {
+        refuse_unbounded(self)?;
+        let walls = if self.request.keep_walls { self.boundary.walls() } else { &[] };
+        Ok(self.arrangement.arranged.exact_polygons(self.boundary.facets(), walls))
     }
 
     fn chains_of_mesh(&self) -> Result<Model, Error> {

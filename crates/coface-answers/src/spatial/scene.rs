@@ -7,13 +7,14 @@ use crate::parts::{Part, closed_objects, parts_of};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
-use coface_arrange::spatial::{NonPlanar, SpatialPolygons};
+use coface_arrange::spatial::{ExactPolygons, NonPlanar, SpatialPolygons};
 use coface_complexes::cell_mesh::CellMesh;
-use coface_geometry::predicates::Dyadic;
+use coface_geometry::predicates::{Dyadic, SpatialPoint};
 use coface_geometry::{Positions, determinant};
 use coface_io::{GroupKind, Model, Structure};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// One or more models as polygons in space, each model a chain of its polygons.
 ///
@@ -53,6 +54,8 @@ pub struct SpatialScene {
     pub(super) source_of_polygon: Vec<u32>,
     pub(super) is_wall: Vec<bool>,
     pub(super) remarks: Vec<Remark>,
+    /// The polygons that are known exactly, each lot with the number of its first polygon.
+    exact: Vec<(u32, Arc<ExactPolygons>)>,
     /// The first polygon that is a patch, once mouths are closed.
     pub(super) first_patch: Option<usize>,
     /// What was open of each input and is closed by patches.
@@ -127,6 +130,7 @@ impl SpatialScene {
             source_of_polygon: Vec::new(),
             is_wall: Vec::new(),
             remarks: Vec::new(),
+            exact: Vec::new(),
             first_patch: None,
             mouths: Vec::new(),
         };
@@ -207,6 +211,13 @@ impl SpatialScene {
     }
 
     fn add(&mut self, name: &str, model: &Model, walls: bool) -> Result<(), Error> {
+        if let Some(exact) = model.exact_polygons() {
+            if self.source == RegionSource::Models {
+                return self.add_exact(name, exact, walls);
+            }
+            let message = format!("{name}: its points are rounded, since its parts are inputs of their own");
+            self.remarks.push(Remark::new(RemarkCode::PointsRounded, message).at(1, [Place::file(name)]));
+        }
         if let Some(coarse) = model.coarse()? {
             return self.add(name, &coarse, walls);
         }
@@ -267,6 +278,39 @@ impl SpatialScene {
                 .with_cure("give polygons or 3-cells; lines are arranged in the plane"));
         }
         self.flat.extend_from_slice(model.positions().as_flat());
+        Ok(())
+    }
+
+    /// Adds polygons that are known exactly. Walks around them are on rounded points.
+    fn add_exact(&mut self, name: &str, exact: &Arc<ExactPolygons>, walls: bool) -> Result<(), Error> {
+        let wanted: Vec<bool> = exact.walls().iter().map(|&is_wall| walls || !is_wall).collect();
+        let exact = if wanted.contains(&false) { Arc::new(exact.with(&wanted)) } else { Arc::clone(exact) };
+        let corners: usize = exact.parts().iter().flat_map(|part| &part.walks).map(Vec::len).sum();
+        let points = exact.vertex_points();
+        if u32::try_from(self.walks.item_count() + corners).is_err()
+            || self.flat.len() / 3 + points.len() >= 1 << 31
+        {
+            return Err(too_large());
+        }
+        if exact.walls().is_empty() {
+            return Err(Error::invalid("there is no polygon").with_cure("give a result that is not empty"));
+        }
+        let first = (self.flat.len() / 3) as u32;
+        self.point_starts.push(first);
+        self.flat.extend(points.iter().flat_map(SpatialPoint::rounded));
+        self.exact.push((self.is_wall.len() as u32, Arc::clone(&exact)));
+        let mut sides: Vec<Vec<[u32; 2]>> = vec![Vec::new(); exact.walls().len()];
+        for part in exact.parts() {
+            sides[part.polygon as usize].extend(part.sides());
+        }
+        for (polygon, (mut sides, &is_wall)) in sides.into_iter().zip(exact.walls()).enumerate() {
+            sides.sort_unstable();
+            let outline = sides.iter().filter(|&&[a, b]| sides.binary_search(&[b, a]).is_err());
+            let walks = closed_walks(&mut outline.copied().collect::<Vec<_>>());
+            let multiplicity = i32::from(!is_wall);
+            self.push(polygon, multiplicity, first, &(0..walks.len()).map(|walk| walks.list(walk)));
+        }
+        self.end_input(name, None);
         Ok(())
     }
 
@@ -619,7 +663,10 @@ impl SpatialScene {
             || (self.walks.clone(), self.polygon_of_walk.clone()),
             || (self.positions(), inputs.collect()),
         );
-        SpatialPolygons::new(positions?, walks, polygon_of_walk)?.with_inputs(inputs)
+        let polygons = SpatialPolygons::new(positions?, walks, polygon_of_walk)?.with_inputs(inputs)?;
+        self.exact
+            .iter()
+            .try_fold(polygons, |polygons, (first, own)| polygons.with_exact(*first, Arc::clone(own)))
     }
 
     /// Verifies that the polygons of each model are polygons, naming file and polygon.

@@ -1,6 +1,7 @@
 //! Tests of `coface-answers`, in one program: each test program links everything anew.
 
 mod covering;
+mod exact_chains;
 mod fundamental_groups;
 mod geometry;
 mod gluings;

@@ -2,7 +2,7 @@
 
 use super::axis_view::AxisView;
 use super::cells::{CellParts, SpatialCells};
-use super::cutting::{CutOptions, CutTriangles};
+use super::cutting::{CutOptions, CutTriangles, PartOutlines};
 use super::flat_polygons::{NonPlanar, PolygonTriangles, SplitPolygon};
 use super::merging::{Merged, merge};
 use super::near::flattened;
@@ -18,6 +18,7 @@ use coface_algebra::{RaggedArray, Sign, SparseMatrix};
 use coface_geometry::Positions;
 use coface_geometry::predicates::{SpatialPoint, are_coplanar, plane_axis};
 use std::cmp::Ordering;
+use std::sync::Arc;
 
 /// The vertices, edges, faces and cells that polygons cut space into, exactly.
 ///
@@ -72,6 +73,8 @@ pub struct SpatialArrangement {
     pub(super) round_count: usize,
     /// What was put together, where features that are near each other were.
     pub(super) joined: Option<JoinedFeatures>,
+    /// The outlines of triangles that are there in part.
+    outlines: Option<Arc<PartOutlines>>,
     options: SpatialOptions,
 }
 
@@ -103,8 +106,13 @@ impl SpatialArrangement {
     /// ```
     pub fn new(polygons: &SpatialPolygons, options: &SpatialOptions) -> Result<Self, Error> {
         let Some(tolerance) = options.tolerance else {
-            let made = Made::new(polygons, options.non_planar)?;
-            let found = Self::of_triangles(polygons.positions(), &made.triangles, made.patches, options)?;
+            let mut made = Made::new(polygons, options.non_planar)?;
+            let extended = made.add_exact(polygons)?;
+            let (positions, outlines) = match extended {
+                None => (polygons.positions(), None),
+                Some((ref positions, ref outlines)) => (positions, Some(Arc::clone(outlines))),
+            };
+            let found = Self::of_triangles(positions, &made.triangles, made.patches, outlines, options)?;
             return Ok(Self { without_area: made.without_area, split: made.split, ..found });
         };
         if options.non_planar != NonPlanar::Split {
@@ -152,9 +160,14 @@ impl SpatialArrangement {
         positions: &Positions,
         triangles: &[[u32; 3]],
         patches: Patches,
+        outlines: Option<Arc<PartOutlines>>,
         options: &SpatialOptions,
     ) -> Result<Self, Error> {
-        let cut = CutTriangles::new(positions, triangles, &CutOptions::new().max_cells(options.max_cells))?;
+        let mut cut =
+            CutTriangles::new(positions, triangles, &CutOptions::new().max_cells(options.max_cells))?;
+        if let Some(outlines) = &outlines {
+            cut = cut.within(outlines)?;
+        }
         let predicates = cut.predicates();
         let steps = stage("sorting faces around edges", cut.complex().edge_count());
         let (ordered, patches_of_face) =
@@ -197,6 +210,7 @@ impl SpatialArrangement {
             split: Vec::new(),
             round_count: 0,
             joined: None,
+            outlines,
             options: *options,
         })
     }
@@ -224,7 +238,7 @@ impl SpatialArrangement {
         }
         patches.input_count += 1;
         let positions = Positions::from_flat(3, points.into_flattened())?;
-        Self::of_triangles(&positions, &triangles, patches, &self.options)
+        Self::of_triangles(&positions, &triangles, patches, self.outlines.clone(), &self.options)
     }
 
     /// Whether all polygons that a fine face is part of have this number or a higher one.
@@ -854,9 +868,36 @@ impl Made {
             input_count: polygons.input_count(),
             is_passing: Vec::new(),
             keeps_vertices: false,
+            has_new_corners: false,
         };
         let split = split.into_iter().map(|split| split.0).collect();
         Ok(Self { triangles, patches, without_area, split })
+    }
+
+    /// Adds the triangles of polygons that are known exactly; the points with their corners, and the outlines in them, if
+    /// there are any.
+    fn add_exact(
+        &mut self,
+        polygons: &SpatialPolygons,
+    ) -> Result<Option<(Positions, Arc<PartOutlines>)>, Error> {
+        if polygons.exact().is_empty() {
+            return Ok(None);
+        }
+        let mut flat = polygons.positions().as_flat().to_vec();
+        let mut outlines = PartOutlines::new(self.triangles.len());
+        self.patches.is_passing = vec![false; flat.len() / 3];
+        self.patches.has_new_corners = true;
+        for (first, exact) in polygons.exact() {
+            let corners = (flat.len() / 3) as u32;
+            flat.extend(exact.points().as_flattened());
+            for part in exact.parts() {
+                self.triangles.push(part.triangle.map(|point| point + corners));
+                self.patches.patch_of_triangle.push(first + part.polygon);
+            }
+            outlines.add(exact);
+        }
+        self.patches.is_passing.resize(flat.len() / 3, true);
+        Ok(Some((Positions::from_flat(3, flat)?, Arc::new(outlines))))
     }
 }
 

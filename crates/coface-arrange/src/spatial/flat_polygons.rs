@@ -158,7 +158,8 @@ impl PolygonTriangles {
     /// `InvalidInput` naming the first polygon that is not planar, if those are refused, or whose sides cross or touch.
     pub(super) fn new(polygons: &SpatialPolygons, non_planar: NonPlanar) -> Result<Self, Error> {
         let points = GivenPoints::new(polygons.positions())?;
-        let is_mesh = polygons.walks().uniform_width() == Some(3)
+        let is_mesh = polygons.exact().is_empty()
+            && polygons.walks().uniform_width() == Some(3)
             && (0..).zip(polygons.polygon_of_walk()).all(|(walk, &polygon): (u32, _)| walk == polygon);
         if is_mesh {
             return Ok(Self::of_triangles(&points, polygons.walks()));
@@ -174,6 +175,10 @@ impl PolygonTriangles {
             .into_par_iter()
             .map_init(Vec::new, |sides, polygon| {
                 steps.advance(1);
+                if polygons.is_exact(polygon as u32) {
+                    // Its triangles are known.
+                    return Ok(Outcome::Triangles(Vec::new()));
+                }
                 sides.clear();
                 for &walk in walks_of_polygon.list(polygon) {
                     let walk = polygons.walks().list(walk as usize);

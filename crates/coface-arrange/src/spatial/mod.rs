@@ -12,6 +12,8 @@
 //! * [`CutTriangles`] makes a conforming complex of any triangles, by cutting them against each other.
 //! * A [`SpatialArrangement`] is all of it for [`SpatialPolygons`]: they are triangulated, cut and their pieces
 //!   **merged** again, so that faces and edges are those of the polygons; the cells before that are **fine**.
+//! * [`ExactPolygons`] are polygons that were cut out of others: parts of given triangles, whose outlines end in points known
+//!   by lines and planes. They are input again, and nothing is rounded between.
 //! * [`checks`] says what is wrong with faces, shells and solids, by the codes of ISO 19107.
 //! * All decisions are [`SpatialPredicates`]: exact signs about vertices by their numbers. [`GivenPoints`] are vertices
 //!   with coordinates.
@@ -24,6 +26,8 @@ mod cells;
 pub mod checks;
 mod cutting;
 mod drawing;
+mod exact_faces;
+mod exact_polygons;
 mod face_planes;
 mod face_walks;
 mod flat_polygons;
@@ -48,6 +52,7 @@ pub use by_congruence::{CongruenceArrangement, arrange_by_congruence};
 pub use cells::SpatialCells;
 pub use cutting::{Crossings, CutOptions, CutTriangles, SpatialVertexSource};
 pub use drawing::DrawnTriangles;
+pub use exact_polygons::{ExactPart, ExactPolygons};
 pub use flat_polygons::{NonPlanar, SplitPolygon};
 pub use gift_wrapped_shells::gift_wrapped_shells;
 pub use near::NearCounts;

@@ -24,6 +24,8 @@ pub(super) struct Patches {
     pub(super) is_passing: Vec<bool>,
     /// Whether vertices on straight edges stay, since it is known elsewhere which of them are needed.
     pub(super) keeps_vertices: bool,
+    /// Whether new vertices may be corners, as those of polygons that are known exactly.
+    pub(super) has_new_corners: bool,
 }
 
 impl Patches {
@@ -172,7 +174,8 @@ impl<P: SpatialPredicates> MergeRules for SameOrigin<'_, P> {
             return false;
         }
         if !self.merge_coplanar {
-            return self.is_new(vertex);
+            return self.is_new(vertex)
+                && (!self.patches.has_new_corners || self.is_straight(vertex, neighbors));
         }
         let is_bend = || self.degrees.get(vertex as usize) == Some(&2) && self.is_new(vertex);
         self.is_straight(vertex, neighbors) || is_bend()

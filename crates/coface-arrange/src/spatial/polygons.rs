@@ -1,8 +1,10 @@
 //! Polygons in space to make an arrangement of.
 
+use super::exact_polygons::ExactPolygons;
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind};
 use coface_geometry::Positions;
+use std::sync::Arc;
 
 /// Polygons in space, with holes, that belong to one or more inputs.
 ///
@@ -33,6 +35,8 @@ pub struct SpatialPolygons {
     polygon_of_walk: Vec<u32>,
     input_of_polygon: Vec<u32>,
     input_count: usize,
+    /// Polygons that are known exactly, each lot with the number of its first polygon, rising. Their walks are rounded.
+    exact: Vec<(u32, Arc<ExactPolygons>)>,
 }
 
 impl SpatialPolygons {
@@ -90,7 +94,8 @@ impl SpatialPolygons {
             ));
         }
         let input_count = usize::from(polygon_count > 0);
-        Ok(Self { positions, walks, polygon_of_walk, input_of_polygon: vec![0; polygon_count], input_count })
+        let input_of_polygon = vec![0; polygon_count];
+        Ok(Self { positions, walks, polygon_of_walk, input_of_polygon, input_count, exact: Vec::new() })
     }
 
     /// Polygons without holes, each a walk. All belong to one input.
@@ -146,9 +151,60 @@ impl SpatialPolygons {
         Ok(self)
     }
 
+    /// The same, where the polygons from `first` on are known exactly: polygon i of `exact` is polygon `first + i`, whose
+    /// walks are taken only where rounded coordinates are asked for, as within a tolerance.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] unless there are as many polygons, and none of them is known exactly already.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::{ExactPart, ExactPolygons, SpatialArrangement, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = vec![[0., 0., 0.], [3., 0., 0.], [0., 3., 0.]];
+    /// let part = ExactPart { polygon: 0, triangle: [0, 1, 2], walks: vec![vec![0, 1, 2]] };
+    /// let exact = ExactPolygons::new(points.clone(), &[vec![0], vec![1], vec![2]], vec![part], vec![false])?;
+    /// let rounded = Positions::from_flat(3, points.concat())?;
+    /// let polygons = SpatialPolygons::from_polygons(rounded, RaggedArray::from_lists([[0, 1, 2]]))?;
+    /// let polygons = polygons.with_exact(0, exact.into())?;
+    /// assert_eq!(SpatialArrangement::new(&polygons, &Default::default())?.f_vector(), [3, 3, 1, 0]);
+    /// # Ok(()) }
+    /// ```
+    pub fn with_exact(mut self, first: u32, exact: Arc<ExactPolygons>) -> Result<Self, Error> {
+        let known = self.exact.last().map_or(0, |(first, own)| *first as usize + own.walls().len());
+        let end = first as usize + exact.walls().len();
+        if (first as usize) < known || end > self.polygon_count() {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!(
+                    "polygons {first} to {end} cannot be exact: there are {}, exact up to {known}",
+                    self.polygon_count()
+                ),
+            ));
+        }
+        self.exact.push((first, exact));
+        Ok(self)
+    }
+
+    /// The polygons that are known exactly, each lot with the number of its first polygon, rising.
+    pub(super) fn exact(&self) -> &[(u32, Arc<ExactPolygons>)] {
+        &self.exact
+    }
+
+    /// Whether a polygon is known exactly.
+    pub(super) fn is_exact(&self, polygon: u32) -> bool {
+        let after = self.exact.partition_point(|own| own.0 <= polygon);
+        self.exact[..after]
+            .last()
+            .is_some_and(|(first, own)| ((polygon - first) as usize) < own.walls().len())
+    }
+
     /// The same polygons on these points.
     pub(super) fn with_points(mut self, points: &[[f64; 3]]) -> Result<Self, Error> {
         self.positions = Positions::from_flat(3, points.as_flattened().to_vec())?;
+        self.exact.clear();
         Ok(self)
     }
 
@@ -181,7 +237,7 @@ impl SpatialPolygons {
         let (mut flat, mut walks) = (Vec::new(), RaggedArray::new());
         let (mut polygon_of_walk, mut input_of_polygon) = (Vec::new(), Vec::new());
         let mut input_count = 0;
-        let mut list = Vec::new();
+        let (mut list, mut exact) = (Vec::new(), Vec::new());
         for lot in lots {
             let (points, polygons) = ((flat.len() / 3) as u32, input_of_polygon.len() as u32);
             flat.extend_from_slice(lot.positions.as_flat());
@@ -190,6 +246,7 @@ impl SpatialPolygons {
                 list.extend(walk.iter().map(|&point| point + points));
                 walks.push(&list);
             }
+            exact.extend(lot.exact.iter().map(|(first, own)| (first + polygons, Arc::clone(own))));
             polygon_of_walk.extend(lot.polygon_of_walk.iter().map(|&polygon| polygon + polygons));
             input_of_polygon.extend(lot.input_of_polygon.iter().map(|&input| input + input_count));
             input_count += lot.input_count as u32;
@@ -197,6 +254,7 @@ impl SpatialPolygons {
         let mut joined = Self::new(Positions::from_flat(3, flat)?, walks, polygon_of_walk)?;
         joined.input_of_polygon = input_of_polygon;
         joined.input_count = input_count as usize;
+        joined.exact = exact;
         Ok(joined)
     }
 

@@ -107,6 +107,7 @@ impl Drawing {
             input_count: arrangement.patches.input_count,
             is_passing,
             keeps_vertices: false,
+            has_new_corners: false,
         };
         let place = (0..points.len() as u32).collect();
         let edges = (0..arrangement.complex().edge_count()).flat_map(|edge| {
@@ -135,7 +136,8 @@ impl Drawing {
             joined.counts.add(&drawing.join(joined.tolerance));
             let Self { points, triangles, patches, first, place, .. } = drawing;
             let positions = Positions::from_flat(3, points.into_flattened())?;
-            let mut arrangement = SpatialArrangement::of_triangles(&positions, &triangles, patches, options)?;
+            let mut arrangement =
+                SpatialArrangement::of_triangles(&positions, &triangles, patches, None, options)?;
             let is_settled = arrangement.cut.complex().vertex_count() == positions.len()
                 || (is_rounding && arrangement.is_exactly_rounded());
             if is_settled {

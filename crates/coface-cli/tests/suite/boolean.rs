@@ -562,10 +562,57 @@ fn results_in_the_plane_are_valid_and_on_grids() {
     );
     let cube = path("cube.off");
     assert_eq!(coface(&["generate", "box", "--boundary", "-o", &cube]).status, 0);
-    for option in [&["--exact"][..], &["--grid", "0.1"]] {
-        let run = coface(&[&["boolean", "union", &cube], option].concat());
-        assert!(run.status == 1 && run.stderr.contains("for drawings in the plane"), "{}", run.stderr);
-    }
+    let run = coface(&["boolean", "union", &cube, "--grid", "0.1"]);
+    assert!(run.status == 1 && run.stderr.contains("for drawings in the plane"), "{}", run.stderr);
     assert_eq!(coface(&["boolean", "union", &a, &b, "--exact", "--snap"]).status, 2);
     assert!(coface(&["boolean", "union", &a, &b, "--grid", "0"]).stderr.contains("0 is no step of a grid"));
+}
+
+/// Both parts of a cut cube put together again: the cube, bit by bit.
+#[test]
+fn exact_results_are_input_again() {
+    let folder = Folder::new();
+    let turned: Motion = |[x, y, z]| [0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y, z + 0.1 * x];
+    let cube = argument(&folder.squares("cube.obj", [0.0; 3], [1.0; 3], 6, turned)).to_owned();
+    let knife: Motion = |[x, y, z]| [x + 0.3 * z, y - 0.2 * z, z + 0.37 * x - 0.21 * y];
+    let knife =
+        argument(&folder.squares("knife.obj", [-5.0, -5.0, 0.4], [5.0, 5.0, 4.0], 6, knife)).to_owned();
+    let path = |name: &str| argument(&folder.path(name)).to_owned();
+    let [below, above, xor] = ["below.json", "above.json", "xor.json"].map(path);
+    for (operation, output) in [("difference", &below), ("intersection", &above)] {
+        let run = coface(&["boolean", operation, &cube, &knife, "--exact", "-o", output]);
+        assert_eq!(run.status, 0, "{}", run.stderr);
+        assert!(std::fs::read_to_string(output).unwrap().contains("\"exact_polygons\""));
+        let found = coface(&["homology", output, "--json"]).json();
+        let betti: Vec<i64> =
+            found["homology"].as_array().unwrap().iter().map(|own| own["betti"].as_i64().unwrap()).collect();
+        assert_eq!(betti, [1, 0, 0, 0], "{output}");
+    }
+    let formula = ["boolean", "--formula", "a ^ (b | c)", &cube, &below, &above, "--exact", "--json"];
+    let answer = coface(&formula).json();
+    assert_eq!((&answer["measure"], &answer["f_vector"]), (&json!(0.0), &json!([0, 0, 0])));
+    // With rounded points that is not so.
+    let rounded = coface(&[&formula[..6], &["--tolerance", "1e-20", "--json"]].concat());
+    assert_eq!(rounded.status, 0, "{}", rounded.stderr);
+    // What was cut out of a result is exact again.
+    assert_eq!(coface(&["boolean", "xor", &below, &cube, "--exact", "-o", &xor]).status, 0);
+    let again = coface(&["boolean", "xor", &xor, &above, "--json", "--exact"]).json();
+    assert_eq!(again["measure"], json!(0.0));
+    // All of an arrangement, walls included.
+    let cells = path("cells.json");
+    assert_eq!(coface(&["arrange", &cube, &knife, "--exact", "-o", &cells]).status, 0);
+    let first = coface(&["arrange", &cube, &knife, "--exact", "--json"]).json();
+    let second = coface(&["arrange", &cells, "--exact", "--json"]).json();
+    assert_eq!(first["measures"].as_array().unwrap().len(), second["measures"].as_array().unwrap().len());
+    // The parts of a file as inputs have rounded points, and a remark says so.
+    let parts = coface(&["arrange", &cells, "--inputs", "components"]);
+    assert!(parts.stderr.contains("its points are rounded, since its parts are inputs"), "{}", parts.stderr);
+    // Damaged files are refused with the place.
+    let text = std::fs::read_to_string(&below).unwrap();
+    let at = text.find("\"exact_polygons\"").unwrap();
+    let places = text[at..].replacen("\"walks\":[[0,", "\"walks\":[[1,", 1);
+    let damaged = folder.text("damaged.json", &format!("{}{places}", &text[..at]));
+    let run = coface(&["boolean", "union", argument(&damaged)]);
+    assert_eq!(run.status, 1, "{}", run.stdout);
+    assert!(run.stderr.contains("exact"), "{}", run.stderr);
 }

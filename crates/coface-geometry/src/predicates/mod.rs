@@ -50,7 +50,7 @@ pub use planar_point::PlanarPoint;
 pub use planar_point::approximate_area;
 pub use plane_filter::PlaneFilter;
 pub use spatial_planes::{are_coplanar, direction_side, normals_turn, plane_axis, spatial_orientation};
-pub use spatial_point::SpatialPoint;
+pub use spatial_point::{PointDefinition, SpatialPoint};
 pub use spatial_signs::{normal_sign, orientation_of_points};
 
 /// A directed line through two different points, or the segment between them.

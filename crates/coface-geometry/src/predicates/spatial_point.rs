@@ -43,6 +43,50 @@ pub struct SpatialPoint {
     definition: Definition,
 }
 
+/// What a point of space is known by.
+///
+/// # Examples
+/// ```
+/// use coface_geometry::predicates::{PointDefinition, SpatialPoint};
+/// let line = [[0., 0., 1.], [3., 3., 1.]];
+/// let point = SpatialPoint::on_plane(line, [[1., 0., 0.], [0., 1., 0.], [0., 2., 5.]]).expect("not parallel");
+/// assert!(matches!(point.definition(), PointDefinition::LineAndPlane(own, _) if own == line));
+/// // Points with floating-point coordinates are known by these.
+/// let point = SpatialPoint::on_plane(line, [[2., 0., 0.], [0., 2., 0.], [0., 2., 5.]]).expect("not parallel");
+/// assert_eq!(point.definition(), PointDefinition::Given([1., 1., 1.]));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PointDefinition {
+    /// Coordinates.
+    Given([f64; 3]),
+    /// Where a line meets a plane.
+    LineAndPlane(SpatialLine, SpatialPlane),
+    /// Where three planes meet.
+    Planes([SpatialPlane; 3]),
+    /// Where two lines of one plane cross.
+    Lines([SpatialLine; 2]),
+}
+
+impl PointDefinition {
+    /// The point; `None` unless the lines and planes have exactly one in common.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::PointDefinition;
+    /// let lines = [[[0., 0., 5.], [2., 2., 5.]], [[0., 2., 5.], [2., 0., 5.]]];
+    /// assert_eq!(PointDefinition::Lines(lines).point().map(|point| point.rounded()), Some([1., 1., 5.]));
+    /// assert!(PointDefinition::Lines([lines[0]; 2]).point().is_none());
+    /// ```
+    pub fn point(self) -> Option<SpatialPoint> {
+        match self {
+            Self::Given(coordinates) => Some(SpatialPoint::given(coordinates)),
+            Self::LineAndPlane(line, plane) => SpatialPoint::on_plane(line, plane),
+            Self::Planes(planes) => SpatialPoint::of_planes(planes),
+            Self::Lines([s, t]) => SpatialPoint::of_lines(s, t),
+        }
+    }
+}
+
 #[derive(Clone, Copy, Debug)]
 enum Definition {
     Given,
@@ -377,6 +421,22 @@ impl SpatialPoint {
     pub fn to_rational(&self) -> [Rational; 3] {
         let exact = self.quotient::<Dyadic>().with_positive_weight();
         exact.expect("the point was found").to_rational()
+    }
+
+    /// What the point is known by: its coordinates where they are floating-point numbers, else lines and planes.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_geometry::predicates::{PointDefinition, SpatialPoint};
+    /// assert_eq!(SpatialPoint::given([1., 2., 3.]).definition(), PointDefinition::Given([1., 2., 3.]));
+    /// ```
+    pub fn definition(&self) -> PointDefinition {
+        match self.definition {
+            Definition::Given => PointDefinition::Given(self.rounded),
+            Definition::LineAndPlane(line, plane) => PointDefinition::LineAndPlane(line, plane),
+            Definition::Planes(planes) => PointDefinition::Planes(planes),
+            Definition::Lines(lines, _) => PointDefinition::Lines(lines),
+        }
     }
 
     /// The coordinates if they were given or are floating-point numbers.

@@ -2,6 +2,7 @@
 
 use super::coboundaries::{Coboundary, CoboundaryOf, degree_of_key};
 use super::curves::{CurveKeys, CurveList};
+use super::exact::ExactList;
 use super::facets::{Facet, FacetList, HalfedgeList, OuterFaces, TwinList};
 use super::faults::Faults;
 use super::gluings::GluingList;
@@ -29,6 +30,8 @@ pub(super) enum Content {
         points: Option<PointList>,
         /// From degree 0 on, what each cell is a piece of.
         pieces: Option<Vec<Vec<Option<u32>>>>,
+        /// The faces before coordinates were rounded.
+        exact: Option<ExactList>,
     },
     /// Coboundary matrices with the degrees of their keys, in the order of the file.
     Coboundaries {
@@ -165,6 +168,7 @@ fn visit_object<'de, A: MapAccess<'de>>(
     let (mut name, mut facets, mut next, mut twin, mut boundaries) = (None, None, None, None, None);
     let (mut gluings, mut points, mut coboundaries, mut others) = (None, None, Vec::new(), Vec::new());
     let (mut curves, mut pieces, mut outer) = (CurveKeys::default(), None, Vec::new());
+    let mut exact = None;
     while let Some(key) = map.next_key::<String>()? {
         match key.as_str() {
             "name" => name = map.next_value_seed(Name)?,
@@ -174,6 +178,7 @@ fn visit_object<'de, A: MapAccess<'de>>(
             "outer" => outer = map.next_value_seed(OuterFaces)?,
             "boundaries" => boundaries = Some(map.next_value_seed(MatrixList(faults))?),
             "pieces_of" => pieces = Some(map.next_value()?),
+            "exact_polygons" => exact = Some(map.next_value()?),
             "gluings" => gluings = Some(map.next_value_seed(GluingList(faults))?),
             "order" => curves.order = Some(map.next_value()?),
             "plane" => curves.plane = Some(map.next_value()?),
@@ -206,7 +211,7 @@ fn visit_object<'de, A: MapAccess<'de>>(
         _ if has_curves => return Err(several(faults)),
         (Some(facets), None, None, None, true) => Content::Facets(facets),
         (None, Some(next), None, None, true) => Content::Halfedges { next, twin, outer, points },
-        (None, None, Some(matrices), None, true) => Content::Boundaries { matrices, points, pieces },
+        (None, None, Some(matrices), None, true) => Content::Boundaries { matrices, points, pieces, exact },
         (None, None, None, Some(table), true) => Content::Gluings(table),
         (None, None, None, None, false) => Content::Coboundaries { matrices: coboundaries, points },
         (None, None, None, None, true) => Content::Unknown(others),

@@ -28,11 +28,18 @@
 //! piece of, or that it is none of one: a bridge or a cut inside of a cell of higher degree, there so that each piece is
 //! a ball. Homology is that of the pieces; arrangements and Booleans take the cells that they make up.
 //!
+//! Beside `"boundaries"`, `"exact_polygons"` are the faces as they were before coordinates were rounded, for arrangements and
+//! Booleans: `{"points": [[x, y, z], ..], "vertices": [[point, ..], ..], "polygons": [{"parts": [{"triangle": [a, b, c],
+//! "walks": [[vertex, ..], ..]}, ..], "wall": true}, ..]}`, as [`ExactPolygons`](coface_arrange::spatial::ExactPolygons) has
+//! them. A vertex is a point, or where two lines (4 points), a line and a plane (5) or three planes (9) meet; `"wall"` is left
+//! out where it is false.
+//!
 //! Other keys are passed over. Reading is a stream: memory is what the model takes.
 
 mod coboundaries;
 mod curves;
 mod document;
+mod exact;
 mod facets;
 mod faults;
 mod gluings;

@@ -214,8 +214,11 @@ fn to_model(content: Content, tolerance: Option<f64>) -> Result<Model, Error> {
         Content::Halfedges { next, twin, outer, points } => {
             return halfedges(next, twin, outer, positions(points)?);
         }
-        Content::Boundaries { matrices, points, pieces } => {
-            let model = chains(matrices, positions(points)?)?;
+        Content::Boundaries { matrices, points, pieces, exact } => {
+            let mut model = chains(matrices, positions(points)?)?;
+            if let Some(exact) = exact {
+                model = model.with_exact_polygons(exact.into_polygons()?.into());
+            }
             return match pieces {
                 None => Ok(model),
                 Some(pieces) => model.with_refinement(ChainRefinement::new(pieces)).map_err(|error| {

@@ -111,6 +111,15 @@ fn faults_name_key_and_entry() {
         (r#"{"d0":[[0,0,-1],[0,1,1]],"d1":[[0,0,1]]}"#, "boundary"),
         (r#"{"vertices":[[0]],"boundaries":[{"rows":2,"cols":0,"entries":[]}]}"#, "1 points for 2 vertices"),
         (r#"{"vertices":[[0]]}"#, "but none of"),
+        (
+            &exact("[[0],[1],[2]]", "[0,1,2]", "[0,1,7]"),
+            "\"exact_polygons\": part 0 names 7, which is not there",
+        ),
+        (&exact("[[0],[1],[9]]", "[0,1,2]", "[0,1,2]"), "\"exact_polygons\": vertex 2 names 9"),
+        (&exact("[[0],[1],[2,0]]", "[0,1,2]", "[0,1,2]"), "vertex 2 is a list of 2 points"),
+        (&exact("[[0],[1],[0,1,0,1]]", "[0,1,2]", "[0,1,2]"), "vertex 2 do not meet in one point"),
+        (&exact("[[0],[1],[2]]", "[0,1,1]", "[0,1,2]"), "the triangle of part 0 has no area"),
+        (&exact("[[0],[1],[3]]", "[0,1,2]", "[0,1,2]"), "vertex 2 is not in the plane of part 0"),
         // The largest number is a cell like any other, and there is no such cell.
         (
             r#"{"boundaries":[{"rows":2,"cols":1,"entries":[[0,0,-1],[1,0,1]]}],"pieces_of":[[0,1],[4294967295]]}"#,
@@ -125,6 +134,29 @@ fn faults_name_key_and_entry() {
         let message = read(text.as_bytes()).unwrap_err().to_string();
         assert!(message.contains(expected), "{text}\n{message}");
     }
+}
+
+/// A point with exact polygons of one part beside it.
+fn exact(vertices: &str, triangle: &str, walk: &str) -> String {
+    format!(
+        r#"{{"vertices":[[0]],"boundaries":[{{"rows":1,"cols":0,"entries":[]}}],"exact_polygons":{{
+        "points":[[0,0,0],[3,0,0],[0,3,0],[0,0,0.5]],"vertices":{vertices},
+        "polygons":[{{"parts":[{{"triangle":{triangle},"walks":[{walk}]}}]}}]}}}}"#
+    )
+}
+
+#[test]
+fn exact_polygons_round_trip() {
+    let model = read(exact("[[0],[1],[0,2,1,2]]", "[0,1,2]", "[0,1,2]").as_bytes()).unwrap();
+    let polygons = model.exact_polygons().unwrap();
+    assert_eq!(polygons.vertex_points()[2].rounded(), [0.0, 3.0, 0.0]);
+    let mut bytes = Vec::new();
+    write(&model, &mut bytes).unwrap();
+    assert_eq!(read(&bytes[..]).unwrap(), model);
+    let empty = model.with_exact_polygons(Default::default());
+    bytes.clear();
+    write(&empty, &mut bytes).unwrap();
+    assert_eq!(read(&bytes[..]).unwrap(), empty);
 }
 
 proptest! {

@@ -5,6 +5,7 @@ use crate::{Model, Structure, segments};
 use coface_algebra::Error;
 use coface_algebra::SparseMatrix;
 use coface_algebra::chains::{ChainComplex, ChainRefinement};
+use coface_arrange::spatial::ExactPolygons;
 use coface_complexes::cell_mesh::{CellMesh, CellShape};
 use coface_complexes::gluing::GluingTable;
 use coface_complexes::surface::PolygonMesh;
@@ -51,11 +52,11 @@ pub fn write(model: &Model, out: impl Write) -> Result<(), Error> {
             writeln!(out, "}}")?;
         }
         Some(Structure::Chains(complex)) => {
-            write_chains(&mut out, complex, model.positions(), model.refinement())?;
+            write_chains(&mut out, complex, model.positions(), Beside::of(model))?;
         }
         Some(Structure::Gluings(table)) => write_gluings(&mut out, table)?,
         Some(Structure::Volume(volume)) => {
-            write_chains(&mut out, &volume.chain_complex()?, model.positions(), None)?;
+            write_chains(&mut out, &volume.chain_complex()?, model.positions(), Beside::default())?;
         }
         None => write_mesh(&mut out, model)?,
     }
@@ -77,10 +78,10 @@ fn mesh_complex(model: &Model) -> Result<ChainComplex, Error> {
 fn write_mesh(out: &mut impl Write, model: &Model) -> Result<(), Error> {
     let is_simplicial = model.polygons().iter().all(|polygon| polygon.len() == 3)
         && model.shapes().iter().all(|&shape| shape == CellShape::Tetrahedron);
-    if !is_simplicial {
+    if !is_simplicial || model.exact_polygons().is_some() {
         // JSON has no words for NaN and infinity.
         model.require_finite()?;
-        return write_chains(out, &mesh_complex(model)?, model.positions(), None);
+        return write_chains(out, &mesh_complex(model)?, model.positions(), Beside::of(model));
     }
     let mut isolated = vec![true; model.vertex_count()];
     for list in [model.cells(), model.polygons(), model.lines()] {
@@ -156,13 +157,26 @@ fn write_points(out: &mut impl Write, positions: &Positions) -> Result<(), Error
     Ok(())
 }
 
+/// What is written beside the matrices of a chain complex.
+#[derive(Clone, Copy, Default)]
+struct Beside<'a> {
+    refinement: Option<&'a ChainRefinement>,
+    exact: Option<&'a ExactPolygons>,
+}
+
+impl<'a> Beside<'a> {
+    fn of(model: &'a Model) -> Self {
+        Self { refinement: model.refinement(), exact: model.exact_polygons().map(|exact| &**exact) }
+    }
+}
+
 /// A complex of points alone, without positions, is written as one matrix without columns. Positions come first, one point a line, and
 /// what cells are pieces of last.
 fn write_chains(
     out: &mut impl Write,
     complex: &ChainComplex,
     positions: &Positions,
-    refinement: Option<&ChainRefinement>,
+    beside: Beside<'_>,
 ) -> Result<(), Error> {
     out.write_all(b"{")?;
     if !positions.is_empty() {
@@ -190,7 +204,7 @@ fn write_chains(
         out.write_all(b"]}")?;
     }
     write!(out, "\n]")?;
-    if let Some(refinement) = refinement {
+    if let Some(refinement) = beside.refinement {
         write!(out, ",\n\"pieces_of\":[")?;
         for degree in 0..refinement.degree_count() {
             out.write_all(if degree == 0 { b"\n[" } else { b",\n[" })?;
@@ -204,6 +218,10 @@ fn write_chains(
             out.write_all(b"]")?;
         }
         write!(out, "\n]")?;
+    }
+    if let Some(exact) = beside.exact {
+        writeln!(out, ",")?;
+        super::exact::write(out, exact)?;
     }
     writeln!(out, "}}")?;
     Ok(())

@@ -113,13 +113,13 @@ pub struct CutTriangles {
     sheets: Sheets,
     vertices: Vertices,
     positions: Positions,
-    complex: Arc<PolygonalComplex>,
+    pub(super) complex: Arc<PolygonalComplex>,
     /// The sheet of each face, or the first of those that overlap there.
-    sheet_of_face: Vec<u32>,
-    triangles_of_face: RaggedArray,
-    supports: Vec<Support>,
+    pub(super) sheet_of_face: Vec<u32>,
+    pub(super) triangles_of_face: RaggedArray,
+    pub(super) supports: Vec<Support>,
     /// The vertices inside a face that no edge of it ends at, as pairs of face and vertex, rising.
-    points_in_faces: Vec<[u32; 2]>,
+    pub(super) points_in_faces: Vec<[u32; 2]>,
 }
 
 impl CutTriangles {

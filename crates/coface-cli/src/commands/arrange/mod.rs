@@ -20,7 +20,8 @@ use std::path::{Path, PathBuf};
 ///
 /// Inputs are any mix of drawings: segments (.lines), OBJ with lines or polygons, GeoJSON, WKT, SVG. They are planar when all points
 /// have two coordinates or lie at height 0; otherwise polygons cut space. Everything is exact: nothing is decided with a tolerance, but
-/// for --tolerance. Where rounded coordinates would make faces in space cross, what is so near is put together, and a remark says so.
+/// for --tolerance. Where rounded coordinates would make faces in space cross, what is so near is put together, and a remark says so;
+/// --exact keeps them, and .json written with it loses nothing: arrange and boolean take its points as they are.
 ///
 /// With -o the complex is written: GeoJSON, WKT and SVG have faces as polygons with holes; OBJ, PLY and VTK as polygons of a mesh;
 /// .lines has the edges; .json the chain complex with positions. .glb, .gltf and .png, in space .svg too, are to be looked at.
@@ -89,7 +90,7 @@ pub(crate) struct CellOptions {
     /// In the plane, put all vertices on the grid with this step, in the unit of the inputs: coordinates are multiples of R
     #[arg(long, value_name = "R", allow_negative_numbers = true, value_parser = length)]
     pub(crate) grid: Option<f64>,
-    /// In the plane, keep the exact cells, also where rounding their coordinates makes edges cross or overlap
+    /// Keep the exact cells, also where rounding their coordinates makes edges or faces cross; in space .json keeps exact points too
     #[arg(long, conflicts_with_all = ["snap", "grid"])]
     pub(crate) exact: bool,
     /// In space, put planes, vertices, edges and faces together that are at most R apart, in the unit of the inputs
@@ -103,14 +104,12 @@ pub(crate) struct CellOptions {
 impl CellOptions {
     /// Refuses what is for drawings in the plane.
     pub(crate) fn refuse_planar(&self) -> Result<(), Failure> {
-        let option = match (self.exact, self.grid) {
-            (true, _) => "--exact",
-            (_, Some(_)) => "--grid",
-            _ => return Ok(()),
-        };
-        Err(Failure::new(format!(
-            "{option} is for drawings in the plane, and the inputs lie in space: leave it out"
-        )))
+        match self.grid {
+            None => Ok(()),
+            Some(_) => Err(Failure::new(
+                "--grid is for drawings in the plane, and the inputs lie in space: leave it out",
+            )),
+        }
     }
 
     /// Refuses a tolerance for drawings in the plane.

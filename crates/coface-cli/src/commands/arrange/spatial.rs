@@ -140,7 +140,7 @@ pub(super) fn run(
     progress.stage("arranging");
     let scene = scene_of(verb.source, 1, models, true)?;
     let mut arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells, common))?;
-    if arrangement.crossings()?.count > 0 {
+    if !verb.cells.exact && arrangement.crossings()?.count > 0 {
         progress.stage("rounding");
         arrangement = arrangement.validly_rounded()?.unwrap_or(arrangement);
     }
@@ -153,7 +153,10 @@ pub(super) fn run(
         let triangles = verb.space.triangles(arrangement.scene(), output);
         match target {
             Target::Model(Format::Json) => {
-                let model = arrangement.to_chains(verb.space.triangles)?;
+                let mut model = arrangement.to_chains(verb.space.triangles)?;
+                if verb.cells.exact {
+                    model = model.with_exact_polygons(arrangement.exact_polygons().into());
+                }
                 answer.remarks.extend(model.remarks().iter().cloned());
                 io::write_path(&model, path, Some(Format::Json))?;
             }

@@ -71,7 +71,7 @@ pub(super) fn run(
     request.keep_walls = verb.keep_walls;
     let rounded;
     let mut result = SolidBoolean::of(&arrangement, &request)?;
-    if result.crossings()?.count > 0 {
+    if !verb.cells.exact && result.crossings()?.count > 0 {
         progress.stage("rounding");
         if let Some(valid) = arrangement.validly_rounded()? {
             rounded = valid;
@@ -83,7 +83,10 @@ pub(super) fn run(
     progress.stage("writing");
     match output {
         Some((path, Target::Model(format))) => {
-            let model = if format == Format::Json { result.to_chains()? } else { result.to_mesh()? };
+            let mut model = if format == Format::Json { result.to_chains()? } else { result.to_mesh()? };
+            if format == Format::Json && verb.cells.exact {
+                model = model.with_exact_polygons(result.exact_polygons()?.into());
+            }
             answer.remarks.extend(model.remarks().iter().cloned());
             io::write_path(&model, path, Some(format))?;
         }
