@@ -23,8 +23,12 @@
 //! * `flower_N`: two polygons with radii 0.8 and 1.2 in turns, through which smooth flowers go.
 //! * `torus_NxP`: the 3-torus of N by N by N voxels, to be cut into P blocks; the file holds the name alone.
 //! * `gyroid_N`, `box_N`: N by N by N voxels: one side of the gyroid with noise, and all.
+//! * `boxrow_N`, `boxblock_N`, `dolls_N`: N boxes of twelve triangles, in a row, in a block, around each other.
+//! * `turned_N`: N boxes around the middle, turned about two axes.
+//! * `rooms_N`: N rooms in rows shifted like bricks, turned by 30 degrees.
 //! * `nested_N`: N squares one around the other, turned by 0.3 radians, counterclockwise and clockwise in turns.
 
+mod boxes;
 mod cubes;
 mod drawings;
 mod mesh;
@@ -83,6 +87,11 @@ pub(crate) const FAMILIES: &[(&str, &str)] = &[
     ("circle_N", "two regular polygons of N vertices that cross twice (circle_1000000)"),
     ("grid_N", "a grid of N/4 squares and the same moved along, with overlapping edges (grid_1000000)"),
     ("nested_N", "N squares one around the other, their directions in turns (nested_32000)"),
+    ("boxrow_N", "N cubes in a row that do not touch, 12 N triangles (boxrow_100000)"),
+    ("boxblock_N", "N cubes in a block that do not touch (boxblock_100000)"),
+    ("dolls_N", "N cubes around each other (dolls_4000)"),
+    ("turned_N", "N boxes around the middle, turned about two axes (turned_100)"),
+    ("rooms_N", "N rooms of a building in rows shifted like bricks, turned by 30 degrees (rooms_1000)"),
     ("simp_N", "N random simplices of dimension 0 to 5 on N/10 vertices"),
     ("torus_NxP", "the 3-torus of N N N voxels in P blocks, of which only the name is stored (torus_256x64)"),
     ("gyroid_N", "N N N voxels of one side of the gyroid, one in sixteen turned over (gyroid_128)"),
@@ -166,6 +175,11 @@ pub(crate) fn generate(name: &str) -> Result<Mesh, Error> {
         ("circle", count) => Ok(drawings::circles(number(count, 3, 10_000_000)?)),
         ("grid", count) => Ok(drawings::grids(number(count, 4, 10_000_000)?)),
         ("nested", count) => Ok(drawings::nested_squares(number(count, 1, 1_000_000)?)),
+        ("boxrow", count) => Ok(boxes::row(number(count, 1, 1_000_000)?)),
+        ("boxblock", count) => Ok(boxes::block(number(count, 1, 1_000_000)?)),
+        ("dolls", count) => Ok(boxes::dolls(number(count, 1, 1_000_000)?)),
+        ("turned", count) => Ok(boxes::turned(number(count, 1, 1_000_000)?)),
+        ("rooms", count) => Ok(boxes::rooms(number(count, 1, 1_000_000)?)),
         ("simp", count) => Ok(random_simplices::random_simplices(number(count, 100, 100_000_000)?)),
         _ => Err(unknown()),
     }

@@ -4,6 +4,7 @@
 //! that a wrong answer is seen beside its time.
 
 mod boundary_matrices;
+mod boxes;
 mod congruence;
 mod edges;
 mod generators;
@@ -92,6 +93,11 @@ pub(crate) const ALL: &[Task] = &[
     solids::INTERSECTION,
     solids::UNION,
     solids::CHECKS,
+    boxes::ROW,
+    boxes::BLOCK,
+    boxes::DOLLS,
+    boxes::ROOMS,
+    boxes::CHAIN,
     parts::TORUS,
     parts::SIMPLICIAL_TORUS,
     parts::VOLUME,
