@@ -120,7 +120,7 @@ impl Arranged {
         self.arrangement.face_outlines(FaceId::from_u32(face.to_u32()))
     }
 
-    /// Faces as polygons that lose nothing: sides of solids, plus where they run as the face does, and walls.
+    /// Faces as polygons that lose nothing: sides of solids, plus where they run as the face does, and shared faces.
     pub(super) fn exact_polygons(&self, surface: &[(CellId, Sign)], walls: &[CellId]) -> ExactPolygons {
         let face = |face: &CellId| FaceId::from_u32(face.to_u32());
         let surface: Vec<(FaceId, Sign)> = surface.iter().map(|(own, sign)| (face(own), *sign)).collect();

@@ -101,7 +101,7 @@ impl SceneArrangement {
     }
 
     /// The faces as polygons that lose nothing, for [`Model::with_exact_polygons`]: what the rounded coordinates of
-    /// [`Self::to_chains`] say nearly. Faces between two cells, and those with none, are walls.
+    /// [`Self::to_chains`] say nearly. Faces that two cells share, and those of none, are marked.
     ///
     /// # Examples
     /// ```
@@ -290,7 +290,7 @@ impl SolidBoolean<'_> {
     }
 
     /// The polygons around the result as they are before coordinates are rounded, for [`Model::with_exact_polygons`]:
-    /// an input that the next operation takes as it is. Walls are there if they are kept.
+    /// an input that the next operation takes as it is. Shared faces are there if they are kept.
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::UnsupportedFormat`] if the exterior is in the result.

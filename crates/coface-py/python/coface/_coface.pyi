@@ -3433,8 +3433,8 @@ def arrange(models: Any, *, dimension: int | None = None, rule: str | None = Non
     snap : bool
         Whether coordinates are rounded so that the result stays as it is.
     exact : bool
-        In the plane, whether the exact result is kept where rounding its coordinates makes edges cross or overlap; otherwise edges
-        are cut and bent there by a few units of the last digit.
+        Whether the exact result is kept where rounding its coordinates makes edges or faces cross; otherwise these are cut and bent
+        there by a few units of the last digit. In space its model keeps exact points, so that the next call takes it as it is.
     grid : float, optional
         In the plane, all coordinates are multiples of this length.
     tolerance : float, optional
@@ -3490,8 +3490,8 @@ def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: 
     snap : bool
         Whether coordinates are rounded so that the result stays as it is.
     exact : bool
-        In the plane, whether the exact result is kept where rounding its coordinates makes edges cross or overlap; otherwise edges
-        are cut and bent there by a few units of the last digit.
+        Whether the exact result is kept where rounding its coordinates makes edges or faces cross; otherwise these are cut and bent
+        there by a few units of the last digit. In space its model keeps exact points, so that the next call takes it as it is.
     grid : float, optional
         In the plane, all coordinates are multiples of this length.
     tolerance : float, optional
