@@ -305,7 +305,7 @@ impl SolidBoolean<'_> {
     /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
     /// let arranged = SceneArrangement::of([("solid", &solid)], &SpatialRequest::default())?;
     /// let result = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::union(1)))?;
-    /// assert_eq!(result.exact_polygons()?.walls(), [false; 4]);
+    /// assert_eq!(result.exact_polygons()?.shared(), [false; 4]);
     /// # Ok(()) }
     /// ```
     pub fn exact_polygons(&self) -> Result<ExactPolygons, Error> {

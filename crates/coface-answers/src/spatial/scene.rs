@@ -283,7 +283,7 @@ impl SpatialScene {
 
     /// Adds polygons that are known exactly. Walks around them are on rounded points.
     fn add_exact(&mut self, name: &str, exact: &Arc<ExactPolygons>, walls: bool) -> Result<(), Error> {
-        let wanted: Vec<bool> = exact.walls().iter().map(|&is_wall| walls || !is_wall).collect();
+        let wanted: Vec<bool> = exact.shared().iter().map(|&is_wall| walls || !is_wall).collect();
         let exact = if wanted.contains(&false) { Arc::new(exact.with(&wanted)) } else { Arc::clone(exact) };
         let corners: usize = exact.parts().iter().flat_map(|part| &part.walks).map(Vec::len).sum();
         let points = exact.vertex_points();
@@ -292,18 +292,18 @@ impl SpatialScene {
         {
             return Err(too_large());
         }
-        if exact.walls().is_empty() {
+        if exact.shared().is_empty() {
             return Err(Error::invalid("there is no polygon").with_cure("give a result that is not empty"));
         }
         let first = (self.flat.len() / 3) as u32;
         self.point_starts.push(first);
         self.flat.extend(points.iter().flat_map(SpatialPoint::rounded));
         self.exact.push((self.is_wall.len() as u32, Arc::clone(&exact)));
-        let mut sides: Vec<Vec<[u32; 2]>> = vec![Vec::new(); exact.walls().len()];
+        let mut sides: Vec<Vec<[u32; 2]>> = vec![Vec::new(); exact.shared().len()];
         for part in exact.parts() {
             sides[part.polygon as usize].extend(part.sides());
         }
-        for (polygon, (mut sides, &is_wall)) in sides.into_iter().zip(exact.walls()).enumerate() {
+        for (polygon, (mut sides, &is_wall)) in sides.into_iter().zip(exact.shared()).enumerate() {
             sides.sort_unstable();
             let outline = sides.iter().filter(|&&[a, b]| sides.binary_search(&[b, a]).is_err());
             let walks = closed_walks(&mut outline.copied().collect::<Vec<_>>());

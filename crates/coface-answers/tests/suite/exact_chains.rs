@@ -89,7 +89,7 @@ fn agree(models: &[Model], operations: &[char]) -> Result<(), TestCaseError> {
         let exact = chained.exact_polygons().unwrap();
         let again = arranged(&[&chained], true);
         let again = SolidBoolean::of(&again, &request("a")).unwrap().exact_polygons().unwrap();
-        prop_assert_eq!(again.walls().len(), exact.walls().len());
+        prop_assert_eq!(again.shared().len(), exact.shared().len());
     }
     Ok(())
 }
@@ -159,7 +159,7 @@ fn arrangements_are_input_with_their_walls() {
         (cuboid([0.0; 3], [1.0; 3], [0.3, 0.8], true), cuboid([0.7, 0.1, 0.4], [1.0; 3], [0.0; 2], false));
     let scene = arranged(&[&a, &b], true);
     let model = scene.to_chains(false).unwrap().with_exact_polygons(scene.exact_polygons().into());
-    let walls = model.exact_polygons().unwrap().walls();
+    let walls = model.exact_polygons().unwrap().shared();
     assert!(walls.contains(&true) && walls.contains(&false));
     let again = arranged(&[&model], true);
     assert_eq!(again.complex().f_vector(), scene.complex().f_vector());
@@ -183,14 +183,14 @@ fn broken_outlines_are_refused() {
     let cut = step([&cube, &knife], '-');
     let exact = cut.exact_polygons().unwrap();
     let with = |vertices: &[Vec<u32>], parts: Vec<_>| {
-        ExactPolygons::new(exact.points().to_vec(), vertices, parts, exact.walls().to_vec())
+        ExactPolygons::new(exact.points().to_vec(), vertices, parts, exact.shared().to_vec())
     };
     let vertices: Vec<Vec<u32>> = exact.vertices().iter().map(<[u32]>::to_vec).collect();
     assert_eq!(with(&vertices, exact.parts().to_vec()).unwrap(), **exact);
     // Without the knife's triangle nothing is cut there.
     let of_cube = exact.parts().iter().filter(|part| part.walks.iter().flatten().count() >= 3);
     let first = of_cube.map(|part| part.polygon).next().unwrap();
-    let wanted: Vec<bool> = (0..exact.walls().len()).map(|polygon| polygon as u32 == first).collect();
+    let wanted: Vec<bool> = (0..exact.shared().len()).map(|polygon| polygon as u32 == first).collect();
     let alone = cut.clone().with_exact_polygons(Arc::new(exact.with(&wanted)));
     let names = [("alone.json", &alone)];
     if let Err(error) = SceneArrangement::of(names, &SpatialRequest::default()) {

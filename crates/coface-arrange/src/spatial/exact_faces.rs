@@ -11,7 +11,7 @@ const NONE: u32 = u32::MAX;
 
 impl SpatialArrangement {
     /// Some faces as exact polygons: `surface` has those that are sides of a solid, plus where they run as the face does;
-    /// walls are others. Faces beside each other in one plane become one polygon where nothing else ends at their edges.
+    /// `others` has the rest. Faces beside each other in one plane become one polygon where nothing else ends at their edges.
     ///
     /// The parts are cut out of the triangles that the polygons of the input were, so that their numbers do not grow
     /// however often a result is cut again. A vertex stays where it is a corner of some polygon.
@@ -36,22 +36,22 @@ impl SpatialArrangement {
     /// assert_eq!(tetrahedron.exact_polygons(&faces, &[]).parts().len(), 4);
     /// # Ok(()) }
     /// ```
-    pub fn exact_polygons(&self, surface: &[(FaceId, Sign)], walls: &[FaceId]) -> ExactPolygons {
+    pub fn exact_polygons(&self, surface: &[(FaceId, Sign)], others: &[FaceId]) -> ExactPolygons {
         let mut fine = Vec::new();
         for &(face, sign) in surface {
             let own = self.fine_faces(face);
             fine.extend(own.map(|(fine, own)| FineFace {
                 face: fine,
                 sign: sign.times(own),
-                is_wall: false,
+                is_shared: false,
             }));
         }
-        for &face in walls {
+        for &face in others {
             // All of one triangle run alike.
             fine.extend(self.fine_faces(face).map(|(fine, _)| FineFace {
                 face: fine,
                 sign: Sign::Plus,
-                is_wall: true,
+                is_shared: true,
             }));
         }
         fine.sort_unstable_by_key(|fine| fine.face);
@@ -64,7 +64,7 @@ struct FineFace {
     face: FaceId,
     /// Plus where the polygon runs as the fine face does.
     sign: Sign,
-    is_wall: bool,
+    is_shared: bool,
 }
 
 struct Exporter<'a> {
@@ -88,7 +88,7 @@ impl Exporter<'_> {
         sides.map(move |&side| (side >> 1, complex.side_ends(side ^ turned)))
     }
 
-    /// The number of the polygon of each fine face, and for each polygon whether it is a wall.
+    /// The number of the polygon of each fine face, and for each polygon whether cells share it.
     fn classes(&self) -> (Vec<u32>, Vec<bool>) {
         let mut at_edges: Vec<(u32, [u32; 2], u32)> = Vec::new();
         for (number, fine) in (0..).zip(self.fine) {
@@ -99,16 +99,16 @@ impl Exporter<'_> {
         for at in at_edges.chunk_by(|x, y| x.0 == y.0) {
             let &[(_, [a, b], f), (_, ends, g)] = at else { continue };
             let [own, other] = [f, g].map(|number| &self.fine[number as usize]);
-            if ends == [b, a] && own.is_wall == other.is_wall && self.is_one_plane(own.face, other.face) {
+            if ends == [b, a] && own.is_shared == other.is_shared && self.is_one_plane(own.face, other.face) {
                 classes.unite(f, g);
             }
         }
         let numbers = classes.class_numbers();
-        let mut is_wall = vec![false; classes.class_count()];
+        let mut is_shared = vec![false; classes.class_count()];
         for (&class, fine) in numbers.iter().zip(self.fine) {
-            is_wall[class as usize] = fine.is_wall;
+            is_shared[class as usize] = fine.is_shared;
         }
-        (numbers, is_wall)
+        (numbers, is_shared)
     }
 
     fn is_one_plane(&self, f: FaceId, g: FaceId) -> bool {
@@ -158,7 +158,7 @@ impl Exporter<'_> {
     }
 
     fn polygons(&self) -> ExactPolygons {
-        let (classes, is_wall) = self.classes();
+        let (classes, is_shared) = self.classes();
         let outlines = self.outlines(&classes);
         let is_corner = self.corners(&outlines);
         let mut numbers = Numbers::default();
@@ -184,7 +184,7 @@ impl Exporter<'_> {
             }
             parts.push(ExactPart { polygon: outline.polygon, triangle: corners, walks });
         }
-        ExactPolygons::from_trusted_parts(numbers.points, vertices, parts, is_wall)
+        ExactPolygons::from_trusted_parts(numbers.points, vertices, parts, is_shared)
     }
 }
 

@@ -12,7 +12,7 @@ use coface_geometry::predicates::{PointDefinition, SpatialPlane, SpatialPoint, p
 /// # Conventions
 /// A vertex is a list of numbers of points: `[a]` is that point, `[a, b, c, d]` where the lines $ab$ and $cd$ cross,
 /// `[a, b, c, d, e]` where the line $ab$ meets the plane $cde$, and nine numbers are where three planes meet. Walks have the
-/// part on their left, seen from where its triangle runs counterclockwise. A **wall** is a polygon with cells on both sides.
+/// part on their left, seen from where its triangle runs counterclockwise. A **shared** polygon has cells on both sides.
 ///
 /// Polygons that are arranged have outlines along edges of their triangles, or where these meet each other: those of
 /// [`SpatialArrangement::exact_polygons`](super::SpatialArrangement::exact_polygons) have.
@@ -35,7 +35,7 @@ pub struct ExactPolygons {
     points: Vec<[f64; 3]>,
     vertices: RaggedArray,
     parts: Vec<ExactPart>,
-    is_wall: Vec<bool>,
+    is_shared: Vec<bool>,
 }
 
 /// A part of a triangle.
@@ -67,7 +67,7 @@ impl ExactPart {
 }
 
 impl ExactPolygons {
-    /// Polygons by their points, vertices and parts; for each polygon whether it is a wall.
+    /// Polygons by their points, vertices and parts; for each polygon whether two cells share it.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] naming what is no vertex, no triangle, or not in the plane of its triangle, and points
@@ -87,7 +87,7 @@ impl ExactPolygons {
         points: Vec<[f64; 3]>,
         vertices: &[Vec<u32>],
         parts: Vec<ExactPart>,
-        is_wall: Vec<bool>,
+        is_shared: Vec<bool>,
     ) -> Result<Self, Error> {
         if let Some(bad) = points.iter().position(|point| point.iter().any(|x| !x.is_finite())) {
             return Err(Error::invalid(format!("point {bad} has a coordinate that is not finite")));
@@ -106,7 +106,7 @@ impl ExactPolygons {
                 return Err(missing(&format!("vertex {vertex}"), bad));
             }
         }
-        let made = Self { vertices: RaggedArray::from_lists(vertices), points, parts, is_wall };
+        let made = Self { vertices: RaggedArray::from_lists(vertices), points, parts, is_shared };
         let found: Vec<Option<SpatialPoint>> =
             (0..vertices.len()).map(|vertex| made.definition(vertex).point()).collect();
         if let Some(bad) = found.iter().position(Option::is_none) {
@@ -116,7 +116,7 @@ impl ExactPolygons {
         }
         for (number, part) in made.parts.iter().enumerate() {
             let name = || format!("part {number}");
-            if part.polygon as usize >= made.is_wall.len() {
+            if part.polygon as usize >= made.is_shared.len() {
                 return Err(missing(&name(), part.polygon));
             }
             if let Some(&bad) = part.triangle.iter().find(|&&point| point as usize >= made.points.len()) {
@@ -143,9 +143,9 @@ impl ExactPolygons {
         points: Vec<[f64; 3]>,
         vertices: RaggedArray,
         parts: Vec<ExactPart>,
-        is_wall: Vec<bool>,
+        is_shared: Vec<bool>,
     ) -> Self {
-        Self { points, vertices, parts, is_wall }
+        Self { points, vertices, parts, is_shared }
     }
 
     /// The polygons that are wanted, on the same points and vertices.
@@ -160,16 +160,21 @@ impl ExactPolygons {
     /// ```
     #[must_use]
     pub fn with(&self, is_wanted: &[bool]) -> Self {
-        assert_eq!(is_wanted.len(), self.is_wall.len(), "an entry for each polygon");
+        assert_eq!(is_wanted.len(), self.is_shared.len(), "an entry for each polygon");
         let mut number = vec![0; is_wanted.len()];
-        let mut is_wall = Vec::new();
+        let mut is_shared = Vec::new();
         for polygon in (0..is_wanted.len()).filter(|&polygon| is_wanted[polygon]) {
-            number[polygon] = is_wall.len() as u32;
-            is_wall.push(self.is_wall[polygon]);
+            number[polygon] = is_shared.len() as u32;
+            is_shared.push(self.is_shared[polygon]);
         }
         let parts = self.parts.iter().filter(|part| is_wanted[part.polygon as usize]);
         let parts = parts.map(|part| ExactPart { polygon: number[part.polygon as usize], ..part.clone() });
-        Self { points: self.points.clone(), vertices: self.vertices.clone(), parts: parts.collect(), is_wall }
+        Self {
+            points: self.points.clone(),
+            vertices: self.vertices.clone(),
+            parts: parts.collect(),
+            is_shared,
+        }
     }
 
     /// The given points.
@@ -205,15 +210,15 @@ impl ExactPolygons {
         &self.parts
     }
 
-    /// For each polygon whether it is a wall.
+    /// For each polygon whether two cells share it.
     ///
     /// # Examples
     /// ```
     /// use coface_arrange::spatial::ExactPolygons;
-    /// assert!(ExactPolygons::default().walls().is_empty());
+    /// assert_eq!(ExactPolygons::default().shared().len(), 0);
     /// ```
-    pub fn walls(&self) -> &[bool] {
-        &self.is_wall
+    pub fn shared(&self) -> &[bool] {
+        &self.is_shared
     }
 
     /// The exact place of each vertex.

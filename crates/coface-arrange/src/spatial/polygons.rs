@@ -173,8 +173,8 @@ impl SpatialPolygons {
     /// # Ok(()) }
     /// ```
     pub fn with_exact(mut self, first: u32, exact: Arc<ExactPolygons>) -> Result<Self, Error> {
-        let known = self.exact.last().map_or(0, |(first, own)| *first as usize + own.walls().len());
-        let end = first as usize + exact.walls().len();
+        let known = self.exact.last().map_or(0, |(first, own)| *first as usize + own.shared().len());
+        let end = first as usize + exact.shared().len();
         if (first as usize) < known || end > self.polygon_count() {
             return Err(Error::new(
                 ErrorKind::Shape,
@@ -198,7 +198,7 @@ impl SpatialPolygons {
         let after = self.exact.partition_point(|own| own.0 <= polygon);
         self.exact[..after]
             .last()
-            .is_some_and(|(first, own)| ((polygon - first) as usize) < own.walls().len())
+            .is_some_and(|(first, own)| ((polygon - first) as usize) < own.shared().len())
     }
 
     /// The same polygons on these points.

@@ -80,7 +80,7 @@ pub(super) fn turned(count: usize) -> Mesh {
 }
 
 /// Rooms of 4 by 3 by 2.5 in rows that are shifted like bricks, turned by 30 degrees: the corners of one row are in the
-/// middle of walls of the next.
+/// middle of sides of the next.
 pub(super) fn rooms(count: usize) -> Mesh {
     let width = count.isqrt().max(1);
     let (s, c) = 30f64.to_radians().sin_cos();

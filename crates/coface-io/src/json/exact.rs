@@ -16,7 +16,7 @@ pub(super) struct ExactList {
 #[derive(Deserialize)]
 struct Polygon {
     #[serde(default)]
-    wall: bool,
+    shared: bool,
     parts: Vec<Part>,
 }
 
@@ -28,13 +28,13 @@ struct Part {
 
 impl ExactList {
     pub(super) fn into_polygons(self) -> Result<ExactPolygons, Error> {
-        let is_wall = self.polygons.iter().map(|polygon| polygon.wall).collect();
+        let is_shared = self.polygons.iter().map(|polygon| polygon.shared).collect();
         let mut parts = Vec::new();
         for (polygon, own) in (0..).zip(self.polygons) {
             let own = own.parts.into_iter();
             parts.extend(own.map(|Part { triangle, walks }| ExactPart { polygon, triangle, walks }));
         }
-        ExactPolygons::new(self.points, &self.vertices, parts, is_wall).map_err(|error| {
+        ExactPolygons::new(self.points, &self.vertices, parts, is_shared).map_err(|error| {
             Error::new(error.kind(), format!("\"exact_polygons\": {}", error.message()))
                 .with_cure("write the file again, or leave the key out: then rounded points are taken")
         })
@@ -51,11 +51,11 @@ pub(super) fn write(out: &mut impl Write, exact: &ExactPolygons) -> Result<(), E
     let mut parts: Vec<&ExactPart> = exact.parts().iter().collect();
     parts.sort_by_key(|part| part.polygon);
     let mut rest = &parts[..];
-    for (polygon, &is_wall) in (0..).zip(exact.walls()) {
+    for (polygon, &is_shared) in (0..).zip(exact.shared()) {
         let own = rest.partition_point(|part| part.polygon == polygon);
         write!(out, "{}{{", if polygon == 0 { "\n" } else { ",\n" })?;
-        if is_wall {
-            write!(out, "\"wall\":true,")?;
+        if is_shared {
+            write!(out, "\"shared\":true,")?;
         }
         write!(out, "\"parts\":[")?;
         let list = rest[..own].iter().map(|part| Part { triangle: part.triangle, walks: part.walks.clone() });

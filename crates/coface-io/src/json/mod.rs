@@ -30,8 +30,8 @@
 //!
 //! Beside `"boundaries"`, `"exact_polygons"` are the faces as they were before coordinates were rounded, for arrangements and
 //! Booleans: `{"points": [[x, y, z], ..], "vertices": [[point, ..], ..], "polygons": [{"parts": [{"triangle": [a, b, c],
-//! "walks": [[vertex, ..], ..]}, ..], "wall": true}, ..]}`, as [`ExactPolygons`](coface_arrange::spatial::ExactPolygons) has
-//! them. A vertex is a point, or where two lines (4 points), a line and a plane (5) or three planes (9) meet; `"wall"` is left
+//! "walks": [[vertex, ..], ..]}, ..], "shared": true}, ..]}`, as [`ExactPolygons`](coface_arrange::spatial::ExactPolygons) has
+//! them. A vertex is a point, or where two lines (4 points), a line and a plane (5) or three planes (9) meet; `"shared"` is left
 //! out where it is false.
 //!
 //! Other keys are passed over. Reading is a stream: memory is what the model takes.
