@@ -15,7 +15,7 @@ use rayon::prelude::*;
 /// Whether parts of rings are left out where others decide.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Leaving {
-    /// Where there are many rings that cover each other.
+    /// Where there are many polygons that cover each other, and the formula may be decided by some of them.
     #[default]
     Usual,
     /// Nowhere, as a second way to the same result.
@@ -26,11 +26,11 @@ pub(super) enum Leaving {
     Always,
 }
 
-/// Fewer rings are laid over each other as they are.
-const FEW_RINGS: usize = 8;
-/// So many rings are looked at to see whether rings cover each other.
+/// Fewer polygons are laid over each other as they are.
+const FEW_POLYGONS: usize = 8;
+/// So many polygons are looked at to see whether polygons cover each other.
 const SAMPLES: usize = 64;
-/// Rings are said to cover each other if there are so many boxes of rings around the centers of such boxes in the mean.
+/// Polygons cover each other if there are so many boxes of polygons around the centers of such boxes in the mean.
 const COVERED: usize = 3;
 
 /// What a formula selects, with what is odd about polygons that are not valid.
@@ -51,8 +51,12 @@ impl Crowd {
         options: &PlanarOptions,
         leaving: Leaving,
     ) -> Result<Option<Self>, Error> {
+        let condition = Condition::new(drawing, formula, rule);
+        // A region of several polygons may be decided by one of them.
+        let depends_on_all =
+            condition.values.depends_on_all() && drawing.regions.len() == drawing.polygons.len();
         let is_wanted = match leaving {
-            Leaving::Usual => is_crowded(drawing),
+            Leaving::Usual => !depends_on_all && is_crowded(drawing),
             #[cfg(test)]
             Leaving::Never => false,
             #[cfg(test)]
@@ -66,7 +70,6 @@ impl Crowd {
         let polygon_of = |ring: u32| drawing.rings[ring as usize].polygon;
         let is_kept = |ring: &u32| polygons[polygon_of(*ring) as usize] == Plainness::Kept;
         let kept: Vec<u32> = (0..drawing.rings.len() as u32).filter(is_kept).collect();
-        let condition = Condition::new(drawing, formula, rule);
         let conditions = || {
             let mut own = condition.clone();
             move |known: &[(u32, i32)], unknown: &[u32]| own.value(known, unknown)
@@ -144,15 +147,16 @@ impl Crowd {
     }
 }
 
-/// Whether many rings cover each other.
+/// Whether many polygons cover each other.
 fn is_crowded(drawing: &PlanarDrawing) -> bool {
-    if drawing.rings.len() < FEW_RINGS {
+    let count = drawing.polygons.len();
+    if count < FEW_POLYGONS {
         return false;
     }
-    let mut boxes: Vec<[[f64; 2]; 2]> =
-        vec![[[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]]; drawing.rings.len()];
+    let mut boxes: Vec<[[f64; 2]; 2]> = vec![[[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]]; count];
     for (segment, &ring) in drawing.segments.iter().zip(&drawing.ring_of_segment) {
-        if let Some([low, high]) = boxes.get_mut(ring as usize) {
+        if let Some(ring) = drawing.rings.get(ring as usize) {
+            let [low, high] = &mut boxes[ring.polygon as usize];
             let point = drawing.place(segment[0]);
             for axis in 0..2 {
                 low[axis] = low[axis].min(point[axis]);
@@ -160,17 +164,16 @@ fn is_crowded(drawing: &PlanarDrawing) -> bool {
             }
         }
     }
-    let step = boxes.len().div_ceil(SAMPLES);
-    let centers =
-        boxes.iter().step_by(step).map(|[low, high]| [0, 1].map(|axis| low[axis] * 0.5 + high[axis] * 0.5));
+    let step = count.div_ceil(SAMPLES);
+    let center = |[low, high]: &[[f64; 2]; 2]| [0, 1].map(|axis| low[axis] * 0.5 + high[axis] * 0.5);
     let around = |center: [f64; 2]| {
         let is_in = |[low, high]: &&[[f64; 2]; 2]| {
             (0..2).all(|axis| low[axis] < center[axis] && center[axis] < high[axis])
         };
         boxes.iter().filter(is_in).count()
     };
-    let count = centers.len();
-    centers.map(around).sum::<usize>() >= COVERED * count
+    let samples: Vec<usize> = boxes.iter().step_by(step).map(center).map(around).collect();
+    samples.iter().sum::<usize>() >= COVERED * samples.len()
 }
 
 /// What is known of a polygon by itself.

@@ -186,6 +186,16 @@ impl PartialValues {
         value
     }
 
+    /// Whether nothing is known of the value as long as one input is unknown: an xor of inputs.
+    #[doc(hidden)]
+    pub fn depends_on_all(&self) -> bool {
+        let is_term =
+            |node: &Node| node.into.node == self.root.node && node.kind == Kind::Any && node.count == 1;
+        (0..).zip(&self.nodes).all(|(number, node)| {
+            if number == self.root.node { node.kind == Kind::Odd } else { is_term(node) }
+        })
+    }
+
     fn set(&mut self, input: u32, was: Partial, is: Partial) {
         let Some(places) = self.places.get(input as usize) else { return };
         for &place in places {
@@ -243,6 +253,13 @@ mod tests {
                 prop_assert_eq!(values.value(list(trues | more), []), Some(value), "{}", text);
             }
         }
+    }
+
+    #[test]
+    fn an_xor_of_inputs_depends_on_all() {
+        let depends = |text| PartialValues::new(&BooleanFormula::parse(text, &[]).unwrap()).depends_on_all();
+        assert!(depends("a ^ b") && depends("a ^ !b ^ c"));
+        assert!(!depends("a | b") && !depends("a ^ (b & c)") && !depends("a - b"));
     }
 
     #[test]
