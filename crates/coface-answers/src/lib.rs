@@ -17,6 +17,7 @@ mod facts;
 mod groups;
 mod homology;
 mod incidence;
+mod isomorphism;
 mod parts;
 mod persistence;
 mod planar;
@@ -43,6 +44,7 @@ pub use homology::{
     FoundHomology, GivenChain, GivenRealCochain, GivenVertexMap, HomologyRequest, RelativeTo,
 };
 pub use incidence::{FoundOperator, OperatorKind, OperatorRequest};
+pub use isomorphism::isomorphic;
 pub use parts::RegionSource;
 pub use persistence::{
     DiagramFormat, FoundDiagram, Growth, PersistenceRequest, VertexFunction, write_diagram,

@@ -21,6 +21,7 @@ mod groups;
 mod homology;
 mod incidence;
 mod info;
+mod isomorphic;
 mod loops;
 mod persistence;
 mod pi1;
@@ -70,6 +71,7 @@ pub use info::{
     InfoReports, ManifoldAnswer, MassAnswer, MomentAnswer, NamedGroup, ProblemAnswer, SurfaceAnswer,
     WitnessAnswer,
 };
+pub use isomorphic::IsomorphicAnswer;
 pub use loops::{
     CyclesAnswer, HomotopicAnswer, HomotopicComponent, LoopsAnswer, LoopsComponent, SubgroupsAnswer,
     SubgroupsComponent, TreesAnswer,

@@ -3,7 +3,7 @@
 use super::{
     BatchAnswer, CochainTestAnswer, CocyclesAnswer, CongruenceAnswer, ConvertAnswer, CoverAnswer, CutAnswer,
     CyclesAnswer, DoubleCoverAnswer, EditAnswer, GenerateAnswer, HomologyAnswer, HomotopicAnswer,
-    IncidenceAnswer, InfoAnswer, InfoReports, LoopsAnswer, PersistenceAnswer, Pi1Answer,
+    IncidenceAnswer, InfoAnswer, InfoReports, IsomorphicAnswer, LoopsAnswer, PersistenceAnswer, Pi1Answer,
     PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer, RenderAnswer, RowAnswer, ShardAnswer,
     SimplicesAnswer, SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer,
     YinAdvectAnswer, YinCombinationAnswer, YinComparisonAnswer, YinCutCellsAnswer, YinInfoAnswer,
@@ -68,6 +68,7 @@ answers! {
     "subgroups" => SubgroupsAnswer,
     "cut" => CutAnswer,
     "edit" => EditAnswer,
+    "isomorphic" => IsomorphicAnswer,
     "cover" => CoverAnswer,
     "cover --orientation" => DoubleCoverAnswer,
     "cocycles" => CocyclesAnswer,

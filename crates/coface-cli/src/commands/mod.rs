@@ -19,6 +19,7 @@ pub(crate) mod homotopic;
 pub(crate) mod incidence;
 pub(crate) mod info;
 pub(crate) mod interior;
+pub(crate) mod isomorphic;
 pub(crate) mod link;
 pub(crate) mod loops;
 pub(crate) mod man;

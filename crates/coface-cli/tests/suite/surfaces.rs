@@ -601,3 +601,36 @@ fn edges_have_roles() {
         drawn.len()
     );
 }
+
+#[test]
+fn triangulations_under_other_names_are_isomorphic() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path
+    };
+    let plane = path("plane.json", PLANE);
+    // Vertex i is 10 - 2 i, and the facets come in another order.
+    let renamed: Vec<Vec<u32>> = serde_json::from_str::<Value>(PLANE).unwrap()["facets"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .rev()
+        .map(|facet| facet.as_array().unwrap().iter().map(|v| 10 - 2 * v.as_u64().unwrap() as u32).collect())
+        .collect();
+    let other = path("other.json", &json!({ "facets": renamed }).to_string());
+    let answer = coface(&["isomorphic", argument(&plane), argument(&other), "--json"]).json();
+    assert_eq!(answer["isomorphic"], true);
+    assert_eq!(answer["signatures"][0], answer["signatures"][1]);
+    let mut images: Vec<u64> =
+        answer["simplices"].as_array().unwrap().iter().map(|image| image.as_u64().unwrap()).collect();
+    images.sort_unstable();
+    assert_eq!(images, (0..10).collect::<Vec<u64>>());
+    let octahedron = path("octahedron.off", OCTAHEDRON);
+    let answer = coface(&["isomorphic", argument(&plane), argument(&octahedron), "--json"]).json();
+    assert_eq!((&answer["isomorphic"], &answer["simplices"]), (&json!(false), &Value::Null));
+    let touching = path("touching.json", "[[0,1,2],[0,3,4]]");
+    let error = coface(&["isomorphic", argument(&touching), argument(&plane)]);
+    assert!(error.fails_with(1).contains("touch in faces below their facets"), "{}", error.stderr);
+}

@@ -9,6 +9,7 @@
 //! * An **isomorphism signature** is a text that is the same for tables that differ by names alone.
 
 mod faces;
+mod isomorphism;
 mod isomorphism_signature;
 mod links;
 mod manifold;
@@ -16,6 +17,7 @@ mod orientation;
 mod table;
 
 pub use faces::FaceClasses;
+pub use isomorphism::GluingIsomorphism;
 pub use links::VertexLink;
 pub use manifold::{GluingFault, GluingVerdict, GluingWitness};
 pub use orientation::{GluedFacet, GluingOrientation};

@@ -1,0 +1,22 @@
+//! The answer of `isomorphic`: whether two triangulations differ by names alone.
+
+use super::Remark;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Whether two triangulations are the same under other names.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct IsomorphicAnswer {
+    /// The names of the two inputs.
+    pub files: [String; 2],
+    /// Whether they are.
+    pub isomorphic: bool,
+    /// For each simplex of the first the one of the second that it is; `null` if they are not the same.
+    pub simplices: Option<Vec<u32>>,
+    /// For each simplex of the first the places of its vertices in the simplex of the second; vertices of facets are in rising order.
+    pub vertices: Option<Vec<Vec<u32>>>,
+    /// Their isomorphism signatures; `null` beyond 2,000 simplices and dimension 8.
+    pub signatures: [Option<String>; 2],
+    /// What was assumed or left out.
+    pub remarks: Vec<Remark>,
+}

@@ -1,0 +1,100 @@
+//! Whether two models are the same triangulation under other names.
+
+use crate::answer::IsomorphicAnswer;
+use coface_algebra::{Error, ErrorKind, RaggedArray};
+use coface_complexes::cell_mesh::CellShape;
+use coface_complexes::gluing::GluingTable;
+use coface_io::{Model, Structure};
+
+/// The signatures of larger tables are not looked for.
+const MOST_SIMPLICES: usize = 2000;
+
+/// Whether two triangulations are the same but for the names of simplices and vertices, with the names in the second.
+///
+/// Models are gluing tables, lists of facets of one dimension, or meshes of triangles or tetrahedra.
+///
+/// # Errors
+/// Those of [`GluingTable::from_simplices`]; [`ErrorKind::UnsupportedFormat`] for other models, and for simplices that touch
+/// in faces below their facets only, which gluings do not tell.
+///
+/// # Examples
+/// ```
+/// use coface_answers::isomorphic;
+/// use coface_io::Format;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let read = |text: &str| coface_io::read(text.as_bytes(), Format::Json);
+/// let (a, b) = (read("[[0,1,2],[1,2,3]]")?, read("[[7,5,9],[5,9,6]]")?);
+/// let answer = isomorphic(["a", "b"], [&a, &b])?;
+/// assert!(answer.isomorphic && answer.simplices.is_some());
+/// # Ok(()) }
+/// ```
+pub fn isomorphic(names: [&str; 2], models: [&Model; 2]) -> Result<IsomorphicAnswer, Error> {
+    let table = |at: usize| table_of(models[at]).map_err(|error| error.in_file(names[at]));
+    let (a, b) = (table(0)?, table(1)?);
+    let found = a.isomorphism(&b);
+    let signature = |table: &GluingTable| {
+        let is_small = table.simplex_count() <= MOST_SIMPLICES;
+        if is_small { table.isomorphism_signature().ok() } else { None }
+    };
+    Ok(IsomorphicAnswer {
+        files: names.map(str::to_owned),
+        isomorphic: found.is_some(),
+        simplices: found.as_ref().map(|found| found.simplices().images().to_vec()),
+        vertices: found
+            .as_ref()
+            .map(|found| found.vertices().iter().map(|images| images.images().to_vec()).collect()),
+        signatures: [signature(&a), signature(&b)],
+        remarks: Vec::new(),
+    })
+}
+
+/// A triangulation as a gluing table.
+fn table_of(model: &Model) -> Result<GluingTable, Error> {
+    let lists = match model.structure() {
+        Some(Structure::Gluings(table)) => return Ok(table.clone()),
+        Some(Structure::Facets(facets)) => facets.clone(),
+        None if !model.cells().is_empty()
+            && model.shapes().iter().all(|&shape| shape == CellShape::Tetrahedron) =>
+        {
+            model.cells().clone()
+        }
+        None if model.cells().is_empty()
+            && !model.polygons().is_empty()
+            && model.polygons().iter().all(|polygon| polygon.len() == 3) =>
+        {
+            model.polygons().clone()
+        }
+        _ => {
+            return Err(Error::new(
+                ErrorKind::UnsupportedFormat,
+                "the model is no gluing table, list of facets, or mesh of simplices",
+            )
+            .with_cure("make it one: coface convert INPUT --triangulate -o OUT.json"));
+        }
+    };
+    let sorted: Vec<Vec<u32>> = lists
+        .iter()
+        .map(|simplex| {
+            let mut simplex = simplex.to_vec();
+            simplex.sort_unstable();
+            simplex
+        })
+        .collect();
+    let lists = RaggedArray::from_lists(&sorted);
+    let table = GluingTable::from_simplices(&lists)?;
+    let mut vertices: Vec<u32> = lists.items().to_vec();
+    vertices.sort_unstable();
+    vertices.dedup();
+    let classes = table.faces()?.class_counts().first().copied().unwrap_or(0);
+    if classes != vertices.len() {
+        return Err(Error::new(
+            ErrorKind::UnsupportedFormat,
+            format!(
+                "simplices touch in faces below their facets: {} vertices would be {classes} in the gluing table",
+                vertices.len()
+            ),
+        )
+        .with_cure("split such vertices first"));
+    }
+    Ok(table)
+}
