@@ -2,6 +2,7 @@
 
 use super::GluingTable;
 use coface_algebra::{Permutation, narrow};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The names that simplices and vertices have in another table that is the same but for names.
 ///
@@ -85,7 +86,7 @@ impl GluingTable {
                     let starts =
                         target.iter().flat_map(|&simplex| orders.iter().map(move |order| (simplex, order)));
                     starts.into_iter().find_map(|(simplex, order)| {
-                        self.followed(other, part[0], (simplex, order.clone())).map(|map| (at, map))
+                        self.followed(other, part[0], (simplex, order)).map(|map| (at, map))
                     })
                 },
             );
@@ -114,10 +115,10 @@ impl GluingTable {
         &self,
         other: &Self,
         start: usize,
-        image: (usize, Vec<u8>),
+        (target, order): (usize, &[u8]),
     ) -> Option<Vec<(usize, (usize, Vec<u8>))>> {
-        let mut map = std::collections::BTreeMap::from([(start, image.clone())]);
-        let mut taken = std::collections::BTreeSet::from([image.0]);
+        let mut map = BTreeMap::from([(start, (target, order.to_vec()))]);
+        let mut taken = BTreeSet::from([target]);
         let mut queue = vec![start];
         while let Some(simplex) = queue.pop() {
             let (target, order) = map[&simplex].clone();
