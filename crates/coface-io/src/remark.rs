@@ -284,6 +284,8 @@ pub enum RemarkCode {
     MergedWithinBlock,
     /// The boundary of a moving region was cut and pasted.
     TopologyRepaired,
+    /// Curves of a moving region became shorter than three times the least distance of knots, and were left out.
+    CurvesVanished,
     /// A geometric decision could not be certified at the resolution of the arithmetic.
     DecisionUncertified,
     /// Edges or vertices were split, or faces turned, to make the model a manifold.

@@ -305,6 +305,33 @@ impl PlanarMotion {
         self.repairs.len()
     }
 
+    /// That curves became too short to be kept, if any did, and what keeps them.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{MotionRequest, PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// let text = &b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0), (1 1, 1.01 1, 1 1.01, 1 1))"[..];
+    /// let drawing = read_boundary(text, Format::Wkt, &ReadOptions::default())?;
+    /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
+    /// let request = MotionRequest::until(1.0).step(Some(0.5)).spacing(Some(1.0));
+    /// let motion = square.moved(|_, _| [3.0, 0.0], &request, |_| (), |_, _| Ok(()))?;
+    /// assert!(motion.vanishing().is_some_and(|remark| remark.message.starts_with("1 curve became")));
+    /// # Ok(()) }
+    /// ```
+    pub fn vanishing(&self) -> Option<Remark> {
+        let first = self.vanished.first()?;
+        let count = self.vanished.len();
+        let message = format!(
+            "{} became shorter than three times the least distance of knots and left the set, the first at time {}; a smaller --spacing \
+             or --least-ratio keeps such curves",
+            text::count(count, "curve"),
+            text::number(first.time)
+        );
+        Some(Remark::new(RemarkCode::CurvesVanished, message).at(count, []))
+    }
+
     /// The motion as an answer; `files` are those that the sets of the way were written to.
     ///
     /// # Errors
@@ -325,6 +352,7 @@ impl PlanarMotion {
     /// ```
     pub fn answer(&self, file: &str, files: Vec<String>) -> Result<YinAdvectAnswer, Error> {
         let mut set: YinSetAnswer = self.last().answer()?;
+        set.remarks.extend(self.vanishing());
         if !self.repairs.is_empty() {
             let count = self.repairs.len();
             let message = format!("the boundary was cut and pasted in {}", text::count(count, "step"));

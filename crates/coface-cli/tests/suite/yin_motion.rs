@@ -168,6 +168,10 @@ fn names_and_kinks_come_along() {
     ]);
     let numbers: Vec<&Value> = gone["vanished"].as_array().unwrap().iter().map(|own| &own["curve"]).collect();
     assert_eq!((numbers, &gone["empty"]), (vec![&json!(0), &json!(1), &json!(2)], &json!(true)), "{gone}");
+    let remark =
+        gone["remarks"].as_array().unwrap().iter().find(|own| own["code"] == "curves-vanished").unwrap();
+    assert_eq!(remark["count"], 3);
+    assert!(remark["message"].as_str().unwrap().starts_with("3 curves became shorter"), "{remark}");
     // Curves of one curve keep its name in a combination.
     let outside = yin(&["complement", argument(&path)]);
     assert!(names(&outside).contains(&json!("bubble")), "{outside}");

@@ -7,6 +7,7 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::remark;
 use crate::progress::Progress;
+use crate::remarks::say_remarks;
 use clap::{Args, ValueEnum};
 use coface::answers::text;
 use coface::answers::{MotionRequest, PlanarSet};
@@ -174,6 +175,7 @@ impl Advect {
             progress.stage("writing");
             staged.finish()?;
         }
+        say_remarks(motion.vanishing().as_slice(), common);
         if motion.repair_count() > 0 && !common.quiet {
             remark(&format!(
                 "the boundary was cut and pasted in {}",
