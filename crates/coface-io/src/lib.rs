@@ -47,6 +47,7 @@ pub mod medit;
 #[cfg(test)]
 mod mesh_tests;
 mod model;
+mod model_cells;
 pub mod msh;
 mod numbers;
 pub mod obj;

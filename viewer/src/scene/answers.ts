@@ -71,6 +71,21 @@ export interface BoundaryWitness {
   points?: number[][][] | null;
 }
 
+/**
+ * An edge or a halfedge: by its number, or by the vertices that it goes from and to.
+ *
+ * # Examples
+ * ```
+ * use coface_answers::CellName;
+ * # fn main() -> Result<(), coface_algebra::Error> {
+ * assert_eq!("7".parse::<CellName>()?, CellName::Number(7));
+ * assert_eq!("3 5".parse::<CellName>()?, CellName::Ends([3, 5]));
+ * assert!("3 5 6".parse::<CellName>().is_err());
+ * # Ok(()) }
+ * ```
+ */
+export type CellName = number | [number, number];
+
 /** How many cells have a shape. */
 export interface CellsOfShape {
   /** How many cells have it. */
@@ -269,6 +284,8 @@ export interface CutAnswer {
   path?: CutPath | null;
   /** What was assumed or left out. */
   remarks: Remark[];
+  /** What each edge is in the tree-cotree decomposition; absent unless it was asked for. */
+  roles?: TreesAnswer | null;
   /** Whether loose ends were left out and seams made short. */
   simplified: boolean;
 }
@@ -440,6 +457,36 @@ export interface DrawnPolygonsAnswer {
 /** The weights of edges in the energy of harmonic forms. */
 export type EdgeWeights = "cotangent" | "uniform";
 
+/** A local change of a surface that keeps its homeomorphism type. */
+export type Edit = { /** The edge. */ edge: CellName; op: "flip_edge"; } | { /** The edge. */ edge: CellName; op: "flip_edge_back"; } | { /** The edge. */ edge: CellName; op: "split_edge"; } | { op: "remove_vertex"; /** The vertex. */ vertex: number; } | { /** The halfedge at the first corner. */ from: CellName; op: "split_face"; /** The halfedge at the second corner. */ to: CellName; } | { /** The edge. */ edge: CellName; op: "remove_edge"; } | { /** The halfedge at the first corner. */ from: CellName; op: "split_vertex"; /** The halfedge at the second corner. */ to: CellName; } | { /** The edge. */ edge: CellName; op: "contract_edge"; } | { /** The edge. */ edge: CellName; op: "remove_pendant_edge"; } | { /** The edge. */ edge: CellName; op: "collapse_edge"; } | { /** The face. */ face: number; op: "poke_face"; };
+
+/** A surface that was edited. */
+export interface EditAnswer {
+  /** What was done, each edit with its inverse. */
+  edits: EditRecord[];
+  /** The numbers of vertices, edges and faces now. */
+  f_vector: [number, number, number];
+  /** The name of the input. */
+  file: string;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** How many edits of the log were undone. */
+  undone: number;
+}
+
+/** An edit that was done, and how it is undone. */
+export interface EditRecord {
+  /** The vertex that was added. */
+  added_vertex?: number | null;
+  /**
+   * The edits that undo it, in their order, by the numbers of cells after it. They bring the same surface back; where a cell
+   * had been removed, numbers may be others than before.
+   */
+  inverse: Edit[];
+  /** The vertex that the ends of a collapsed edge are now. */
+  kept_vertex?: number | null;
+}
+
 /** An input that cannot be served. */
 export interface FailedInput {
   /** The message: place, fault and cure. */
@@ -540,6 +587,26 @@ export interface GroupAnswer {
   betti: number;
   /** The orders of the cyclic parts, each a divisor of the next. */
   torsion: WholeNumber[];
+}
+
+/** What a halfedge of a small surface points to, by the numbers of the file. */
+export interface HalfedgePointers {
+  /** Its edge. */
+  edge: number;
+  /** The face on its left. */
+  face: number;
+  /** The halfedge. */
+  halfedge: number;
+  /** The next one around its face. */
+  next: number;
+  /** Whether that is an outer face, which fills a boundary loop. */
+  outer: boolean;
+  /** The vertex that it leaves. Vertices, edges and faces are numbered by their smallest halfedges. */
+  source: number;
+  /** The vertex that it goes to. */
+  target: number;
+  /** The other one of its edge. */
+  twin: number;
 }
 
 /** A harmonic cochain. */
@@ -752,6 +819,8 @@ export interface InfoAnswer {
   geometry?: GeometryAnswer | null;
   /** The named sets of vertices, lines, polygons and cells. */
   groups?: NamedGroup[];
+  /** Of a surface given by at most 60 halfedges: what each one points to; absent for other models. */
+  halfedges?: HalfedgePointers[];
   /** The integral homology of degrees 0, 1, ... up to the dimension. */
   homology: HomologyGroup[];
   /** What sort of thing the model is: `complex`, `surface`, `volume` or `planar`. */
@@ -1131,7 +1200,10 @@ export interface PlanarArrangementAnswer {
 
 /** A Boolean combination of regions in the plane. */
 export interface PlanarBooleanAnswer {
-  /** The numbers of vertices, edges and faces that the inputs cut the plane into. */
+  /**
+   * The numbers of vertices, edges and faces that the inputs cut the plane into; where many regions cover each other,
+   * that the sides which are cut do.
+   */
   arrangement: [number, number, number];
   /** Whether the boundary is closed: always true. */
   closed: boolean;
@@ -1360,7 +1432,12 @@ export interface RowAnswer {
 export interface SeamAnswer {
   /** The number of its edges. */
   edges: number;
-  /** `handle`, `crosscap`, `join` or `slit`. */
+  /** What the disk becomes when it is glued together again at this seam alone: `annulus` or `moebius`. */
+  glued?: string;
+  /**
+   * `handle`: with the others of this kind it opens the handles of an orientable component; `crosscap`: with the others it opens the
+   * cross-caps of one that is not orientable; `join`, `slit`.
+   */
   kind: string;
   /** Its length in the unit of the file; `null` without positions. */
   length?: number | null;
@@ -1777,6 +1854,8 @@ export interface YinAdvectAnswer {
 export interface YinCombinationAnswer {
   /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers. */
   area?: number | null;
+  /** How far the area is off at most. */
+  area_error: number;
   /** The curves of each component, the positive one first, if it has one. */
   atoms: number[][];
   /** The numbers of components and of holes of its closure. */
@@ -1805,6 +1884,8 @@ export interface YinCombinationAnswer {
   plane: boolean;
   /** What was assumed or left out. */
   remarks: Remark[];
+  /** What was nearer together than this may have been taken for one, in the unit of the files; 0 for sets of order 2. */
+  resolution: number;
   /** The decisions that were taken without proof. */
   uncertified: YinDecision[];
 }

@@ -1,32 +1,11 @@
 //! The answer of `info`: the report on a model.
 
-use super::{HomologyGroup, Remark};
+use super::{HalfedgePointers, HomologyGroup, Remark};
 use crate::{DrawnFault, DrawnPlace, DrawnPolygons, GeometryFacts, Problem, Report};
 use coface_arrange::spatial::checks::{Fault, FaultPlace, GeometryFaults};
 use coface_complexes::surface::{SurfaceComponent, SurfaceType};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-/// What a halfedge of a small surface points to, by the numbers of the file.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub struct HalfedgePointers {
-    /// The halfedge.
-    pub halfedge: usize,
-    /// The next one around its face.
-    pub next: usize,
-    /// The other one of its edge.
-    pub twin: usize,
-    /// The vertex that it leaves. Vertices, edges and faces are numbered by their smallest halfedges.
-    pub source: usize,
-    /// The vertex that it goes to.
-    pub target: usize,
-    /// Its edge.
-    pub edge: usize,
-    /// The face on its left.
-    pub face: usize,
-    /// Whether that is an outer face, which fills a boundary loop.
-    pub outer: bool,
-}
 
 /// The report on one model. A notion that does not apply is `null`. Lengths, areas and volumes are in the unit of the file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -18,6 +18,7 @@ mod cut;
 mod edit;
 mod generate;
 mod groups;
+mod halfedges;
 mod homology;
 mod incidence;
 mod info;
@@ -37,6 +38,7 @@ pub use cover::{CoverAnswer, DoubleCoverAnswer};
 pub use cut::{CutAnswer, CutPath, CutPiece, FundamentalDomain, SeamAnswer};
 pub use edit::EditAnswer;
 pub use groups::{GroupAnswer, HomologyGroup, WholeNumber};
+pub use halfedges::HalfedgePointers;
 pub use homology::{
     ChainTerm, CupProducts, CycleClass, GeneratorAnswer, GeneratorsFile, HarmonicCochain, HodgeNorms,
     HodgeParts, HomologyAnswer, InducedMap, InducedMaps, IntersectionFormAnswer, LevelAnswer, PartsAnswer,
@@ -67,9 +69,8 @@ pub use convert::{
 pub use generate::GenerateAnswer;
 pub use info::{
     BoundarySurface, CellsOfShape, DataAnswer, DrawnFaultAnswer, DrawnPlaceAnswer, DrawnPolygonsAnswer,
-    FailedInput, GeometryAnswer, GeometryFaultAnswer, GeometryPlace, HalfedgePointers, InfoAnswer, InfoEntry,
-    InfoReports, ManifoldAnswer, MassAnswer, MomentAnswer, NamedGroup, ProblemAnswer, SurfaceAnswer,
-    WitnessAnswer,
+    FailedInput, GeometryAnswer, GeometryFaultAnswer, GeometryPlace, InfoAnswer, InfoEntry, InfoReports,
+    ManifoldAnswer, MassAnswer, MomentAnswer, NamedGroup, ProblemAnswer, SurfaceAnswer, WitnessAnswer,
 };
 pub use isomorphic::IsomorphicAnswer;
 pub use loops::{
