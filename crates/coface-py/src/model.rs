@@ -2,6 +2,7 @@
 
 mod cells;
 mod complexes;
+mod halfedges;
 mod made;
 mod pickling;
 mod reading;
@@ -25,9 +26,9 @@ use coface::algebra::RaggedArray;
 use coface::answers::{repaired, simplicial_complex, triangulated};
 use coface::complexes::cell_mesh::CellShape;
 use coface::complexes::gluing::GluingTable;
-use coface::complexes::surface::HalfedgePermutations;
 use coface::geometry::Positions;
 use coface::io::{self, CellData, Format, Group, Structure};
+use halfedges::model_from;
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyString, PyTuple};
@@ -211,31 +212,7 @@ impl Model {
         outer: Option<&Bound<'_, PyAny>>,
         vertices: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        let next = arrays::ids(next, "next")?;
-        let twins: Vec<Option<i64>> = match twin {
-            Some(twin) => twin.try_iter()?.map(|one| one?.extract()).collect::<PyResult<_>>()?,
-            None => (0..next.len() as i64).map(|halfedge| Some(halfedge ^ 1)).collect(),
-        };
-        let outer = outer.map_or(Ok(Vec::new()), |outer| arrays::ids(outer, "outer"))?;
-        let is_bare =
-            |(h, twin): (usize, &Option<i64>)| twin.is_none_or(|twin| twin == -1 || twin == h as i64);
-        let number = |twin: Option<i64>| twin.map(|twin| u32::try_from(twin).unwrap_or(u32::MAX));
-        let permutations = if twins.iter().enumerate().any(is_bare) {
-            let twins: Vec<Option<u32>> =
-                twins.into_iter().map(|twin| number(twin.filter(|&twin| twin != -1))).collect();
-            let (next, twin, mut all) =
-                HalfedgePermutations::with_boundary(&next, &twins).or_raise(py)?.into_parts();
-            all.extend(outer);
-            HalfedgePermutations::new(next, twin, all)
-        } else {
-            HalfedgePermutations::new(next, twins.into_iter().filter_map(number).collect(), outer)
-        };
-        let positions = match vertices {
-            Some(vertices) => arrays::positions(vertices, "vertices")?,
-            None => Positions::default(),
-        };
-        let model = io::Model::from_halfedges(permutations.or_raise(py)?, positions).or_raise(py)?;
-        let source = Source::new(model);
+        let source = Source::new(model_from(py, next, twin, outer, vertices)?);
         source.producer().or_raise(py)?;
         Ok(Self { source })
     }

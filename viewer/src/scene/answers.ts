@@ -889,6 +889,22 @@ export interface IntersectionFormAnswer {
   symmetric: boolean;
 }
 
+/** Whether two triangulations are the same under other names. */
+export interface IsomorphicAnswer {
+  /** The names of the two inputs. */
+  files: [string, string];
+  /** Whether they are. */
+  isomorphic: boolean;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** Their isomorphism signatures; `null` beyond 2,000 simplices and dimension 8. */
+  signatures: [string | null, string | null];
+  /** For each simplex of the first the one of the second that it is; `null` if they are not the same. */
+  simplices?: number[] | null;
+  /** For each simplex of the first the places of its vertices in the simplex of the second; vertices of facets are in rising order. */
+  vertices?: number[][] | null;
+}
+
 /** What was put together because it was nearly one: within a tolerance, or to make rounded coordinates valid. */
 export interface JoinedFeatures {
   /**
