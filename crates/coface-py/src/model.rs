@@ -26,7 +26,6 @@ use coface::algebra::RaggedArray;
 use coface::answers::{repaired, simplicial_complex, triangulated};
 use coface::complexes::cell_mesh::CellShape;
 use coface::complexes::gluing::GluingTable;
-use coface::geometry::Positions;
 use coface::io::{self, CellData, Format, Group, Structure};
 use halfedges::model_from;
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};

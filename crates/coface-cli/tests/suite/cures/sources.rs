@@ -112,8 +112,9 @@ pub(super) fn strings(source: &str) -> Vec<(usize, String)> {
         } else {
             match bytes[at] {
                 b'{' => depth += usize::from(is_of_tests),
+                // A variant or an arm of tests ends with what it is in.
                 b'}' if is_of_tests => {
-                    depth -= 1;
+                    depth = depth.saturating_sub(1);
                     is_of_tests = depth > 0;
                 }
                 b';' if depth == 0 => is_of_tests = false,
