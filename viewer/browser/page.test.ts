@@ -38,13 +38,13 @@ describe("a surface of genus 2 with its generators", () => {
     const { page } = opened;
     await page.getByRole("button", { name: "none", exact: true }).first().click();
     expect(await pixels(page, ORANGE)).toBe(0);
-    await page.locator("[data-layer='H1 generator 0']").check();
+    await page.locator("[data-layer='H1 generator 1']").check();
     const seen = await pixels(page, ORANGE);
     expect(seen).toBeGreaterThan(150);
     // Zoomed to, it is larger.
-    await page.getByTitle("look at H1 generator 0").click();
+    await page.getByTitle("look at H1 generator 1").click();
     expect(await pixels(page, ORANGE)).toBeGreaterThan(seen);
-    await page.locator("[data-layer='H1 generator 0']").uncheck();
+    await page.locator("[data-layer='H1 generator 1']").uncheck();
     expect(await pixels(page, ORANGE)).toBe(0);
     await close(opened);
   });
@@ -78,7 +78,7 @@ describe("a surface of genus 2 with its generators", () => {
     const opened = await open("two.html");
     const { page } = opened;
     await page.getByRole("button", { name: "none", exact: true }).first().click();
-    await page.locator("[data-layer='H1 generator 0']").check();
+    await page.locator("[data-layer='H1 generator 1']").check();
     const [png] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("p")]);
     expect(png.suggestedFilename()).toBe("two.obj.png");
     await png.saveAs(file("saved.png"));
@@ -97,7 +97,7 @@ describe("a surface of genus 2 with its generators", () => {
     const opened = await open("two.html");
     const { page } = opened;
     await page.getByRole("button", { name: "none", exact: true }).first().click();
-    await page.locator("[data-layer='H1 generator 2']").check();
+    await page.locator("[data-layer='H1 generator 3']").check();
     for (const key of ["ArrowLeft", "ArrowLeft", "ArrowUp", "+", "c", "[", "[", "d"]) await page.keyboard.press(key);
     const frame = (await page.locator("#canvas").boundingBox())!;
     await page.mouse.click(frame.x + frame.width * 0.5, frame.y + frame.height * 0.5);
@@ -107,8 +107,8 @@ describe("a surface of genus 2 with its generators", () => {
     const fragment = await page.evaluate(() => location.hash);
     expect(fragment.length).toBeGreaterThan(20);
     const again = await open("two.html", fragment);
-    expect(await again.page.locator("[data-layer='H1 generator 2']").isChecked()).toBe(true);
-    expect(await again.page.locator("[data-layer='H1 generator 0']").isChecked()).toBe(false);
+    expect(await again.page.locator("[data-layer='H1 generator 3']").isChecked()).toBe(true);
+    expect(await again.page.locator("[data-layer='H1 generator 1']").isChecked()).toBe(false);
     const cells = (from: typeof page) => from.locator("[data-cells='star']").textContent();
     expect(await cells(again.page)).toBe(await cells(page));
     expect(await difference(again.page, await picture(page))).toBeLessThan(0.01);

@@ -69,7 +69,9 @@ fn table_of(model: &Model) -> Result<GluingTable, Error> {
                 ErrorKind::UnsupportedFormat,
                 "the model is no gluing table, list of facets, or mesh of simplices",
             )
-            .with_cure("make it one: coface convert INPUT --triangulate -o OUT.json"));
+            .with_cure(
+                "give triangles, tetrahedra or facets; halfedges become facets by coface convert INPUT --triangulate -o OUT.json",
+            ));
         }
     };
     let sorted: Vec<Vec<u32>> = lists

@@ -1,13 +1,19 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 19] = [
+const PHRASES: [(&str, &str); 22] = [
     ("coface convert VOLUME -o boundary.obj", "volume.to_model(surface=True)"),
     (
         "coface homology --parts N",
         "coface.shards.shard(model, folder, parts), then coface.shards.homology(folder)",
     ),
     ("coface homology --cohomology --harmonic", "coface.harmonic(model, degree=1)"),
+    ("make it halfedges: coface convert INPUT -o OUT.halfedges.json", "give a mesh of polygons"),
+    (
+        "halfedges become facets by coface convert INPUT --triangulate -o OUT.json",
+        "halfedges become facets by model.subdivided()",
+    ),
+    ("a smaller --spacing or --least-ratio keeps", "a smaller spacing keeps"),
     ("coface convert --orient", "model.repaired(orient=True)"),
     ("coface yin info INPUT -o OUT.dat", "coface.YinSet.from_model(model).write(\"out.dat\")"),
     ("coface shard INPUT -o FOLDER --parts N", "coface.shards.shard(model, folder, parts)"),

@@ -29,7 +29,7 @@ def test_collapse_keeps_the_surface():
 def test_halfedges_without_twins_are_boundaries():
     triangle = coface.Model.from_halfedges([1, 2, 0], [None, -1, 2], vertices=[[0, 0], [1, 0], [0, 1]])
     report = triangle.report()
-    assert report.name == "disk" and report.f_vector == [3, 3, 1]
+    assert report.name == "disk" and report.f_vector == (3, 3, 1)
     disk = coface.Model.from_halfedges([0, 1], outer=[1])
     assert disk.report().name == "disk"
     roles = coface.generate("torus", columns=5, rows=4).surface().cut(roles=True).roles

@@ -82,6 +82,10 @@ pub(super) const CASES: &[Case] = &[
         .before(&["coface generate box -o box.mesh"])
         .refused("coface arrange box.mesh --dimension 2")
         .cured(&[&["coface arrange box.mesh"]]),
+    Case::new("arrange/mod.rs", "--grid is for drawings in the plane, and the inputs lie in space")
+        .before(&["coface generate box -o box.mesh"])
+        .refused("coface boolean union box.mesh --grid 0.5")
+        .cured(&[&["coface boolean union box.mesh"]]),
     Case::new("spatial/inputs.rs", "coface convert --orient), or count by parity (--rule evenodd)")
         .files(TURNED)
         .refused("coface boolean union turned.off")

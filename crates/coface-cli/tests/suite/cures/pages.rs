@@ -68,6 +68,11 @@ pub(super) const CASES: &[Case] = &[
         .answered("coface cocycles a.off")
         .cured(&[&["coface cocycles a.off --json"]])
         .shows("\"cocycles\":["),
+    Case::new("commands/isomorphic.rs", ", .. (--json lists all)")
+        .before(&["coface generate genus --genus 2 -o a.off"])
+        .answered("coface isomorphic a.off a.off")
+        .cured(&[&["coface isomorphic a.off a.off --json"]])
+        .shows("\"simplices\":"),
     Case::new("commands/cut.rs", "and {rest} more (--json lists all)")
         .before(&["coface generate genus --genus 7 -o a.off"])
         .answered("coface cut a.off")

@@ -26,7 +26,40 @@ const UNION: &str = "coface boolean union pinched.mesh --pinches split -o bounda
 const BOUNDARY: &str = "coface boundary solid.json -o boundary.json";
 const SURFACE: &str = "cli/src/surface.rs";
 
+/// A torus by the twins of the sides of a square.
+const TORUS: Files = &[("torus.json", r#"{"next":[1,2,3,0],"twin":[2,3,0,1]}"#)];
+/// Two triangles glued along all sides.
+const PILLOW: Files = &[(
+    "pillow.json",
+    r#"{"gluings":[[[1,[0,1,2]],[1,[0,1,2]],[1,[0,1,2]]],[[0,[0,1,2]],[0,[0,1,2]],[0,[0,1,2]]]]}"#,
+)];
+
 pub(super) const CASES: &[Case] = &[
+    Case::new("src/editing/mod.rs", "make it halfedges: coface convert INPUT -o OUT.halfedges.json")
+        .files(PILLOW)
+        .refused("coface edit pillow.json --flip 0 -o flipped.json")
+        .cured(&[&[
+            "coface convert pillow.json -o pillow.halfedges.json",
+            "coface edit pillow.halfedges.json --flip 0 -o flipped.halfedges.json",
+        ]]),
+    Case::new("commands/edit.rs", "give a log that coface edit --log wrote")
+        .files(SQUARE)
+        .with(&[("bad.json", "{")])
+        .refused("coface edit square.off --undo bad.json -o back.off")
+        .cured(&[&[
+            "coface edit square.off --poke 0 -o poked.off --log log.json",
+            "coface edit poked.off --undo log.json -o back.off",
+        ]]),
+    Case::new(
+        "src/isomorphism.rs",
+        "halfedges become facets by coface convert INPUT --triangulate -o OUT.json",
+    )
+    .files(TORUS)
+    .refused("coface isomorphic torus.json torus.json")
+    .cured(&[&[
+        "coface convert torus.json --triangulate -o facets.json",
+        "coface isomorphic facets.json facets.json",
+    ]]),
     Case::new(SURFACE, "split it first: coface convert INPUT --split-edges pairs --split-vertices -o OUT")
         .files(BOOK)
         .refused("coface cycles book.json")

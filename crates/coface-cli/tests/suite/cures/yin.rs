@@ -53,6 +53,13 @@ pub(super) const CASES: &[Case] = &[
             &["coface yin info disk.svg -o out.wkt --flatten 0.01"],
             &["coface yin info disk.svg -o out.json"],
         ]),
+    Case::new("yin/motion.rs", "a smaller --spacing or --least-ratio keeps such curves")
+        .files(&[("hole.wkt", "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0), (1 1, 1.01 1, 1 1.01, 1 1))")])
+        .answered("coface yin advect hole.wkt --flow translation --time 0.1 --spacing 1")
+        .cured(&[
+            &["coface yin advect hole.wkt --flow translation --time 0.1 --spacing 0.002"],
+            &["coface yin advect hole.wkt --flow translation --time 0.1 --spacing 1 --least-ratio 0.001"],
+        ]),
     Case::new("yin/advect.rs", "there is no such time; give a finite one")
         .files(DISK)
         .refused("coface yin advect disk.svg --flow rotation --time inf")
