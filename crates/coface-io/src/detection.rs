@@ -2,7 +2,8 @@
 
 use super::format::names;
 use super::{
-    Format, abaqus, cityjson, container, foreign, geojson, isosig, lines_text, points_text, volume, wkt, yin,
+    Format, abaqus, cityjson, container, foreign, geojson, isosig, lines_text, points_text, volume, wkb, wkt,
+    yin,
 };
 use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
@@ -85,6 +86,8 @@ impl Format {
             Self::GeoJson if !whole && start.trim_ascii_start().starts_with(b"{") => Likeness::Possible,
             Self::GeoJson => Likeness::No,
             Self::Wkt => certain_if(wkt::is_geometry(first_line(start))),
+            Self::Wkb => certain_if(!is_text(start) && wkb::is_binary(start)),
+            Self::WkbHex => certain_if(wkb::is_digits(first_line(start))),
             Self::Svg => certain_if(is_svg(start)),
             Self::Dat => certain_if(yin::is_dat(start, whole)),
             Self::Container => certain_if(start.starts_with(&container::MARK)),

@@ -8,9 +8,9 @@
 use super::feature_table::{FeatureTable, FeatureTexts, NO_FEATURE};
 use super::lists::number_by_firsts;
 use super::numbers::Numbers;
-use super::{CellData, Model};
+use super::{CellData, Format, Model};
 use super::{Group, GroupKind};
-use crate::{Remark, RemarkCode};
+use crate::{ReferenceSystem, Remark, RemarkCode};
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_geometry::Positions;
@@ -91,10 +91,30 @@ pub(super) struct Drawing {
     /// The number of rings that were closed, and the first of them with where they begin and end.
     unclosed_rings: usize,
     unclosed: Vec<(String, [[f64; 3]; 2])>,
+    /// The reference system of what names one, and how much does not.
+    reference: Option<ReferenceSystem>,
+    unreferenced: usize,
     remarks: Vec<Remark>,
 }
 
 impl Drawing {
+    /// What comes next is in this reference system, or names none.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if what came before is in another one.
+    pub(super) fn set_reference(&mut self, system: Option<ReferenceSystem>) -> Result<(), Error> {
+        match (system, &self.reference) {
+            (None, _) => self.unreferenced += 1,
+            (Some(system), None) => self.reference = Some(system),
+            (Some(system), Some(known)) if system != *known => {
+                let message = format!("what came before is in {known}, but this is in {system}");
+                return Err(Error::invalid(message).with_cure(known.transformation()));
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
     /// What comes next is another feature, with this name or none.
     pub(super) fn begin_feature(&mut self, name: Option<String>) {
         self.begins_feature = true;
@@ -281,6 +301,17 @@ impl Drawing {
                 "positions without a height are at height 0",
             );
         }
+        if let Some(system) = self.reference.as_ref().filter(|_| self.unreferenced > 0) {
+            let message = match self.unreferenced {
+                1 => format!(
+                    "1 geometry names no reference system, and is taken to be in {system} as the others are"
+                ),
+                count => format!(
+                    "{count} geometries name no reference system, and are taken to be in {system} as the others are"
+                ),
+            };
+            self.remarks.push(Remark::new(RemarkCode::ReferenceAssumed, message).at(self.unreferenced, []));
+        }
         let line_corners = self.corners.len();
         self.corners.extend(self.points.iter().map(|point| point.place));
         let too_many = |what: &str| {
@@ -335,6 +366,7 @@ impl Drawing {
             groups,
             data,
             features,
+            reference: self.reference,
             remarks: self.remarks,
             ..Model::default()
         };
@@ -506,7 +538,8 @@ fn names_of(model: &Model, kind: GroupKind) -> Vec<Option<usize>> {
     names
 }
 
-/// The coordinates that are written for each vertex: two, or three if one is above or below the plane.
+/// The coordinates that are written for each vertex: two, or three if one is above or below the plane or if the model is a map with
+/// heights.
 ///
 /// # Errors
 /// [`ErrorKind::UnsupportedFormat`] if the model has no positions, cells, or more than three coordinates a vertex;
@@ -516,8 +549,9 @@ pub(super) fn written_dimension(model: &Model, format: &str) -> Result<usize, Er
     super::limits::require_dimension(model, format, 3)?;
     // The plane needs coordinates.
     model.require_finite()?;
+    let is_map = model.format.is_some_and(Format::keeps_heights);
     let in_plane = model.positions.dimension() < 3
-        || model.positions.as_flat().iter().skip(2).step_by(3).all(|&height| height == 0.0);
+        || !is_map && model.positions.as_flat().iter().skip(2).step_by(3).all(|&height| height == 0.0);
     Ok(if in_plane { 2 } else { 3 })
 }
 
@@ -552,7 +586,7 @@ pub(super) fn push_place(model: &Model, vertex: u32, dimension: usize, between: 
 }
 
 /// The vertices of a polygon of a mesh as a ring: the first again at the end.
-pub(super) fn closed(polygon: &[u32]) -> impl Iterator<Item = u32> {
+pub(super) fn closed(polygon: &[u32]) -> impl Iterator<Item = u32> + Clone {
     polygon.iter().chain(polygon.first()).copied()
 }
 

@@ -80,9 +80,6 @@ pub(super) fn surely(start: &[u8]) -> Option<Known> {
     if text.starts_with(b"ISO-10303-21") && memchr::memmem::find(text, b"'IFC").is_some() {
         return Some(("IFC", "export a mesh of it, such as OBJ"));
     }
-    if is_hex_wkb(text) {
-        return Some(("well-known binary in hexadecimal digits", "write it as WKT or GeoJSON"));
-    }
     text.starts_with(b"version https://git-lfs").then(|| perhaps(text)).flatten()
 }
 
@@ -120,18 +117,6 @@ pub(super) fn perhaps(start: &[u8]) -> Option<Known> {
     }
 }
 
-/// Whether this is well-known binary, byte order and type, as text.
-fn is_hex_wkb(text: &[u8]) -> bool {
-    let Some(line) = text.split(|&byte| byte == b'\n').next().map(<[u8]>::trim_ascii) else { return false };
-    let is_hex = line.len() >= 42 && line.len().is_multiple_of(2) && line.iter().all(u8::is_ascii_hexdigit);
-    // Little-endian types 1 to 7, with or without the flags of EWKB and ISO; or big-endian ones.
-    is_hex
-        && (line.starts_with(b"010") && matches!(line[3], b'1'..=b'7')
-            || line.starts_with(b"0000000")
-            || line.starts_with(b"00A0")
-            || line.starts_with(b"0020"))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -141,8 +126,6 @@ mod tests {
     fn what_is_not_read_is_named() {
         for (start, what) in [
             (&b"<?xml version='1.0'?><a:b xmlns:gml='http://www.opengis.net/gml'/>"[..], "GML"),
-            (b"0101000000000000000000F03F000000000000F03F", "well-known binary"),
-            (b"01030000000100000004000000000000000000000000", "well-known binary"),
             (b"ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('IFC4'));", "IFC"),
             (b"ISO-10303-21;\nHEADER;\n", "STEP"),
             (b"BLENDER-v279", "Blender"),

@@ -1,5 +1,6 @@
 //! The formats and their names.
 
+use crate::ReferenceSystem;
 use crate::unpacking::Packing;
 use coface_algebra::{Error, ErrorKind};
 use std::path::Path;
@@ -32,6 +33,10 @@ pub enum Format {
     GeoJson,
     /// Well-known text: points, lines and polygons with holes.
     Wkt,
+    /// Well-known binary: points, lines and polygons with holes.
+    Wkb,
+    /// Well-known binary as hexadecimal digits.
+    WkbHex,
     /// SVG: paths, polygons and lines.
     Svg,
     /// Binary curves of sets in the plane.
@@ -66,7 +71,7 @@ pub enum Format {
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 27] = [
+    pub const ALL: [Self; 29] = [
         Self::Off,
         Self::Obj,
         Self::Ply,
@@ -81,6 +86,8 @@ impl Format {
         Self::Lines,
         Self::GeoJson,
         Self::Wkt,
+        Self::Wkb,
+        Self::WkbHex,
         Self::Svg,
         Self::Dat,
         Self::Container,
@@ -114,7 +121,7 @@ impl Format {
     }
 
     /// The name of the format, which is its usual file extension: `off`, `obj`, `ply`, `stl`, `mesh`, `msh`, `vtk`,
-    /// `vtu`, `vtp`, `json`, `isosig`, `lines`, `geojson`, `wkt`, `svg`, `dat`, `npy`, `nrrd`, `nii`,
+    /// `vtu`, `vtp`, `json`, `isosig`, `lines`, `geojson`, `wkt`, `wkb`, `hex`, `svg`, `dat`, `npy`, `nrrd`, `nii`,
     /// `cfc`, `gltf`, `3mf`, `dae`, `inp`, `node`, `xyz`.
     ///
     /// # Examples
@@ -147,6 +154,8 @@ impl Format {
             Self::Lines => &["lines"],
             Self::GeoJson => &["geojson", "geojsonl", "geojsons"],
             Self::Wkt => &["wkt"],
+            Self::Wkb => &["wkb", "ewkb"],
+            Self::WkbHex => &["hex", "wkbhex"],
             Self::Svg => &["svg"],
             Self::Dat => &["dat"],
             Self::VtkGrid => &["vtu"],
@@ -186,6 +195,8 @@ impl Format {
             Self::Lines => "line segments",
             Self::GeoJson => "GeoJSON",
             Self::Wkt => "WKT",
+            Self::Wkb => "WKB",
+            Self::WkbHex => "WKB as digits",
             Self::Svg => "SVG",
             Self::Dat => "binary curves",
             Self::VtkGrid => "VTK XML",
@@ -259,6 +270,35 @@ impl Format {
     /// ```
     pub const fn keeps_data(self) -> bool {
         matches!(self, Self::Ply | Self::Vtk | Self::VtkGrid | Self::VtkPolygons)
+    }
+
+    /// Whether files of the format are maps: polygons with holes, lines and points, with heights that do not decide what meets.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::Format;
+    /// assert!(Format::GeoJson.keeps_heights() && !Format::Obj.keeps_heights() && !Format::Svg.keeps_heights());
+    /// ```
+    pub const fn keeps_heights(self) -> bool {
+        matches!(self, Self::GeoJson | Self::Wkt | Self::Wkb | Self::WkbHex)
+    }
+
+    /// Whether [`crate::write`] writes this reference system of a model in this format: the number in WKT and WKB, any in GeoJSON.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{Format, ReferenceSystem};
+    /// let named = ReferenceSystem::from_crs(r#"{"type":"name","properties":{"name":"ESRI:102008"}}"#)?;
+    /// let keeps = |format: Format| named.as_ref().map(|system| format.keeps_reference(system));
+    /// assert_eq!([Format::GeoJson, Format::Wkt].map(keeps), [Some(true), Some(false)]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn keeps_reference(self, system: &ReferenceSystem) -> bool {
+        match self {
+            Self::GeoJson => true,
+            Self::Wkt | Self::Wkb | Self::WkbHex => system.srid().is_some(),
+            _ => false,
+        }
     }
 
     /// Whether files of the format hold arrays of voxels.
@@ -358,7 +398,7 @@ mod tests {
         all.dedup();
         assert_eq!(all.len(), count);
         assert!(Format::from_name("docx").unwrap_err().to_string().contains(
-            "off, obj, ply, stl, mesh, msh, vtk, vtu, vtp, json, isosig, lines, geojson, wkt, svg, dat, cfc"
+            "off, obj, ply, stl, mesh, msh, vtk, vtu, vtp, json, isosig, lines, geojson, wkt, wkb, hex, svg, dat, cfc"
         ));
     }
 }

@@ -39,6 +39,7 @@ pub mod gltf;
 mod group;
 pub mod isosig;
 pub mod json;
+mod json_text;
 mod limits;
 pub mod lines_text;
 mod lists;
@@ -57,6 +58,7 @@ mod parts;
 pub mod ply;
 pub mod points_text;
 mod readers;
+mod reference_system;
 mod remark;
 #[cfg(test)]
 mod samples;
@@ -72,7 +74,7 @@ mod unpacking;
 mod values;
 pub mod volume;
 pub mod vtk;
-mod wkb;
+pub mod wkb;
 pub mod wkt;
 #[cfg(feature = "xml")]
 mod xml_text;
@@ -102,7 +104,8 @@ pub use readers::{
     read_path, read_path_with, read_unknown, read_with, write, write_path,
 };
 #[doc(hidden)]
-pub use readers::{entry_of, read_companion, stream_mesh};
+pub use readers::{entry_of, read_companion, stream_mesh, write_empty_polygon};
+pub use reference_system::ReferenceSystem;
 pub use remark::{Place, Remark, RemarkCode};
 #[doc(hidden)]
 pub use scratch_mesh::NO_VERTEX;

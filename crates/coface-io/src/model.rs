@@ -1,7 +1,7 @@
 //! What a file held.
 
 use super::numbers::Numbers;
-use super::{CellData, FeatureTable, Format, Group, GroupKind};
+use super::{CellData, FeatureTable, Format, Group, GroupKind, ReferenceSystem};
 use crate::Remark;
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::{ChainComplex, ChainRefinement};
@@ -41,6 +41,7 @@ pub struct Model {
     /// The faces before coordinates were rounded.
     pub(crate) exact: Option<Arc<ExactPolygons>>,
     pub(crate) features: FeatureTable,
+    pub(crate) reference: Option<ReferenceSystem>,
     pub(crate) remarks: Vec<Remark>,
 }
 
@@ -98,6 +99,7 @@ impl ModelParts {
             refinement: None,
             exact: None,
             features: FeatureTable::default(),
+            reference: None,
         }
     }
 }
@@ -529,6 +531,7 @@ impl Model {
             refinement: _,
             exact: _,
             features: _,
+            reference: _,
             remarks,
         } = self;
         ModelParts {
@@ -563,7 +566,8 @@ impl Model {
         self.format
     }
 
-    pub(crate) fn with_format(self, format: Format) -> Self {
+    #[doc(hidden)]
+    pub fn with_format(self, format: Format) -> Self {
         Self { format: Some(format), ..self }
     }
 
@@ -846,6 +850,7 @@ impl PartialEq for Model {
             && self.refinement == other.refinement
             && self.exact == other.exact
             && self.features == other.features
+            && self.reference == other.reference
     }
 }
 

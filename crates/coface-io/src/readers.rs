@@ -8,9 +8,9 @@ use super::unpacking::{Packing, unpacked};
 use super::{
     Format, Model, Remark, Structure, VolumeReading, VolumeStream, abaqus, cityjson, collada, container,
     detection, format, geojson, gltf, isosig, json, lines_text, medit, msh, obj, off, parts, ply,
-    points_text, stl, svg, tetgen, three_mf, volume, vtk, wkt, yin,
+    points_text, stl, svg, tetgen, three_mf, volume, vtk, wkb, wkt, yin,
 };
-use crate::RemarkCode;
+use crate::{ReferenceSystem, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use std::fs::File;
 use std::io::{Read, Write};
@@ -582,6 +582,8 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
         Format::Lines => lines_text::write(model, out),
         Format::GeoJson => geojson::write(model, out),
         Format::Wkt => wkt::write(model, out),
+        Format::Wkb => wkb::write(model, out, wkb::Encoding::Bytes),
+        Format::WkbHex => wkb::write(model, out, wkb::Encoding::Digits),
         Format::Svg => svg::write(model, out),
         Format::Container => container::write(model, out),
         Format::Dat => {
@@ -610,6 +612,24 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
             Err(Error::new(ErrorKind::UnsupportedFormat, format!("{} is read, not written", format.title()))
                 .with_cure("write a mesh as OBJ, PLY, MSH or VTK"))
         }
+    }
+}
+
+/// Writes what is empty as a polygon of well-known text or binary without rings.
+///
+/// # Panics
+/// For other formats.
+#[doc(hidden)]
+pub fn write_empty_polygon(
+    system: Option<&ReferenceSystem>,
+    out: impl Write,
+    format: Format,
+) -> Result<(), Error> {
+    match format {
+        Format::Wkt => wkt::write_empty_polygon(system, out),
+        Format::Wkb => wkb::write_empty_polygon(system, out, wkb::Encoding::Bytes),
+        Format::WkbHex => wkb::write_empty_polygon(system, out, wkb::Encoding::Digits),
+        other => panic!("{other:?} is no well-known format"),
     }
 }
 
@@ -841,7 +861,8 @@ fn read_mesh(
         Format::Isosig => isosig::read(input)?,
         Format::Lines => lines_text::read(input)?,
         Format::GeoJson => geojson::read(input)?,
-        Format::Wkt => wkt::read(input)?,
+        Format::Wkt | Format::WkbHex => wkt::read(input)?,
+        Format::Wkb => wkb::read(input)?,
         Format::Svg => svg::read_with(input, flatten)?,
         Format::Dat => yin::model_of_drawing(&yin::read_dat(input)?, flatten)?,
         Format::VtkGrid | Format::VtkPolygons => vtk::read_xml(input)?,

@@ -144,6 +144,7 @@ impl RemarkCode {
                 | HigherOrder
                 | SinglePoint
                 | HeightsAssumed
+                | ReferenceAssumed
                 | ElementsLeftOut
                 | CurvesFlattened
                 | ArcsApproximated
@@ -194,6 +195,10 @@ pub enum RemarkCode {
     SinglePoint,
     /// Positions without a height were placed at height 0 among positions with heights.
     HeightsAssumed,
+    /// Geometries or files without a reference system were taken to be in that of others.
+    ReferenceAssumed,
+    /// Heights of a drawing were left out.
+    HeightsLeftOut,
     /// Elements of a drawing that are no lines or shapes were left out.
     ElementsLeftOut,
     /// Curves became chords.

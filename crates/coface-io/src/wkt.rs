@@ -2,19 +2,20 @@
 //!
 //! A file holds geometries one after the other, on lines of their own or with `;` between them: `POINT`, `LINESTRING`,
 //! `LINEARRING`, `POLYGON`, `TRIANGLE`, the `MULTI` forms, `POLYHEDRALSURFACE`, `TIN` and `GEOMETRYCOLLECTION`, in any
-//! case, with `Z`, `M` or `ZM`, and `SRID=..;` in front. Heights are kept, measures and reference systems passed over.
+//! case, with `Z`, `M` or `ZM`, and `SRID=..;` in front. Heights and the number of the reference system are kept, measures passed over.
+//! A file whose reference system has a number is written with `SRID=..;` in front of each geometry.
 //! A geometry may also be well-known binary in hexadecimal digits, as databases give it.
 //!
 //! Rings of polygons become closed lines with the integers `polygon` and `ring`, as in [`geojson`](super::geojson), and with `feature`, the
 //! number of the geometry, where one has several polygons.
 
-use super::Model;
 use super::decimal::flush;
 use super::drawing::{
     Drawing, Features, Place, Shape, closed, push_list, push_place, shapes, written_dimension,
 };
 use super::scanner::{Scanner, parse_f64, quoted};
 use super::wkb;
+use super::{Model, ReferenceSystem};
 use coface_algebra::{Error, ErrorKind};
 use std::io::{Read, Write};
 
@@ -144,7 +145,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
         seen = true;
         reader.drawing.begin_feature(None);
         if byte == b'0' {
-            wkb::read(&mut reader.scanner, &mut reader.drawing, reader.line)?;
+            wkb::read_digits(&mut reader.scanner, &mut reader.drawing, reader.line)?;
         } else {
             reader.geometry(0)?;
         }
@@ -242,11 +243,21 @@ impl<R: Read> Reader<R> {
 
     fn geometry(&mut self, depth: usize) -> Result<(), Error> {
         self.word()?;
+        let mut system = None;
         if depth == 0 && self.word.eq_ignore_ascii_case(b"SRID") {
             self.expect(b'=')?;
             self.word()?;
+            let number = std::str::from_utf8(&self.word).ok().and_then(|word| word.parse().ok());
+            let Some(number) = number else {
+                let fault = self.fault(format!("{} is no number of a reference system", quoted(&self.word)));
+                return Err(fault.with_cure("write it as in SRID=4326;POINT (1 2)"));
+            };
+            system = ReferenceSystem::from_srid(number);
             self.expect(b';')?;
             self.word()?;
+        }
+        if depth == 0 {
+            self.drawing.set_reference(system).map_err(|fault| fault.at_line(self.line))?;
         }
         if self.word.is_empty() {
             let next = self.peek()?;
@@ -402,7 +413,7 @@ impl<R: Read> Reader<R> {
 /// Writes one geometry a line: `LINESTRING` for lines, `POLYGON` for the rings of each polygon and for polygons of a mesh, `POINT`
 /// for points and for vertices that nothing uses; what follows each other with one number in `feature` is one geometry, `MULTI` or a
 /// `GEOMETRYCOLLECTION`. Three coordinates are written if a vertex lies outside the plane z = 0.
-/// Names and data are not kept.
+/// Names and data are not kept, the number of the reference system is.
 ///
 /// # Errors
 /// [`ErrorKind::UnsupportedFormat`] if the model has 3-cells, no positions or more than three coordinates a vertex, or is
@@ -423,16 +434,34 @@ pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
     let writer = Writer { model, dimension: written_dimension(model, "WKT")? };
     let mut text = Vec::new();
     let shapes = shapes(model);
+    let start = start_of(model.reference_system());
     if shapes.is_empty() {
+        text.extend_from_slice(start.as_bytes());
         text.extend_from_slice(b"GEOMETRYCOLLECTION EMPTY\n");
     }
     let features = Features::new(model);
     for feature in shapes.chunk_by(|(x, a), (y, b)| a == b && features.are_one(x, y)) {
+        text.extend_from_slice(start.as_bytes());
         writer.push_geometry(feature, &mut text);
         text.push(b'\n');
         flush(&mut text, &mut output)?;
     }
     output.write_all(&text)?;
+    output.flush()?;
+    Ok(())
+}
+
+/// What stands in front of each geometry in a reference system.
+fn start_of(system: Option<&ReferenceSystem>) -> String {
+    system.and_then(ReferenceSystem::srid).map_or_else(String::new, |srid| format!("SRID={srid};"))
+}
+
+/// Writes a polygon without rings.
+pub(super) fn write_empty_polygon(
+    system: Option<&ReferenceSystem>,
+    mut output: impl Write,
+) -> Result<(), Error> {
+    writeln!(output, "{}POLYGON EMPTY", start_of(system))?;
     output.flush()?;
     Ok(())
 }
@@ -548,8 +577,14 @@ mod tests {
         let with_srid = format!("01030000a0e61000000100000004000000{ring}");
         let of_iso = format!("01eb0300000100000004000000{ring}");
         let text = read(&b"POLYGON Z ((0 0 5, 1 0 6, 0 1 7, 0 0 5))"[..]).unwrap();
-        for binary in [&with_srid, &of_iso] {
-            assert_eq!(read(binary.as_bytes()).unwrap(), text);
+        assert_eq!(read(of_iso.as_bytes()).unwrap(), text);
+        let system = ReferenceSystem::from_srid(4326);
+        assert_eq!(read(with_srid.as_bytes()).unwrap(), text.with_reference_system(system));
+        for (name, binary) in
+            [("a.wkt", &with_srid), ("a.hex", &with_srid), ("a", &of_iso), ("a.obj", &of_iso)]
+        {
+            let found = crate::read_named(binary.as_bytes(), name, &crate::ReadOptions::new());
+            assert_eq!(found.unwrap().lines().len(), 1, "{name}");
         }
         let two = format!("{with_srid}\nLINESTRING (0 0, 1 1)\n{of_iso}");
         assert_eq!(read(two.as_bytes()).unwrap().lines().len(), 3);
@@ -567,6 +602,31 @@ mod tests {
             assert!(error.to_string().contains(message) && error.cure().is_some(), "{binary}: {error}");
         }
         assert!(read(&b"0101000000000000000000F87F000000000000F87F"[..]).unwrap().points().is_empty());
+    }
+
+    #[test]
+    fn reference_systems_are_kept_and_must_agree() {
+        let text = "SRID=25832;POLYGON ((0 0, 1 0, 0 1, 0 0))\nSRID=25832;POINT (5 5)\n";
+        let model = read(text.as_bytes()).unwrap();
+        assert_eq!(model.reference_system().unwrap().srid(), Some(25832));
+        let mut written = Vec::new();
+        write(&model, &mut written).unwrap();
+        assert_eq!(String::from_utf8(written).unwrap(), text);
+        // 0 is none, and what has none is taken to be in that of the others.
+        assert!(read(&b"SRID=0;POINT (1 2)"[..]).unwrap().reference_system().is_none());
+        let mixed = read(&b"POINT (1 2)\nSRID=3035;POINT (3 4)\nPOINT (5 6)"[..]).unwrap();
+        assert_eq!(mixed.reference_system().unwrap().srid(), Some(3035));
+        let [remark] = mixed.remarks() else { panic!("{:?}", mixed.remarks()) };
+        assert_eq!((remark.code, remark.count), (crate::RemarkCode::ReferenceAssumed, 2));
+        for (text, words) in [
+            ("SRID=1;POINT (1 2)\nSRID=2;POINT (1 2)", "SRID 1, but this is in SRID 2"),
+            ("POINT (1 2)\nSRID=-4;POINT (1 2)", "\"-4\" is no number of a reference system"),
+            ("SRID=4.5;POINT (1 2)", "no number"),
+        ] {
+            let error = read(text.as_bytes()).unwrap_err();
+            assert!(error.to_string().contains(words) && error.cure().is_some(), "{error}");
+            assert_eq!(error.line(), Some(text.lines().count() as u64));
+        }
     }
 
     #[test]

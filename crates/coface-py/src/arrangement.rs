@@ -14,8 +14,8 @@ use coface::answers::answer::{
     SpatialArrangementAnswer,
 };
 use coface::answers::{
-    ArrangementRequest, BooleanRequest, DrawingArrangement, PlanarDrawing, RegionBoolean, RegionSource,
-    SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene, is_planar,
+    ArrangementRequest, BooleanRequest, DrawingArrangement, DrawingOptions, PlanarDrawing, RegionBoolean,
+    RegionSource, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene, is_planar,
 };
 use coface::arrange::boolean::{BooleanFormula, InsideRule};
 use coface::arrange::spatial::NonPlanar;
@@ -51,6 +51,16 @@ fn is_flat(py: Python<'_>, models: &Named, dimension: Option<u8>) -> PyResult<bo
     }
 }
 
+/// What models draw, without heights if the plane was asked for.
+fn drawing_of(
+    models: &Named,
+    options: &DrawingOptions,
+    dimension: Option<u8>,
+) -> Result<PlanarDrawing, Error> {
+    let drawing = PlanarDrawing::with_options(borrowed(models), options)?;
+    Ok(if dimension == Some(2) { drawing.without_heights() } else { drawing })
+}
+
 /// Names in the words of the package: inputs, where the program says files.
 fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
@@ -65,7 +75,7 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 /// models : Model, sequence of Model, or dict of str to Model
 ///     The inputs.
 /// dimension : {2, 3}, optional
-///     The plane or space; by the models if left out.
+///     The plane or space; by the models if left out. 2 leaves out the heights of maps.
 /// rule : {"nonzero", "evenodd", "positive"}, optional
 ///     What is inside an input.
 /// features : bool
@@ -81,6 +91,8 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 ///     there by a few units of the last digit. In space its model keeps exact points, so that the next call takes it as it is.
 /// grid : float, optional
 ///     In the plane, all coordinates are multiples of this length.
+/// close : bool
+///     In the plane, whether lines that end where they begin are rings of polygons.
 /// tolerance : float, optional
 ///     In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
 /// max_cells : int, optional
@@ -109,7 +121,7 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 /// >>> arranged.f_vector, sorted(zip(arranged.measures, arranged.inside))
 /// ([10, 12, 3], [(1.0, [0, 1]), (3.0, [0]), (3.0, [1])])
 #[pyfunction]
-#[pyo3(signature = (models, *, dimension=None, rule=None, features=false, inputs=None, prune=false, snap=false, exact=false, grid=None, tolerance=None, max_cells=None, split=true, merge_coplanar=true, progress=None))]
+#[pyo3(signature = (models, *, dimension=None, rule=None, features=false, inputs=None, prune=false, snap=false, exact=false, grid=None, close=false, tolerance=None, max_cells=None, split=true, merge_coplanar=true, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn arrange<'py>(
     py: Python<'py>,
@@ -122,6 +134,7 @@ pub(crate) fn arrange<'py>(
     snap: bool,
     exact: bool,
     grid: Option<f64>,
+    close: bool,
     tolerance: Option<f64>,
     #[pyo3(from_py_with = whole_or_none)] max_cells: Option<usize>,
     split: bool,
@@ -135,9 +148,9 @@ pub(crate) fn arrange<'py>(
         let mut request = ArrangementRequest::default();
         (request.rule, request.prune, request.snap, request.max_cells) = (rule, prune, snap, max_cells);
         (request.exact, request.grid) = (exact, grid);
-        let source = inputs.unwrap_or_default();
+        let options = DrawingOptions::new().source(inputs.unwrap_or_default()).close_lines(close);
         let (arranged, answer) = run(py, progress, || {
-            let arranged = DrawingArrangement::new(PlanarDrawing::new(borrowed(&models), source)?, &request)?;
+            let arranged = DrawingArrangement::new(drawing_of(&models, &options, dimension)?, &request)?;
             let answer = arranged.answer()?;
             Ok((arranged, answer))
         })?;
@@ -146,7 +159,7 @@ pub(crate) fn arrange<'py>(
     if prune {
         return Err(invalid(py, "prune is for drawings in the plane", "leave it out in space"));
     }
-    refuse_planar(py, grid)?;
+    refuse_planar(py, grid, close)?;
     let request = spatial_request(snap, tolerance, max_cells, split, merge_coplanar);
     let (arranged, answer) = run(py, progress, || {
         let mut arranged = SceneArrangement::of_scene(scene_of(&models, inputs, 1, true)?, &request)?;
@@ -199,7 +212,10 @@ fn least_inputs(operation: &str) -> usize {
 }
 
 /// Refuses what is for drawings in the plane.
-fn refuse_planar(py: Python<'_>, grid: Option<f64>) -> PyResult<()> {
+fn refuse_planar(py: Python<'_>, grid: Option<f64>, close: bool) -> PyResult<()> {
+    if close {
+        return Err(invalid(py, "close is for drawings in the plane", "leave it out in space"));
+    }
     match grid {
         Some(_) => Err(invalid(py, "grid is for drawings in the plane", "leave it out in space")),
         None => Ok(()),
@@ -229,7 +245,7 @@ fn spatial_request(
 /// models : sequence of Model, or dict of str to Model
 ///     The inputs.
 /// dimension : {2, 3}, optional
-///     The plane or space; by the models if left out.
+///     The plane or space; by the models if left out. 2 leaves out the heights of maps.
 /// rule : {"nonzero", "evenodd", "positive"}, optional
 ///     What is inside an input.
 /// features : bool
@@ -245,6 +261,8 @@ fn spatial_request(
 ///     there by a few units of the last digit. In space its model keeps exact points, so that the next call takes it as it is.
 /// grid : float, optional
 ///     In the plane, all coordinates are multiples of this length.
+/// close : bool
+///     In the plane, whether lines that end where they begin are rings of polygons.
 /// tolerance : float, optional
 ///     In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
 /// max_cells : int, optional
@@ -280,7 +298,7 @@ fn spatial_request(
 /// >>> coface._coface.boolean("intersection", [cube, moved]).measure
 /// 0.125
 #[pyfunction]
-#[pyo3(signature = (operation, models, *, dimension=None, rule=None, features=false, inputs=None, keep_walls=false, snap=false, exact=false, grid=None, tolerance=None, max_cells=None, split=true, merge_coplanar=true, triangles=None, open="refuse", split_pinches=false, progress=None))]
+#[pyo3(signature = (operation, models, *, dimension=None, rule=None, features=false, inputs=None, keep_walls=false, snap=false, exact=false, grid=None, close=false, tolerance=None, max_cells=None, split=true, merge_coplanar=true, triangles=None, open="refuse", split_pinches=false, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn boolean<'py>(
     py: Python<'py>,
@@ -294,6 +312,7 @@ pub(crate) fn boolean<'py>(
     snap: bool,
     exact: bool,
     grid: Option<f64>,
+    close: bool,
     tolerance: Option<f64>,
     #[pyo3(from_py_with = whole_or_none)] max_cells: Option<usize>,
     split: bool,
@@ -312,9 +331,9 @@ pub(crate) fn boolean<'py>(
         (request.rule, request.keep_walls, request.snap, request.max_cells) =
             (rule, keep_walls, snap, max_cells);
         (request.exact, request.grid) = (exact, grid);
-        let source = inputs.unwrap_or_default();
+        let options = DrawingOptions::new().source(inputs.unwrap_or_default()).close_lines(close);
         let result = run(py, progress, || {
-            let drawing = PlanarDrawing::new(borrowed(&models), source)?;
+            let drawing = drawing_of(&models, &options, dimension)?;
             let count = drawing.region_names().len();
             if count == 0 {
                 return Err(Error::invalid("there is no region in the inputs")
@@ -325,7 +344,7 @@ pub(crate) fn boolean<'py>(
         let answer = result.answer();
         return Ok(Bound::new(py, PlanarBoolean { result, answer })?.into_any());
     }
-    refuse_planar(py, grid)?;
+    refuse_planar(py, grid, close)?;
     let spatial = spatial_request(snap, tolerance, max_cells, split, merge_coplanar);
     let solid = run(py, progress, || {
         let mut scene = scene_of(&models, inputs, least_inputs(operation), keep_walls)?;

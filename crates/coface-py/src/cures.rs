@@ -45,7 +45,8 @@ const WORDS: [(&str, &[&str]); 5] = [
 ];
 
 /// The options that are on or off.
-const FLAGS: [&str; 7] = ["snap", "partial", "strict", "allow-outside", "orient", "keep-walls", "prune"];
+const FLAGS: [&str; 8] =
+    ["close", "snap", "partial", "strict", "allow-outside", "orient", "keep-walls", "prune"];
 
 /// A message with the options that it names as the parameters of functions: `--rule evenodd` is `rule="evenodd"`, `--all-places` is
 /// `all_places`, `--snap` is `snap=True`, and commands are functions.

@@ -21,7 +21,9 @@ use crate::report::{Report, report_request};
 use crate::source::Source;
 use crate::volumes::voxels_of;
 use crate::work::run;
-use cells::{Parts, facets_of, kind_of, kind_word, model_of_parts, permutations_of, shape_word};
+use cells::{
+    Parts, facets_of, kind_of, kind_word, model_of_parts, permutations_of, shape_word, structure_word,
+};
 use coface::algebra::RaggedArray;
 use coface::answers::{repaired, simplicial_complex, triangulated};
 use coface::complexes::cell_mesh::CellShape;
@@ -452,13 +454,13 @@ impl Model {
     /// What the file holds instead of vertices and cells: ``facets``, ``halfedges``, ``chains``, ``gluings``, ``volume`` or ``None``.
     #[getter]
     fn structure(&self) -> Option<&'static str> {
-        self.model().structure().map(|structure| match structure {
-            Structure::Facets(_) => "facets",
-            Structure::Halfedges { .. } => "halfedges",
-            Structure::Chains(_) => "chains",
-            Structure::Gluings(_) => "gluings",
-            Structure::Volume(_) => "volume",
-        })
+        self.model().structure().map(structure_word)
+    }
+
+    /// The number of the reference system that a map names (``SRID`` of EWKT and EWKB, ``crs`` of GeoJSON), if it has one.
+    #[getter]
+    fn srid(&self) -> Option<u32> {
+        self.model().reference_system()?.srid()
     }
 
     /// The facets of a model of facets: an array of shape (m, k) or ``(flat, offsets)``; ``None`` of other models.

@@ -171,3 +171,20 @@ def test_paths_files_and_words_are_models(spot) -> None:
     assert coface.as_model(np.array([[0, 1], [1, 2]])).f_vector == (3, 2)
     assert coface.as_model(np.zeros((3, 3))).vertex_count == 3
     assert coface.as_model(((0, 1, 2), (1, 2, 3))).f_vector == (4, 5, 2)
+
+
+def test_maps_keep_the_number_of_their_reference_system():
+    model = coface.Model.from_bytes(b"SRID=25832;POLYGON Z ((0 0 1, 4 0 1, 4 4 3, 0 0 1))", "wkt")
+    assert model.srid == 25832
+    again = coface.Model.from_bytes(model.to_bytes("wkb"))
+    assert (again.srid, again.vertices.tolist()) == (25832, model.vertices.tolist())
+    united = coface.boolean("union", model)
+    assert united.to_bytes("wkt") == b"SRID=25832;POLYGON Z ((0 0 1, 4 0 1, 4 4 3, 0 0 1))\n"
+    assert coface.boolean("union", model, dimension=2).to_bytes("wkt") == b"SRID=25832;POLYGON ((0 0, 4 0, 4 4, 0 0))\n"
+    assert coface.Model([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]]).srid is None
+
+
+def test_closed_lines_are_rings_where_asked():
+    line = coface.Model.from_bytes(b"LINESTRING (0 0, 2 0, 2 2, 0 0)", "wkt")
+    assert coface.arrange(line).inside == [[]]
+    assert coface.boolean("union", line, close=True).measure == 2.0

@@ -372,7 +372,13 @@ fn ask(model: Model, question: &Question) {
                 // These hold triangles by their coordinates, segments, or no vertices without cells.
                 if !matches!(
                     format,
-                    Format::Stl | Format::Lines | Format::GeoJson | Format::Wkt | Format::Svg
+                    Format::Stl
+                        | Format::Lines
+                        | Format::GeoJson
+                        | Format::Wkt
+                        | Format::Wkb
+                        | Format::WkbHex
+                        | Format::Svg
                 ) {
                     assert_eq!(groups(model.clone()), expected, "{} keeps homology", format.title());
                 } else {

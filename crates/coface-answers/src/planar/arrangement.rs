@@ -60,7 +60,7 @@ pub struct ArrangementRequest {
 pub struct DrawingArrangement {
     pub(super) drawing: PlanarDrawing,
     pub(super) arrangement: PlanarArrangement,
-    sources: Vec<VertexSource>,
+    pub(super) sources: Vec<VertexSource>,
     pub(super) segments_of_edge: RaggedArray,
     /// How often coordinates were rounded, if that was asked for.
     pub(super) snap_rounds: Option<usize>,
@@ -71,6 +71,7 @@ pub struct DrawingArrangement {
     pub(super) containment: Containment,
     crossings: Option<Remark>,
     vanished: Option<Remark>,
+    rule: Option<InsideRule>,
 }
 
 impl DrawingArrangement {
@@ -151,6 +152,7 @@ impl DrawingArrangement {
             containment,
             crossings,
             vanished,
+            rule: request.rule,
         })
     }
 
@@ -354,6 +356,7 @@ impl DrawingArrangement {
         let is_exact = self.movement.is_none() && arrangement.is_exactly_rounded();
         let rounding = rounding_answer(&certificate, is_exact, &self.movement.unwrap_or_default());
         let mut remarks = self.drawing.remarks.clone();
+        remarks.extend(self.drawing.remarks_of_lines(self.rule, false));
         remarks.extend(self.crossings.iter().chain(&self.vanished).cloned());
         remarks.extend(self.containment.remarks(&self.drawing));
         if !rounding.valid {

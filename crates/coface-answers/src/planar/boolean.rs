@@ -70,6 +70,7 @@ pub struct RegionBoolean {
     /// The vertices, edges and faces that the rings cut the plane into.
     cell_counts: [usize; 3],
     snap_rounds: Option<usize>,
+    rule: Option<InsideRule>,
     warnings: Vec<String>,
     remarks: Vec<Remark>,
 }
@@ -162,7 +163,25 @@ impl RegionBoolean {
             let (valid, settled) = found.settled()?;
             (found, movement) = (valid, Some(settled.movement));
         }
-        Ok(Self { drawing, found, movement, cell_counts, snap_rounds, warnings, remarks })
+        let rule = request.rule;
+        Ok(Self { drawing, found, movement, cell_counts, snap_rounds, rule, warnings, remarks })
+    }
+
+    /// The drawing that was combined.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let wide = coface_io::read(&b"POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("wide", &wide)], RegionSource::Models)?;
+    /// let same = RegionBoolean::new(drawing, &BooleanFormula::union(1), &BooleanRequest::default())?;
+    /// assert_eq!(same.drawing().names(), ["wide"]);
+    /// # Ok(()) }
+    /// ```
+    pub fn drawing(&self) -> &PlanarDrawing {
+        &self.drawing
     }
 
     /// The numbers of vertices, edges and polygons of the result.
@@ -442,19 +461,7 @@ impl RegionBoolean {
             }
         });
         let mut remarks = self.drawing.remarks.clone();
-        match self.drawing.unbounded_segment_count() {
-            0 => {}
-            count => remarks.push(
-                Remark::new(
-                    RemarkCode::UnboundedSegments,
-                    format!(
-                        "{} beside polygons bound nothing and are passed over",
-                        text::count(count, "segment")
-                    ),
-                )
-                .at(count, []),
-            ),
-        }
+        remarks.extend(self.drawing.remarks_of_lines(self.rule, true));
         if self.drawing.point_count > 0 {
             let count = self.drawing.point_count;
             let message = format!("{} left out: a point bounds nothing", text::count(count, "point"));

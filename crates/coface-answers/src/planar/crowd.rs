@@ -285,6 +285,8 @@ mod tests {
     fn drawing(texts: &[String]) -> PlanarDrawing {
         let models: Vec<Model> =
             texts.iter().map(|text| coface_io::read(text.as_bytes(), Format::Wkt).unwrap()).collect();
+        // Closed lines of a file of segments are a region.
+        let models: Vec<Model> = models.into_iter().map(|model| model.with_format(Format::Lines)).collect();
         PlanarDrawing::new(models.iter().map(|model| ("drawn", model)), RegionSource::Models).unwrap()
     }
 

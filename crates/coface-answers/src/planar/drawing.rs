@@ -1,13 +1,18 @@
 //! What models draw in the plane: segments, rings, polygons and regions.
 
+use super::drawing_options::DrawingOptions;
+use super::heights::is_map_with_heights;
 use super::properties::DrawnFeatures;
 use crate::RegionSource;
-use crate::answer::{DrawingInput, Remark, VertexOrigin, remarks_of_file};
+use crate::answer::{DrawingInput, Remark, RemarkCode, VertexOrigin, remarks_of_file};
+use crate::text;
 use coface_algebra::{Error, ErrorKind, UnionFind, VertexId};
 use coface_arrange::boolean::InsideRule;
 use coface_arrange::planar::VertexSource;
 use coface_geometry::Positions;
-use coface_io::{Features, GroupKind, Model, Shape, Structure, features_of_shapes, shapes};
+use coface_io::{
+    Features, Format, GroupKind, Model, ReferenceSystem, Shape, Structure, features_of_shapes, shapes,
+};
 use std::collections::BTreeMap;
 
 /// A segment that is in no ring.
@@ -34,6 +39,10 @@ pub(super) const NO_FEATURE: u32 = u32::MAX;
 pub struct PlanarDrawing {
     pub(super) names: Vec<String>,
     pub(super) positions: Positions,
+    /// The heights of the vertices, NaN for those of models without; empty if no model has some.
+    pub(super) heights: Vec<f64>,
+    /// The reference system of the models that name one.
+    pub(super) reference: Option<ReferenceSystem>,
     /// The first vertex of each model, and of none behind the last.
     pub(super) vertex_starts: Vec<u32>,
     pub(super) segments: Vec<[u32; 2]>,
@@ -43,6 +52,8 @@ pub struct PlanarDrawing {
     pub(super) polygons: Vec<Polygon>,
     pub(super) regions: Vec<Region>,
     pub(super) features: DrawnFeatures,
+    /// The lines that end where they begin and bound nothing.
+    pub(super) closed_line_count: usize,
     /// The number of points of their own.
     pub(super) point_count: usize,
     /// Those of the models.
@@ -88,7 +99,8 @@ pub(super) struct Region {
     pub(super) is_empty: bool,
 }
 
-/// Whether a model lies in the plane: its points have two coordinates, or a third that is zero, and it has no 3-cells.
+/// Whether a model lies in the plane: its points have two coordinates, or a third that is zero, and it has no 3-cells; or it is a
+/// map of lines and polygons with holes, such as WKT and GeoJSON have, whose heights are carried along.
 ///
 /// # Examples
 /// ```
@@ -105,6 +117,7 @@ pub fn is_planar(model: &Model) -> bool {
     model.cells().is_empty()
         && match positions.dimension() {
             2 => true,
+            3 if is_map_with_heights(model) => true,
             3 => positions.as_flat().iter().skip(2).step_by(3).all(|&height| height == 0.0),
             dimension => dimension == 0 && model.vertex_count() == 0 && model.structure().is_none(),
         }
@@ -138,25 +151,96 @@ impl PlanarDrawing {
         models: impl IntoIterator<Item = (&'a str, &'a Model)>,
         source: RegionSource,
     ) -> Result<Self, Error> {
+        Self::with_options(models, &DrawingOptions::new().source(source))
+    }
+
+    /// The same with options.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`].
+    ///
+    /// # Examples
+    /// A closed line of a map is a line, or else a ring.
+    /// ```
+    /// use coface_answers::{DrawingOptions, PlanarDrawing};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let ring = coface_io::read(&b"LINESTRING (0 0, 2 0, 2 2, 0 0)"[..], coface_io::Format::Wkt)?;
+    /// let unbounded = |close_lines: bool| {
+    ///     let options = DrawingOptions::new().close_lines(close_lines);
+    ///     PlanarDrawing::with_options([("ring", &ring)], &options).map(|drawing| drawing.unbounded_segment_count())
+    /// };
+    /// assert_eq!((unbounded(false)?, unbounded(true)?), (3, 0));
+    /// # Ok(()) }
+    /// ```
+    pub fn with_options<'a>(
+        models: impl IntoIterator<Item = (&'a str, &'a Model)>,
+        options: &DrawingOptions,
+    ) -> Result<Self, Error> {
         let mut drawing = Self { vertex_starts: vec![0], segment_starts: vec![0], ..Self::default() };
         let mut flat = Vec::new();
-        for (name, model) in models {
-            drawing.add(name, model, source, &mut flat).map_err(|error| error.in_file(name))?;
+        let models: Vec<(&str, &Model)> = models.into_iter().collect();
+        for &(name, model) in &models {
+            drawing.add(name, model, options, &mut flat).map_err(|error| error.in_file(name))?;
+        }
+        if drawing.heights.iter().all(|height| height.is_nan()) {
+            drawing.heights.clear();
+        }
+        let systems = models.iter().map(|&(name, model)| (name, model.reference_system()));
+        if let Some((system, without)) = ReferenceSystem::common(systems)? {
+            drawing.reference = Some(system.clone());
+            if let Some(first) = without.first() {
+                let others = match without.len() {
+                    1 => String::new(),
+                    count => format!(" (and {} more)", text::count(count - 1, "input")),
+                };
+                let message = format!(
+                    "{first}{others} names no reference system, and is taken to be in {system} as the others are"
+                );
+                drawing
+                    .remarks
+                    .push(Remark::new(RemarkCode::ReferenceAssumed, message).at(without.len(), []));
+            }
         }
         drawing.positions = Positions::from_flat(2, flat)?;
         Ok(drawing)
+    }
+
+    /// The same without heights, and a remark if there were some.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{BooleanRequest, PlanarDrawing, RegionBoolean, RegionSource};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let roof = coface_io::read(&b"POLYGON Z ((0 0 5, 2 0 5, 2 2 7, 0 0 5))"[..], coface_io::Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("roof", &roof)], RegionSource::Models)?.without_heights();
+    /// let result = RegionBoolean::new(drawing, &BooleanFormula::union(1), &BooleanRequest::default())?;
+    /// let mut text = Vec::new();
+    /// result.write(&mut text, coface_io::Format::Wkt)?;
+    /// assert_eq!(text, b"POLYGON ((0 0, 2 0, 2 2, 0 0))\n");
+    /// # Ok(()) }
+    /// ```
+    pub fn without_heights(mut self) -> Self {
+        let count = self.heights.iter().filter(|height| !height.is_nan() && **height != 0.0).count();
+        if count > 0 {
+            let message = format!("the heights of {} are left out", text::count(count, "vertex"));
+            self.remarks.push(Remark::new(RemarkCode::HeightsLeftOut, message).at(count, []));
+        }
+        self.heights.clear();
+        self
     }
 
     fn add(
         &mut self,
         name: &str,
         model: &Model,
-        source: RegionSource,
+        options: &DrawingOptions,
         flat: &mut Vec<f64>,
     ) -> Result<(), Error> {
         if let Some(coarse) = model.coarse()? {
-            return self.add(name, &coarse, source, flat);
+            return self.add(name, &coarse, options, flat);
         }
+        let source = options.source;
         check_plane(model)?;
         let first = self.vertex_starts.last().copied().unwrap_or(0);
         let number = self.names.len() as u32;
@@ -170,6 +254,9 @@ impl PlanarDrawing {
         for point in model.positions().as_flat().chunks_exact(model.positions().dimension().max(1)) {
             flat.extend_from_slice(&point[..2]);
         }
+        let has_heights = is_map_with_heights(model);
+        let heights = model.positions().as_flat().chunks_exact(model.positions().dimension().max(1));
+        self.heights.extend(heights.map(|point| if has_heights { point[2] } else { f64::NAN }));
         let mut regions =
             Regions { source, number, name, of_group: BTreeMap::new(), last_feature: None, feature_count: 0 };
         let features = Features::new(model);
@@ -183,6 +270,17 @@ impl PlanarDrawing {
         let shapes = shapes(model);
         for (feature, (shape, group)) in features_of_shapes(model, &shapes).into_iter().zip(shapes) {
             let described = self.features.described(first_feature, feature);
+            // The corners of a line that has fewer have no inside.
+            let is_closed = |line: &[u32]| line.len() > 3 && line.first() == line.last();
+            let shape = match shape {
+                Shape::Line(line) if options.close_lines && is_closed(model.lines().list(line)) => {
+                    Shape::Rings(line..line + 1)
+                }
+                shape => shape,
+            };
+            if let Shape::Line(line) = shape {
+                self.closed_line_count += usize::from(is_closed(model.lines().list(line)));
+            }
             let filling = match &shape {
                 Shape::Rings(lines) => match fill_rules.and_then(|rules| rules.integer_row(lines.start)) {
                     Some(rule) if rule[0] == 0 => Filling::Stated(InsideRule::Nonzero),
@@ -240,7 +338,8 @@ impl PlanarDrawing {
         self.features.extend_to(self.segments.len(), NO_FEATURE);
         let start = self.segment_starts.last().copied().unwrap_or(0);
         self.segment_starts.push(self.segments.len() as u32);
-        if polygon_number == 0 && self.segments.len() > start as usize {
+        let is_map = model.format().is_some_and(Format::keeps_heights);
+        if polygon_number == 0 && !is_map && self.segments.len() > start as usize {
             self.region_of_lines(model, start, first, &mut regions);
         }
         Ok(())
@@ -451,6 +550,31 @@ impl PlanarDrawing {
         self.ring_of_segment.iter().filter(|&&ring| ring == NO_RING).count()
     }
 
+    /// What is said where parts of a drawing bound nothing, and where a rule does not apply.
+    pub(super) fn remarks_of_lines(&self, rule: Option<InsideRule>, is_region: bool) -> Vec<Remark> {
+        let mut remarks = Vec::new();
+        let (count, closed) = (self.unbounded_segment_count(), self.closed_line_count);
+        if count > 0 && is_region {
+            let cure = match closed {
+                0 => String::new(),
+                1 => "; 1 line is closed: --close takes closed lines as rings".to_owned(),
+                _ => format!("; {closed} lines are closed: --close takes closed lines as rings"),
+            };
+            let segments = text::count(count, "segment");
+            let message = format!("{segments} of lines bound nothing and are passed over{cure}");
+            remarks.push(Remark::new(RemarkCode::UnboundedSegments, message).at(count, []));
+        }
+        let by_parity = self.polygons.iter().filter(|polygon| polygon.filling == Filling::Lines).count();
+        if by_parity > 0 && rule.is_some_and(|rule| rule != InsideRule::Odd) {
+            let message = format!(
+                "what lines without polygons enclose an odd number of times is inside: the rule does not apply to {}",
+                text::count(by_parity, "input")
+            );
+            remarks.push(Remark::new(RemarkCode::DrawingAssumption, message).at(by_parity, []));
+        }
+        remarks
+    }
+
     /// The models with how much they draw.
     pub(super) fn input_answers(&self) -> Vec<DrawingInput> {
         let mut polygon_counts = vec![0; self.names.len()];
@@ -479,6 +603,14 @@ impl PlanarDrawing {
 
     /// `NotACycle` naming a region of open lines, or `InvalidInput` naming one of nothing that has an inside.
     pub(super) fn check_regions(&self) -> Result<(), Error> {
+        let is_empty = self.regions.iter().all(|region| region.is_empty && region.open_at.is_none());
+        if is_empty && !self.segments.is_empty() {
+            let fault = Error::invalid("the inputs have lines and no polygons, and lines bound nothing");
+            return Err(fault.with_cure(match self.closed_line_count {
+                0 => "give polygons, or lines that end where they begin",
+                _ => "take closed lines as rings with --close, or give polygons",
+            }));
+        }
         for region in &self.regions {
             let file = |error: Error| error.in_file(self.names[region.model as usize].clone());
             if let Some(vertex) = region.open_at {
@@ -688,6 +820,7 @@ fn check_plane(model: &Model) -> Result<(), Error> {
     let positions = model.positions();
     match positions.dimension() {
         2 => Ok(()),
+        3 if is_map_with_heights(model) => Ok(()),
         0 if model.vertex_count() == 0 => Ok(()),
         0 => {
             Err(Error::invalid("the vertices have no positions").with_cure("give a drawing with coordinates"))

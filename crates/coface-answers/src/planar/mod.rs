@@ -10,8 +10,9 @@
 //! a combination those of all features that contain some of it:
 //! [`MergedProperties`](coface_io::geojson::MergedProperties) says what becomes of different values.
 //!
-//! A model without polygons whose lines end nowhere (an even number of them at every point) is a region as well: what its lines
-//! enclose an odd number of times.
+//! Lines of maps (WKT, WKB, GeoJSON) bound nothing, closed or not, unless closed ones are to be rings
+//! ([`DrawingOptions::close_lines`]). Another model without polygons, such as a file of segments, whose lines end nowhere (an even number of them at every
+//! point) is a region: what its lines enclose an odd number of times, whatever the rule is.
 
 mod arrangement;
 mod boolean;
@@ -20,6 +21,8 @@ mod containment;
 mod crossings;
 mod crowd;
 mod drawing;
+mod drawing_options;
+mod heights;
 mod outcome;
 mod outline;
 mod properties;
@@ -31,3 +34,5 @@ mod writing;
 pub use arrangement::{ArrangementRequest, DrawingArrangement};
 pub use boolean::{BooleanRequest, RegionBoolean};
 pub use drawing::{PlanarDrawing, is_planar};
+pub use drawing_options::DrawingOptions;
+pub use writing::reference_loss;

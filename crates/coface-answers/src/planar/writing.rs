@@ -2,15 +2,19 @@
 
 use super::arrangement::DrawingArrangement;
 use super::boolean::RegionBoolean;
+use super::drawing::PlanarDrawing;
+use super::heights::Heights;
 use super::outline::Outline;
 use super::properties::with_own;
+use crate::answer::{Remark, RemarkCode};
+use crate::text;
 use coface_algebra::RaggedArray;
 use coface_algebra::{EdgeId, Error, FaceId, VertexId};
 use coface_geometry::Positions;
 use coface_geometry::predicates::orientation;
 use coface_geometry::triangulation::triangulate;
 use coface_io as io;
-use coface_io::{CellData, Format, GroupKind, Model, geojson};
+use coface_io::{CellData, Format, GroupKind, Model, ReferenceSystem, geojson};
 use serde::Serialize;
 use std::io::Write;
 
@@ -20,7 +24,7 @@ impl DrawingArrangement {
     /// * JSON: the chain complex with the positions of the vertices; faces with holes are cut into triangles and what is apart in a face
     ///   is joined by bridges, with what each cell is a piece of.
     /// * Segments as text: all edges.
-    /// * GeoJSON, WKT, SVG: each face as a polygon with holes, then edges that are in no face's rim, and vertices on their own. A polygon of
+    /// * GeoJSON, WKT, WKB, SVG: each face as a polygon with holes, then edges that are in no face's rim, and vertices on their own. A polygon of
     ///   GeoJSON has the properties `face`, `area` and `inside` (the names of the regions around it), and those of
     ///   all features that contain it, but for these three; an edge those of the features along it or around it, a
     ///   vertex those of the features that it is a point of or lies in. A key with equal values keeps its value, one
@@ -46,6 +50,7 @@ impl DrawingArrangement {
     pub fn write(&self, out: &mut dyn Write, format: Format) -> Result<(), Error> {
         let arrangement = &self.arrangement;
         let positions = arrangement.positions().clone();
+        let system = self.drawing.reference.clone();
         match format {
             Format::Json => {
                 let (complex, refinement) = arrangement.ball_complex()?;
@@ -85,7 +90,15 @@ impl DrawingArrangement {
                     None => self.properties_of_lone(lone[place - bridges.len()], &of_points),
                 },
             };
-            return write_drawing(&outline, positions, &loose, false, out, format, properties);
+            let positions = match Heights::new(&self.drawing).filter(|_| format.keeps_heights()) {
+                Some(heights) => {
+                    let edges = (0..arrangement.edge_count()).map(|edge| self.ends(EdgeId::new(edge)));
+                    heights.lift(&positions, &self.sources, edges, &self.segments_of_edge)?
+                }
+                None => positions,
+            };
+            let model = drawing_model(&outline, positions, &loose, false)?.with_reference_system(system);
+            return write_drawing(model, out, format, properties);
         }
         let model = mesh(&outline, &positions, &loose)?;
         io::write(&model, out, format)
@@ -133,7 +146,7 @@ impl DrawingArrangement {
 impl RegionBoolean {
     /// Writes the result in a format.
     ///
-    /// * WKT: one `POLYGON` or `MULTIPOLYGON`; each polygon by itself where edges between selected faces are kept.
+    /// * WKT, WKB: one `POLYGON` or `MULTIPOLYGON`; each polygon by itself where edges between selected faces are kept.
     /// * GeoJSON, SVG: polygons with holes. A polygon of GeoJSON has the properties `polygon`, `area` and `regions` (the names of
     ///   those that contain some of it), and those of all features that contain some of it, but for these three. A
     ///   key with equal values keeps its value, one with different values has the list of them
@@ -164,9 +177,9 @@ impl RegionBoolean {
             let lines = RaggedArray::from_lists(&self.found.edges);
             return io::write(&Model::from_lines(positions, lines)?, out, format);
         }
-        if format == Format::Wkt && self.found.outline.polygon_count() == 0 {
-            out.write_all(b"POLYGON EMPTY\n")?;
-            return Ok(());
+        let is_well_known = matches!(format, Format::Wkt | Format::Wkb | Format::WkbHex);
+        if is_well_known && self.found.outline.polygon_count() == 0 {
+            return io::write_empty_polygon(self.drawing.reference.as_ref(), out, format);
         }
         if is_drawing(format) {
             let names = self.drawing.region_names();
@@ -176,8 +189,20 @@ impl RegionBoolean {
                 let own = PolygonProperties { polygon, area: self.polygon_areas()[polygon], regions };
                 with_own(&own, self.merged_of_polygon(FaceId::new(polygon))?)
             };
-            let is_one = format == Format::Wkt && !self.found.has_walls;
-            return write_drawing(&self.found.outline, positions, &[], is_one, out, format, properties);
+            let is_one = is_well_known && !self.found.has_walls;
+            let found = &self.found;
+            let positions = match Heights::new(&self.drawing).filter(|_| format.keeps_heights()) {
+                Some(heights) => heights.lift(
+                    &positions,
+                    &found.sources,
+                    found.edges.iter().copied(),
+                    &found.segments_of_edge,
+                )?,
+                None => positions,
+            };
+            let model = drawing_model(&found.outline, positions, &[], is_one)?
+                .with_reference_system(self.drawing.reference.clone());
+            return write_drawing(model, out, format, properties);
         }
         io::write(&mesh(&self.found.outline, &positions, &[])?, out, format)
     }
@@ -205,9 +230,49 @@ impl RegionBoolean {
     }
 }
 
+impl PlanarDrawing {
+    /// What a result in this format does not keep of the drawing: heights, the reference system.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarDrawing, RegionSource};
+    /// use coface_io::Format;
+    /// let roof = coface_io::read(&b"SRID=25832;POLYGON Z ((0 0 5, 2 0 5, 2 2 7, 0 0 5))"[..], Format::Wkt)?;
+    /// let drawing = PlanarDrawing::new([("roof", &roof)], RegionSource::Models)?;
+    /// assert_eq!([Format::Wkb, Format::Svg].map(|format| drawing.losses(format).len()), [0, 2]);
+    /// # Ok(()) }
+    /// ```
+    pub fn losses(&self, format: Format) -> Vec<Remark> {
+        let mut losses = Vec::new();
+        let count = self.heights.iter().filter(|height| !height.is_nan()).count();
+        if count > 0 && !format.keeps_heights() {
+            let message = format!(
+                "a file of {} does not keep heights of a map: those of {} are left out",
+                format.title(),
+                text::count(count, "vertex")
+            );
+            losses.push(Remark::new(RemarkCode::FormatKeepsLess, message).at(count, []));
+        }
+        losses.extend(self.reference.as_ref().and_then(|system| reference_loss(system, format)));
+        losses
+    }
+}
+
+/// That a format does not keep a reference system, where that is so.
+#[doc(hidden)]
+pub fn reference_loss(system: &ReferenceSystem, format: Format) -> Option<Remark> {
+    if format.keeps_reference(system) {
+        return None;
+    }
+    let message =
+        format!("a file of {} does not keep the reference system: {system} is left out", format.title());
+    Some(Remark::new(RemarkCode::FormatKeepsLess, message))
+}
+
 /// Whether a format holds polygons with holes.
 fn is_drawing(format: Format) -> bool {
-    matches!(format, Format::GeoJson | Format::Wkt | Format::Svg)
+    format.keeps_heights() || format == Format::Svg
 }
 
 /// What GeoJSON says of a face of an arrangement.
@@ -228,17 +293,28 @@ struct PolygonProperties<'a> {
     regions: Vec<&'a str>,
 }
 
-/// Polygons with holes, then loose edges, then vertices that nothing uses; with properties by their places. All may be one
-/// geometry.
+/// A drawing with properties by the places of what is drawn.
 fn write_drawing(
-    outline: &Outline,
-    positions: Positions,
-    loose: &[[u32; 2]],
-    is_one: bool,
+    model: Model,
     out: &mut dyn Write,
     format: Format,
     properties: impl Fn(usize) -> Result<String, Error>,
 ) -> Result<(), Error> {
+    // Heights that are all zero are heights of a map.
+    let model = if format.keeps_heights() { model.with_format(format) } else { model };
+    if format == Format::GeoJson {
+        return geojson::write_with_texts(&model, out, properties);
+    }
+    io::write(&model, out, format)
+}
+
+/// Polygons with holes, then loose edges, then vertices that nothing uses. All may be one geometry.
+fn drawing_model(
+    outline: &Outline,
+    positions: Positions,
+    loose: &[[u32; 2]],
+    is_one: bool,
+) -> Result<Model, Error> {
     let (mut lines, mut polygons, mut rings) = (RaggedArray::new(), Vec::new(), Vec::new());
     let mut closed = Vec::new();
     for polygon in 0..outline.polygon_count() {
@@ -262,10 +338,7 @@ fn write_drawing(
     if is_one {
         model = model.with_data(CellData::integers("feature", GroupKind::Lines, 1, vec![0; line_count])?)?;
     }
-    if format == Format::GeoJson {
-        return geojson::write_with_texts(&model, out, properties);
-    }
-    io::write(&model, out, format)
+    Ok(model)
 }
 
 /// Polygons of a mesh, and loose edges. Polygons with holes are cut into triangles.

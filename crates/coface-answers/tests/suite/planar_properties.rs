@@ -4,7 +4,8 @@
 
 use coface_algebra::FaceId;
 use coface_answers::{
-    ArrangementRequest, BooleanRequest, DrawingArrangement, PlanarDrawing, RegionBoolean, RegionSource,
+    ArrangementRequest, BooleanRequest, DrawingArrangement, DrawingOptions, PlanarDrawing, RegionBoolean,
+    RegionSource,
 };
 use coface_arrange::boolean::BooleanFormula;
 use coface_io as io;
@@ -234,14 +235,19 @@ fn loose_edges_and_points_have_the_properties_of_what_they_lie_in() {
         json!({"tree": "far"}),
     ];
     assert_eq!(rest, expected.iter().collect::<Vec<_>>());
-    // Closed lines of one feature are a region; of several, which of them bounds it is not known.
+    // A closed line is a line, unless it is to be a ring.
     let ring = json!([[0, 0], [2, 0], [2, 2], [0, 0]]);
-    let (one, _) = of_arrangement(&arranged(&[map(&[line(json!({"r": 1}), ring)])]));
-    assert_eq!(others(&one[0], &OF_FACES), json!({"r": 1}));
-    let halves = [json!([[0, 0], [2, 0], [2, 2]]), json!([[2, 2], [0, 0]])];
-    let halves = halves.map(|half| line(json!({"h": 1}), half));
-    let (two, _) = of_arrangement(&arranged(&[map(&halves)]));
-    assert_eq!((others(&two[0], &OF_FACES), &two[0]["properties"]["inside"]), (json!({}), &json!(["a"])));
+    let model = map(&[line(json!({"r": 1}), ring)]);
+    let (open, _) = of_arrangement(&arranged(std::slice::from_ref(&model)));
+    assert_eq!((others(&open[0], &OF_FACES), &open[0]["properties"]["inside"]), (json!({}), &json!([])));
+    let options = DrawingOptions::new().close_lines(true);
+    let drawing = PlanarDrawing::with_options([("a", &model)], &options).unwrap();
+    let closed = DrawingArrangement::new(drawing, &ArrangementRequest::default()).unwrap();
+    let (one, _) = of_arrangement(&closed);
+    assert_eq!(
+        (others(&one[0], &OF_FACES), &one[0]["properties"]["inside"]),
+        (json!({"r": 1}), &json!(["a"]))
+    );
 }
 
 #[test]

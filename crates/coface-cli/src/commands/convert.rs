@@ -13,7 +13,7 @@ use clap::{Args, ValueEnum};
 use coface::answers::answer::{CarriersAnswer, ConvertAnswer, MeshRepairAnswer, Remark, RemarkCode};
 use coface::answers::{
     PlanarSet, RepairRequest, SetRequest, SurfaceRepairRequest, dual_graph_model, dual_model, halfedge_model,
-    polygon_model, repaired, repaired_surface, triangulated,
+    polygon_model, reference_loss, repaired, repaired_surface, triangulated,
 };
 use coface::complexes::surface::FacesAtEdge;
 use coface::io;
@@ -28,13 +28,14 @@ use std::path::{Path, PathBuf};
 /// The file named by -o is written in the format of its extension, unless --to says another; without -o the model goes to
 /// standard output in the format of --to. What the new format cannot hold is an error, never dropped in silence. Of a volume of voxels,
 /// meshes and pictures get the squares between voxels that are set and the others, JSON and .cfc the chain complex, .npy the voxels.
-/// GeoJSON written from GeoJSON or TopoJSON has the properties and the ids of all features as they stand.
+/// GeoJSON written from GeoJSON or TopoJSON has the properties and the ids of all features as they stand. GeoJSON, WKT and WKB keep the
+/// reference system (crs, SRID) and heights; .hex is WKB as hexadecimal digits.
 #[derive(Args)]
 pub(crate) struct Convert {
     /// The model; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
-    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, vtu, vtp, json, isosig, lines, geojson, wkt, svg, dat, npy, cfc, glb, gltf
+    /// The format to write: off, obj, ply, stl, mesh, msh, vtk, vtu, vtp, json, isosig, lines, geojson, wkt, wkb, hex, svg, dat, npy, cfc, glb, gltf
     #[arg(long, value_name = "FORMAT", value_parser = target_of_name)]
     to: Option<Target>,
     /// Color vertices by component, by boundary, or by the JSON of another verb such as homology --generators; for obj, ply, vtk, vtu, vtp,
@@ -426,7 +427,7 @@ pub(crate) fn losses_of(model: &Model, format: Format) -> Vec<Remark> {
     let colors = model.vertex_colors();
     // Rings are written as rings of polygons, and polygons of one feature together, which tells these.
     let is_told = |data: &CellData| match format {
-        Format::GeoJson | Format::Wkt | Format::Svg => {
+        Format::GeoJson | Format::Wkt | Format::Wkb | Format::WkbHex | Format::Svg => {
             data.kind() == GroupKind::Lines
                 && (matches!(data.name(), "polygon" | "ring")
                     || data.name() == "feature" && format != Format::Svg)
@@ -445,5 +446,6 @@ pub(crate) fn losses_of(model: &Model, format: Format) -> Vec<Remark> {
         let message = format!("a file of {} does not keep {what}: {count} left out", format.title());
         Remark::new(RemarkCode::FormatKeepsLess, message).at(count, [])
     };
-    losses.into_iter().filter(is_lost).map(remark).collect()
+    let system = model.reference_system().and_then(|system| reference_loss(system, format));
+    losses.into_iter().filter(is_lost).map(remark).chain(system).collect()
 }

@@ -15,6 +15,7 @@ mod info;
 mod limits;
 mod manifest;
 mod manners;
+mod maps;
 mod mass;
 mod nonfinite;
 mod outputs;

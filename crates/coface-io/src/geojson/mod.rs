@@ -15,7 +15,7 @@
 //!
 //! The property `name` of a feature, in any case, or else its `id`, names a group of its lines or points. All
 //! properties of each feature, and its id, are kept as they stand in a [`FeatureTable`](crate::FeatureTable); a file
-//! that is written has them again. Reference systems are passed over; coordinates are taken as they stand.
+//! that is written has them again, and so the reference system that `crs` names. Coordinates are taken as they stand.
 //! A file may hold several objects one after the other, such as a feature a line: they are one drawing.
 //!
 //! What lies in several features, a face of an arrangement for instance, has the properties of all of them: a key
@@ -31,7 +31,6 @@ mod topology;
 mod writing;
 
 pub use properties::MergedProperties;
-pub(super) use properties::compact;
 pub(super) use reading::is_geojson;
 pub use reading::read;
 pub use writing::write;

@@ -1,6 +1,7 @@
 //! Properties of features: the text of a JSON object.
 
 use crate::drawing::Drawing;
+use crate::json_text::compact;
 use coface_algebra::Error;
 use serde::de::{Deserialize, DeserializeSeed, Deserializer, IgnoredAny, MapAccess, Visitor};
 use serde_json::value::RawValue;
@@ -60,20 +61,6 @@ impl Description {
     pub(super) fn begin(&self, drawing: &mut Drawing) {
         drawing.begin_described(self.name(), &self.properties, &self.id);
     }
-}
-
-/// A text of JSON without the white space between its parts.
-pub(crate) fn compact(text: &str) -> String {
-    let (mut kept, mut is_in_text, mut is_escaped) = (String::with_capacity(text.len()), false, false);
-    kept.extend(text.chars().filter(|&c| {
-        let is_kept = is_in_text || !matches!(c, ' ' | '\t' | '\n' | '\r');
-        if c == '"' && !is_escaped {
-            is_in_text = !is_in_text;
-        }
-        is_escaped = is_in_text && c == '\\' && !is_escaped;
-        is_kept
-    }));
-    kept
 }
 
 /// The property `name`, in any case, of properties that may be null.
@@ -297,7 +284,7 @@ fn canonical(value: &str, depth: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde_json::{Value, json};
+    use serde_json::Value;
 
     fn merged(list: &[&str]) -> String {
         let mut merged = MergedProperties::default();
@@ -368,15 +355,5 @@ mod tests {
         merged.remove("z");
         merged.add(r#"{"c":4,"a":5}"#).unwrap();
         assert_eq!(merged.to_string(), r#"{"b":2,"c":[3,4],"a":5}"#);
-    }
-
-    #[test]
-    fn white_space_goes_and_texts_stay() {
-        let text = "{ \"a b\" : \"x \\\" y\\\\\" ,\n\t\"c\": [ 1.10 , -0.0 ],\r\n \"d\\\\\" : { } }";
-        assert_eq!(compact(text), r#"{"a b":"x \" y\\","c":[1.10,-0.0],"d\\":{}}"#);
-        let values =
-            [compact(text), text.to_owned()].map(|text| serde_json::from_str::<Value>(&text).unwrap());
-        assert_eq!(values[0], values[1]);
-        assert_eq!(values[0]["a b"], json!("x \" y\\"));
     }
 }

@@ -3,9 +3,9 @@
 use super::coordinates::{Coordinates, Nested};
 use super::properties::Description;
 use super::topology::Topology;
-use crate::Model;
 use crate::drawing::Drawing;
 use crate::json::Faults;
+use crate::{Model, ReferenceSystem};
 use coface_algebra::Error;
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde_json::error::Category;
@@ -339,6 +339,14 @@ impl<'de> Visitor<'de> for Parsed<'_, '_> {
                 "objects" => object.topology.objects = Some(map.next_value()?),
                 "arcs" => object.topology.arcs = Some(map.next_value()?),
                 "transform" => object.topology.transform = Some(map.next_value()?),
+                "crs" => {
+                    let system = map.next_value::<Box<RawValue>>()?;
+                    let system = ReferenceSystem::from_crs(system.get())
+                        .map_err(|fault| self.0.faults.raise(fault))?;
+                    if system.is_some() {
+                        self.0.drawing.set_reference(system).map_err(|fault| self.0.faults.raise(fault))?;
+                    }
+                }
                 "id" => object.description.set_id(&map.next_value::<Box<RawValue>>()?),
                 _ => {
                     map.next_value::<IgnoredAny>()?;

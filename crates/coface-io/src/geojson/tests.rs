@@ -330,3 +330,36 @@ proptest! {
         prop_assert_eq!(told(&from_wkt), told(&model));
     }
 }
+
+#[test]
+fn the_member_crs_is_kept() {
+    let member = r#"{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::25832"}}"#;
+    let point = r#"{"type":"Point","coordinates":[1,2]}"#;
+    let before = format!(
+        r#"{{"type":"FeatureCollection","crs":{member},"features":[{{"type":"Feature","properties":{{}},"geometry":{point}}}]}}"#
+    );
+    let behind = format!(r#"{{"type":"FeatureCollection","features":[{point}],"crs":{member}}}"#);
+    for text in [before, behind] {
+        let model = read(text.as_bytes()).unwrap();
+        assert_eq!(model.reference_system().unwrap().srid(), Some(25832));
+        let mut written = Vec::new();
+        write(&model, &mut written).unwrap();
+        assert!(String::from_utf8_lossy(&written).contains(member));
+        assert_eq!(read(&written[..]).unwrap(), model);
+    }
+    let null = r#"{"type":"Point","crs":null,"coordinates":[1,2]}"#;
+    assert!(read(null.as_bytes()).unwrap().reference_system().is_none());
+    for (crs, words) in [
+        ("[]", "neither an object nor null"),
+        (r#"{"type":"name","properties":{"name":"EPSG:4326"}}"#, "SRID 4326"),
+    ] {
+        let text = format!(
+            "{{\"type\":\"FeatureCollection\",\"crs\":{member},\"features\":[]}}\n{{\"type\":\"Point\",\"crs\":{crs},\"coordinates\":[1,2]}}"
+        );
+        let error = read(text.as_bytes()).unwrap_err();
+        assert!(
+            error.to_string().contains(words) && error.cure().is_some() && error.line() == Some(2),
+            "{error}"
+        );
+    }
+}

@@ -132,7 +132,13 @@ fn write_features<'p>(
     properties: impl Fn(&Drawn) -> Result<Cow<'p, str>, Error>,
 ) -> Result<(), Error> {
     let writer = Writer { model, dimension: written_dimension(model, "GeoJSON")? };
-    let mut text = b"{\"type\":\"FeatureCollection\",\"features\":[\n".to_vec();
+    let mut text = b"{\"type\":\"FeatureCollection\",".to_vec();
+    if let Some(system) = model.reference_system() {
+        text.extend_from_slice(b"\"crs\":");
+        text.extend_from_slice(system.crs().as_bytes());
+        text.push(b',');
+    }
+    text.extend_from_slice(b"\"features\":[\n");
     let mut is_first = true;
     let mut separate = |text: &mut Vec<u8>| {
         let between: &[u8] = if std::mem::take(&mut is_first) { b"" } else { b",\n" };

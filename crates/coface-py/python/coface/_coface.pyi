@@ -1633,6 +1633,10 @@ class Model:
         """What the file holds instead of vertices and cells: ``facets``, ``halfedges``, ``chains``, ``gluings``, ``volume`` or ``None``."""
         ...
     @property
+    def srid(self) -> int | None:
+        """The number of the reference system that a map names (``SRID`` of EWKT and EWKB, ``crs`` of GeoJSON), if it has one."""
+        ...
+    @property
     def facets(self) -> _Lists | None:
         """The facets of a model of facets: an array of shape (m, k) or ``(flat, offsets)``; ``None`` of other models."""
         ...
@@ -3413,7 +3417,7 @@ class _Memory:
     """Keeps memory of the library alive as long as an array looks at it."""
     ...
 
-def arrange(models: Any, *, dimension: int | None = None, rule: str | None = None, features: bool = False, inputs: str | None = None, prune: bool = False, snap: bool = False, exact: bool = False, grid: float | None = None, tolerance: float | None = None, max_cells: int | None = None, split: bool = True, merge_coplanar: bool = True, progress: _Progress = ...) -> PlanarArrangement | SpatialArrangement:
+def arrange(models: Any, *, dimension: int | None = None, rule: str | None = None, features: bool = False, inputs: str | None = None, prune: bool = False, snap: bool = False, exact: bool = False, grid: float | None = None, close: bool = False, tolerance: float | None = None, max_cells: int | None = None, split: bool = True, merge_coplanar: bool = True, progress: _Progress = ...) -> PlanarArrangement | SpatialArrangement:
     """What segments cut the plane into, or polygons space, exactly.
 
     Parameters
@@ -3421,7 +3425,7 @@ def arrange(models: Any, *, dimension: int | None = None, rule: str | None = Non
     models : Model, sequence of Model, or dict of str to Model
         The inputs.
     dimension : {2, 3}, optional
-        The plane or space; by the models if left out.
+        The plane or space; by the models if left out. 2 leaves out the heights of maps.
     rule : {"nonzero", "evenodd", "positive"}, optional
         What is inside an input.
     features : bool
@@ -3437,6 +3441,8 @@ def arrange(models: Any, *, dimension: int | None = None, rule: str | None = Non
         there by a few units of the last digit. In space its model keeps exact points, so that the next call takes it as it is.
     grid : float, optional
         In the plane, all coordinates are multiples of this length.
+    close : bool
+        In the plane, whether lines that end where they begin are rings of polygons.
     tolerance : float, optional
         In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
     max_cells : int, optional
@@ -3468,7 +3474,7 @@ def graphml(graph: str) -> str:
         The text of the file.
     """
     ...
-def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: str | None = None, features: bool = False, inputs: str | None = None, keep_walls: bool = False, snap: bool = False, exact: bool = False, grid: float | None = None, tolerance: float | None = None, max_cells: int | None = None, split: bool = True, merge_coplanar: bool = True, triangles: bool | None = None, open: str = "refuse", split_pinches: bool = False, progress: _Progress = ...) -> PlanarBoolean | SolidBoolean:
+def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: str | None = None, features: bool = False, inputs: str | None = None, keep_walls: bool = False, snap: bool = False, exact: bool = False, grid: float | None = None, close: bool = False, tolerance: float | None = None, max_cells: int | None = None, split: bool = True, merge_coplanar: bool = True, triangles: bool | None = None, open: str = "refuse", split_pinches: bool = False, progress: _Progress = ...) -> PlanarBoolean | SolidBoolean:
     """Combines regions of the plane, or solids, exactly.
 
     Parameters
@@ -3478,7 +3484,7 @@ def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: 
     models : sequence of Model, or dict of str to Model
         The inputs.
     dimension : {2, 3}, optional
-        The plane or space; by the models if left out.
+        The plane or space; by the models if left out. 2 leaves out the heights of maps.
     rule : {"nonzero", "evenodd", "positive"}, optional
         What is inside an input.
     features : bool
@@ -3494,6 +3500,8 @@ def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: 
         there by a few units of the last digit. In space its model keeps exact points, so that the next call takes it as it is.
     grid : float, optional
         In the plane, all coordinates are multiples of this length.
+    close : bool
+        In the plane, whether lines that end where they begin are rings of polygons.
     tolerance : float, optional
         In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
     max_cells : int, optional

@@ -85,7 +85,7 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
     if isinstance(x, dict):
         return Model.from_bytes(json.dumps(x, default=_plain).encode(), "json")
     if _is_features(x):
-        return Model.from_bytes(json.dumps(x.__geo_interface__, default=_plain).encode(), "geojson", progress=progress)
+        return Model.from_bytes(json.dumps(_features(x), default=_plain).encode(), "geojson", progress=progress)
     adapter = adapter_of(x)
     if adapter is not None:
         found: Model = adapter.to_model(x)
@@ -190,6 +190,15 @@ def _first_leaf(value: Any) -> Any:
     while isinstance(value, (list, tuple)) and len(value):
         value = value[0]
     return value
+
+
+def _features(x: Any) -> dict[str, Any]:
+    """The features of a table as GeoJSON, with the reference system that the table names."""
+    found = dict(x.__geo_interface__)
+    srid = x.crs.to_epsg() if getattr(x, "crs", None) is not None and hasattr(x.crs, "to_epsg") else None
+    if srid is not None and "crs" not in found:
+        found["crs"] = {"type": "name", "properties": {"name": f"urn:ogc:def:crs:EPSG::{srid}"}}
+    return found
 
 
 def _is_features(x: Any) -> bool:

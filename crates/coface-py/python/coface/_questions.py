@@ -571,6 +571,7 @@ def arrange(
     snap: bool = False,
     exact: bool = False,
     grid: float | None = None,
+    close: bool = False,
     tolerance: float | None = None,
     max_cells: int | None = None,
     split: bool = True,
@@ -584,7 +585,7 @@ def arrange(
     *models
         Anything that :func:`as_model` understands, or one list or dictionary of such.
     dimension
-        2 or 3; by the models if left out.
+        2 or 3; by the models if left out. 2 leaves out the heights of maps.
     rule
         What is inside an input: ``"nonzero"``, ``"evenodd"`` or ``"positive"``.
     features
@@ -603,6 +604,8 @@ def arrange(
         otherwise edges are cut and bent there by a few units of the last digit.
     grid
         In the plane, all coordinates are multiples of this length.
+    close
+        In the plane, whether lines that end where they begin are rings of polygons. Else lines of maps bound nothing.
     tolerance
         In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
     max_cells
@@ -639,6 +642,7 @@ def arrange(
         snap=snap,
         exact=exact,
         grid=grid,
+        close=close,
         tolerance=tolerance,
         max_cells=max_cells,
         split=split,
@@ -679,6 +683,7 @@ def boolean(
     snap: bool = False,
     exact: bool = False,
     grid: float | None = None,
+    close: bool = False,
     tolerance: float | None = None,
     max_cells: int | None = None,
     split: bool = True,
@@ -697,7 +702,7 @@ def boolean(
     *models
         Anything that :func:`as_model` understands, or one list or dictionary of such.
     dimension
-        2 or 3; by the models if left out.
+        2 or 3; by the models if left out. 2 leaves out the heights of maps.
     rule
         What is inside an input: ``"nonzero"``, ``"evenodd"`` or ``"positive"``.
     features
@@ -709,7 +714,7 @@ def boolean(
         are models.
     keep_walls
         Whether what lies inside the result is kept.
-    snap, exact, grid, tolerance, max_cells, split, merge_coplanar
+    snap, exact, grid, close, tolerance, max_cells, split, merge_coplanar
         As for :func:`arrange`.
     triangles
         In space, whether faces are cut into triangles; if all inputs are triangles, if left out.
@@ -746,6 +751,7 @@ def boolean(
         snap=snap,
         exact=exact,
         grid=grid,
+        close=close,
         tolerance=tolerance,
         max_cells=max_cells,
         split=split,

@@ -121,6 +121,17 @@ pub(super) fn kind_word(kind: GroupKind) -> &'static str {
     }
 }
 
+/// The word of what a model holds instead of vertices and cells.
+pub(super) fn structure_word(structure: &Structure) -> &'static str {
+    match structure {
+        Structure::Facets(_) => "facets",
+        Structure::Halfedges { .. } => "halfedges",
+        Structure::Chains(_) => "chains",
+        Structure::Gluings(_) => "gluings",
+        Structure::Volume(_) => "volume",
+    }
+}
+
 /// The name of a shape as meshio has it.
 pub(super) fn shape_word(shape: CellShape) -> &'static str {
     match shape {

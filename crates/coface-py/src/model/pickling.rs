@@ -84,6 +84,13 @@ pub(crate) fn _model(py: Python<'_>, parts: &Bound<'_, PyDict>) -> PyResult<Mode
     if let Some((shape, values)) = partial {
         model = model.with_coordinates(shape.last().copied().unwrap_or(0), values).or_raise(py)?;
     }
+    if let Some(crs) = parts.get_item("crs")? {
+        let system = io::ReferenceSystem::from_crs(&crs.extract::<String>()?).or_raise(py)?;
+        model = model.with_reference_system(system);
+    }
+    if let Some(format) = parts.get_item("format")? {
+        model = model.with_format(io::Format::from_name(&format.extract::<String>()?).or_raise(py)?);
+    }
     for group in field("groups")?.try_iter()? {
         let (name, kind, members): (String, String, Bound<'_, PyAny>) = group?.extract()?;
         let group = Group::new(name, kind_of(py, &kind)?, arrays::ids(&members, "members")?);
@@ -143,6 +150,12 @@ pub(super) fn parts<'py>(py: Python<'py>, model_of: &Model) -> PyResult<Bound<'p
     }
     let is_volume = matches!(model.structure(), Some(Structure::Volume(_)));
     parts.set_item("vertices", if is_volume { None } else { model_of.vertices(py)? })?;
+    if let Some(system) = model.reference_system() {
+        parts.set_item("crs", system.crs())?;
+    }
+    if let Some(format) = model.format() {
+        parts.set_item("format", format.name())?;
+    }
     parts.set_item("groups", model_of.groups(py))?;
     parts.set_item("data", model_of.data(py)?)?;
     Ok(parts)

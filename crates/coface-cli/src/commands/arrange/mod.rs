@@ -18,12 +18,14 @@ use std::path::{Path, PathBuf};
 
 /// Cut the plane or space into cells: the arrangement of segments, polylines and polygons.
 ///
-/// Inputs are any mix of drawings: segments (.lines), OBJ with lines or polygons, GeoJSON, WKT, SVG. They are planar when all points
-/// have two coordinates or lie at height 0; otherwise polygons cut space. Everything is exact: nothing is decided with a tolerance, but
+/// Inputs are any mix of drawings: segments (.lines), OBJ with lines or polygons, GeoJSON, WKT, WKB, SVG. All that name a reference
+/// system (SRID, crs) must name the same; it is written again. They are planar when all points
+/// have two coordinates or lie at height 0; otherwise polygons cut space. Maps (WKT, WKB, GeoJSON) with heights lie in the plane too: heights
+/// decide nothing and are written again; a crossing has the mean of the heights along its two sides. Everything is exact: nothing is decided with a tolerance, but
 /// for --tolerance. Where rounded coordinates would make faces in space cross, what is so near is put together, and a remark says so;
 /// --exact keeps them, and .json written with it loses nothing: arrange and boolean take its points as they are.
 ///
-/// With -o the complex is written: GeoJSON, WKT and SVG have faces as polygons with holes; OBJ, PLY and VTK as polygons of a mesh;
+/// With -o the complex is written: GeoJSON, WKT, WKB (.wkb, digits as .hex) and SVG have faces as polygons with holes; OBJ, PLY and VTK as polygons of a mesh;
 /// .lines has the edges; .json the chain complex with positions. .glb, .gltf and .png, in space .svg too, are to be looked at.
 ///
 /// A face in GeoJSON has the properties "face", "area" and "inside", and the properties of all features of GeoJSON or
@@ -50,7 +52,8 @@ use std::path::{Path, PathBuf};
 /// the exterior; "edges", pairs of cells with the area and number of the faces between them and the inputs that these
 /// are of; "inputs", the names.
 ///
-/// A file contains what its polygons contain. A file of lines alone contains what they enclose an odd number of times, if they are
+/// A file contains what its polygons contain. Lines of WKT, WKB and GeoJSON contain nothing, unless --close takes those that end where they
+/// begin as rings. Another file of lines alone (.lines, OBJ) contains what they enclose an odd number of times, whatever --rule says, if they are
 /// closed: if an even number of them ends at every point.
 #[derive(Args)]
 pub(crate) struct Arrange {
@@ -78,12 +81,15 @@ pub(crate) struct Arrange {
 /// Options of arrangements and of what stands on them.
 #[derive(Args)]
 pub(crate) struct CellOptions {
-    /// Whether inputs lie in the plane or in space [default: in the plane if all do]
+    /// Whether inputs lie in the plane or in space [default: in the plane if all do]; 2 leaves out the heights of maps
     #[arg(long, value_name = "D", value_parser = clap::value_parser!(u8).range(2..=3))]
     pub(crate) dimension: Option<u8>,
     /// Which winding numbers are inside [default: nonzero, but what an SVG says; holes count against outer rings]
     #[arg(long, value_name = "RULE")]
     pub(crate) rule: Option<Rule>,
+    /// In the plane, take lines that end where they begin as rings of polygons
+    #[arg(long)]
+    pub(crate) close: bool,
     /// Round coordinates and arrange again until all vertices are where their coordinates say
     #[arg(long)]
     pub(crate) snap: bool,
@@ -104,6 +110,11 @@ pub(crate) struct CellOptions {
 impl CellOptions {
     /// Refuses what is for drawings in the plane.
     pub(crate) fn refuse_planar(&self) -> Result<(), Failure> {
+        if self.close {
+            return Err(Failure::new(
+                "--close is for drawings in the plane, and the inputs lie in space: leave it out",
+            ));
+        }
         match self.grid {
             None => Ok(()),
             Some(_) => Err(Failure::new(

@@ -9,7 +9,7 @@ use crate::remarks::{accept, say_remarks};
 use crate::target::{Target, write_seen};
 use coface::answers::answer::PlanarArrangementAnswer;
 use coface::answers::text;
-use coface::answers::{ArrangementRequest, DrawingArrangement, PlanarDrawing};
+use coface::answers::{ArrangementRequest, DrawingArrangement, DrawingOptions, PlanarDrawing};
 use coface::io::{Model, replace_file};
 use std::path::Path;
 
@@ -27,8 +27,12 @@ pub(super) fn run(
     }
     progress.stage("arranging");
     let models = models.iter().map(|(name, model)| (name.as_str(), model));
-    let drawing =
-        PlanarDrawing::new(models, verb.source.map_or_else(Default::default, super::Inputs::source))?;
+    let source = verb.source.map_or_else(Default::default, super::Inputs::source);
+    let options = DrawingOptions::new().source(source).close_lines(verb.cells.close);
+    let mut drawing = PlanarDrawing::with_options(models, &options)?;
+    if verb.cells.dimension == Some(2) {
+        drawing = drawing.without_heights();
+    }
     let mut request = ArrangementRequest::default();
     request.strict = common.strict;
     request.rule = verb.cells.rule.map(super::Rule::inside);
@@ -40,11 +44,14 @@ pub(super) fn run(
     verb.cells.refuse_tolerance()?;
     let arranged = DrawingArrangement::new(drawing, &request)?;
     progress.stage("multiplying boundaries and checking coordinates");
-    let answer = arranged.answer()?;
+    let mut answer = arranged.answer()?;
     accept(&answer.remarks, common)?;
     progress.stage("writing");
     match output {
-        Some((path, Target::Model(format))) => replace_file(path, |out| arranged.write(out, format))?,
+        Some((path, Target::Model(format))) => {
+            answer.remarks.extend(arranged.drawing().losses(format));
+            replace_file(path, |out| arranged.write(out, format))?;
+        }
         Some((path, Target::Seen(seen))) => write_seen(path, &arranged.to_mesh()?, seen)?,
         None => {}
     }

@@ -19,7 +19,9 @@ use std::path::PathBuf;
 /// number. With --formula there is no operation: "(a | b) - c" names the inputs by letters, or by numbers from 0, and has
 /// ! for complement, & for intersection, - for difference, ^ for xor, | for union, from the tightest to the loosest.
 ///
-/// Inputs in the plane are polygons (GeoJSON, WKT, SVG, meshes), or closed lines. The result has polygons with holes: outer
+/// Inputs in the plane are polygons (GeoJSON, WKT, WKB, SVG, meshes), or files of closed lines (.lines, OBJ). Lines of WKT, WKB and GeoJSON
+/// bound nothing, unless --close takes those that end where they begin as rings. All that name a reference system (SRID, crs) must
+/// name the same; it is written again, and so are heights of maps, which decide nothing: a crossing has the mean of those along its sides. The result has polygons with holes: outer
 /// rings run counterclockwise, all rings are simple and touch in points only. What a ring winds around is inside of it, also where
 /// it crosses itself; holes are subtracted, and an SVG says its own rule. --rule says otherwise, and --strict refuses such rings.
 ///

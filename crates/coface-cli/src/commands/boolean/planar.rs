@@ -10,7 +10,7 @@ use crate::remarks::{accept, say_remarks};
 use crate::target::{Target, write_seen};
 use coface::answers::answer::PlanarBooleanAnswer;
 use coface::answers::text;
-use coface::answers::{BooleanRequest, PlanarDrawing, RegionBoolean};
+use coface::answers::{BooleanRequest, DrawingOptions, PlanarDrawing, RegionBoolean};
 use coface::io::{Model, replace_file};
 use std::path::Path;
 
@@ -23,8 +23,12 @@ pub(super) fn run(
     progress: Progress,
 ) -> Result<(), Failure> {
     progress.stage("arranging");
-    let drawing =
-        PlanarDrawing::new(models.iter().map(|(name, model)| (name.as_str(), model)), verb.region_source())?;
+    let models = models.iter().map(|(name, model)| (name.as_str(), model));
+    let options = DrawingOptions::new().source(verb.region_source()).close_lines(verb.cells.close);
+    let mut drawing = PlanarDrawing::with_options(models, &options)?;
+    if verb.cells.dimension == Some(2) {
+        drawing = drawing.without_heights();
+    }
     let region_count = drawing.region_names().len();
     if region_count == 0 {
         return Err(Failure::new("there is no region in the inputs: give polygons or closed lines"));
@@ -39,11 +43,14 @@ pub(super) fn run(
     request.max_cells = verb.cells.max_cells;
     verb.cells.refuse_tolerance()?;
     let result = RegionBoolean::new(drawing, &task.formula(region_count), &request)?;
-    let answer = result.answer();
+    let mut answer = result.answer();
     accept(&answer.remarks, common)?;
     progress.stage("writing");
     match output {
-        Some((path, Target::Model(format))) => replace_file(path, |out| result.write(out, format))?,
+        Some((path, Target::Model(format))) => {
+            answer.remarks.extend(result.drawing().losses(format));
+            replace_file(path, |out| result.write(out, format))?;
+        }
         Some((path, Target::Seen(seen))) => write_seen(path, &result.to_mesh()?, seen)?,
         None => {}
     }

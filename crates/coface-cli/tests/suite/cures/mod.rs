@@ -8,6 +8,7 @@
 
 mod drawings;
 mod formats;
+mod maps;
 mod pages;
 mod parts;
 mod sources;
@@ -197,8 +198,17 @@ fn spoken(piece: &str) -> Vec<String> {
     parts.map(flat).filter(|part| !part.is_empty()).collect()
 }
 
-fn tables() -> [&'static [Case]; 7] {
-    [drawings::CASES, formats::CASES, pages::CASES, parts::CASES, surfaces::CASES, verbs::CASES, yin::CASES]
+fn tables() -> [&'static [Case]; 8] {
+    [
+        drawings::CASES,
+        formats::CASES,
+        maps::CASES,
+        pages::CASES,
+        parts::CASES,
+        surfaces::CASES,
+        verbs::CASES,
+        yin::CASES,
+    ]
 }
 
 /// Messages that no command line of a test gets, or literals that are no messages, with the reason.
@@ -254,6 +264,11 @@ fn cures_about_drawings() {
 #[test]
 fn cures_about_formats() {
     check(formats::CASES);
+}
+
+#[test]
+fn cures_of_maps_do_what_they_say() {
+    check(maps::CASES);
 }
 
 /// What says that an option lists all is right: it lists what was left out.

@@ -1,0 +1,135 @@
+//! What maps expect: reference systems, heights and well-known binary are kept; lines are lines.
+
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+
+use crate::program::coface_in;
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+/// A file of this name with this text in a folder.
+fn file(folder: &Path, name: &str, text: &str) -> PathBuf {
+    let path = folder.join(name);
+    std::fs::write(&path, text).unwrap();
+    path
+}
+
+/// What the program answers in a folder, without what stands on standard error.
+fn answer(folder: &Path, line: &str) -> Value {
+    let words: Vec<&str> = line.split(' ').chain(["--json", "--quiet"]).collect();
+    coface_in(folder, &words).json()
+}
+
+fn codes(answer: &Value) -> Vec<&str> {
+    answer["remarks"].as_array().unwrap().iter().map(|remark| remark["code"].as_str().unwrap()).collect()
+}
+
+const LOW: &str = "SRID=25832;POLYGON Z ((0 0 1, 4 0 1, 4 4 3, 0 4 3, 0 0 1))\n";
+const HIGH: &str = "POLYGON Z ((2 2 10, 6 2 10, 6 6 10, 2 6 10, 2 2 10))\n";
+
+#[test]
+fn systems_and_heights_go_through_all_formats_of_maps() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    file(folder, "low.wkt", LOW);
+    file(folder, "high.wkt", HIGH);
+    let both = answer(folder, "boolean intersection low.wkt high.wkt -o both.wkt");
+    assert_eq!((codes(&both), both["measure"].as_f64()), (vec!["reference-assumed"], Some(4.0)));
+    let expected = "SRID=25832;POLYGON Z ((2 2 10, 4 2 6, 4 4 3, 2 4 6.5, 2 2 10))\n";
+    assert_eq!(std::fs::read_to_string(folder.join("both.wkt")).unwrap(), expected);
+    // Around: each format is input again and says the same.
+    let mut last = "both.wkt".to_owned();
+    for name in ["a.geojson", "b.wkb", "c.hex", "d.wkt", "e.geojson", "f.hex", "g.wkb"] {
+        for verb in ["convert", "boolean union", "arrange"] {
+            let value = answer(folder, &format!("{verb} {last} -o {name}"));
+            // A feature of GeoJSON that becomes a geometry loses its properties, and nothing else.
+            let lost = value["remarks"].as_array().unwrap();
+            let is_of_features = verb == "convert" && last.ends_with("geojson");
+            assert_eq!(lost.len(), usize::from(is_of_features), "{verb} {last} {name}: {lost:?}");
+            assert!(lost.iter().all(|remark| remark["message"].as_str().unwrap().contains("properties")));
+            answer(folder, &format!("convert {name} -o back.wkt"));
+            assert_eq!(std::fs::read_to_string(folder.join("back.wkt")).unwrap(), expected, "{verb} {name}");
+        }
+        last = name.to_owned();
+    }
+    let crs = r#""crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::25832"}}"#;
+    assert!(std::fs::read_to_string(folder.join("e.geojson")).unwrap().contains(crs));
+    // What does not keep them says so.
+    for name in ["x.svg", "x.obj", "x.lines", "x.json"] {
+        assert_eq!(codes(&answer(folder, &format!("arrange both.wkt -o {name}"))), ["format-keeps-less"; 2]);
+    }
+    assert_eq!(codes(&answer(folder, "convert both.wkt -o x.obj")).len(), 2, "data and the system");
+    // Without heights.
+    assert_eq!(
+        codes(&answer(folder, "boolean union both.wkt --dimension 2 -o flat.wkt")),
+        ["heights-left-out"]
+    );
+    let flat = std::fs::read_to_string(folder.join("flat.wkt")).unwrap();
+    assert_eq!(flat, "SRID=25832;POLYGON ((2 2, 4 2, 4 4, 2 4, 2 2))\n");
+    // What is empty is an empty polygon in its system.
+    for (name, bytes) in
+        [("o.wkt", &b"SRID=25832;POLYGON EMPTY\n"[..]), ("o.hex", b"0103000020E864000000000000\n")]
+    {
+        answer(folder, &format!("boolean difference both.wkt both.wkt -o {name}"));
+        assert_eq!(std::fs::read(folder.join(name)).unwrap(), bytes);
+    }
+}
+
+#[test]
+fn different_systems_are_refused_with_both_names() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    file(folder, "low.wkt", LOW);
+    let map = r#"{"type":"Polygon","crs":{"type":"name","properties":{"name":"EPSG:4326"}},"coordinates":[[[0,0],[1,0],[0,1],[0,0]]]}"#;
+    file(folder, "map.geojson", map);
+    for verb in [&["boolean", "union"][..], &["arrange"]] {
+        let words = [verb, &["low.wkt", "map.geojson", "-o", "out.wkt"]].concat();
+        let run = coface_in(folder, &words);
+        let message = run.fails_with(1);
+        for part in ["low.wkt is in SRID 25832", "map.geojson is in SRID 4326", "ogr2ogr -t_srs EPSG:25832"] {
+            assert!(message.contains(part), "{message}");
+        }
+        assert!(!folder.join("out.wkt").exists());
+    }
+    file(folder, "mixed.wkt", "SRID=1;POINT (1 2)\nSRID=2;POINT (1 2)\n");
+    assert!(coface_in(folder, &["info", "mixed.wkt"]).fails_with(1).contains("mixed.wkt:2"));
+    file(folder, "none.wkt", HIGH);
+    let strict = coface_in(folder, &["boolean", "union", "low.wkt", "none.wkt", "--strict"]);
+    assert!(strict.fails_with(1).contains("none.wkt names no reference system"));
+}
+
+#[test]
+fn lines_of_maps_bound_nothing_unless_closed_ones_are_rings() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let square = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\n";
+    file(folder, "square.wkt", square);
+    file(folder, "ring.wkt", "LINESTRING (1 1, 2 1, 2 2, 1 2, 1 1)\n");
+    file(folder, "open.wkt", "LINESTRING (1 1, 2 1, 2 2)\n");
+    file(folder, "ring.lines", "1,1,2,1\n2,1,2,2\n2,2,1,1\n");
+    // One treatment: in a file of their own or beside polygons.
+    file(folder, "beside.wkt", &format!("{square}LINESTRING (1 1, 2 1, 2 2)\n"));
+    for line in ["difference square.wkt open.wkt", "difference square.wkt ring.wkt", "union beside.wkt"] {
+        let value = answer(folder, &format!("boolean {line}"));
+        assert_eq!(
+            (value["measure"].as_f64(), codes(&value)),
+            (Some(16.0), vec!["unbounded-segments"]),
+            "{line}"
+        );
+    }
+    assert_eq!(answer(folder, "boolean difference square.wkt ring.wkt --close")["measure"], json!(15.0));
+    for name in ["ring.wkt", "open.wkt"] {
+        assert!(coface_in(folder, &["boolean", "union", name]).fails_with(1).contains("lines bound nothing"));
+        assert_eq!(answer(folder, &format!("arrange {name}"))["regions"].as_array().unwrap().len(), 1);
+    }
+    assert_eq!(answer(folder, "arrange ring.wkt")["inside"], json!([[]]));
+    assert_eq!(answer(folder, "arrange ring.wkt --close")["inside"], json!([[0]]));
+    // A file of segments can hold nothing else, and is decided by parity; a rule that says otherwise does not apply.
+    let parity = answer(folder, "boolean difference square.wkt ring.lines");
+    assert_eq!((parity["measure"].as_f64(), codes(&parity)), (Some(15.5), vec![]));
+    let ruled = answer(folder, "boolean difference square.wkt ring.lines --rule positive");
+    assert_eq!((ruled["measure"].as_f64(), codes(&ruled)), (Some(15.5), vec!["drawing-assumption"]));
+    // Rings that are closed so follow the rule.
+    file(folder, "bow.wkt", "LINESTRING (0 0, 2 2, 2 0, 0 2, 0 0)\n");
+    assert_eq!(answer(folder, "boolean union bow.wkt --close --rule evenodd")["measure"], json!(2.0));
+    assert_eq!(answer(folder, "boolean union bow.wkt --close --rule positive")["measure"], json!(1.0));
+}
