@@ -51,7 +51,7 @@ pub use persistence::{
 };
 pub use planar::{
     ArrangementRequest, BooleanRequest, DrawingArrangement, DrawingOptions, PlanarDrawing, RegionBoolean,
-    is_planar, reference_loss,
+    are_planar, is_planar, reference_loss,
 };
 pub use producer::{CellNames, OrderedSimplices, Pair, Producer, Term};
 pub use repair::{

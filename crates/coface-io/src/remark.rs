@@ -254,7 +254,7 @@ pub enum RemarkCode {
     LayoutReplaced,
     /// A surface is open, and what lies inside of it was decided in floating point.
     OpenInput,
-    /// An object or group that is an input has no polygons or cells.
+    /// A file, object or group that is an input has no polygons or cells: it is the empty set.
     EmptyInput,
     /// Polygons or cells are in no object or group, and are one more input.
     UnnamedInput,

@@ -15,7 +15,7 @@ use coface::answers::answer::{
 };
 use coface::answers::{
     ArrangementRequest, BooleanRequest, DrawingArrangement, DrawingOptions, PlanarDrawing, RegionBoolean,
-    RegionSource, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene, is_planar,
+    RegionSource, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene, are_planar,
 };
 use coface::arrange::boolean::{BooleanFormula, InsideRule};
 use coface::arrange::spatial::NonPlanar;
@@ -44,7 +44,7 @@ fn borrowed(models: &Named) -> impl Iterator<Item = (&str, &io::Model)> {
 
 fn is_flat(py: Python<'_>, models: &Named, dimension: Option<u8>) -> PyResult<bool> {
     match dimension {
-        None => Ok(models.iter().all(|(_, source)| is_planar(&source.model))),
+        None => Ok(are_planar(models.iter().map(|(_, source)| &source.model))),
         Some(2) => Ok(true),
         Some(3) => Ok(false),
         Some(other) => Err(invalid(py, format!("dimension is {other}"), "give 2 or 3")),

@@ -123,6 +123,38 @@ pub fn is_planar(model: &Model) -> bool {
         }
 }
 
+/// Whether models are a drawing in the plane: all of them are, but for empty ones, which are the empty set in space as
+/// well. If all are empty, none must be of points or cells in space.
+///
+/// # Complexity
+/// As [`is_planar`].
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// use coface_io::Format;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let nothing = io::read(&b"OFF\n0 0 0\n"[..], Format::Off)?;
+/// let square = io::read(&b"POLYGON((0 0,1 0,1 1,0 1,0 0))"[..], Format::Wkt)?;
+/// assert!(coface_answers::are_planar([&nothing, &square]) && !coface_answers::are_planar([&nothing]));
+/// # Ok(()) }
+/// ```
+pub fn are_planar<'a>(models: impl IntoIterator<Item = &'a Model>) -> bool {
+    let (mut found, mut is_in_space) = (false, false);
+    for model in models {
+        if model.vertex_count() > 0 {
+            if !is_planar(model) {
+                return false;
+            }
+            found = true;
+        } else {
+            is_in_space |= model.positions().dimension() == 3
+                || matches!(model.structure(), Some(Structure::Chains(complex)) if complex.degree_count() > 3);
+        }
+    }
+    found || !is_in_space
+}
+
 impl PlanarDrawing {
     /// The drawing of models with their names.
     ///
@@ -804,6 +836,7 @@ fn check_plane(model: &Model) -> Result<(), Error> {
     match model.structure() {
         None => {}
         Some(Structure::Chains(_)) if !model.positions().is_empty() => {}
+        Some(_) if model.vertex_count() == 0 => {}
         Some(_) => {
             return Err(Error::new(
                 ErrorKind::UnsupportedFormat,

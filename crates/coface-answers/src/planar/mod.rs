@@ -33,6 +33,6 @@ mod writing;
 
 pub use arrangement::{ArrangementRequest, DrawingArrangement};
 pub use boolean::{BooleanRequest, RegionBoolean};
-pub use drawing::{PlanarDrawing, is_planar};
+pub use drawing::{PlanarDrawing, are_planar, is_planar};
 pub use drawing_options::DrawingOptions;
 pub use writing::reference_loss;

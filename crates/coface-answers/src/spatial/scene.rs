@@ -66,7 +66,7 @@ impl SpatialScene {
     /// The polygons of these models, one after the other; `walls` says whether faces between cells of one model are among them.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] naming the file of a model without positions in space or without polygons, and what
+    /// [`ErrorKind::InvalidInput`] naming the file of a model with points or lines only or without positions in space, and what
     /// [`CellMesh::new`] says of its cells; [`ErrorKind::UnsupportedFormat`] for structures without faces in space.
     ///
     /// # Complexity
@@ -222,6 +222,10 @@ impl SpatialScene {
             return self.add(name, &coarse, walls);
         }
         model.require_finite()?;
+        if model.vertex_count() == 0 {
+            self.add_nothing(name);
+            return Ok(());
+        }
         let dimension = model.positions().dimension();
         if dimension != 3 {
             let fault = match dimension {
@@ -281,6 +285,14 @@ impl SpatialScene {
         Ok(())
     }
 
+    /// Adds an empty model, as a difference may be: the empty set.
+    fn add_nothing(&mut self, name: &str) {
+        self.point_starts.push((self.flat.len() / 3) as u32);
+        self.end_input(name, None);
+        let message = format!("{name} is empty: it is taken as the empty set");
+        self.remarks.push(Remark::new(RemarkCode::EmptyInput, message).at(1, [Place::file(name)]));
+    }
+
     /// Adds polygons that are known exactly. Walks around them are on rounded points.
     fn add_exact(&mut self, name: &str, exact: &Arc<ExactPolygons>, walls: bool) -> Result<(), Error> {
         let wanted: Vec<bool> = exact.shared().iter().map(|&is_wall| walls || !is_wall).collect();
@@ -293,7 +305,8 @@ impl SpatialScene {
             return Err(too_large());
         }
         if exact.shared().is_empty() {
-            return Err(Error::invalid("there is no polygon").with_cure("give a result that is not empty"));
+            self.add_nothing(name);
+            return Ok(());
         }
         let first = (self.flat.len() / 3) as u32;
         self.point_starts.push(first);

@@ -12,6 +12,7 @@ mod planar_files;
 mod planar_properties;
 mod planar_rounding;
 mod repairs;
+mod rounded_chains;
 mod schema;
 mod shapes;
 mod solid_booleans;

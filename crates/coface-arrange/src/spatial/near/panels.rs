@@ -12,6 +12,10 @@ use std::cmp::Ordering;
 /// usual angle has just that.
 const LEAST_PART: f64 = 0.432_1;
 
+/// Panels are swept along directions with these slopes. A path of sides that is straight within the tolerance must not
+/// be across the sweep, or the order of its vertices is that of their errors: so these are slopes of no usual angle.
+const SWEEP_SLOPES: [f64; 3] = [0.739_085_133, -1.324_717_957, 0.0];
+
 /// A face that is flat within the tolerance.
 #[derive(Clone, Debug)]
 pub(super) struct Panel {
@@ -232,21 +236,31 @@ impl NearFeatures {
         let is_turned = lie.normal[lie.axis] < 0.0;
         let turned = |&[a, b]: &[u32; 2]| if is_turned { [b, a] } else { [a, b] };
         let (i, j) = ((lie.axis + 1) % 3, (lie.axis + 2) % 3);
-        let order = |a: u32, b: u32| points.compare(i, a, b).then_with(|| points.compare(j, a, b));
         let turn = |a: u32, b: u32, c: u32| points.normal_sign(lie.axis, [a, b, c]);
         // Vertices that were put on a side are in line with its ends.
         let rough_turn = |a: u32, b: u32, c: u32| match self.is_thin([a, b, c], [i, j], tolerance) {
             true => Ordering::Equal,
             false => turn(a, b, c),
         };
-        let all = |inner: &[[u32; 2]]| {
+        let attempt = |inner: &[[u32; 2]], slope: f64, is_rough: bool| {
+            let place = |vertex: u32| {
+                let point = self.point(vertex);
+                point[i] + slope * point[j]
+            };
+            let order = |a: u32, b: u32| {
+                let exact = || points.compare(i, a, b).then_with(|| points.compare(j, a, b));
+                if slope == 0.0 { exact() } else { place(a).total_cmp(&place(b)).then_with(exact) }
+            };
             let mut all: Vec<[u32; 2]> = panel.sides.iter().chain(inner).map(turned).collect();
             all.sort_by(|x, y| order(x[0], y[0]).then_with(|| order(x[1], y[1])));
-            all
+            match is_rough {
+                true => triangulate_sides(&all, order, rough_turn),
+                false => triangulate_sides(&all, order, turn),
+            }
         };
-        let found = triangulate_sides(&all(&inner), order, rough_turn)
-            .or_else(|_| triangulate_sides(&all(&inner), order, turn))
-            .or_else(|_| triangulate_sides(&all(&[]), order, turn));
+        let roughly = SWEEP_SLOPES.iter().find_map(|&slope| attempt(&inner, slope, true).ok());
+        let found =
+            roughly.map_or_else(|| attempt(&inner, 0.0, false).or_else(|_| attempt(&[], 0.0, false)), Ok);
         let Ok(mut own) = found else { return fan(&panel.sides) };
         // Vertices on the inside at which no side ends.
         let mut alone: Vec<u32> = panel.inside.clone();

@@ -11,7 +11,7 @@ use crate::input::{self, Loaded};
 use crate::progress::Progress;
 use crate::target::{Target, unknown_extension};
 use clap::{Args, ValueEnum};
-use coface::answers::{RegionSource, is_planar};
+use coface::answers::{RegionSource, are_planar};
 use coface::arrange::boolean::InsideRule;
 use coface::io::{Format, Model};
 use std::path::{Path, PathBuf};
@@ -221,7 +221,7 @@ pub(crate) fn read_all(
 
 /// 2 if all models lie in the plane, else 3; or what was asked for.
 pub(crate) fn dimension_of(models: &[(String, Model)], asked: Option<u8>) -> u8 {
-    asked.unwrap_or_else(|| if models.iter().all(|(_, model)| is_planar(model)) { 2 } else { 3 })
+    asked.unwrap_or_else(|| if are_planar(models.iter().map(|(_, model)| model)) { 2 } else { 3 })
 }
 
 /// The file of -o with what it is.

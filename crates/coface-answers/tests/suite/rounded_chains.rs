@@ -1,0 +1,174 @@
+//! Chains of operations on solids whose results are rounded: each step ends, is valid, and the last one is what one
+//! formula gives.
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+
+use coface_algebra::RaggedArray;
+use coface_answers::answer::RemarkCode;
+use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, are_planar};
+use coface_arrange::boolean::BooleanFormula;
+use coface_geometry::Positions;
+use coface_io::{self as io, Format, Model};
+use proptest::prelude::*;
+
+const TRIANGLES: [[u32; 3]; 12] = [
+    [0, 2, 3],
+    [0, 3, 1],
+    [4, 5, 7],
+    [4, 7, 6],
+    [0, 1, 5],
+    [0, 5, 4],
+    [2, 6, 7],
+    [2, 7, 3],
+    [0, 4, 6],
+    [0, 6, 2],
+    [1, 3, 7],
+    [1, 7, 5],
+];
+
+const BOXES: [([f64; 3], [f64; 3], [f64; 2]); 4] = [
+    (
+        [-0.25349435344943694, -0.23205870375570914, 0.38825700797558493],
+        [0.7147316480821025, 0.4220276164972092, 0.32071784944054155],
+        [4.698085669825593, 0.8480005975302459],
+    ),
+    (
+        [-0.8687293217221923, -0.7996489361488524, 0.7552916183489449],
+        [0.5013221404646708, 0.3051725376002868, 0.6020848339664462],
+        [5.643974545164065, 4.884069426891516],
+    ),
+    (
+        [-0.5705026874588142, -0.19123736261888613, -0.008264055571726603],
+        [0.5198649118365638, 0.8101850897229759, 0.38589354297550177],
+        [3.054032983249158, 5.6678898066290975],
+    ),
+    (
+        [-0.03523907776586954, 0.08567268719013099, 0.411041941195059],
+        [0.6713176851171461, 0.45279440898002343, 0.5101818010138501],
+        [3.024210899870286, 0.43294379124521243],
+    ),
+];
+
+/// A box around a middle, turned around the third axis and then around the first: faces of all such boxes meet in lines
+/// along the first axis.
+fn cuboid(middle: [f64; 3], half: [f64; 3], turns: [f64; 2]) -> Model {
+    let mut flat = Vec::new();
+    for corner in 0..8 {
+        let [x, y, z] = [0, 1, 2].map(|axis| if corner >> axis & 1 == 0 { -half[axis] } else { half[axis] });
+        let ((s, c), (t, d)) = (turns[0].sin_cos(), turns[1].sin_cos());
+        let [x, y] = [c * x - s * y, s * x + c * y];
+        let [y, z] = [d * y - t * z, t * y + d * z];
+        flat.extend([x + middle[0], y + middle[1], z + middle[2]]);
+    }
+    Model::from_polygons(Positions::from_flat(3, flat).unwrap(), RaggedArray::from_lists(TRIANGLES)).unwrap()
+}
+
+fn arranged(models: &[&Model]) -> SceneArrangement {
+    let names: Vec<String> = (0..models.len()).map(|i| format!("model {i}")).collect();
+    let named = names.iter().map(String::as_str).zip(models.iter().copied());
+    SceneArrangement::of(named, &SpatialRequest::default()).unwrap()
+}
+
+fn request(formula: &str) -> SolidRequest {
+    let mut request = SolidRequest::of(BooleanFormula::parse(formula, &[]).unwrap());
+    (request.triangles, request.split_pinches) = (true, true);
+    request
+}
+
+/// The result through a file of triangles, rounded validly; and its volume.
+fn step(operands: [&Model; 2], operation: char) -> (Model, f64) {
+    let request = request(&format!("a {operation} b"));
+    let exact = arranged(&operands);
+    let rounded = match SolidBoolean::of(&exact, &request).unwrap().crossings().unwrap().count {
+        0 => None,
+        _ => exact.validly_rounded().unwrap(),
+    };
+    let result = SolidBoolean::of(rounded.as_ref().unwrap_or(&exact), &request).unwrap();
+    assert_eq!(result.crossings().unwrap().count, 0);
+    let mut bytes = Vec::new();
+    io::write(&result.to_mesh().unwrap(), &mut bytes, Format::Off).unwrap();
+    (io::read(&bytes[..], Format::Off).unwrap(), result.volume().unwrap())
+}
+
+fn agree(models: &[Model], operations: &[char]) -> Result<(), TestCaseError> {
+    let mut chained = models[0].clone();
+    let mut formula = "0".to_owned();
+    let mut volume = 0.0;
+    for (i, (model, &operation)) in models[1..].iter().zip(operations).enumerate() {
+        formula = format!("({formula}) {operation} {}", i + 1);
+        (chained, volume) = step([&chained, model], operation);
+    }
+    let all: Vec<&Model> = models.iter().collect();
+    let whole = arranged(&all);
+    let expected = SolidBoolean::of(&whole, &request(&formula)).unwrap().volume().unwrap();
+    prop_assert!(
+        (volume - expected).abs() <= 1e-12 * expected.max(1.0),
+        "{formula}: {volume} for {expected}"
+    );
+    Ok(())
+}
+
+/// A union of a cut box and a third one whose faces meet in a line along an axis: its parts are straight within rounding,
+/// and a sweep across that line met them in the order of their errors, round after round.
+#[test]
+fn a_line_across_the_sweep_comes_to_an_end() {
+    let boxes = BOXES.map(|(middle, half, turns)| cuboid(middle, half, turns));
+    agree(&boxes, &['|', '-', '|']).unwrap();
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(16))]
+
+    #[test]
+    fn rounded_chains_are_one_formula(
+        boxes in prop::collection::vec(
+            (prop::array::uniform3(-1.0..1.0), prop::array::uniform3(0.3..0.9), prop::array::uniform2(0.0..6.3)),
+            3..7,
+        ),
+        operations in prop::collection::vec(prop::sample::select(vec!['|', '-', '|', '^', '&']), 6),
+        are_of_one_turn in any::<bool>(),
+    ) {
+        let own = |turns| if are_of_one_turn { boxes[0].2 } else { turns };
+        let models: Vec<Model> = boxes.iter().map(|&(middle, half, turns)| cuboid(middle, half, own(turns))).collect();
+        agree(&models, &operations)?;
+    }
+}
+
+/// Nothing is left of a solid without itself, in every format; and that is a solid of the next operation.
+#[test]
+fn nothing_is_an_input() {
+    let cube = cuboid([0.0; 3], [0.5; 3], [0.3, 0.2]);
+    let scene = arranged(&[&cube, &cube]);
+    let empty = SolidBoolean::of(&scene, &request("a - b")).unwrap();
+    let written = |model: &Model, format: Format| {
+        let mut bytes = Vec::new();
+        io::write(model, &mut bytes, format).unwrap();
+        io::read(&bytes[..], format).unwrap()
+    };
+    let mesh = empty.to_mesh().unwrap();
+    let formats =
+        [Format::Off, Format::Obj, Format::Ply, Format::Stl, Format::Vtk, Format::Medit, Format::Msh];
+    let mut models: Vec<Model> = formats.iter().map(|&format| written(&mesh, format)).collect();
+    let chains = empty.to_chains().unwrap();
+    models.push(written(&chains, Format::Json));
+    models.push(written(
+        &chains.clone().with_exact_polygons(empty.exact_polygons().unwrap().into()),
+        Format::Json,
+    ));
+    for nothing in &models {
+        assert!(!are_planar([nothing]) && !are_planar([nothing, &cube]));
+        let scene = arranged(&[nothing, &cube]);
+        let answer = scene.answer(Default::default()).unwrap();
+        assert_eq!(
+            answer.remarks.iter().map(|remark| remark.code).collect::<Vec<_>>(),
+            [RemarkCode::EmptyInput]
+        );
+        for (formula, volume) in
+            [("a | b", 1.0), ("b - a", 1.0), ("a - b", 0.0), ("a & b", 0.0), ("a ^ b", 1.0)]
+        {
+            let found = SolidBoolean::of(&scene, &request(formula)).unwrap().volume().unwrap();
+            assert!((found - volume).abs() < 1e-15, "{formula}");
+        }
+        let alone = arranged(&[nothing]);
+        assert_eq!(SolidBoolean::of(&alone, &request("a")).unwrap().f_vector(), [0; 3]);
+    }
+}
