@@ -124,7 +124,7 @@ pub fn is_planar(model: &Model) -> bool {
 }
 
 /// Whether models are a drawing in the plane: all of them are, but for empty ones, which are the empty set in space as
-/// well. If all are empty, none must be of points or cells in space.
+/// well. If all are empty, they are a drawing, but for chain complexes with a degree 3.
 ///
 /// # Complexity
 /// As [`is_planar`].
@@ -135,24 +135,23 @@ pub fn is_planar(model: &Model) -> bool {
 /// use coface_io::Format;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let nothing = io::read(&b"OFF\n0 0 0\n"[..], Format::Off)?;
-/// let square = io::read(&b"POLYGON((0 0,1 0,1 1,0 1,0 0))"[..], Format::Wkt)?;
-/// assert!(coface_answers::are_planar([&nothing, &square]) && !coface_answers::are_planar([&nothing]));
+/// let triangle = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 2\nf 1 2 3\n"[..], Format::Obj)?;
+/// assert!(coface_answers::are_planar([&nothing]) && !coface_answers::are_planar([&nothing, &triangle]));
 /// # Ok(()) }
 /// ```
 pub fn are_planar<'a>(models: impl IntoIterator<Item = &'a Model>) -> bool {
-    let (mut found, mut is_in_space) = (false, false);
+    let (mut is_drawn, mut is_in_space) = (false, false);
     for model in models {
-        if model.vertex_count() > 0 {
-            if !is_planar(model) {
-                return false;
-            }
-            found = true;
+        if model.vertex_count() == 0 {
+            is_in_space |=
+                matches!(model.structure(), Some(Structure::Chains(complex)) if complex.degree_count() > 3);
+        } else if is_planar(model) {
+            is_drawn = true;
         } else {
-            is_in_space |= model.positions().dimension() == 3
-                || matches!(model.structure(), Some(Structure::Chains(complex)) if complex.degree_count() > 3);
+            return false;
         }
     }
-    found || !is_in_space
+    is_drawn || !is_in_space
 }
 
 impl PlanarDrawing {
