@@ -5,7 +5,7 @@
 use coface_algebra::RaggedArray;
 use coface_answers::answer::RemarkCode;
 use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, are_planar};
-use coface_arrange::boolean::BooleanFormula;
+use coface_arrange::boolean::{BooleanFormula, InsideRule};
 use coface_geometry::Positions;
 use coface_io::{self as io, Format, Model};
 use proptest::prelude::*;
@@ -157,7 +157,7 @@ fn nothing_is_an_input() {
     for nothing in &models {
         assert!(!are_planar([nothing, &cube]));
         let scene = arranged(&[nothing, &cube]);
-        let answer = scene.answer(Default::default()).unwrap();
+        let answer = scene.answer(InsideRule::Nonzero).unwrap();
         assert_eq!(
             answer.remarks.iter().map(|remark| remark.code).collect::<Vec<_>>(),
             [RemarkCode::EmptyInput]
