@@ -150,10 +150,7 @@ fn nothing_is_an_input() {
     let mut models: Vec<Model> = formats.iter().map(|&format| written(&mesh, format)).collect();
     let chains = empty.to_chains().unwrap();
     models.push(written(&chains, Format::Json));
-    models.push(written(
-        &chains.clone().with_exact_polygons(empty.exact_polygons().unwrap().into()),
-        Format::Json,
-    ));
+    models.push(written(&chains.with_exact_polygons(empty.exact_polygons().unwrap().into()), Format::Json));
     for nothing in &models {
         assert!(!are_planar([nothing, &cube]));
         let scene = arranged(&[nothing, &cube]);
