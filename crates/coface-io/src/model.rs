@@ -585,6 +585,27 @@ impl Model {
         self.vertex_count
     }
 
+    /// Whether there is nothing: no vertex, and no cell of an abstract structure. Facets without positions are something.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// assert!(io::read(&b"OFF\n0 0 0\n"[..], Format::Off)?.is_empty());
+    /// assert!(!io::read(&b"[[0,1],[1,2]]"[..], Format::Json)?.is_empty());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn is_empty(&self) -> bool {
+        self.vertex_count == 0
+            && match &self.structure {
+                None => true,
+                Some(Structure::Facets(facets)) => facets.is_empty(),
+                Some(Structure::Chains(complex)) => complex.f_vector().iter().all(|&cells| cells == 0),
+                Some(Structure::Halfedges { next, .. }) => next.is_empty(),
+                Some(Structure::Gluings(_) | Structure::Volume(_)) => false,
+            }
+    }
+
     /// The positions of the vertices; empty when the file has none, and when a coordinate is NaN or infinite: then
     /// [`Self::partial_positions`] has the others.
     ///

@@ -18,8 +18,10 @@ import coface
 #: A grid whose homology takes a while, in its sides.
 SIDES = 48
 
+# A program that was started in the background may ignore the signal, and so do those that it starts.
 WORK = f"""
-import coface, sys, time
+import coface, signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)
 model = coface.generate("cuboids", shape=[{SIDES}, {SIDES}, {SIDES}])
 print("ready", flush=True)
 try:

@@ -119,7 +119,7 @@ pub fn is_planar(model: &Model) -> bool {
             2 => true,
             3 if is_map_with_heights(model) => true,
             3 => positions.as_flat().iter().skip(2).step_by(3).all(|&height| height == 0.0),
-            dimension => dimension == 0 && model.vertex_count() == 0 && model.structure().is_none(),
+            dimension => dimension == 0 && model.is_empty(),
         }
 }
 
@@ -142,7 +142,7 @@ pub fn is_planar(model: &Model) -> bool {
 pub fn are_planar<'a>(models: impl IntoIterator<Item = &'a Model>) -> bool {
     let (mut is_drawn, mut is_in_space) = (false, false);
     for model in models {
-        if model.vertex_count() == 0 {
+        if model.is_empty() {
             is_in_space |=
                 matches!(model.structure(), Some(Structure::Chains(complex)) if complex.degree_count() > 3);
         } else if is_planar(model) {
@@ -835,7 +835,7 @@ fn check_plane(model: &Model) -> Result<(), Error> {
     match model.structure() {
         None => {}
         Some(Structure::Chains(_)) if !model.positions().is_empty() => {}
-        Some(_) if model.vertex_count() == 0 => {}
+        Some(_) if model.is_empty() => {}
         Some(_) => {
             return Err(Error::new(
                 ErrorKind::UnsupportedFormat,
@@ -853,7 +853,7 @@ fn check_plane(model: &Model) -> Result<(), Error> {
     match positions.dimension() {
         2 => Ok(()),
         3 if is_map_with_heights(model) => Ok(()),
-        0 if model.vertex_count() == 0 => Ok(()),
+        0 if model.is_empty() => Ok(()),
         0 => {
             Err(Error::invalid("the vertices have no positions").with_cure("give a drawing with coordinates"))
         }

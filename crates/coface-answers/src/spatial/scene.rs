@@ -222,7 +222,7 @@ impl SpatialScene {
             return self.add(name, &coarse, walls);
         }
         model.require_finite()?;
-        if model.vertex_count() == 0 {
+        if model.is_empty() {
             self.add_nothing(name);
             return Ok(());
         }

@@ -1,41 +1,19 @@
 //! Chains of operations on solids that keep exact points: the last result is that of one formula.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
-use coface_algebra::{ErrorKind, RaggedArray};
+use crate::turned_boxes::{self, cuboid, operation, through_file};
+use coface_algebra::ErrorKind;
 use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
 use coface_arrange::boolean::BooleanFormula;
 use coface_arrange::spatial::ExactPolygons;
-use coface_geometry::Positions;
-use coface_io::{self as io, Format, Model};
+use coface_io::{Format, Model, Structure};
 use proptest::prelude::*;
 use std::sync::Arc;
-
-const SQUARES: [[u32; 4]; 6] =
-    [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-
-/// A box around a middle, turned around two axes, of squares or of triangles.
-fn cuboid(middle: [f64; 3], half: [f64; 3], turns: [f64; 2], triangles: bool) -> Model {
-    let mut flat = Vec::new();
-    for corner in 0..8 {
-        let [x, y, z] = [0, 1, 2].map(|axis| if corner >> axis & 1 == 0 { -half[axis] } else { half[axis] });
-        let ((s, c), (t, d)) = (turns[0].sin_cos(), turns[1].sin_cos());
-        let [x, y] = [c * x - s * y, s * x + c * y];
-        let [y, z] = [d * y - t * z, t * y + d * z];
-        flat.extend([x + middle[0], y + middle[1], z + middle[2]]);
-    }
-    // Turned squares are not quite flat.
-    let lists: Vec<Vec<u32>> = match triangles {
-        true => SQUARES.iter().flat_map(|&[a, b, c, d]| [vec![a, b, c], vec![a, c, d]]).collect(),
-        false => SQUARES.iter().map(|square| square.to_vec()).collect(),
-    };
-    Model::from_polygons(Positions::from_flat(3, flat).unwrap(), RaggedArray::from_lists(lists)).unwrap()
-}
 
 fn arranged(models: &[&Model], merge: bool) -> SceneArrangement {
     let mut request = SpatialRequest::default();
     request.merge_coplanar = merge;
-    let names: Vec<String> = (0..models.len()).map(|i| format!("model {i}")).collect();
-    SceneArrangement::of(names.iter().map(String::as_str).zip(models.iter().copied()), &request).unwrap()
+    turned_boxes::arranged(models, &request)
 }
 
 fn request(formula: &str) -> SolidRequest {
@@ -47,9 +25,7 @@ fn step(operands: [&Model; 2], operation: char) -> Model {
     let scene = arranged(&operands, false);
     let result = SolidBoolean::of(&scene, &request(&format!("a {operation} b"))).unwrap();
     let made = result.to_chains().unwrap().with_exact_polygons(result.exact_polygons().unwrap().into());
-    let mut bytes = Vec::new();
-    io::write(&made, &mut bytes, Format::Json).unwrap();
-    let read = io::read(&bytes[..], Format::Json).unwrap();
+    let read = through_file(&made, Format::Json);
     assert_eq!(read.exact_polygons(), made.exact_polygons());
     read
 }
@@ -92,10 +68,6 @@ fn agree(models: &[Model], operations: &[char]) -> Result<(), TestCaseError> {
         prop_assert_eq!(again.shared().len(), exact.shared().len());
     }
     Ok(())
-}
-
-fn operation() -> impl Strategy<Value = char> {
-    prop::sample::select(vec!['|', '-', '|', '^', '&'])
 }
 
 proptest! {
@@ -142,7 +114,7 @@ fn parts_that_were_cut_fit_again() {
     let rounded = |model: &Model| {
         Model::from_chains(
             match model.structure() {
-                Some(io::Structure::Chains(complex)) => complex.clone(),
+                Some(Structure::Chains(complex)) => complex.clone(),
                 _ => panic!("a chain complex"),
             },
             model.positions().clone(),

@@ -18,6 +18,7 @@ mod shapes;
 mod solid_booleans;
 mod spatial_inputs;
 mod surface_curves;
+mod turned_boxes;
 mod verdicts;
 mod volumes;
 mod yin_partitions;

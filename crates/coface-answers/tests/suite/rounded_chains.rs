@@ -2,28 +2,12 @@
 //! formula gives.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
-use coface_algebra::RaggedArray;
+use crate::turned_boxes::{self, cuboid, operation, through_file};
 use coface_answers::answer::RemarkCode;
 use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, are_planar};
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
-use coface_geometry::Positions;
-use coface_io::{self as io, Format, Model};
+use coface_io::{Format, Model};
 use proptest::prelude::*;
-
-const TRIANGLES: [[u32; 3]; 12] = [
-    [0, 2, 3],
-    [0, 3, 1],
-    [4, 5, 7],
-    [4, 7, 6],
-    [0, 1, 5],
-    [0, 5, 4],
-    [2, 6, 7],
-    [2, 7, 3],
-    [0, 4, 6],
-    [0, 6, 2],
-    [1, 3, 7],
-    [1, 7, 5],
-];
 
 const BOXES: [([f64; 3], [f64; 3], [f64; 2]); 4] = [
     (
@@ -48,24 +32,8 @@ const BOXES: [([f64; 3], [f64; 3], [f64; 2]); 4] = [
     ),
 ];
 
-/// A box around a middle, turned around the third axis and then around the first: faces of all such boxes meet in lines
-/// along the first axis.
-fn cuboid(middle: [f64; 3], half: [f64; 3], turns: [f64; 2]) -> Model {
-    let mut flat = Vec::new();
-    for corner in 0..8 {
-        let [x, y, z] = [0, 1, 2].map(|axis| if corner >> axis & 1 == 0 { -half[axis] } else { half[axis] });
-        let ((s, c), (t, d)) = (turns[0].sin_cos(), turns[1].sin_cos());
-        let [x, y] = [c * x - s * y, s * x + c * y];
-        let [y, z] = [d * y - t * z, t * y + d * z];
-        flat.extend([x + middle[0], y + middle[1], z + middle[2]]);
-    }
-    Model::from_polygons(Positions::from_flat(3, flat).unwrap(), RaggedArray::from_lists(TRIANGLES)).unwrap()
-}
-
 fn arranged(models: &[&Model]) -> SceneArrangement {
-    let names: Vec<String> = (0..models.len()).map(|i| format!("model {i}")).collect();
-    let named = names.iter().map(String::as_str).zip(models.iter().copied());
-    SceneArrangement::of(named, &SpatialRequest::default()).unwrap()
+    turned_boxes::arranged(models, &SpatialRequest::default())
 }
 
 fn request(formula: &str) -> SolidRequest {
@@ -84,9 +52,7 @@ fn step(operands: [&Model; 2], operation: char) -> (Model, f64) {
     };
     let result = SolidBoolean::of(rounded.as_ref().unwrap_or(&exact), &request).unwrap();
     assert_eq!(result.crossings().unwrap().count, 0);
-    let mut bytes = Vec::new();
-    io::write(&result.to_mesh().unwrap(), &mut bytes, Format::Off).unwrap();
-    (io::read(&bytes[..], Format::Off).unwrap(), result.volume().unwrap())
+    (through_file(&result.to_mesh().unwrap(), Format::Off), result.volume().unwrap())
 }
 
 fn agree(models: &[Model], operations: &[char]) -> Result<(), TestCaseError> {
@@ -111,7 +77,7 @@ fn agree(models: &[Model], operations: &[char]) -> Result<(), TestCaseError> {
 /// and a sweep across that line met them in the order of their errors, round after round.
 #[test]
 fn a_line_across_the_sweep_comes_to_an_end() {
-    let boxes = BOXES.map(|(middle, half, turns)| cuboid(middle, half, turns));
+    let boxes = BOXES.map(|(middle, half, turns)| cuboid(middle, half, turns, true));
     agree(&boxes, &['|', '-', '|']).unwrap();
 }
 
@@ -124,11 +90,11 @@ proptest! {
             (prop::array::uniform3(-1.0..1.0), prop::array::uniform3(0.3..0.9), prop::array::uniform2(0.0..6.3)),
             3..7,
         ),
-        operations in prop::collection::vec(prop::sample::select(vec!['|', '-', '|', '^', '&']), 6),
+        operations in prop::collection::vec(operation(), 6),
         are_of_one_turn in any::<bool>(),
     ) {
         let own = |turns| if are_of_one_turn { boxes[0].2 } else { turns };
-        let models: Vec<Model> = boxes.iter().map(|&(middle, half, turns)| cuboid(middle, half, own(turns))).collect();
+        let models: Vec<Model> = boxes.iter().map(|&(middle, half, turns)| cuboid(middle, half, own(turns), true)).collect();
         agree(&models, &operations)?;
     }
 }
@@ -136,21 +102,19 @@ proptest! {
 /// Nothing is left of a solid without itself, in every format; and that is a solid of the next operation.
 #[test]
 fn nothing_is_an_input() {
-    let cube = cuboid([0.0; 3], [0.5; 3], [0.3, 0.2]);
+    let cube = cuboid([0.0; 3], [0.5; 3], [0.3, 0.2], true);
     let scene = arranged(&[&cube, &cube]);
     let empty = SolidBoolean::of(&scene, &request("a - b")).unwrap();
-    let written = |model: &Model, format: Format| {
-        let mut bytes = Vec::new();
-        io::write(model, &mut bytes, format).unwrap();
-        io::read(&bytes[..], format).unwrap()
-    };
     let mesh = empty.to_mesh().unwrap();
     let formats =
         [Format::Off, Format::Obj, Format::Ply, Format::Stl, Format::Vtk, Format::Medit, Format::Msh];
-    let mut models: Vec<Model> = formats.iter().map(|&format| written(&mesh, format)).collect();
+    let mut models: Vec<Model> = formats.iter().map(|&format| through_file(&mesh, format)).collect();
     let chains = empty.to_chains().unwrap();
-    models.push(written(&chains, Format::Json));
-    models.push(written(&chains.with_exact_polygons(empty.exact_polygons().unwrap().into()), Format::Json));
+    models.push(through_file(&chains, Format::Json));
+    models.push(through_file(
+        &chains.with_exact_polygons(empty.exact_polygons().unwrap().into()),
+        Format::Json,
+    ));
     for nothing in &models {
         assert!(!are_planar([nothing, &cube]));
         let scene = arranged(&[nothing, &cube]);

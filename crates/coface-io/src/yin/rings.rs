@@ -167,7 +167,7 @@ fn check_plane(model: &Model) -> Result<(), Error> {
     let positions = model.positions();
     match positions.dimension() {
         2 => Ok(()),
-        0 if model.vertex_count() == 0 => Ok(()),
+        0 if model.is_empty() => Ok(()),
         3 => match positions.as_flat().iter().skip(2).step_by(3).position(|&height| height != 0.0) {
             None => Ok(()),
             Some(vertex) => Err(Error::invalid(format!(
