@@ -13,7 +13,7 @@ const PHRASES: [(&str, &str); 22] = [
         "halfedges become facets by coface convert INPUT --triangulate -o OUT.json",
         "halfedges become facets by model.subdivided()",
     ),
-    ("a smaller --spacing or --least-ratio keeps", "a smaller spacing keeps"),
+    ("--keep-small keeps such curves", "keep_small=True keeps such curves"),
     ("coface convert --orient", "model.repaired(orient=True)"),
     ("coface yin info INPUT -o OUT.dat", "coface.YinSet.from_model(model).write(\"out.dat\")"),
     ("coface shard INPUT -o FOLDER --parts N", "coface.shards.shard(model, folder, parts)"),

@@ -24,8 +24,8 @@ use coface::io::Format;
 use coface::pictures::{SetPicture, set_picture};
 use coface::yin;
 use coface::yin::{
-    CartesianGrid, Coverage, CutCells as Cells, EndCondition, Flow, KnotIndex, Order, SetLocation,
-    TrackingOptions, Verification,
+    CartesianGrid, Coverage, CutCells as Cells, EndCondition, Flow, KnotIndex, Order, RungeKutta,
+    SetLocation, TrackingOptions, Verification,
 };
 use coface::{Error, VertexId};
 use numpy::{PyArray1, PyArrayMethods};
@@ -720,6 +720,15 @@ answer! { YinSet {
     ///     When it is checked that curves do not cross.
     /// repair : {"nonzero", "evenodd", "positive"}, optional
     ///     The rule by which curves that cross are cut and pasted, instead of refused.
+    /// scheme : {"midpoint", "classical", "verner", "cooper-verner"}, optional
+    ///     The Runge-Kutta scheme, of order 2, 4, 6 or 8; that of the order of the set if left out.
+    /// least_ratio : float
+    ///     The least distance of points along curves as a part of ``spacing``, up to 1/3.
+    /// turn : float, optional
+    ///     Points are added where the polygon through them turns by more degrees.
+    /// keep_small : bool
+    ///     Keep curves that become short beside ``spacing``: they have points nearer together. Otherwise they leave the set, with an
+    ///     :class:`AssumptionWarning`, when they are shorter than three times the least distance.
     /// progress : bool or callable, optional
     ///     ``True`` shows a bar; a function is called with (stage, done, total).
     ///
@@ -729,7 +738,7 @@ answer! { YinSet {
     ///     The set.
     /// facts : dict
     ///     ``steps``, ``added``, ``removed``, ``vanished``, ``repairs``.
-    #[pyo3(signature = (flow, end=None, *, step=None, spacing=None, period=4.0, vortices=4, velocity=[1.0, 0.0], center=[0.0, 0.0], speed=1.0, verify="each-step", repair=None, progress=None))]
+    #[pyo3(signature = (flow, end=None, *, step=None, spacing=None, period=4.0, vortices=4, velocity=[1.0, 0.0], center=[0.0, 0.0], speed=1.0, verify="each-step", repair=None, scheme=None, least_ratio=0.1, turn=None, keep_small=false, progress=None))]
     #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
     fn advected<'py>(
         &self,
@@ -745,6 +754,10 @@ answer! { YinSet {
         speed: f64,
         verify: &str,
         repair: Option<&str>,
+        scheme: Option<&str>,
+        least_ratio: f64,
+        turn: Option<f64>,
+        keep_small: bool,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Self, Bound<'py, PyAny>)> {
         let (named, usual) = match flow.cast::<PyString>() {
@@ -769,6 +782,14 @@ answer! { YinSet {
         let times = [("each-step", Verification::EachStep), ("end", Verification::End), ("never", Verification::Never)];
         options = options.verification(choice(py, "verify", verify, &times)?);
         options = options.repair(rule_of(py, repair)?);
+        let schemes = [
+            ("midpoint", RungeKutta::Midpoint),
+            ("classical", RungeKutta::Classical),
+            ("verner", RungeKutta::Verner),
+            ("cooper-verner", RungeKutta::CooperVerner),
+        ];
+        options = options.scheme(scheme.map(|word| choice(py, "scheme", word, &schemes)).transpose()?);
+        options = options.least_ratio(least_ratio).most_turn(turn.map(f64::to_radians)).keep_small(keep_small);
         let moved = match named {
             Some(flow) => run(py, progress, || {
                 self.inner().advected(|point, time| flow.velocity(point, time), &options)
@@ -811,6 +832,15 @@ answer! { YinSet {
             vanished: moved.vanished().iter().map(vanished).collect(),
             repairs: repairs.collect(),
         };
+        if let Some(first) = moved.vanished().first() {
+            let count = moved.vanished().len();
+            let message = format!(
+                "{count} of the curves became shorter than three times the least distance of points and left the set, the first at time {}; \
+                 give keep_small=True to keep such curves",
+                first.time()
+            );
+            errors::warn(py, &message)?;
+        }
         let set = run(py, None, || Self::of(PlanarSet::from_set(moved.into_set())))?;
         Ok((set, to_python(py, &facts)?))
     }

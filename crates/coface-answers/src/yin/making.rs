@@ -2,7 +2,7 @@
 
 use crate::answer::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
-use coface_arrange::boolean::{BooleanFormula, InsideRule};
+use coface_arrange::boolean::InsideRule;
 use coface_io::yin::{BoundaryCurve, BoundaryDrawing, Filling, flattened};
 use coface_yin::{Combination, Curve, EndCondition, KnotIndex, Order, YinSet, turning_kinks};
 
@@ -490,8 +490,16 @@ fn combined(
             return Ok((set, names(turned)));
         }
     }
-    let operands: Vec<&YinSet> = sets.iter().collect();
-    let set = YinSet::combine(&operands, &BooleanFormula::union(operands.len()))?.into_set();
+    // Winding numbers of sets add up: their union is where they do not cancel. What lies in many of them costs no more than what is in one.
+    let around = sets.iter().filter(|set| !set.is_bounded()).count() as i32;
+    let curves: Vec<(Curve<'_>, Vec<u32>)> = sets
+        .iter()
+        .flat_map(|set| {
+            (0..set.curve_count())
+                .map(|curve| (set.curve(curve), set.kinks().on_curve(curve as u32).collect()))
+        })
+        .collect();
+    let set = YinSet::combine_kinked_curves(&curves, around, InsideRule::Positive)?.into_set();
     Ok((set, Vec::new()))
 }
 

@@ -35,6 +35,8 @@ pub struct MotionRequest {
     pub repair: Option<InsideRule>,
     /// The number of sets of the way, at equal times.
     pub frames: usize,
+    /// Whether curves stay that become short beside the spacing.
+    pub keep_small: bool,
 }
 
 impl MotionRequest {
@@ -56,6 +58,7 @@ impl MotionRequest {
             verification: Verification::EachStep,
             repair: None,
             frames: 1,
+            keep_small: false,
         }
     }
 
@@ -163,6 +166,19 @@ impl MotionRequest {
         self.frames = count;
         self
     }
+
+    /// The same with curves kept that become short beside the spacing, or not.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::MotionRequest;
+    /// assert!(MotionRequest::until(2.0).keep_small(true).keep_small);
+    /// ```
+    #[must_use]
+    pub fn keep_small(mut self, keeps: bool) -> Self {
+        self.keep_small = keeps;
+        self
+    }
 }
 
 /// What came of moving a set.
@@ -236,7 +252,7 @@ impl PlanarSet {
             tracking = tracking.least_ratio(request.least_ratio);
             tracking = tracking.most_turn(request.most_turn);
             tracking = tracking.verification(request.verification);
-            tracking = tracking.repair(request.repair);
+            tracking = tracking.repair(request.repair).keep_small(request.keep_small);
             let moved = motion.last.set().advected(&velocity, &tracking)?;
             let counts = moved.counts();
             let before = motion.counts[0];
@@ -324,8 +340,8 @@ impl PlanarMotion {
         let first = self.vanished.first()?;
         let count = self.vanished.len();
         let message = format!(
-            "{} became shorter than three times the least distance of knots and left the set, the first at time {}; a smaller --spacing \
-             or --least-ratio keeps such curves",
+            "{} became shorter than three times the least distance of knots and left the set, the first at time {}; --keep-small \
+             keeps such curves",
             text::count(count, "curve"),
             text::number(first.time)
         );

@@ -19,6 +19,25 @@ pub(super) const EDIT: Task = Task {
     work: Work::Inside(edited),
 };
 
+pub(super) const INSERTION: Task = Task {
+    name: "kink-insertion",
+    about: "every fourth knot of a smooth cubic spline made a kink, all at once",
+    extension: "raw3",
+    inputs: &["circle_20000", "circle_40000", "circle_80000"],
+    work: Work::Inside(inserted),
+};
+
+fn inserted(path: &Path, clock: &mut Clock) -> Result<String, Error> {
+    let (positions, mesh) = drawing(path)?;
+    let points = positions.as_flat().as_chunks::<2>().0;
+    let ring: Vec<[f64; 2]> = mesh.lists.list(0).iter().map(|&point| points[point as usize]).collect();
+    let count = ring.len() as u32;
+    let mut set = YinSet::fit(&[ring], &[], Order::CUBIC, &EndCondition::NotAKnot)?;
+    let knots: Vec<KnotIndex> = (0..count).step_by(4).map(|knot| KnotIndex { curve: 0, knot }).collect();
+    clock.time(count as usize, || set.insert_kinks(&knots))?;
+    Ok(format!("kinks {} area {:e}", set.kinks().len(), set.curve(0).signed_area()))
+}
+
 fn edited(path: &Path, clock: &mut Clock) -> Result<String, Error> {
     let (positions, mesh) = drawing(path)?;
     let points = positions.as_flat().as_chunks::<2>().0;

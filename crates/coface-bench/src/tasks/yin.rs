@@ -4,7 +4,7 @@ use super::planar::drawing;
 use super::{Clock, Task, Work};
 use coface::Error;
 use coface::arrange::boolean::{BooleanFormula, InsideRule};
-use coface::yin::{Curve, EndCondition, Order, YinSet};
+use coface::yin::{CartesianGrid, Curve, CutCells, EndCondition, Order, YinSet};
 use std::path::Path;
 
 pub(super) const MEET: Task = Task {
@@ -45,6 +45,30 @@ pub(super) const NESTED: Task = Task {
     extension: "raw3",
     inputs: &["nested_8000", "nested_16000", "nested_32000", "nested_64000"],
     work: Work::Inside(nested),
+};
+
+pub(super) const RINGS: Task = Task {
+    name: "yin-rings",
+    about: "the Yin set of cubic splines one around the other, with forest, and the check that they are its boundary",
+    extension: "raw3",
+    inputs: &["nested_500", "nested_1000", "nested_2000", "nested_4000"],
+    work: Work::Inside(splines),
+};
+
+pub(super) const DISKS: Task = Task {
+    name: "yin-disks",
+    about: "the Yin set of cubic splines beside each other, one for four edges, with forest, and the check that they are its boundary",
+    extension: "raw3",
+    inputs: &["grid_16000", "grid_64000", "grid_256000"],
+    work: Work::Inside(splines),
+};
+
+pub(super) const CUT: Task = Task {
+    name: "yin-cut-cells",
+    about: "a cubic spline on a grid of 256 x 256 cells, at the origin and moved by 100 and 10,000 times its radius",
+    extension: "raw3",
+    inputs: &["circle_1000", "circle_10000", "circle_100000"],
+    work: Work::Inside(cut),
 };
 
 const INPUTS: &[&str] = &["gear_100000", "random_100000", "circle_1000000", "grid_1000000"];
@@ -105,6 +129,48 @@ fn nested(path: &Path, clock: &mut Clock) -> Result<String, Error> {
     let [positive, negative] = set.curve_counts();
     let depth = (0..set.curve_count()).map(|curve| set.forest().depth(curve)).max();
     Ok(format!("curves {positive}+{negative} depth {} fault {fault:?}", depth.unwrap_or(0)))
+}
+
+fn splines(path: &Path, clock: &mut Clock) -> Result<String, Error> {
+    let (positions, mesh) = drawing(path)?;
+    let points = positions.as_flat().as_chunks::<2>().0;
+    let curve = |ring: &[u32]| {
+        let ring: Vec<[f64; 2]> = ring.iter().map(|&point| points[point as usize]).collect();
+        Curve::fit_closed(&ring, &[], Order::CUBIC, &EndCondition::NotAKnot)
+    };
+    // Grids of squares are drawn twice, moved: the first is taken.
+    let first = mesh.coordinates[2];
+    let own = mesh.lists.iter().filter(|ring| mesh.coordinates[3 * ring[0] as usize + 2] == first);
+    let curves = own.map(curve).collect::<Result<Vec<_>, _>>()?;
+    let (set, fault) = clock.time(curves.iter().map(Curve::piece_count).sum(), || {
+        let set = YinSet::new(&curves)?;
+        let fault = set.validate()?;
+        Ok::<_, Error>((set, fault))
+    })?;
+    let [positive, negative] = set.curve_counts();
+    Ok(format!("curves {positive}+{negative} area {:e} fault {fault:?}", set.signed_area()))
+}
+
+fn cut(path: &Path, clock: &mut Clock) -> Result<String, Error> {
+    let (positions, mesh) = drawing(path)?;
+    let points = positions.as_flat().as_chunks::<2>().0;
+    let ring: Vec<[f64; 2]> = mesh.lists.list(0).iter().map(|&point| points[point as usize]).collect();
+    let curve = Curve::fit_closed(&ring, &[], Order::CUBIC, &EndCondition::NotAKnot)?;
+    let [low, high] = curve.bounding_box();
+    let radius = 0.5 * (high[0] - low[0]);
+    let sets = [0.0, 100.0, 10_000.0].map(|times| YinSet::new(&[curve.translated([times * radius; 2])]));
+    let mut found = String::new();
+    clock.time(ring.len(), || {
+        for set in sets {
+            let set = set?;
+            let [low, high] = set.bounding_box().ok_or_else(|| Error::invalid("there is no curve"))?;
+            let spacing = [0, 1].map(|axis| (high[axis] - low[axis]) * 1.01 / 256.0);
+            let cells = CutCells::new(&set, CartesianGrid::new(low, spacing, [256; 2])?)?;
+            found = format!("area {:.9e} length {:.9e}", cells.total_area(), cells.total_length());
+        }
+        Ok::<_, Error>(())
+    })?;
+    Ok(found)
 }
 
 fn fitted(path: &Path, clock: &mut Clock) -> Result<String, Error> {

@@ -83,7 +83,7 @@ fn kinks_that_are_not_there_are_refused() {
     let before = std::fs::read(&path).unwrap();
     let path = argument(&path);
     for (words, said) in [
-        (&["kinks", path, "--insert", "0:1,0:1"][..], "a kink already"),
+        (&["kinks", path, "--insert", "0:1,0:1"][..], "given twice"),
         (&["kinks", path, "--insert", "0:1", "--insert", "0:25"], "knot 25"),
         (&["kinks", path, "--insert", "1:0"], "no curve 1"),
         (&["kinks", path, "--erase", "3"], "no kink v3"),

@@ -36,6 +36,12 @@ impl Dyadic {
         Rational::from_big(fraction)
     }
 
+    /// The floating-point number that is nearest to `self / divisor`. The divisor is positive.
+    #[doc(hidden)]
+    pub fn rounded_ratio(&self, divisor: &Self) -> f64 {
+        self.rounded_quotient(divisor).0
+    }
+
     /// The floating-point number that is nearest to `self / divisor`, a tie to the even one, and how the quotient
     /// compares with it. The divisor is positive.
     pub(crate) fn rounded_quotient(&self, divisor: &Self) -> (f64, Ordering) {

@@ -3345,7 +3345,7 @@ class YinSet:
             The part of each cell that the set covers.
         """
         ...
-    def advected(self, flow: str | Callable[[float, float, float], Sequence[float]], end: float | None = None, *, step: float | None = None, spacing: float | None = None, period: float = 4.0, vortices: int = 4, velocity: Sequence[float] = ..., center: Sequence[float] = ..., speed: float = 1.0, verify: str = "each-step", repair: str | None = None, progress: _Progress = ...) -> tuple[YinSet, dict[str, Json]]:
+    def advected(self, flow: str | Callable[[float, float, float], Sequence[float]], end: float | None = None, *, step: float | None = None, spacing: float | None = None, period: float = 4.0, vortices: int = 4, velocity: Sequence[float] = ..., center: Sequence[float] = ..., speed: float = 1.0, verify: str = "each-step", repair: str | None = None, scheme: str | None = None, least_ratio: float = 0.1, turn: float | None = None, keep_small: bool = False, progress: _Progress = ...) -> tuple[YinSet, dict[str, Json]]:
         """The set after it moved with a flow.
 
         Parameters
@@ -3372,6 +3372,15 @@ class YinSet:
             When it is checked that curves do not cross.
         repair : {"nonzero", "evenodd", "positive"}, optional
             The rule by which curves that cross are cut and pasted, instead of refused.
+        scheme : {"midpoint", "classical", "verner", "cooper-verner"}, optional
+            The Runge-Kutta scheme, of order 2, 4, 6 or 8; that of the order of the set if left out.
+        least_ratio : float
+            The least distance of points along curves as a part of ``spacing``, up to 1/3.
+        turn : float, optional
+            Points are added where the polygon through them turns by more degrees.
+        keep_small : bool
+            Keep curves that become short beside ``spacing``: they have points nearer together. Otherwise they leave the set, with an
+            :class:`AssumptionWarning`, when they are shorter than three times the least distance.
         progress : bool or callable, optional
             ``True`` shows a bar; a function is called with (stage, done, total).
 

@@ -1,6 +1,8 @@
 //! Boolean combinations of sets with curves of order 4 and more.
 
 use super::Combination;
+use crate::PieceSource;
+use crate::curve::{bernstein, distance_to};
 use crate::overlay::{CurvedOverlay, NEARNESS_CURE};
 use crate::set::CurveArena;
 use crate::{Assumption, UncertifiedDecision, YinSet};
@@ -41,20 +43,60 @@ pub(super) fn combine_curved(
         _ => {}
     }
     // What is nearer together than the usual resolution may be apart.
-    let finer = FINE.iter().find_map(|&fine| combine_at(sets, regions, &condition, fine).ok());
-    if let Some(found) = finer {
-        return Ok(found);
+    let mut at_fine = None;
+    for fine in FINE {
+        match combine_at(sets, regions, &condition, fine) {
+            Ok(found) => return Ok(found),
+            Err(error) => _ = at_fine.get_or_insert(error),
+        }
     }
-    if at_usual.is_ok() {
-        return at_usual;
+    // What is taken for one has to be one but for rounding: else something would be lost in silence.
+    let is_lossless = |found: &Combination| found.report.iter().all(|decision| !is_lossy(sets, decision));
+    match at_usual {
+        Ok(found) if is_lossless(&found) => return Ok(found),
+        Ok(_) => return Err(at_fine.expect("finer resolutions have failed")),
+        Err(_) => {}
     }
     for coarseness in COARSE {
         match combine_at(sets, regions, &condition, coarseness) {
             Err(error) if error.kind() == ErrorKind::InvalidInput => {}
+            Ok(found) if !is_lossless(&found) => {}
             found => return found,
         }
     }
     at_usual
+}
+
+/// Whether two arcs were taken for one that are farther apart than double coordinates tell, or a curve for a point.
+fn is_lossy(sets: &[&YinSet], decision: &UncertifiedDecision) -> bool {
+    /// Rounding of coordinates is so many times the last digit of the largest at most.
+    const ROUNDING: f64 = 64.0;
+    /// How many places of an arc are looked at.
+    const PLACES: usize = 8;
+    let rounding = |controls: &[[f64; 2]]| {
+        let largest = controls.as_flattened().iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+        ROUNDING * f64::EPSILON * largest
+    };
+    let [a, b] = decision.pieces();
+    let curve = |source: &PieceSource| sets[source.operand as usize].curve(source.curve as usize);
+    match decision.assumption() {
+        Assumption::SamePoint | Assumption::ArcOrder => false,
+        Assumption::SmallCurve => {
+            let own = curve(&a);
+            let [low, high] = bernstein::control_box(own.controls());
+            (0..2).any(|axis| high[axis] - low[axis] > rounding(own.controls()))
+        }
+        Assumption::SameArc => {
+            let [own, other] = [curve(&a), curve(&b)];
+            let [own, other] = [own.piece(a.piece as usize), other.piece(b.piece as usize)];
+            let limit = rounding(own);
+            (0..=PLACES).any(|place| {
+                let part = place as f64 / PLACES as f64;
+                let at = a.range[0] + part * (a.range[1] - a.range[0]);
+                distance_to(other, bernstein::value(own, at), 2.0 * limit) > limit
+            })
+        }
+    }
 }
 
 fn combine_at(

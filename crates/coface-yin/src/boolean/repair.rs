@@ -63,26 +63,29 @@ impl YinSet {
             .zip(0..)
             .filter_map(|((curve, kinks), number)| Unfolded::of(number, curve, kinks))
             .collect();
-        let rings: Vec<Self> = unfolded
-            .iter()
-            .map(|own| {
-                let mut arena = CurveArena::new(order);
-                arena.push(&own.curve.raised(order)?);
-                let kinks = own.kinks.iter().map(|&knot| KnotIndex { curve: 0, knot }).collect();
-                Ok(Self::from_parts(arena, false, vec![None], kinks))
-            })
-            .collect::<Result<_, Error>>()?;
-        let operands: Vec<&Self> = rings.iter().collect();
+        // All in one region: faces that many curves wind around have one winding number, not one for each.
+        let mut arena = CurveArena::new(order);
+        let mut kinks = Vec::new();
+        for (curve, own) in (0..).zip(&unfolded) {
+            arena.push(&own.curve.raised(order)?);
+            kinks.extend(own.kinks.iter().map(|&knot| KnotIndex { curve, knot }));
+        }
+        let rings = Self::from_parts(arena, false, vec![None; unfolded.len()], kinks);
         let is_inside = |windings: &[(u32, i32)]| {
             rule.is_inside(around + windings.iter().map(|&(_, winding)| winding).sum::<i32>())
         };
         let mut found = match order {
-            Order::LINEAR => combine_linear(&operands, is_inside)?,
-            _ => combine_curved(&operands, Regions::Rings, is_inside)?,
+            Order::LINEAR => combine_linear(&[&rings], is_inside)?,
+            _ => combine_curved(&[&rings], Regions::Rings, is_inside)?,
         };
         let rename = |source: &mut PieceSource| {
-            let own = &unfolded[source.operand as usize];
-            (source.operand, source.piece) = (own.number, own.pieces[source.piece as usize]);
+            let own = &unfolded[source.curve as usize];
+            *source = PieceSource {
+                operand: own.number,
+                curve: 0,
+                piece: own.pieces[source.piece as usize],
+                ..*source
+            };
         };
         found.sources.iter_mut().for_each(rename);
         found.other_sources.iter_mut().for_each(|(_, source)| rename(source));

@@ -54,27 +54,29 @@ impl Integrals {
             let [a, b] = [controls[0], controls[controls.len() - 1]];
             return (b[0] - a[0]).hypot(b[1] - a[1]);
         }
-        let whole = self.one_length(controls);
-        self.halved_length(controls, whole, 12)
+        // Halves of the velocity do not depend on where the arc is: parts of the arc would be rounded like its coordinates.
+        let velocity = derivative(controls);
+        let whole = self.one_length(&velocity);
+        self.halved_length(&velocity, whole, 12)
     }
 
-    fn halved_length(&self, controls: &[[f64; 2]], whole: f64, depth: u32) -> f64 {
-        let halves = split(controls, 0.5);
-        let parts = [0, 1].map(|at| self.one_length(&halves[at]));
+    fn halved_length(&self, velocity: &[[f64; 2]], whole: f64, depth: u32) -> f64 {
+        let halves = split(velocity, 0.5);
+        // Each half is run through in half the time.
+        let parts = [0, 1].map(|at| 0.5 * self.one_length(&halves[at]));
         let sum = parts[0] + parts[1];
         if depth == 0 || (sum - whole).abs() <= 4.0 * f64::EPSILON * sum {
             return sum;
         }
-        self.halved_length(&halves[0], parts[0], depth - 1)
-            + self.halved_length(&halves[1], parts[1], depth - 1)
+        0.5 * (self.halved_length(&halves[0], 2.0 * parts[0], depth - 1)
+            + self.halved_length(&halves[1], 2.0 * parts[1], depth - 1))
     }
 
-    fn one_length(&self, controls: &[[f64; 2]]) -> f64 {
-        let speed = derivative(controls);
+    fn one_length(&self, velocity: &[[f64; 2]]) -> f64 {
         self.nodes
             .iter()
             .map(|&[node, weight]| {
-                let [x, y] = value(&speed, node);
+                let [x, y] = value(velocity, node);
                 weight * x.hypot(y)
             })
             .sum()

@@ -99,12 +99,8 @@ impl YinSet {
     /// ```
     pub fn insert_kink(&mut self, knot: KnotIndex) -> Result<VertexId, Error> {
         let at = self.checked_knot(knot)?;
-        if let Some(vertex) = self.kinks().vertex(at) {
-            let KnotIndex { curve, knot } = at;
-            return Err(Error::invalid(format!(
-                "knot {knot} of curve {curve} is a kink already: {vertex:?}"
-            ))
-            .with_cure("insert kinks at other knots"));
+        if self.kinks().vertex(at).is_some() {
+            return Err(self.is_kink_already(at));
         }
         let span = |ends| Span { curve: at.curve, ends };
         let (removed, added) = match self.kinks().around(at) {
@@ -157,6 +153,153 @@ impl YinSet {
         Ok(at)
     }
 
+    /// Makes knots kinks, all at once, and gives their vertices in the order of the knots. It is what [`Self::insert_kink`] does one after the
+    /// other, but that each smooth piece is fitted once, and the boundary checked as it is in the end.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] if there is no such knot, if one is a kink already or comes twice, or if the boundary would cross or
+    /// touch itself. The set is then as it was.
+    ///
+    /// # Complexity
+    /// $O(n \log n)$ for n pieces in all; where changed pieces come near to what they do not belong to, the whole boundary is checked.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{EndCondition, KnotIndex, Order, YinSet};
+    /// let ring = vec![[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+    /// let mut set = YinSet::fit(&[ring], &[], Order::CUBIC, &EndCondition::NotAKnot)?;
+    /// let kinks = set.insert_kinks(&[3, 1, 0, 2].map(|knot| KnotIndex { curve: 0, knot }))?;
+    /// assert_eq!(set.vertex_to_point(kinks[0]), Some([0.0, 2.0]));
+    /// assert_eq!(set.curve(0).signed_area(), 4.0);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn insert_kinks(&mut self, knots: &[KnotIndex]) -> Result<Vec<VertexId>, Error> {
+        if let [knot] = knots {
+            return Ok(vec![self.insert_kink(*knot)?]);
+        }
+        let all = knots.iter().map(|&knot| self.checked_knot(knot)).collect::<Result<Vec<_>, _>>()?;
+        let mut sorted = all.clone();
+        sorted.sort_unstable();
+        if let Some(pair) = sorted.windows(2).find(|pair| pair[0] == pair[1]) {
+            return Err(twice(pair[0]));
+        }
+        if let Some(&at) = sorted.iter().find(|&&at| self.kinks().vertex(at).is_some()) {
+            return Err(self.is_kink_already(at));
+        }
+        // What each smooth piece that has new kinks in it becomes.
+        let mut changes: Vec<(Span, Vec<Span>)> = Vec::new();
+        for on_curve in sorted.chunk_by(|a, b| a.curve == b.curve) {
+            let curve = on_curve[0].curve;
+            let span = |ends: [u32; 2]| Span { curve, ends: Some(ends) };
+            let Some([before, _]) = self.kinks().around(on_curve[0]) else {
+                let ring = |at: usize| on_curve[at % on_curve.len()].knot;
+                let added = (0..on_curve.len()).map(|at| span([ring(at), ring(at + 1)])).collect();
+                changes.push((Span { curve, ends: None }, added));
+                continue;
+            };
+            // From a kink on, so that none of its pieces comes in two runs.
+            let first = on_curve.partition_point(|at| at.knot < before);
+            let round = on_curve[first..].iter().chain(&on_curve[..first]);
+            for &at in round {
+                let [before, after] = self.kinks().around(at).expect("the curve has kinks");
+                match changes.last_mut() {
+                    Some((whole, parts)) if *whole == span([before, after]) => {
+                        let last = parts.last_mut().expect("a piece that changes becomes several");
+                        let end = last.ends.replace([last.first() as u32, at.knot]);
+                        parts.push(span([at.knot, end.expect("it is between kinks")[1]]));
+                    }
+                    _ => changes
+                        .push((span([before, after]), vec![span([before, at.knot]), span([at.knot, after])])),
+                }
+            }
+        }
+        self.change_all(&changes.into_iter().map(|(whole, parts)| (vec![whole], parts)).collect::<Vec<_>>())?;
+        Ok(all.into_iter().map(|at| self.kinks_mut().insert(at)).collect())
+    }
+
+    /// Makes kinks ordinary knots again, all at once, and gives the knots in the order of the kinks: as [`Self::erase_kink`] does one after
+    /// the other, but that each smooth piece is fitted once, and the boundary checked as it is in the end.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotInComplex`] if there is no such kink; [`ErrorKind::InvalidInput`] if one comes twice, or if the boundary would cross or
+    /// touch itself. The set is then as it was.
+    ///
+    /// # Complexity
+    /// As [`Self::insert_kinks`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{EndCondition, KnotIndex, Order, YinSet};
+    /// let ring = vec![[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+    /// let smooth = YinSet::fit(&[ring], &[], Order::CUBIC, &EndCondition::NotAKnot)?;
+    /// let mut set = smooth.clone();
+    /// let kinks = set.insert_kinks(&[3, 1].map(|knot| KnotIndex { curve: 0, knot }))?;
+    /// assert_eq!(set.erase_kinks(&kinks)?.iter().map(|at| at.knot).collect::<Vec<_>>(), [3, 1]);
+    /// assert_eq!(set, smooth);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn erase_kinks(&mut self, kinks: &[VertexId]) -> Result<Vec<KnotIndex>, Error> {
+        if let [kink] = kinks {
+            return Ok(vec![self.erase_kink(*kink)?]);
+        }
+        let knot = |&kink: &VertexId| {
+            self.kinks().knot(kink).ok_or_else(|| {
+                Error::new(ErrorKind::NotInComplex, format!("there is no kink {kink:?}"))
+                    .with_cure("take the vertex of a kink that is there")
+            })
+        };
+        let all = kinks.iter().map(knot).collect::<Result<Vec<_>, _>>()?;
+        let mut sorted = all.clone();
+        sorted.sort_unstable();
+        if let Some(pair) = sorted.windows(2).find(|pair| pair[0] == pair[1]) {
+            return Err(twice(pair[0]));
+        }
+        let mut changes: Vec<(Vec<Span>, Vec<Span>)> = Vec::new();
+        for on_curve in sorted.chunk_by(|a, b| a.curve == b.curve) {
+            let curve = on_curve[0].curve;
+            let span = |ends: [u32; 2]| Span { curve, ends: Some(ends) };
+            let old: Vec<u32> = self.kinks().on_curve(curve).collect();
+            let is_erased = |knot: u32| on_curve.binary_search(&KnotIndex { curve, knot }).is_ok();
+            let pieces = |from: usize, count: usize| -> Vec<Span> {
+                let ring = |at: usize| old[at % old.len()];
+                (from..from + count).map(|at| span([ring(at), ring(at + 1)])).collect()
+            };
+            let Some(first) = old.iter().position(|&knot| !is_erased(knot)) else {
+                changes.push((pieces(0, old.len()), vec![Span { curve, ends: None }]));
+                continue;
+            };
+            // From a kink that stays to the next.
+            let stay: Vec<usize> =
+                (first..=first + old.len()).filter(|&at| !is_erased(old[at % old.len()])).collect();
+            for pair in stay.windows(2).filter(|pair| pair[1] > pair[0] + 1) {
+                let ends = [pair[0], pair[1]].map(|at| old[at % old.len()]);
+                changes.push((pieces(pair[0], pair[1] - pair[0]), vec![span(ends)]));
+            }
+        }
+        self.change_all(&changes)?;
+        kinks.iter().for_each(|&kink| self.kinks_mut().erase(kink));
+        Ok(all)
+    }
+
+    /// Makes several changes, or none of them.
+    fn change_all(&mut self, changes: &[(Vec<Span>, Vec<Span>)]) -> Result<(), Error> {
+        let before = self.clone();
+        for (removed, added) in changes {
+            if let Err(error) = self.change(removed, added) {
+                *self = before;
+                return Err(error);
+            }
+        }
+        Ok(())
+    }
+
+    fn is_kink_already(&self, at: KnotIndex) -> Error {
+        let KnotIndex { curve, knot } = at;
+        let vertex = self.kinks().vertex(at).map_or(String::new(), |vertex| format!(": {vertex:?}"));
+        Error::invalid(format!("knot {knot} of curve {curve} is a kink already{vertex}"))
+            .with_cure("insert kinks at other knots")
+    }
+
     /// Takes these knots as the only kinks, named 0, 1, 2, ... as they rise, and fits all curves again. The knot after the last one of
     /// a curve is its first.
     ///
@@ -180,9 +323,7 @@ impl YinSet {
         let mut sorted = knots.iter().map(|&knot| self.checked_knot(knot)).collect::<Result<Vec<_>, _>>()?;
         sorted.sort_unstable();
         if let Some(pair) = sorted.windows(2).find(|pair| pair[0] == pair[1]) {
-            let KnotIndex { curve, knot } = pair[0];
-            return Err(Error::invalid(format!("kink {knot} of curve {curve} is given twice"))
-                .with_cure("give each kink once"));
+            return Err(twice(pair[0]));
         }
         let ends = self.kinks().pieces.ends().clone();
         let mut kinks = Kinks::new(sorted);
@@ -429,6 +570,10 @@ impl YinSet {
             write(controls, order, *first, shape);
         }
     }
+}
+
+fn twice(KnotIndex { curve, knot }: KnotIndex) -> Error {
+    Error::invalid(format!("kink {knot} of curve {curve} is given twice")).with_cure("give each kink once")
 }
 
 /// Writes the control points of a smooth piece that begins at a knot, but those at knots, which never change.

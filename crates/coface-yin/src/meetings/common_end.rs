@@ -132,7 +132,7 @@ pub(super) fn power_coefficients(controls: [f64; 4], constant: f64) -> Coefficie
         .collect()
 }
 
-fn size(x: &Dyadic) -> Dyadic {
+pub(super) fn size(x: &Dyadic) -> Dyadic {
     if x.sign().is_lt() { -x } else { x.clone() }
 }
 

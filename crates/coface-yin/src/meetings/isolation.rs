@@ -1,6 +1,6 @@
 //! Where two cubic pieces cross that run side by side, by exact arithmetic.
 
-use super::common_end::{Coefficients, around, power_coefficients, resultant};
+use super::common_end::{Coefficients, around, power_coefficients, resultant, size};
 use coface_geometry::predicates::Dyadic;
 use std::cmp::Ordering;
 
@@ -11,7 +11,7 @@ const DEEPEST: u32 = 48;
 /// each other or equal. Nothing where they are too near each other to be told apart, or the pieces touch.
 ///
 /// The resultant of $x_B(s) - x_A(t)$ and $y_B(s) - y_A(t)$ by s is computed exactly; its roots are isolated by the rule of Descartes.
-/// `from_end` says that both pieces begin in one point, which is left out.
+/// The ends of the first piece that are told to be common are left out.
 ///
 /// # References
 /// G. E. Collins, A. G. Akritas, *Polynomial real root isolation using Descartes' rule of signs* (1976).
@@ -19,18 +19,40 @@ pub(super) fn places_on(
     a: &[[f64; 2]; 4],
     b: &[[f64; 2]; 4],
     range: [f64; 2],
-    from_end: bool,
+    is_common: [bool; 2],
 ) -> Option<Vec<[f64; 2]>> {
     let origin = b[0];
     let of = |piece: &[[f64; 2]; 4]| {
         [0, 1].map(|axis| power_coefficients(piece.map(|point| point[axis]), origin[axis]))
     };
     let mut found = resultant(&of(a), &of(b));
-    if from_end {
+    if is_common[0] {
         let zeros = found.iter().take_while(|c| c.sign().is_eq()).count();
         found.drain(..zeros);
     }
+    if is_common[1] {
+        while let Some(quotient) = without_one(&found) {
+            found = quotient;
+        }
+    }
     isolated_roots(&found, range)
+}
+
+/// A polynomial divided by $t - 1$, if 1 is a root of it.
+fn without_one(polynomial: &[Dyadic]) -> Option<Coefficients> {
+    let mut sum = Dyadic::from(0.0);
+    let mut quotient: Coefficients = polynomial
+        .iter()
+        .rev()
+        .map(|c| {
+            sum = &sum + c;
+            sum.clone()
+        })
+        .collect();
+    // The last sum is the value at 1.
+    let is_root = quotient.pop().is_some_and(|value| value.sign().is_eq());
+    quotient.reverse();
+    (is_root && !quotient.is_empty()).then_some(quotient)
 }
 
 /// The roots of a polynomial in a range, each between two numbers next to each other or equal; nothing if they cannot be told apart.
@@ -62,7 +84,10 @@ fn isolated_roots(polynomial: &[Dyadic], [low, high]: [f64; 2]) -> Option<Vec<[f
         }
         match variations(&own) {
             0 => {}
-            1 => found.push(bracket(polynomial, [place(from), place(from + part)])?),
+            1 => {
+                let guess = place(from + part * guessed_root(&own));
+                found.push(bracket(polynomial, [place(from), place(from + part)], guess)?);
+            }
             _ if depth == DEEPEST => return None,
             _ => {
                 let [left, right] = halves(&own);
@@ -98,8 +123,31 @@ fn halves(polynomial: &[Dyadic]) -> [Coefficients; 2] {
     [left, right]
 }
 
+/// About where the one root of a polynomial between 0 and 1 is, by bisection in floating-point numbers.
+fn guessed_root(polynomial: &[Dyadic]) -> f64 {
+    let zero = Dyadic::from(0.0);
+    let largest = polynomial.iter().fold(zero, |largest, c| {
+        let size = size(c);
+        if (&size - &largest).sign().is_gt() { size } else { largest }
+    });
+    if largest.sign().is_eq() {
+        return 0.5;
+    }
+    let rounded: Vec<f64> = polynomial.iter().map(|c| c.rounded_ratio(&largest)).collect();
+    let value = |t: f64| rounded.iter().rev().fold(0.0, |sum, c| sum * t + c);
+    let is_rising = value(1.0) > 0.0;
+    let [mut low, mut high] = [0.0, 1.0];
+    for _ in 0..54 {
+        let middle = 0.5 * (low + high);
+        if (value(middle) > 0.0) == is_rising { high = middle } else { low = middle }
+    }
+    0.5 * (low + high)
+}
+
 /// Numbers next to each other, or one, between which the only root of a polynomial in a range lies.
-fn bracket(polynomial: &[Dyadic], [mut low, mut high]: [f64; 2]) -> Option<[f64; 2]> {
+///
+/// It is looked for on both sides of a guess first, in steps that grow.
+fn bracket(polynomial: &[Dyadic], [mut low, mut high]: [f64; 2], guess: f64) -> Option<[f64; 2]> {
     let sign = |t: f64| {
         let t = Dyadic::from(t);
         polynomial.iter().rev().fold(Dyadic::from(0.0), |sum, c| &(&sum * &t) + c).sign()
@@ -115,6 +163,22 @@ fn bracket(polynomial: &[Dyadic], [mut low, mut high]: [f64; 2]) -> Option<[f64;
     }
     if below != above.reverse() {
         return None;
+    }
+    let mut step = 2.0 * f64::EPSILON * guess.abs().max(f64::MIN_POSITIVE);
+    loop {
+        let [from, to] = [guess - step, guess + step];
+        let is_below = from <= low || sign(from) == below;
+        let is_above = high <= to || sign(to) == above;
+        if is_below {
+            low = low.max(from);
+        }
+        if is_above {
+            high = high.min(to);
+        }
+        if is_below && is_above {
+            break;
+        }
+        step *= 64.0;
     }
     loop {
         let middle = 0.5 * (low + high);
@@ -175,12 +239,12 @@ mod tests {
         let a = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 27.0]];
         let slope = 2f64.powi(-40);
         let b = [0, 1, 2, 3].map(|j| [a[j][0], a[j][1] + slope * (j as f64 - 1.5)]);
-        assert_eq!(places_on(&a, &b, [0.0, 1.0], false), Some(vec![[0.5; 2]]));
-        assert_eq!(places_on(&a, &b, [0.0, 0.499], false), Some(Vec::new()));
+        assert_eq!(places_on(&a, &b, [0.0, 1.0], [false; 2]), Some(vec![[0.5; 2]]));
+        assert_eq!(places_on(&a, &b, [0.0, 0.499], [false; 2]), Some(Vec::new()));
         // Beginning in one point they leave it on both sides.
         let c = [0, 1, 2, 3].map(|j| [a[j][0], a[j][1] + slope * j as f64]);
-        assert_eq!(places_on(&a, &c, [0.0, 1.0], true), Some(Vec::new()));
-        assert_eq!(places_on(&a, &c, [0.0, 1.0], false), Some(vec![[0.0; 2]]));
-        assert_eq!(places_on(&a, &a, [0.0, 1.0], false), None);
+        assert_eq!(places_on(&a, &c, [0.0, 1.0], [true, false]), Some(Vec::new()));
+        assert_eq!(places_on(&a, &c, [0.0, 1.0], [false; 2]), Some(vec![[0.0; 2]]));
+        assert_eq!(places_on(&a, &a, [0.0, 1.0], [false; 2]), None);
     }
 }

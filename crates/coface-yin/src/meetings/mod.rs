@@ -27,6 +27,7 @@
 mod carriers;
 mod common_end;
 mod contacts;
+mod cubic_pair;
 mod distribution;
 mod frame;
 mod isolation;

@@ -2,7 +2,8 @@
 //!
 //! Parts that follow each other stay together in runs of four; runs are in the order of a Hilbert curve, and a binary tree stands on
 //! them. Each node has a box along the axes and one along a direction of its own, so that long thin parts side by side are told
-//! apart. Boxes are wider than they must be by a margin far above rounding.
+//! apart. Boxes are wider than they must be by a margin far above rounding. Where many bent parts run side by side, each is cut into
+//! shorter arcs, whose boxes are thinner by the square of that.
 
 use super::Pieces;
 use super::polynomial::{cross, dot, minus};
@@ -27,9 +28,9 @@ struct TwoBoxes {
 
 /// A tree on the parts of pieces.
 pub(super) struct PartTree {
-    /// The part at each place.
+    /// The part at each place, of which there is one arc or several.
     order: Vec<u32>,
-    /// The boxes of single parts.
+    /// The boxes of single arcs.
     boxes: Vec<TwoBoxes>,
     /// The boxes around leaves, and around nodes.
     tree: PairTree<TwoBoxes>,
@@ -111,30 +112,41 @@ impl Bounds for TwoBoxes {
 }
 
 impl PartTree {
-    /// The tree of all parts; boxes within the resolution of each other count as near.
-    pub(super) fn new(pieces: &Pieces<'_>) -> Self {
+    /// The tree of all parts, each bent one cut into $2^d$ arcs for a depth d; boxes within the resolution of each other count as near.
+    pub(super) fn new(pieces: &Pieces<'_>, depth: u32) -> Self {
         let margin = pieces.frame.resolution;
-        let count = pieces.parts().len();
+        let arcs: Vec<(u32, TwoBoxes)> = (0..pieces.parts().len() as u32)
+            .into_par_iter()
+            .with_min_len(512)
+            .flat_map_iter(|part| {
+                let piece = pieces.parts()[part as usize].piece as usize;
+                let own = pieces.part_polynomial(part as usize);
+                let mut arcs = vec![own];
+                for _ in 0..if pieces.is_straight(piece) { 0 } else { depth } {
+                    arcs = arcs.iter().flat_map(|arc| arc.split(0.5)).collect();
+                }
+                arcs.into_iter().map(move |arc| (part, TwoBoxes::of_points(arc.controls(), margin)))
+            })
+            .collect();
+        let count = arcs.len();
         let mut runs: Vec<(u64, u32)> = (0..count.div_ceil(LEAF))
             .into_par_iter()
             .with_min_len(512)
             .map(|run| {
-                let points = pieces.part_points((run * LEAF + LEAF / 2).min(count - 1));
-                let [x, y] = points[0].map(|x| ((x + 0.5) * 65535.0) as u32);
+                let TwoBoxes { low, high, .. } = arcs[(run * LEAF + LEAF / 2).min(count - 1)].1;
+                let [x, y] = [0, 1].map(|k| ((0.5 * (low[k] + high[k]) + 0.5) * 65535.0) as u32);
                 (hilbert(x.min(65535), y.min(65535)), run as u32)
             })
             .collect();
         runs.par_sort_unstable();
-        let mut order = Vec::with_capacity(count);
+        let (mut order, mut boxes) = (Vec::with_capacity(count), Vec::with_capacity(count));
         for (_, run) in runs {
             let first = run as usize * LEAF;
-            order.extend(first as u32..(first + LEAF).min(count) as u32);
+            for &(part, own) in &arcs[first..(first + LEAF).min(count)] {
+                order.push(part);
+                boxes.push(own);
+            }
         }
-        let boxes: Vec<TwoBoxes> = order
-            .par_iter()
-            .with_min_len(512)
-            .map(|&part| TwoBoxes::of_points(pieces.part_points(part as usize), margin))
-            .collect();
         let around =
             |inner: &[TwoBoxes]| inner[1..].iter().fold(inner[0], |whole, own| TwoBoxes::around(&whole, own));
         let leaves = boxes.par_chunks(LEAF).with_min_len(256).map(around).collect();
@@ -147,14 +159,15 @@ impl PartTree {
         self.tree.tasks(TASKS)
     }
 
-    /// Calls `found` for the pairs of different parts of a task whose boxes meet, the lower number first; in all tasks each once.
+    /// Calls `found` for the pairs of different parts of a task whose boxes meet, the lower number first; in all tasks each
+    /// once for each pair of their arcs.
     pub(super) fn search(&self, task: PairTask, mut found: impl FnMut(u32, u32)) {
         self.tree.search(task, |[a, b]| {
             for i in self.tree.leaf(a) {
                 let first = if a == b { i + 1 } else { self.tree.leaf(b).start };
                 for j in first..self.tree.leaf(b).end {
-                    if !self.boxes[i].is_apart(&self.boxes[j]) {
-                        let [p, q] = [self.order[i], self.order[j]];
+                    let [p, q] = [self.order[i], self.order[j]];
+                    if p != q && !self.boxes[i].is_apart(&self.boxes[j]) {
                         found(p.min(q), p.max(q));
                     }
                 }

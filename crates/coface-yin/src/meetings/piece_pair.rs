@@ -2,6 +2,7 @@
 
 use super::common_end::{has_no_other_point, has_no_point_between};
 use super::contacts::{Cluster, Contact, clusters};
+use super::cubic_pair::{cubics, meetings_of_cubics};
 use super::isolation::places_on;
 use super::line_contact::{LineContact, line_contact};
 use super::meeting::Found;
@@ -20,6 +21,9 @@ const MOST_CELLS: usize = 1 << 16;
 const CONTACT_LENGTH: f64 = 1.0 / (1u32 << 14) as f64;
 /// Undecided arcs that are longer are an overlap, shorter ones a point.
 const LONGEST_CONTACT: f64 = 1.0 / (1u32 << 11) as f64;
+
+/// Places of crossings are known well up to here.
+const WIDE_PLACE: f64 = 1e-11;
 
 /// A part of a part of each of two pieces, and its parameters.
 struct Cell {
@@ -79,6 +83,12 @@ impl<'a> PairSolver<'a> {
             return;
         }
         let overlaps = if p == q { Vec::new() } else { overlaps_of(pieces, pair) };
+        if overlaps.iter().any(|overlap| !overlap.is_certified)
+            && let Some(exact) = meetings_of_cubics(pieces, pair)
+        {
+            found.points.extend(exact);
+            return;
+        }
         self.roots.clear();
         self.contacts.clear();
         self.is_exhausted = false;
@@ -218,6 +228,13 @@ impl<'a> PairSolver<'a> {
         }
         let [p, q] = pair.map(|piece| self.pieces.polynomial(piece as usize));
         let resolution = self.pieces.frame.resolution;
+        let is_wide = |root: &Root| root.parameters.iter().any(|[low, high]| high - low > WIDE_PLACE);
+        if (!self.contacts.is_empty() || self.roots.iter().any(is_wide))
+            && let Some(exact) = meetings_of_cubics(self.pieces, pair)
+        {
+            found.points.extend(exact);
+            return;
+        }
         let mut groups = clusters(&mut self.contacts, &p, &q);
         // What is proven next to what is undecided belongs to it.
         let mut roots = std::mem::take(&mut self.roots);
@@ -369,15 +386,13 @@ impl<'a> PairSolver<'a> {
     /// The meeting at a root of two cubic pieces whose place is not known well, since they cross at a small angle: where exact arithmetic has
     /// it, so that it is found in one place whatever else is there.
     fn polished(&self, pair: [u32; 2], root: &Root) -> Option<Meeting> {
-        /// Places are known well up to here.
-        const WIDE: f64 = 1e-11;
         let cubics = self.cubics(pair)?;
-        if root.parameters.iter().all(|[low, high]| high - low <= WIDE) {
+        if root.parameters.iter().all(|[low, high]| high - low <= WIDE_PLACE) {
             return None;
         }
         let own = (0..2).find(|&k| root.parameters[1 - k][0] > 0.0 && root.parameters[1 - k][1] < 1.0)?;
         let range = root.parameters[own].map(|t| t.clamp(0.0, 1.0));
-        match places_on(&cubics[own], &cubics[1 - own], range, false)?[..] {
+        match places_on(&cubics[own], &cubics[1 - own], range, [false; 2])?[..] {
             [place] => self.crossing(pair, root.parameters[1 - own], own, place)?,
             _ => None,
         }
@@ -385,14 +400,7 @@ impl<'a> PairSolver<'a> {
 
     /// The control points of two different pieces if they are cubics that are not straight, and the resolution is fine.
     fn cubics(&self, pair: [u32; 2]) -> Option<[[[f64; 2]; 4]; 2]> {
-        if !self.pieces.frame.is_fine
-            || pair[0] == pair[1]
-            || pair.iter().any(|&piece| self.pieces.is_straight(piece as usize))
-        {
-            return None;
-        }
-        let [a, b] = pair.map(|piece| <[[f64; 2]; 4]>::try_from(self.pieces.given(piece as usize)).ok());
-        Some([a?, b?])
+        self.pieces.frame.is_fine.then(|| cubics(self.pieces, pair)).flatten()
     }
 
     /// The meetings of two cubic pieces in a cluster, where exact arithmetic tells them apart: those that cross, however near they are to
@@ -419,7 +427,7 @@ impl<'a> PairSolver<'a> {
             let point = self.pieces.ends(pair[0] as usize)[end];
             let mut is_certified = true;
             let mut last = end as f64;
-            for place in places_on(&a, &b, [0.0, reach.next_up()], true)? {
+            for place in places_on(&a, &b, [0.0, reach.next_up()], [true, false])? {
                 let place = if end == 1 { [1.0 - place[1], 1.0 - place[0]] } else { place };
                 // Arcs that come together so near to their end that rounding may do that are no more than the end.
                 if !self.is_clear_between(pair, group, 0, [last, place[0]]) {
@@ -442,7 +450,7 @@ impl<'a> PairSolver<'a> {
         let own = (0..2).find(|&k| is_inner(1 - k)).unwrap_or(0);
         let [low, high] = ranges[own];
         let wide = [low - (high - low), high + (high - low)].map(|t| t.clamp(0.0, 1.0));
-        let mut places = places_on(&cubics[own], &cubics[1 - own], wide, false)?;
+        let mut places = places_on(&cubics[own], &cubics[1 - own], wide, [false; 2])?;
         let all = places.len();
         places.retain(|place| low <= place[0] && place[1] <= high);
         // Next to a common end that the cluster does not reach to they come together as near as they like.

@@ -11,6 +11,14 @@ use crate::curve::bernstein::is_straight;
 use coface_algebra::Error;
 use coface_algebra::progress::stage;
 use rayon::prelude::*;
+use std::sync::atomic::AtomicUsize;
+use std::sync::atomic::Ordering::Relaxed;
+
+/// Parts are crowded if more than so many others come near each, on average.
+const CROWDED: usize = 8;
+
+/// Crowded parts are halved so often at most.
+const DEEPEST: u32 = 5;
 
 /// All common points and arcs of the pieces of arenas, sorted by pieces and parameters.
 ///
@@ -38,6 +46,44 @@ fn put_on_axes(carriers: &Carriers, meeting: &mut Meeting) {
     }
 }
 
+/// The pairs of parts that are near each other, with their pieces first; nothing if they are more than that, counted by arcs.
+fn candidates(pieces: &Pieces<'_>, depth: u32, most: usize) -> Option<Vec<[u32; 4]>> {
+    let tree = PartTree::new(pieces, depth);
+    let parts = pieces.parts();
+    let resolution = pieces.frame.resolution;
+    let tasks = tree.tasks();
+    let steps = stage("finding pieces that are near", tasks.len());
+    let count = AtomicUsize::new(0);
+    let found: Vec<Vec<[u32; 4]>> = tasks
+        .par_iter()
+        .map(|&task| {
+            steps.advance(1);
+            let mut near = Vec::new();
+            if count.load(Relaxed) > most {
+                return near;
+            }
+            let mut last = 0;
+            tree.search(task, |i, j| {
+                // Counted now and then, so that threads do not wait for each other.
+                if near.len() >= last + 1024 {
+                    count.fetch_add(near.len() - last, Relaxed);
+                    last = near.len();
+                }
+                if count.load(Relaxed) > most {
+                    return;
+                }
+                let [a, b] = [i, j].map(|part| pieces.part_points(part as usize));
+                if !is_apart(a, b, resolution) {
+                    near.push([parts[i as usize].piece, parts[j as usize].piece, i, j]);
+                }
+            });
+            count.fetch_add(near.len() - last, Relaxed);
+            near
+        })
+        .collect();
+    (count.into_inner() <= most).then(|| found.concat())
+}
+
 impl Meetings {
     /// The meetings of pieces at so many times the usual resolution, with local parameters on their carriers.
     ///
@@ -61,27 +107,15 @@ impl Meetings {
 
     /// The meetings of carriers.
     pub(super) fn of_pieces(pieces: &Pieces<'_>) -> Self {
-        let tree = PartTree::new(pieces);
         let parts = pieces.parts();
-        let resolution = pieces.frame.resolution;
-        let tasks = tree.tasks();
-        let steps = stage("finding pieces that are near", tasks.len());
-        let candidates: Vec<Vec<[u32; 4]>> = tasks
-            .par_iter()
-            .map(|&task| {
-                steps.advance(1);
-                let mut near = Vec::new();
-                tree.search(task, |i, j| {
-                    let [a, b] = [i, j].map(|part| pieces.part_points(part as usize));
-                    if !is_apart(a, b, resolution) {
-                        near.push([parts[i as usize].piece, parts[j as usize].piece, i, j]);
-                    }
-                });
-                near
-            })
-            .collect();
-        let mut candidates: Vec<[u32; 4]> = candidates.concat();
+        // Where parts are crowded their arcs are looked at, shorter and shorter.
+        let most = CROWDED * parts.len() + 1024;
+        let mut candidates = (0..DEEPEST)
+            .find_map(|depth| candidates(pieces, depth, most))
+            .or_else(|| candidates(pieces, DEEPEST, usize::MAX))
+            .unwrap_or_default();
         candidates.par_sort_unstable();
+        candidates.dedup();
         let mut starts: Vec<usize> = (0..candidates.len())
             .filter(|&i| i == 0 || candidates[i - 1][..2] != candidates[i][..2])
             .collect();

@@ -75,6 +75,7 @@ impl Fronts {
         let mut stays = vec![true; self.fronts.len()];
         for number in self.inside_out() {
             let front = &mut self.fronts[number];
+            let range = range.for_curve(&front.curve);
             let is_kink = |knot: usize| front.kink_name(knot as u32).is_some();
             let moved = moved_markers(&front.curve, is_kink, map, range, counts)?;
             let length = polyline_length(&moved.points);

@@ -1,6 +1,6 @@
 //! Interfaces that move.
 
-use super::markers::{MovedMarkers, moved_markers, polyline_length};
+use super::markers::{MarkerRange, MovedMarkers, moved_markers, polyline_length};
 use super::sets::in_step;
 use super::{TrackingCounts, TrackingOptions};
 use crate::interface::Arcs;
@@ -142,6 +142,17 @@ impl TrackedGraph {
     }
 }
 
+/// Whether an edge is closed, at a vertex of its own.
+fn is_alone(graph: &InterfaceGraph, edge: EdgeId) -> bool {
+    let [start, end] = graph.ends(edge);
+    start == end && graph.degree(start) == 2
+}
+
+/// The distances of markers of an edge.
+fn range_of(graph: &InterfaceGraph, edge: EdgeId, range: MarkerRange) -> MarkerRange {
+    if is_alone(graph, edge) { range.for_curve(graph.curve(edge)) } else { range }
+}
+
 impl InterfaceGraph {
     /// The interface after all its points have moved with a velocity, which depends on the point and the time.
     ///
@@ -193,9 +204,10 @@ impl InterfaceGraph {
             let map = |point| scheme.mapped(&velocity, point, time, step);
             let mut points = Vec::with_capacity(graph.edge_count());
             for edge in 0..graph.edge_count() {
+                let curve = graph.curve(EdgeId::new(edge));
+                let own_range = range_of(&graph, EdgeId::new(edge), range);
                 let MovedMarkers { points: own, .. } =
-                    moved_markers(graph.curve(EdgeId::new(edge)), |_| false, &map, range, &mut counts)
-                        .map_err(in_step)?;
+                    moved_markers(curve, |_| false, &map, own_range, &mut counts).map_err(in_step)?;
                 points.push(own);
             }
             let mut vertices: Vec<[f64; 2]> = graph.vertices().iter().map(|&vertex| map(vertex)).collect();
@@ -205,9 +217,9 @@ impl InterfaceGraph {
                 (vertices[start], vertices[end]) = (own[0], own[own.len() - 1]);
             }
             let is_gone = |edge: usize| {
-                let [start, end] = graph.ends(EdgeId::new(edge));
-                let is_alone = start == end && graph.degree(start) == 2;
-                is_alone && (points[edge].len() < 4 || polyline_length(&points[edge]) < 3.0 * range.least)
+                let least = range_of(&graph, EdgeId::new(edge), range).least;
+                is_alone(&graph, EdgeId::new(edge))
+                    && (points[edge].len() < 4 || polyline_length(&points[edge]) < 3.0 * least)
             };
             let stays: Vec<bool> = (0..graph.edge_count()).map(|edge| !is_gone(edge)).collect();
             for edge in (0..stays.len()).filter(|&edge| !stays[edge]) {

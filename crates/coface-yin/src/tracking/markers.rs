@@ -38,6 +38,25 @@ pub(super) struct MarkerRange {
     pub(super) most: f64,
     /// The most that the polygon of the markers turns at a marker where there is room for more, in radians.
     pub(super) turn: f64,
+    /// Whether curves that are short beside these distances have markers nearer together, so that they do not vanish.
+    pub(super) keeps_small: bool,
+}
+
+impl MarkerRange {
+    /// The distances of markers of a closed curve.
+    pub(super) fn for_curve(self, curve: &Curve<'_>) -> Self {
+        /// Curves that are kept have so many markers at least.
+        const FEWEST: f64 = 16.0;
+        if !self.keeps_small {
+            return self;
+        }
+        let knots: Vec<[f64; 2]> = (0..=curve.piece_count()).map(|knot| curve.knot_point(knot)).collect();
+        let most = polyline_length(&knots) / FEWEST;
+        if most >= self.most {
+            return self;
+        }
+        Self { least: self.least.min(most / 3.0), most, ..self }
+    }
 }
 
 /// The markers of a curve after a step.

@@ -41,6 +41,8 @@ pub struct TrackingOptions {
     /// What is inside of boundaries that have come to meet: with a rule they are cut and pasted by it, and the motion goes on. Without
     /// one it is an error. Needs a verification.
     pub(crate) repair: Option<InsideRule>,
+    /// Whether curves stay that become short beside the spacing.
+    pub(crate) keep_small: bool,
 }
 
 impl TrackingOptions {
@@ -65,6 +67,7 @@ impl TrackingOptions {
             scheme: None,
             verification: Verification::EachStep,
             repair: None,
+            keep_small: false,
         }
     }
 
@@ -198,12 +201,38 @@ impl TrackingOptions {
         self
     }
 
+    /// Keeps curves that become short beside the spacing: they have markers nearer together, sixteen at least. Without this they vanish with a
+    /// report when they are shorter than three times the least distance.
+    ///
+    /// # Examples
+    /// A hole that shrinks to a hundredth of the spacing.
+    /// ```
+    /// use coface_yin::{Curve, Order, TrackingOptions, YinSet};
+    /// let disk = Curve::circle([0.0, 0.0], 1.0, 64, Order::CUBIC)?;
+    /// let hole = Curve::circle([0.0, 0.0], 0.1, 32, Order::CUBIC)?.reversed();
+    /// let ring = YinSet::new(&[disk, hole])?;
+    /// let shrink = |[x, y]: [f64; 2], _| if x.hypot(y) < 0.2 { [-4.0 * x, -4.0 * y] } else { [0.0; 2] };
+    /// let options = TrackingOptions::new(1.0, 0.05, 0.1).least_ratio(0.3);
+    /// assert_eq!(ring.advected(shrink, &options)?.vanished().len(), 1);
+    /// let moved = ring.advected(shrink, &options.keep_small(true))?;
+    /// assert!(moved.vanished().is_empty() && moved.set().betti_open()? == [1, 1]);
+    /// let exact = std::f64::consts::PI * (0.1 * (-4f64).exp()).powi(2);
+    /// assert!((-moved.set().curve(1).signed_area() / exact - 1.0).abs() < 1e-3);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    #[must_use]
+    pub fn keep_small(mut self, keeps: bool) -> Self {
+        self.keep_small = keeps;
+        self
+    }
+
     /// The distances and turns of markers.
     pub(super) fn range(&self) -> MarkerRange {
         MarkerRange {
             least: self.least_ratio * self.spacing,
             most: self.spacing,
             turn: self.most_turn.unwrap_or(f64::INFINITY),
+            keeps_small: self.keep_small,
         }
     }
 

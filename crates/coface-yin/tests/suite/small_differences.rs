@@ -45,16 +45,39 @@ fn circles_that_are_moved_by_little() {
 /// Splines through n and n + 1 points of one circle change places 2 n - 2 times, and touch in the knot that they share.
 #[test]
 fn splines_of_one_circle_change_places() {
-    for (knots, area) in [(32, 9.4212254e-6), (64, 5.9436644e-7), (128, 3.749989e-8), (256, 2.358066e-9)] {
+    for (knots, area) in [(32, 9.4212254e-6), (64, 5.9436644e-7), (128, 3.749989e-8), (512, 1.4788661e-10)] {
         let [a, b] = [circle(knots, [0.0, 0.0]), circle(knots + 1, [0.0, 0.0])];
         let found = xor(&a, &b);
         assert_eq!(found.set().betti_open().unwrap(), [2 * knots - 1, 0], "{knots}");
         assert!(found.report().is_empty(), "{knots}: {:?}", found.report()[0]);
         check_area(&found, a.comparison(&b).unwrap().area_xor());
-        assert!((found.set().area().unwrap() / area - 1.0).abs() < 1e-6, "{knots}");
+        assert!((found.set().area().unwrap() / area - 1.0).abs() < 1e-5, "{knots}");
         // What is written is read again.
         let curves: Vec<Curve<'_>> = (0..found.set().curve_count()).map(|i| found.set().curve(i)).collect();
         assert_eq!(YinSet::fault(&curves).unwrap(), None, "{knots}");
+    }
+}
+
+/// Where rounding takes more than what curves differ by, in some places or in all, that is an error or what is lost is no more than rounding:
+/// the set is never empty where the curves are farther apart.
+#[test]
+fn differences_at_the_end_of_double_coordinates() {
+    let own = circle(16, [0.0, 0.0]);
+    let formula = BooleanFormula::parse("a ^ b", &[]).unwrap();
+    for shift in [1e-12, 1e-13, 3e-14, 1e-14, 1e-15] {
+        for shift in [[shift, 0.0], [0.6 * shift, -0.8 * shift]] {
+            let other = circle(16, shift);
+            let truth = own.comparison(&other).unwrap().area_xor();
+            match YinSet::combine(&[&own, &other], &formula) {
+                Ok(found) => {
+                    check_area(&found, truth);
+                    let is_empty = found.set().curve_count() == 0;
+                    assert!(!is_empty || truth < 6e-14, "{shift:?}");
+                    assert!(is_empty || found.set().betti_open().unwrap() == [2, 0], "{shift:?}");
+                }
+                Err(error) => assert!(shift[0] > 1e-14 && error.cure().is_some(), "{shift:?} {error}"),
+            }
+        }
     }
 }
 

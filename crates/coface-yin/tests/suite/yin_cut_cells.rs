@@ -167,6 +167,20 @@ fn a_fine_circle_is_cut_without_loss() {
     }
 }
 
+/// Lengths do not depend on where the set is but for rounding of coordinates, nor does the work: parts of arcs that are rounded like
+/// coordinates never have the lengths that add up to that of the whole.
+#[test]
+fn lengths_far_from_the_origin_are_as_near_it() {
+    let circle = Curve::circle([0.0, 0.0], 1.0, 200, Order::CUBIC).unwrap();
+    for offset in [0.0, 100.0, 1e4, 1e8] {
+        let set = YinSet::new(&[circle.translated([offset, -offset])]).unwrap();
+        let around = grid([offset - 1.1, -offset - 1.1], [2.2 / 32.0; 2], [32, 32]);
+        let cells = CutCells::new(&set, around).unwrap();
+        let rounding = 1e-14 + 200.0 * 8.0 * f64::EPSILON * offset;
+        assert!((cells.total_length() - circle.length(1e-14)).abs() < rounding + 1e-13, "{offset}");
+    }
+}
+
 #[test]
 fn a_turned_rectangle_is_cut_without_loss() {
     for order in [Order::LINEAR, Order::CUBIC] {

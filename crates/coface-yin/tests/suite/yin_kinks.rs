@@ -106,6 +106,69 @@ fn edits_one_by_one_give_what_fits_of_everything_give() {
     }
 }
 
+/// Many edits at once against the same one after the other; what is refused changes nothing.
+#[test]
+fn edits_all_at_once_give_what_edits_one_by_one_give() {
+    let mut random = Random(11);
+    for order in [2, 4] {
+        for _ in 0..12 {
+            let mut set = garden(&[vec![3, 20], vec![], vec![5]], Order::new(order).unwrap());
+            let mut single = set.clone();
+            for _ in 0..3 {
+                let knot = |random: &mut Random| {
+                    let curve = random.below(3);
+                    at(curve as u32, random.below(set.curve(curve).piece_count()) as u32)
+                };
+                let knots: Vec<KnotIndex> = (0..random.below(24)).map(|_| knot(&mut random)).collect();
+                let before = (bits(&set), set.clone());
+                let one_by_one = |single: &mut YinSet| {
+                    knots.iter().map(|&knot| single.insert_kink(knot)).collect::<Result<Vec<_>, _>>()
+                };
+                let mut trial = single.clone();
+                match (set.insert_kinks(&knots), one_by_one(&mut trial)) {
+                    (Ok(names), Ok(expected)) => {
+                        assert_eq!(names, expected);
+                        single = trial;
+                    }
+                    // On the way the boundary may cross itself where it does not in the end.
+                    (Ok(_), Err(error)) => {
+                        assert!(error.to_string().contains("with this change"), "{error}");
+                        set = before.1;
+                    }
+                    (Err(_), _) => assert_eq!((bits(&set), &set), (before.0, &before.1)),
+                }
+                assert_eq!((bits(&set), &set), (bits(&single), &single));
+                for own in 0..3 {
+                    assert_eq!(set.curve(own), fitted_from_scratch(&set, own));
+                }
+                let live: Vec<VertexId> = set.kinks().iter().map(|(_, vertex)| vertex).collect();
+                let gone: Vec<VertexId> = live.into_iter().filter(|_| random.below(3) > 0).collect();
+                let before = (bits(&set), set.clone());
+                let mut trial = single.clone();
+                let expected = gone.iter().map(|&kink| trial.erase_kink(kink)).collect::<Result<Vec<_>, _>>();
+                match (set.erase_kinks(&gone), expected) {
+                    (Ok(knots), Ok(expected)) => {
+                        assert_eq!(knots, expected);
+                        single = trial;
+                    }
+                    (Ok(_), Err(_)) => set = before.1,
+                    (Err(_), _) => assert_eq!((bits(&set), &set), (before.0, &before.1)),
+                }
+                assert_eq!((bits(&set), &set), (bits(&single), &single));
+            }
+        }
+    }
+    let mut set = garden(&[vec![3, 20], vec![], vec![5]], CUBIC);
+    let before = set.clone();
+    for knots in [vec![at(0, 1), at(0, 3)], vec![at(1, 2), at(1, 2)], vec![at(0, 7), at(9, 0)]] {
+        assert_eq!(set.insert_kinks(&knots).unwrap_err().kind(), ErrorKind::InvalidInput);
+        assert_eq!(set, before);
+    }
+    let kink = set.kinks().iter().next().unwrap().1;
+    assert!(set.erase_kinks(&[kink, kink]).is_err() && set.erase_kinks(&[kink, VertexId::new(99)]).is_err());
+    assert_eq!((set.erase_kinks(&[]).unwrap().len(), set), (0, before));
+}
+
 #[test]
 fn other_polynomials_keep_their_bits_and_erasing_brings_back_all() {
     let set = garden(&[vec![3, 20, 33], vec![], vec![]], CUBIC);

@@ -74,6 +74,10 @@ pub(super) struct Advect {
     /// Cut and paste a boundary that has come to meet itself by a fill rule
     #[arg(long, value_name = "RULE")]
     repair: Option<Rule>,
+    /// Keep curves that become short beside --spacing: their knots come nearer together, sixteen at least [default: they vanish, with a remark,
+    /// when they are shorter than three times the least distance of knots]
+    #[arg(long)]
+    keep_small: bool,
     /// Write so many files of the way, at equal times: NAME-001, NAME-002, .. for -o NAME
     #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u16).range(1..=10000))]
     frames: u16,
@@ -142,6 +146,7 @@ impl Advect {
                 When::Never => Verification::Never,
             })
             .repair(self.repair.map(Rule::inside))
+            .keep_small(self.keep_small)
             .frames(count);
         let name = input::name(&self.input);
         let stage = |frame: usize| progress.stage(format!("moving, part {frame} of {count}"));

@@ -62,12 +62,9 @@ impl Kinks {
             planar.reset_kinks(request)?;
         }
         let set = planar.set_mut();
-        for &vertex in &self.erase {
-            set.erase_kink(VertexId::from_u32(vertex))?;
-        }
-        for &at in &self.insert {
-            set.insert_kink(at)?;
-        }
+        let erased: Vec<VertexId> = self.erase.iter().map(|&vertex| VertexId::from_u32(vertex)).collect();
+        set.erase_kinks(&erased)?;
+        set.insert_kinks(&self.insert)?;
         Ok(())
     }
 }
