@@ -601,6 +601,9 @@ fn measures(page: &mut Page, report: &Report) {
         };
         page.fact("signed volume", PLAIN, &number(volume), gloss);
     }
+    if let Some(system) = report.reference_system() {
+        page.fact("reference", PLAIN, &system.to_string(), "of the coordinates");
+    }
     let point = |point: [f64; 3]| point.map(number).join("  ");
     match (report.mass(), report.surface_centroid()) {
         (Some(mass), _) => {

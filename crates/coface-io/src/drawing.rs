@@ -414,6 +414,21 @@ fn weld(corners: &[[f64; 3]], owners: &[u32]) -> (Vec<u32>, Vec<u32>) {
     (vertices, firsts)
 }
 
+impl Model {
+    /// Whether this is a map with heights: lines, rings and points with three coordinates, of a format of maps or with polygons
+    /// that have holes.
+    #[doc(hidden)]
+    pub fn is_map_with_heights(&self) -> bool {
+        let is_map = self.format().is_some_and(Format::keeps_heights)
+            || self.data_named(RING, GroupKind::Lines).is_some();
+        is_map
+            && self.positions().dimension() == 3
+            && self.polygons().is_empty()
+            && self.cells().is_empty()
+            && self.structure().is_none()
+    }
+}
+
 /// What a model draws.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Shape {

@@ -106,7 +106,7 @@ impl ReferenceSystem {
         Cow::Owned(format!(r#"{{"type":"name","properties":{{"name":"{name}"}}}}"#))
     }
 
-    /// The one system of several files, each with its name; of those without one the first is given too.
+    /// The one system of several files, each with its name, and the names of those without one.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) naming two files with different systems.

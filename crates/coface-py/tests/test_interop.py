@@ -184,6 +184,14 @@ def test_maps_keep_the_number_of_their_reference_system():
     assert coface.Model([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]]).srid is None
 
 
+def test_geometries_of_shapely_in_one_list_are_in_one_reference_system():
+    shapely = pytest.importorskip("shapely")
+    points = [shapely.set_srid(shapely.Point(place, 1), srid) for place, srid in [(1, 25832), (2, 0), (3, 25832), (4, 4326)]]
+    assert coface.as_model(points[:3]).srid == 25832
+    with pytest.raises(ValueError, match="SRID 25832 and in SRID 4326.*transform"):
+        coface.as_model(points)
+
+
 def test_closed_lines_are_rings_where_asked():
     line = coface.Model.from_bytes(b"LINESTRING (0 0, 2 0, 2 2, 0 0)", "wkt")
     assert coface.arrange(line).inside == [[]]

@@ -841,6 +841,8 @@ export interface InfoAnswer {
   problems: ProblemAnswer[];
   /** Whether every cell is a face of a cell of the highest degree; `null` for a chain complex. */
   pure?: boolean | null;
+  /** The reference system of the coordinates of a map; absent where the file names none. */
+  reference_system?: ReferenceAnswer | null;
   /** The warnings with their codes, counts and first places. */
   remarks: Remark[];
   /** The enclosed volume, in the cube of the unit of the file, positive when faces run counterclockwise seen from outside. */
@@ -1341,6 +1343,14 @@ export interface ReducedShard {
   skipped: boolean;
   /** The number of strata. */
   strata: number;
+}
+
+/** The reference system that the file of a map names. */
+export interface ReferenceAnswer {
+  /** The text of its member `crs` in GeoJSON. */
+  crs: string;
+  /** Its number, such as 25832 of EPSG; `null` if it has none. */
+  srid?: number | null;
 }
 
 /**

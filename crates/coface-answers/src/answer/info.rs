@@ -75,10 +75,23 @@ pub struct InfoAnswer {
     /// Whether the polygons with rings of a drawing are valid; `null` for what has none, and where they were not checked.
     #[serde(default)]
     pub polygons: Option<DrawnPolygonsAnswer>,
+    /// The reference system of the coordinates of a map; absent where the file names none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reference_system: Option<ReferenceAnswer>,
     /// What was odd, one sentence each: the reader's remarks, then the first sentence of each problem.
     pub warnings: Vec<String>,
     /// The warnings with their codes, counts and first places.
     pub remarks: Vec<Remark>,
+}
+
+/// The reference system that the file of a map names.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct ReferenceAnswer {
+    /// Its number, such as 25832 of EPSG; `null` if it has none.
+    pub srid: Option<u32>,
+    /// The text of its member `crs` in GeoJSON.
+    pub crs: String,
 }
 
 /// How many cells have a shape.
@@ -505,6 +518,10 @@ impl Report {
             problems: self.problems.iter().map(|problem| ProblemAnswer::of(problem, limit)).collect(),
             geometry: self.geometry.as_ref().map(|facts| GeometryAnswer::of(facts, limit)),
             polygons: self.drawn.as_ref().map(|found| DrawnPolygonsAnswer::of(found, limit)),
+            reference_system: self
+                .reference
+                .as_ref()
+                .map(|system| ReferenceAnswer { srid: system.srid(), crs: system.crs().into_owned() }),
             warnings: self.warnings.clone(),
             remarks: self.remarks.clone(),
         }

@@ -70,7 +70,8 @@ pub use generate::GenerateAnswer;
 pub use info::{
     BoundarySurface, CellsOfShape, DataAnswer, DrawnFaultAnswer, DrawnPlaceAnswer, DrawnPolygonsAnswer,
     FailedInput, GeometryAnswer, GeometryFaultAnswer, GeometryPlace, InfoAnswer, InfoEntry, InfoReports,
-    ManifoldAnswer, MassAnswer, MomentAnswer, NamedGroup, ProblemAnswer, SurfaceAnswer, WitnessAnswer,
+    ManifoldAnswer, MassAnswer, MomentAnswer, NamedGroup, ProblemAnswer, ReferenceAnswer, SurfaceAnswer,
+    WitnessAnswer,
 };
 pub use isomorphic::IsomorphicAnswer;
 pub use loops::{

@@ -1,11 +1,11 @@
 //! Whether the polygons of a drawing are valid.
 
-use super::GeometryCheck;
+use super::{GeometryCheck, Report};
 use crate::answer::{Place, Remark, RemarkCode};
 use coface_algebra::{Error, RaggedArray, VertexId};
 use coface_arrange::planar::{PolygonFault, PolygonFaultKind, polygon_faults};
 use coface_geometry::Positions;
-use coface_io::{Features, GroupKind, Model, Shape, shapes};
+use coface_io::{Features, GroupKind, Model, ReferenceSystem, Shape, shapes};
 use rayon::prelude::*;
 
 /// What is wrong with the polygons of a drawing: those of one geometry together.
@@ -25,6 +25,22 @@ pub struct DrawnPolygons {
     polygon_count: usize,
     faults: Vec<DrawnFault>,
     reversed_rings: usize,
+}
+
+impl Report {
+    /// The reference system that a map names.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let point = coface_io::read(&b"SRID=25832;POINT (1 2)"[..], coface_io::Format::Wkt)?;
+    /// let report = coface_answers::Report::of(point)?;
+    /// assert_eq!(report.reference_system().and_then(|system| system.srid()), Some(25832));
+    /// # Ok(()) }
+    /// ```
+    pub fn reference_system(&self) -> Option<&ReferenceSystem> {
+        self.reference.as_ref()
+    }
 }
 
 /// One kind of fault with its places.

@@ -197,6 +197,7 @@ impl Report {
         let kind = kind_of(&model);
         let (permutations, pointers) = halfedges::pointers(&model)?;
         let drawn = DrawnPolygons::of(&model, request.geometry.check)?;
+        let reference = model.reference_system().cloned();
         let mut model = model.into_parts();
         let mut remarks = std::mem::take(&mut model.remarks);
         let data = std::mem::take(&mut model.data).iter().map(DataSummary::of).collect();
@@ -235,7 +236,7 @@ impl Report {
         if let Some(drawn) = &drawn {
             remarks.extend(drawn.remarks());
         }
-        report.drawn = drawn;
+        (report.drawn, report.reference) = (drawn, reference);
         (report.permutations, report.pointers) = (permutations, pointers);
         report.warnings = remarks.iter().map(|remark| remark.message.clone()).collect();
         report.remarks = remarks;
@@ -283,10 +284,11 @@ fn kind_of(model: &Model) -> Kind {
     }
 }
 
-/// Whether all positions have two coordinates, or a third that is zero.
+/// Whether all positions have two coordinates, or a third that is zero or the height of a map.
 fn is_planar(model: &Model) -> bool {
     match model.positions().dimension() {
         2 => true,
+        3 if model.is_map_with_heights() => true,
         3 => model.positions().as_flat().iter().skip(2).step_by(3).all(|&z| z == 0.0),
         _ => false,
     }
@@ -420,6 +422,13 @@ mod tests {
         let positions = Positions::from_flat(2, vec![0., 0., 1., 0., 1., 1.]).unwrap();
         let drawing = Model::from_lines(positions, lines).unwrap();
         assert_eq!(Report::of(drawing).unwrap().kind(), Kind::Planar);
+        let roof = &b"SRID=25832;POLYGON Z ((0 0 1, 4 0 1, 4 4 3, 0 0 1))"[..];
+        let report = Report::of(coface_io::read(roof, coface_io::Format::Wkt).unwrap()).unwrap();
+        assert_eq!(report.kind(), Kind::Planar);
+        assert_eq!(report.reference_system().and_then(|system| system.srid()), Some(25832));
+        let answer = report.answer(1).reference_system.unwrap();
+        assert_eq!(answer.srid, Some(25832));
+        assert!(answer.crs.contains("urn:ogc:def:crs:EPSG::25832"), "{}", answer.crs);
         let positions =
             Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 6.]).unwrap();
         let cells = RaggedArray::from_lists([[1, 0, 2, 3]]);

@@ -5,7 +5,7 @@ use crate::answer::HalfedgePointers;
 use crate::answer::Remark;
 use coface_complexes::surface::{SurfaceComponent, SurfaceType};
 use coface_geometry::MassProperties;
-use coface_io::{CellData, Group, GroupKind};
+use coface_io::{CellData, Group, GroupKind, ReferenceSystem};
 use coface_topology::AbelianGroup;
 use std::fmt;
 
@@ -494,6 +494,7 @@ pub struct Report {
     pub(crate) problems: Vec<Problem>,
     pub(crate) geometry: Option<GeometryFacts>,
     pub(crate) drawn: Option<DrawnPolygons>,
+    pub(crate) reference: Option<ReferenceSystem>,
     pub(crate) warnings: Vec<String>,
     pub(crate) remarks: Vec<Remark>,
 }
@@ -531,6 +532,7 @@ impl Report {
             problems: Vec::new(),
             geometry: None,
             drawn: None,
+            reference: None,
             warnings: Vec::new(),
             remarks: Vec::new(),
         }

@@ -1,15 +1,15 @@
 //! What models draw in the plane: segments, rings, polygons and regions.
 
 use super::drawing_options::DrawingOptions;
-use super::heights::is_map_with_heights;
 use super::properties::DrawnFeatures;
 use crate::RegionSource;
-use crate::answer::{DrawingInput, Remark, RemarkCode, VertexOrigin, remarks_of_file};
+use crate::answer::{DrawingInput, Place, Remark, RemarkCode, VertexOrigin, remarks_of_file};
 use crate::text;
 use coface_algebra::{Error, ErrorKind, UnionFind, VertexId};
 use coface_arrange::boolean::InsideRule;
 use coface_arrange::planar::VertexSource;
 use coface_geometry::Positions;
+use coface_geometry::predicates::orientation;
 use coface_io::{
     Features, Format, GroupKind, Model, ReferenceSystem, Shape, Structure, features_of_shapes, shapes,
 };
@@ -117,7 +117,7 @@ pub fn is_planar(model: &Model) -> bool {
     model.cells().is_empty()
         && match positions.dimension() {
             2 => true,
-            3 if is_map_with_heights(model) => true,
+            3 if model.is_map_with_heights() => true,
             3 => positions.as_flat().iter().skip(2).step_by(3).all(|&height| height == 0.0),
             dimension => dimension == 0 && model.is_empty(),
         }
@@ -233,7 +233,44 @@ impl PlanarDrawing {
             }
         }
         drawing.positions = Positions::from_flat(2, flat)?;
+        drawing.remarks.extend(drawing.remark_of_flat_polygons());
         Ok(drawing)
+    }
+
+    /// That polygons have no area, seen from above: all corners of each are on one line.
+    fn remark_of_flat_polygons(&self) -> Option<Remark> {
+        let flat: Vec<u32> = (self.ring_of_segment.chunk_by(|a, b| a == b))
+            .scan(0, |start, ring| {
+                let segments = &self.segments[*start..*start + ring.len()];
+                *start += ring.len();
+                Some((ring[0], segments))
+            })
+            .filter(|&(ring, _)| ring != NO_RING && !self.rings[ring as usize].is_hole)
+            .filter(|(ring, _)| {
+                let polygon = self.polygons[self.rings[*ring as usize].polygon as usize];
+                polygon.filling == Filling::OuterWithoutHoles
+            })
+            .filter(|(_, segments)| self.are_on_one_line(segments))
+            .map(|(_, segments)| segments[0][0])
+            .collect();
+        let (first, count) = (*flat.first()?, flat.len());
+        let [x, y] = self.place(first);
+        let message = match count {
+            1 => format!("the polygon at ({x}, {y}) has no area in the plane and bounds nothing"),
+            _ => format!(
+                "{count} polygons, the first at ({x}, {y}), have no area in the plane and bound nothing"
+            ),
+        };
+        let places = flat.iter().map(|&vertex| Place::point(&self.place(vertex)));
+        Some(Remark::new(RemarkCode::UnboundedSegments, message).at(count, places))
+    }
+
+    /// Whether the ends of these segments are on one line.
+    fn are_on_one_line(&self, segments: &[[u32; 2]]) -> bool {
+        let places = || segments.iter().map(|segment| self.place(segment[1]));
+        let Some(first) = places().next() else { return true };
+        let Some(second) = places().find(|&place| place != first) else { return true };
+        places().all(|place| orientation(first, second, place).is_eq())
     }
 
     /// The same without heights, and a remark if there were some.
@@ -285,7 +322,7 @@ impl PlanarDrawing {
         for point in model.positions().as_flat().chunks_exact(model.positions().dimension().max(1)) {
             flat.extend_from_slice(&point[..2]);
         }
-        let has_heights = is_map_with_heights(model);
+        let has_heights = model.is_map_with_heights();
         let heights = model.positions().as_flat().chunks_exact(model.positions().dimension().max(1));
         self.heights.extend(heights.map(|point| if has_heights { point[2] } else { f64::NAN }));
         let mut regions =
@@ -852,7 +889,7 @@ fn check_plane(model: &Model) -> Result<(), Error> {
     let positions = model.positions();
     match positions.dimension() {
         2 => Ok(()),
-        3 if is_map_with_heights(model) => Ok(()),
+        3 if model.is_map_with_heights() => Ok(()),
         0 if model.is_empty() => Ok(()),
         0 => {
             Err(Error::invalid("the vertices have no positions").with_cure("give a drawing with coordinates"))

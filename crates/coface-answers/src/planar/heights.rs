@@ -4,18 +4,6 @@ use super::drawing::PlanarDrawing;
 use coface_algebra::{Error, RaggedArray};
 use coface_arrange::planar::VertexSource;
 use coface_geometry::Positions;
-use coface_io::{Format, GroupKind, Model};
-
-/// Whether a model is a map with heights: lines, rings and points with three coordinates, of a format of maps or with polygons that have holes.
-pub(super) fn is_map_with_heights(model: &Model) -> bool {
-    let is_map = model.format().is_some_and(Format::keeps_heights)
-        || model.data_named("ring", GroupKind::Lines).is_some();
-    is_map
-        && model.positions().dimension() == 3
-        && model.polygons().is_empty()
-        && model.cells().is_empty()
-        && model.structure().is_none()
-}
 
 /// The heights of vertices of a result, by the heights of the drawing.
 ///
@@ -149,6 +137,7 @@ mod tests {
     use super::*;
     use crate::{ArrangementRequest, BooleanRequest, DrawingArrangement, RegionBoolean, RegionSource};
     use coface_arrange::boolean::BooleanFormula;
+    use coface_io::{Format, Model};
     use proptest::prelude::*;
 
     fn drawing(texts: &[&str]) -> PlanarDrawing {
@@ -204,6 +193,26 @@ mod tests {
         assert!(!flat.contains('Z'), "{flat}");
         assert!(answer.remarks.iter().any(|remark| remark.code == crate::answer::RemarkCode::HeightsLeftOut));
         assert_eq!(answer.f_vector, write(drawing(&[LOW, line])).1.f_vector);
+    }
+
+    #[test]
+    fn polygons_without_area_are_remarked() {
+        let wall = "POLYGON Z ((0 0 0, 1 0 0, 1 0 1, 0 0 1, 0 0 0))";
+        let spike = "POLYGON ((7 7, 9 9, 8 8, 7 7))";
+        for (texts, count) in [(&[wall][..], 1), (&[spike], 1), (&[wall, spike, LOW], 2), (&[LOW], 0)] {
+            let drawn = drawing(texts);
+            let formula = BooleanFormula::union(texts.len());
+            let result = RegionBoolean::new(drawn, &formula, &BooleanRequest::default()).unwrap();
+            let answer = result.answer();
+            let of_area: Vec<_> =
+                answer.remarks.iter().filter(|remark| remark.message.contains("no area")).collect();
+            assert_eq!(
+                of_area.iter().map(|remark| remark.count).sum::<u64>(),
+                count,
+                "{texts:?}: {of_area:?}"
+            );
+            assert_eq!(answer.measure, if texts.contains(&LOW) { 16.0 } else { 0.0 });
+        }
     }
 
     proptest! {

@@ -159,15 +159,19 @@ impl<R: Read> Reader<'_, R> {
     fn bytes<const N: usize>(&mut self) -> Result<[u8; N], Error> {
         let mut bytes = [0; N];
         let width = if matches!(self.place, Site::Line(_)) { 2 } else { 1 };
-        let value = match self.scanner.available(width * N)?.get(..width * N) {
-            None => return Err(self.fault("the binary geometry ends too early")),
-            Some(digits) if width == 2 => digits.chunks(2).map(value_of).collect::<Option<Vec<u8>>>(),
-            Some(value) => Some(value.to_vec()),
+        let Some(given) = self.scanner.available(width * N)?.get(..width * N) else {
+            return Err(self.fault("the binary geometry ends too early"));
         };
-        let Some(value) = value else {
-            return Err(self.fault("a binary geometry has a byte that is not two hexadecimal digits"));
-        };
-        bytes.copy_from_slice(&value);
+        if width == 1 {
+            bytes.copy_from_slice(given);
+        } else {
+            for (byte, pair) in bytes.iter_mut().zip(given.chunks_exact(2)) {
+                let Some(value) = value_of(pair) else {
+                    return Err(self.fault("a binary geometry has a byte that is not two hexadecimal digits"));
+                };
+                *byte = value;
+            }
+        }
         self.scanner.consume(width * N);
         if let Site::Byte(byte) = &mut self.place {
             *byte += N as u64;

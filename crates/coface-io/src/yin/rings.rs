@@ -31,6 +31,10 @@ use coface_yin::Order;
 pub fn drawing_of_model(model: &Model) -> Result<BoundaryDrawing, Error> {
     check_plane(model)?;
     let mut drawing = BoundaryDrawing::new(Order::LINEAR);
+    if let Some(system) = model.reference_system() {
+        let message = format!("sets of the plane keep no reference system: {system} is left out");
+        drawing.remark(Remark::new(RemarkCode::FormatKeepsLess, message));
+    }
     let rules = model.data_named("fill_rule", GroupKind::Lines);
     let place = |vertex: u32| {
         let point = model.positions().point(VertexId::from_u32(vertex));

@@ -12,7 +12,12 @@ def to_model(value: Any) -> Model:
     """A geometry, or a list of geometries, as a model of lines: rings of polygons are closed lines that know their polygon."""
     library = needed("shapely", "as_model")
     if isinstance(value, (list, tuple)):
-        systems = [srid for srid in map(library.get_srid, value) if srid > 0]
+        systems = list(dict.fromkeys(int(srid) for srid in map(library.get_srid, value) if srid > 0))
+        if len(systems) > 1:
+            raise ValueError(
+                f"geometries of the list are in SRID {systems[0]} and in SRID {systems[1]}: "
+                "their coordinates cannot be compared; transform one of them first"
+            )
         value = library.GeometryCollection(list(value))
         if systems:
             value = library.set_srid(value, systems[0])
