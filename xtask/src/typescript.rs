@@ -105,6 +105,9 @@ fn type_of(schema: &Value) -> Result<String, String> {
     if let Some(place) = schema["$ref"].as_str() {
         return Ok(place.rsplit('/').next().unwrap_or(place).to_owned());
     }
+    if *schema == Value::Bool(true) {
+        return Ok("unknown".to_owned());
+    }
     if let Some(value) = schema.get("const") {
         return Ok(value.to_string());
     }

@@ -50,8 +50,8 @@ pub use persistence::{
     DiagramFormat, FoundDiagram, Growth, PersistenceRequest, VertexFunction, write_diagram,
 };
 pub use planar::{
-    ArrangementRequest, BooleanRequest, DrawingArrangement, DrawingOptions, PlanarDrawing, RegionBoolean,
-    are_planar, is_planar, reference_loss,
+    ArrangementRequest, BooleanRequest, DissolveRequest, Dissolved, DrawingArrangement, DrawingOptions,
+    PlanarDrawing, RegionBoolean, are_planar, is_planar, reference_loss,
 };
 pub use producer::{CellNames, OrderedSimplices, Pair, Producer, Term};
 pub use repair::{

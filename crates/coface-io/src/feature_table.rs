@@ -1,5 +1,7 @@
 //! The features of a map: what a file says of them beside their shapes.
 
+use crate::Model;
+use coface_algebra::Error;
 use std::sync::Arc;
 
 /// The number of the feature of what is of none.
@@ -194,6 +196,27 @@ impl FeatureTable {
             of_polygons.len() == polygon_count
         };
         self.is_empty() || fits && of_lines.iter().chain(of_points).chain(of_polygons).all(is_known)
+    }
+}
+
+impl Model {
+    /// The model with features that have these properties, texts of JSON objects, by the feature of each line. Its points are of none.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if there are other lines, or such features are not there.
+    #[doc(hidden)]
+    pub fn with_feature_properties(
+        mut self,
+        properties: impl IntoIterator<Item = String>,
+        of_lines: Vec<u32>,
+    ) -> Result<Self, Error> {
+        let mut texts = FeatureTexts::default();
+        for properties in properties {
+            texts.push(if properties == "{}" { "" } else { &properties }, "");
+        }
+        self.features = FeatureTable::new(texts, of_lines, vec![NO_FEATURE; self.points.len()]);
+        self.check()?;
+        Ok(self)
     }
 }
 

@@ -271,6 +271,8 @@ pub enum RemarkCode {
     UnboundedSegments,
     /// A hole of a drawing is not inside of its outer ring; what is outside counts as empty.
     DrawingAssumption,
+    /// Features do not have the properties by which they are united.
+    PropertyMissing,
     /// Cells of an input that the answer is not about were left out.
     CellsLeftOut,
     /// Curves bound nothing, so the set has no boundary.

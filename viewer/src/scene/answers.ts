@@ -390,6 +390,40 @@ export interface DegeneratePolygons {
   listed: [number, number][];
 }
 
+/** Features of maps united by the values of their properties. */
+export interface DissolveAnswer {
+  /** The dimension of the space: 2. */
+  dimension: number;
+  /** The numbers of vertices, edges and polygons of all united features. */
+  f_vector: [number, number, number];
+  /** The united features. */
+  groups: DissolvedGroupAnswer[];
+  /** The inputs in their order. */
+  inputs: DrawingInput[];
+  /** The sum of the areas of the united features, in the square of the unit of the inputs. */
+  measure: number;
+  /** The names of the properties. */
+  properties: string[];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
+/** The features that have the same values of the properties. */
+export interface DissolvedGroupAnswer {
+  /** The number of parts whose inner points are connected. */
+  components: number;
+  /** How many features were united. A polygon of a feature without any properties counts as one. */
+  features: number;
+  /** The number of holes of polygons. */
+  holes: number;
+  /** The area, in the square of the unit of the inputs. */
+  measure: number;
+  /** The number of polygons. */
+  polygons: number;
+  /** The values in the order of the properties; null for one that the features do not have. */
+  values: unknown[];
+}
+
 /** An orientation double cover: every face twice, so that neighbors agree. */
 export interface DoubleCoverAnswer {
   /** The number of copies of each face: 2. */
@@ -1375,7 +1409,7 @@ export interface Remark {
 }
 
 /** What sort of remark a [`Remark`] is. The word in the JSON is the name in kebab case: `isolated-vertex`. */
-export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "reference-assumed" | "heights-left-out" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "invalid-polygon" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "overlapping-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "points-rounded" | "features-joined" | "thin-cells" | "data-left-out" | "merged-within-block" | "topology-repaired" | "curves-vanished" | "decision-uncertified" | "model-repaired" | "not-drawn" | "earlier-run-ignored" | "input-refused";
+export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "reference-assumed" | "heights-left-out" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "invalid-polygon" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "overlapping-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "property-missing" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "points-rounded" | "features-joined" | "thin-cells" | "data-left-out" | "merged-within-block" | "topology-repaired" | "curves-vanished" | "decision-uncertified" | "model-repaired" | "not-drawn" | "earlier-run-ignored" | "input-refused";
 
 /** A still picture. */
 export interface RenderAnswer {

@@ -15,6 +15,7 @@ mod congruence;
 mod convert;
 mod cover;
 mod cut;
+mod dissolve;
 mod edit;
 mod generate;
 mod groups;
@@ -36,6 +37,7 @@ mod yin;
 
 pub use cover::{CoverAnswer, DoubleCoverAnswer};
 pub use cut::{CutAnswer, CutPath, CutPiece, FundamentalDomain, SeamAnswer};
+pub use dissolve::{DissolveAnswer, DissolvedGroupAnswer};
 pub use edit::EditAnswer;
 pub use groups::{GroupAnswer, HomologyGroup, WholeNumber};
 pub use halfedges::HalfedgePointers;

@@ -2,11 +2,11 @@
 
 use super::{
     BatchAnswer, CochainTestAnswer, CocyclesAnswer, CongruenceAnswer, ConvertAnswer, CoverAnswer, CutAnswer,
-    CyclesAnswer, DoubleCoverAnswer, EditAnswer, GenerateAnswer, HomologyAnswer, HomotopicAnswer,
-    IncidenceAnswer, InfoAnswer, InfoReports, IsomorphicAnswer, LoopsAnswer, PersistenceAnswer, Pi1Answer,
-    PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer, RenderAnswer, RowAnswer, ShardAnswer,
-    SimplicesAnswer, SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer,
-    YinAdvectAnswer, YinCombinationAnswer, YinComparisonAnswer, YinCutCellsAnswer, YinInfoAnswer,
+    CyclesAnswer, DissolveAnswer, DoubleCoverAnswer, EditAnswer, GenerateAnswer, HomologyAnswer,
+    HomotopicAnswer, IncidenceAnswer, InfoAnswer, InfoReports, IsomorphicAnswer, LoopsAnswer,
+    PersistenceAnswer, Pi1Answer, PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer, RenderAnswer,
+    RowAnswer, ShardAnswer, SimplicesAnswer, SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer,
+    ViewAnswer, YinAdvectAnswer, YinCombinationAnswer, YinComparisonAnswer, YinCutCellsAnswer, YinInfoAnswer,
     YinKinksAnswer, YinSetAnswer,
 };
 use schemars::generate::SchemaSettings;
@@ -90,6 +90,7 @@ answers! {
     "arrange (plane)" => PlanarArrangementAnswer,
     "arrange (space)" => SpatialArrangementAnswer,
     "boolean (plane)" => PlanarBooleanAnswer,
+    "boolean --dissolve" => DissolveAnswer,
     "boolean (space)" => SolidBooleanAnswer,
     "yin info" => YinInfoAnswer,
     "yin meet" => YinCombinationAnswer,

@@ -11,7 +11,6 @@ use crate::answer::{
     BoundaryManifold, BoundaryVerdict, BoundaryWitness, EdgeOrigin, PlanarBooleanAnswer,
     PlanarBooleanProvenance, PolygonRounding, Remark, RemarkCode,
 };
-use crate::text;
 use coface_algebra::{EdgeId, Error, FaceId, VertexId};
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
 use coface_arrange::planar::{PlanarArrangement, PlanarOptions, PlanarOverlay, SnappedArrangement, Step};
@@ -462,11 +461,6 @@ impl RegionBoolean {
         });
         let mut remarks = self.drawing.remarks.clone();
         remarks.extend(self.drawing.remarks_of_lines(self.rule, true));
-        if self.drawing.point_count > 0 {
-            let count = self.drawing.point_count;
-            let message = format!("{} left out: a point bounds nothing", text::count(count, "point"));
-            remarks.push(Remark::new(RemarkCode::UnboundedSegments, message).at(count, []));
-        }
         remarks.extend(self.remarks.iter().cloned());
         if !self.found.is_valid {
             remarks.push(Remark::new(

@@ -632,6 +632,11 @@ impl PlanarDrawing {
             let message = format!("{segments} of lines bound nothing and are passed over{cure}");
             remarks.push(Remark::new(RemarkCode::UnboundedSegments, message).at(count, []));
         }
+        if self.point_count > 0 && is_region {
+            let count = self.point_count;
+            let message = format!("{} left out: a point bounds nothing", text::count(count, "point"));
+            remarks.push(Remark::new(RemarkCode::UnboundedSegments, message).at(count, []));
+        }
         let by_parity = self.polygons.iter().filter(|polygon| polygon.filling == Filling::Lines).count();
         if by_parity > 0 && rule.is_some_and(|rule| rule != InsideRule::Odd) {
             let message = format!(

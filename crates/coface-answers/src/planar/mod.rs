@@ -20,8 +20,10 @@ mod canonical;
 mod containment;
 mod crossings;
 mod crowd;
+mod dissolve;
 mod drawing;
 mod drawing_options;
+mod feature_model;
 mod heights;
 mod outcome;
 mod outline;
@@ -33,6 +35,7 @@ mod writing;
 
 pub use arrangement::{ArrangementRequest, DrawingArrangement};
 pub use boolean::{BooleanRequest, RegionBoolean};
+pub use dissolve::{DissolveRequest, Dissolved};
 pub use drawing::{PlanarDrawing, are_planar, is_planar};
 pub use drawing_options::DrawingOptions;
 pub use writing::reference_loss;

@@ -190,21 +190,24 @@ impl RegionBoolean {
                 with_own(&own, self.merged_of_polygon(FaceId::new(polygon))?)
             };
             let is_one = is_well_known && !self.found.has_walls;
-            let found = &self.found;
-            let positions = match Heights::new(&self.drawing).filter(|_| format.keeps_heights()) {
-                Some(heights) => heights.lift(
-                    &positions,
-                    &found.sources,
-                    found.edges.iter().copied(),
-                    &found.segments_of_edge,
-                )?,
-                None => positions,
-            };
-            let model = drawing_model(&found.outline, positions, &[], is_one)?
+            let positions = if format.keeps_heights() { self.lifted_positions()? } else { positions };
+            let model = drawing_model(&self.found.outline, positions, &[], is_one)?
                 .with_reference_system(self.drawing.reference.clone());
             return write_drawing(model, out, format, properties);
         }
         io::write(&mesh(&self.found.outline, &positions, &[])?, out, format)
+    }
+
+    /// The positions with heights, where inputs have some.
+    pub(super) fn lifted_positions(&self) -> Result<Positions, Error> {
+        let found = &self.found;
+        match Heights::new(&self.drawing) {
+            Some(heights) => {
+                let edges = found.edges.iter().copied();
+                heights.lift(&found.positions, &found.sources, edges, &found.segments_of_edge)
+            }
+            None => Ok(found.positions.clone()),
+        }
     }
 
     /// The result as polygons; one with holes is cut into triangles.

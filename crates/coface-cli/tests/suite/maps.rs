@@ -133,3 +133,57 @@ fn lines_of_maps_bound_nothing_unless_closed_ones_are_rings() {
     assert_eq!(answer(folder, "boolean union bow.wkt --close --rule evenodd")["measure"], json!(2.0));
     assert_eq!(answer(folder, "boolean union bow.wkt --close --rule positive")["measure"], json!(1.0));
 }
+
+/// Features of a map, each a square with properties.
+fn lots(lots: &[(i32, &str)]) -> String {
+    let lot = |(x, properties): &(i32, &str)| {
+        let right = x + 1;
+        format!(
+            "{{\"type\":\"Feature\",\"properties\":{properties},\"geometry\":{{\"type\":\"Polygon\",\"coordinates\":\
+             [[[{x},0],[{right},0],[{right},1],[{x},1],[{x},0]]]}}}}"
+        )
+    };
+    let features: Vec<String> = lots.iter().map(lot).collect();
+    format!("{{\"type\":\"FeatureCollection\",\"features\":[{}]}}", features.join(","))
+}
+
+#[test]
+fn features_are_dissolved_by_a_property() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let of_a = r#"{"owner":"A","use":"wood"}"#;
+    file(folder, "a.geojson", &lots(&[(0, of_a), (1, of_a), (2, r#"{"owner":"B"}"#), (5, of_a)]));
+    file(folder, "b.geojson", &lots(&[(6, of_a), (9, r#"{"use":"road"}"#)]));
+    let once = answer(folder, "boolean union a.geojson b.geojson --dissolve owner -o out.geojson");
+    assert_eq!(codes(&once), ["property-missing"]);
+    let groups = |answer: &Value| -> Vec<Value> {
+        let groups = answer["groups"].as_array().unwrap().iter();
+        groups.map(|group| json!([group["values"][0], group["measure"], group["polygons"]])).collect()
+    };
+    let expected = [json!(["A", 4.0, 2]), json!(["B", 1.0, 1]), json!([null, 1.0, 1])];
+    assert_eq!(groups(&once), expected);
+    let written: Value =
+        serde_json::from_str(&std::fs::read_to_string(folder.join("out.geojson")).unwrap()).unwrap();
+    let features = written["features"].as_array().unwrap();
+    assert_eq!(features[0]["properties"], json!({"owner": "A", "features": 4, "area": 4, "use": "wood"}));
+    assert_eq!(features[0]["geometry"]["type"], "MultiPolygon");
+    // Read back, it is the same.
+    let twice = answer(folder, "boolean union out.geojson --dissolve owner -o again.geojson");
+    assert_eq!(groups(&twice), expected);
+    assert_eq!(answer(folder, "info out.geojson")["polygons"]["valid"], true);
+    // Formats without properties say what they lose.
+    let lost = answer(folder, "boolean union out.geojson --dissolve owner -o out.wkt");
+    assert_eq!(codes(&lost), ["property-missing", "format-keeps-less"]);
+    assert_eq!(std::fs::read_to_string(folder.join("out.wkt")).unwrap().lines().count(), 3);
+    for (line, status, says) in [
+        ("boolean union a.geojson --dissolve lot", 1, "\"owner\", \"use\""),
+        ("boolean xor a.geojson --dissolve owner", 2, "union"),
+        ("boolean union a.geojson --dissolve owner --keep-walls", 2, "--keep-walls"),
+    ] {
+        let words: Vec<&str> = line.split(' ').chain(["-o", "not.geojson"]).collect();
+        let run = coface_in(folder, &words);
+        assert_eq!(run.status, status, "{line}");
+        assert!(run.stderr.contains(says), "{line}: {}", run.stderr);
+        assert!(!folder.join("not.geojson").exists());
+    }
+}

@@ -22,6 +22,7 @@
 //! with one value, or with equal ones, keeps it, a key with different values has the list of them, as
 //! [`MergedProperties`] says.
 
+mod columns;
 mod coordinates;
 mod properties;
 mod reading;
@@ -30,6 +31,8 @@ mod tests;
 mod topology;
 mod writing;
 
+#[doc(hidden)]
+pub use columns::{equal_text, property_pairs};
 pub use properties::MergedProperties;
 pub(super) use reading::is_geojson;
 pub use reading::read;

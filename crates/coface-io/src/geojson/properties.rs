@@ -110,7 +110,7 @@ impl<'de> Visitor<'de> for NameIn {
 }
 
 /// The keys of an object with the texts of their values, in the order of the object.
-struct Pairs<'a>(Vec<(String, &'a RawValue)>);
+pub(super) struct Pairs<'a>(pub(super) Vec<(String, &'a RawValue)>);
 
 impl<'de: 'a, 'a> Deserialize<'de> for Pairs<'a> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -247,7 +247,7 @@ impl<'a> Key<'a> {
 }
 
 /// A text that is the same for equal values.
-fn canonical(value: &str, depth: usize) -> String {
+pub(super) fn canonical(value: &str, depth: usize) -> String {
     let of_parts = |value: &str| -> Option<String> {
         match value.as_bytes().first()? {
             b'{' if depth < DEEPEST => {

@@ -1,5 +1,6 @@
 //! `coface boolean`: regions of the plane, or solids, combined.
 
+mod dissolve;
 mod planar;
 mod spatial;
 
@@ -30,6 +31,10 @@ use std::path::PathBuf;
 /// has the list of them in the order of the inputs. A property of a feature that is called "polygon", "area" or
 /// "regions" is left out.
 ///
+/// With --dissolve NAME the union has one feature for each value of the property NAME: it unites the features that have the value, so
+/// their common borders vanish. In GeoJSON it has NAME, "features" (how many were united), "area", and the properties that all of them have
+/// with one value. Features without NAME, or with null, are a group of their own, the last.
+///
 /// Inputs in space are closed surfaces, volume meshes (the union of their cells), or chain complexes with positions (the union of
 /// their cells of degree 3, or the surface of their faces). The result is a surface that runs counterclockwise seen from outside; as .json
 /// a chain complex with solids as cells, or with --keep-walls the cells of the arrangement, cut until each is a ball; .glb, .gltf and
@@ -54,6 +59,10 @@ pub(crate) struct Boolean {
     /// Keep the walls between cells that are selected both
     #[arg(long)]
     keep_walls: bool,
+    /// Unite the features of maps that have the same value of this property, each group by itself; given several times, those with
+    /// the same values of all
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["formula", "inputs", "keep_walls", "provenance"])]
+    dissolve: Vec<String>,
     /// Write where each vertex, edge and polygon of the result comes from: .json
     #[arg(long, value_name = "FILE")]
     provenance: Option<PathBuf>,
@@ -102,6 +111,7 @@ impl Task {
 impl Boolean {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let (task, inputs) = self.task()?;
+        dissolve::check(self, &task)?;
         let output = output_target(common)?;
         if let Some(path) = &self.provenance {
             check_json(path)?;
@@ -112,6 +122,11 @@ impl Boolean {
             2 => planar::run(self, &task, common, output, &models, progress),
             _ => {
                 self.cells.refuse_planar()?;
+                if !self.dissolve.is_empty() {
+                    return Err(Failure::new(
+                        "--dissolve is for maps in the plane, and the inputs lie in space: leave it out",
+                    ));
+                }
                 spatial::run(self, &task, common, output, &models, progress)
             }
         }

@@ -42,6 +42,9 @@ pub(super) fn run(
     request.exact = verb.cells.exact;
     request.max_cells = verb.cells.max_cells;
     verb.cells.refuse_tolerance()?;
+    if !verb.dissolve.is_empty() {
+        return super::dissolve::run(verb, &drawing, request, common, output, progress);
+    }
     let result = RegionBoolean::new(drawing, &task.formula(region_count), &request)?;
     let mut answer = result.answer();
     accept(&answer.remarks, common)?;

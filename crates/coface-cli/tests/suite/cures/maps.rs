@@ -8,6 +8,10 @@ const TWO_BESIDE: Files = &[(
     "beside.wkt",
     "POLYGON ((5 5, 6 5, 6 6, 5 5))\nLINESTRING (0 0, 2 0, 2 2, 0 0)\nLINESTRING (0 0, 1 0, 1 3, 0 0)",
 )];
+const ZONE: Files = &[(
+    "zone.geojson",
+    r#"{"type":"Feature","properties":{"zone":"A"},"geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]}}"#,
+)];
 
 pub(super) const CASES: &[Case] = &[
     Case::new("planar/drawing.rs", "take closed lines as rings with --close, or give polygons")
@@ -26,4 +30,12 @@ pub(super) const CASES: &[Case] = &[
         .before(&["coface generate box -o box.mesh"])
         .refused("coface boolean union box.mesh --close")
         .cured(&[&["coface boolean union box.mesh"]]),
+    Case::new("boolean/mod.rs", "--dissolve is for maps in the plane, and the inputs lie in space")
+        .before(&["coface generate box -o box.mesh"])
+        .refused("coface boolean union box.mesh --dissolve zone")
+        .cured(&[&["coface boolean union box.mesh"]]),
+    Case::new("boolean/dissolve.rs", "--dissolve unites features: the operation is union")
+        .files(ZONE)
+        .misused("coface boolean xor zone.geojson --dissolve zone")
+        .cured(&[&["coface boolean union zone.geojson --dissolve zone"]]),
 ];
