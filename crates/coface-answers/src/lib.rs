@@ -51,7 +51,7 @@ pub use persistence::{
 };
 pub use planar::{
     ArrangementRequest, BooleanRequest, DissolveRequest, Dissolved, DrawingArrangement, DrawingOptions,
-    PlanarDrawing, RegionBoolean, are_planar, is_planar, reference_loss,
+    FaceAttributes, PlanarDrawing, RegionBoolean, are_planar, is_planar, reference_loss,
 };
 pub use producer::{CellNames, OrderedSimplices, Pair, Producer, Term};
 pub use repair::{

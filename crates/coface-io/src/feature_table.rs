@@ -1,6 +1,6 @@
 //! The features of a map: what a file says of them beside their shapes.
 
-use crate::Model;
+use crate::{Model, Remark};
 use coface_algebra::Error;
 use std::sync::Arc;
 
@@ -200,6 +200,13 @@ impl FeatureTable {
 }
 
 impl Model {
+    /// The model with these remarks behind its own.
+    #[doc(hidden)]
+    pub fn with_remarks(mut self, remarks: impl IntoIterator<Item = Remark>) -> Self {
+        self.remarks.extend(remarks);
+        self
+    }
+
     /// The model with features that have these properties, texts of JSON objects, by the feature of each line. Its points are of none.
     ///
     /// # Errors

@@ -52,7 +52,7 @@ fn is_flat(py: Python<'_>, models: &Named, dimension: Option<u8>) -> PyResult<bo
 }
 
 /// What models draw, without heights if the plane was asked for.
-fn drawing_of(
+pub(crate) fn drawing_of(
     models: &Named,
     options: &DrawingOptions,
     dimension: Option<u8>,
@@ -538,6 +538,21 @@ answer! { PlanarArrangement {
             return Err(invalid(py, format!("there is no face {face}"), &format!("there are {count}")));
         }
         loaded(py, &self.arranged.properties_of_face(FaceId::new(face)).or_raise(py)?)
+    }
+
+    /// The bounded faces that inputs contain as a map: each with the properties of all features that contain it.
+    ///
+    /// Returns
+    /// -------
+    /// Model
+    ///     All faces have the same keys; a key of several inputs is one for each, such as ``use_1`` and ``use_2``, and the value is ``None``
+    ///     where no feature of that input contains the face. ``GeoDataFrame.from_features`` of geopandas takes it.
+    fn attributes(&self, py: Python<'_>) -> PyResult<Model> {
+        run(py, None, || {
+            let found = self.arranged.attributes()?;
+            Ok(found.model().clone().with_remarks(found.remarks().iter().cloned()))
+        })
+        .map(Model::of)
     }
 
     /// Where everything comes from: ``vertices``, ``edges`` (segments along each) and ``faces`` (inputs around each).

@@ -13,6 +13,7 @@ mod chain_complex;
 mod complex;
 mod congruence;
 mod cures;
+mod dissolve;
 mod errors;
 mod generate;
 mod grids;
@@ -81,6 +82,7 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(congruence::congruence, module)?)?;
     module.add_function(wrap_pyfunction!(arrangement::arrange, module)?)?;
     module.add_function(wrap_pyfunction!(arrangement::boolean, module)?)?;
+    module.add_function(wrap_pyfunction!(dissolve::dissolve, module)?)?;
     module.add_function(wrap_pyfunction!(arrangement::graphml, module)?)?;
     module.add_function(wrap_pyfunction!(yin::_curve, module)?)?;
     module.add_function(wrap_pyfunction!(yin::_yin_set, module)?)?;

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
 
@@ -196,3 +197,43 @@ def test_closed_lines_are_rings_where_asked():
     line = coface.Model.from_bytes(b"LINESTRING (0 0, 2 0, 2 2, 0 0)", "wkt")
     assert coface.arrange(line).inside == [[]]
     assert coface.boolean("union", line, close=True).measure == 2.0
+
+
+def _lot(x, width=1, **properties):
+    ring = [[x, 0], [x + width, 0], [x + width, 1], [x, 1], [x, 0]]
+    return {"type": "Feature", "properties": properties, "geometry": {"type": "Polygon", "coordinates": [ring]}}
+
+
+def _map(*features):
+    return coface.Model.from_bytes(json.dumps({"type": "FeatureCollection", "features": features}).encode(), "geojson")
+
+
+def test_features_are_dissolved_by_a_property():
+    lots = _map(_lot(0, owner="A", use="wood"), _lot(1, owner="A", use="wood"), _lot(2, owner="B"), _lot(5))
+    found = coface.dissolve(lots, by="owner")
+    rows = [feature["properties"] for feature in found.__geo_interface__["features"]]
+    assert rows == [
+        {"owner": "A", "features": 2, "area": 2, "use": "wood"},
+        {"owner": "B", "features": 1, "area": 1},
+        {"owner": None, "features": 1, "area": 1},
+    ]
+    assert any("no value" in warning for warning in found.warnings)
+    assert len(coface.dissolve([lots, _map(_lot(9, owner="A"))], by=["owner"], dimension=2).__geo_interface__["features"]) == 3
+    with pytest.raises(coface.InvalidInputError, match="dimension is 3"):
+        coface.dissolve(lots, by="owner", dimension=3)
+    with pytest.raises(coface.InvalidInputError, match="lot"):
+        coface.dissolve(lots, by="lot")
+    shapely = pytest.importorskip("shapely")
+    shapes = [shapely.geometry.shape(feature["geometry"]) for feature in found.__geo_interface__["features"]]
+    assert [shape.area for shape in shapes] == [2, 1, 1] and all(shape.is_valid for shape in shapes)
+
+
+def test_faces_have_the_attributes_of_all_inputs():
+    arranged = coface.arrange(_map(_lot(0, 3, use="soil")), _map(_lot(1, use="road", lanes=2)))
+    table = arranged.attributes()
+    rows = sorted((feature["properties"] for feature in table.__geo_interface__["features"]), key=str)
+    alone = {"use_1": "soil", "use_2": None, "lanes": None}
+    assert rows == sorted([alone, alone, {"use_1": "soil", "use_2": "road", "lanes": 2}], key=str)
+    geopandas = pytest.importorskip("geopandas")
+    frame = geopandas.GeoDataFrame.from_features(table)
+    assert sorted(frame.area) == [1, 1, 1] and set(frame.columns) == {"geometry", "use_1", "use_2", "lanes"}

@@ -4,6 +4,16 @@
  * Made of docs/answers.schema.json by `cargo xtask types --write`.
  */
 
+/** A column of the table of faces: a key of the properties of features of an input. */
+export interface AttributeColumn {
+  /** The input whose features have the key, numbered from 0. */
+  input: number;
+  /** The key. */
+  key: string;
+  /** The name of the column. */
+  name: string;
+}
+
 /** A table of reports. */
 export interface BatchAnswer {
   /** The numbers of rows that are errors, by kind. */
@@ -1216,6 +1226,8 @@ export interface Place {
 
 /** The arrangement of drawings in the plane. */
 export interface PlanarArrangementAnswer {
+  /** The columns of the table of faces, with `--attributes`; absent without. */
+  attributes?: AttributeColumn[] | null;
   /** The number of edges with one face on both sides. */
   bridges: number;
   /** The number of connected components of vertices and edges. */

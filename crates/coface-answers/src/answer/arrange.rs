@@ -36,10 +36,32 @@ pub struct PlanarArrangementAnswer {
     pub inputs: Vec<DrawingInput>,
     /// The names of the regions in their order.
     pub regions: Vec<String>,
+    /// The columns of the table of faces, with `--attributes`; absent without.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub attributes: Option<Vec<AttributeColumn>>,
     /// Sentences about what is odd in the inputs.
     pub warnings: Vec<String>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,
+}
+
+/// A column of the table of faces: a key of the properties of features of an input.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct AttributeColumn {
+    /// The name of the column.
+    pub name: String,
+    /// The input whose features have the key, numbered from 0.
+    pub input: usize,
+    /// The key.
+    pub key: String,
+}
+
+impl AttributeColumn {
+    /// The column of a key of an input that no other input has.
+    pub(crate) fn new(input: usize, key: String) -> Self {
+        Self { name: key.clone(), input, key }
+    }
 }
 
 /// What rounding the coordinates of crossings does to an arrangement in the plane.

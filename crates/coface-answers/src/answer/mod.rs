@@ -49,7 +49,7 @@ pub use homology::{
 pub use incidence::IncidenceAnswer;
 
 pub use arrange::{
-    DegeneratePolygons, DrawingInput, InsideMethod, JoinedFeatures, PlanarArrangementAnswer,
+    AttributeColumn, DegeneratePolygons, DrawingInput, InsideMethod, JoinedFeatures, PlanarArrangementAnswer,
     PlanarArrangementProvenance, PlanarRounding, RoundingRepair, SpatialArrangementAnswer,
     SpatialArrangementProvenance, SpatialInput, SpatialRounding, SplitPolygons, VertexOrigin,
 };

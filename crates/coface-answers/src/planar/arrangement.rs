@@ -381,6 +381,7 @@ impl DrawingArrangement {
             snap_rounds: self.snap_rounds,
             inputs: self.drawing.input_answers(),
             regions: self.drawing.region_names().into_iter().map(str::to_owned).collect(),
+            attributes: None,
             warnings: self.warnings(),
             remarks,
         })

@@ -15,6 +15,7 @@
 //! point) is a region: what its lines enclose an odd number of times, whatever the rule is.
 
 mod arrangement;
+mod attributes;
 mod boolean;
 mod canonical;
 mod containment;
@@ -34,6 +35,7 @@ mod walks;
 mod writing;
 
 pub use arrangement::{ArrangementRequest, DrawingArrangement};
+pub use attributes::FaceAttributes;
 pub use boolean::{BooleanRequest, RegionBoolean};
 pub use dissolve::{DissolveRequest, Dissolved};
 pub use drawing::{PlanarDrawing, are_planar, is_planar};

@@ -187,3 +187,44 @@ fn features_are_dissolved_by_a_property() {
         assert!(!folder.join("not.geojson").exists());
     }
 }
+
+#[test]
+fn faces_have_the_properties_of_all_inputs() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let wide = r#"{"type":"Feature","properties":{"use":"soil","ph":6.50},"geometry":{"type":"Polygon","coordinates":[[[0,0],[3,0],[3,1],[0,1],[0,0]]]}}"#;
+    file(folder, "soil.geojson", wide);
+    file(folder, "lots.geojson", &lots(&[(1, r#"{"use":"road","lot":7}"#), (5, r#"{"use":"wood"}"#)]));
+    let found = answer(folder, "arrange soil.geojson lots.geojson --attributes faces.geojson");
+    let columns: Vec<Value> =
+        found["attributes"].as_array().unwrap().iter().map(|c| c["name"].clone()).collect();
+    assert_eq!(columns, ["use_1", "ph", "use_2", "lot"]);
+    let text = std::fs::read_to_string(folder.join("faces.geojson")).unwrap();
+    let written: Value = serde_json::from_str(&text).unwrap();
+    let mut rows: Vec<String> = written["features"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|feature| feature["properties"].to_string())
+        .collect();
+    rows.sort_unstable();
+    // The lot cuts the soil into two rows of the same properties and one of both.
+    assert_eq!(rows.len(), 4);
+    assert_eq!(
+        rows.iter()
+            .filter(|row| row.contains(r#""use_2":"road""#) && row.contains(r#""use_1":"soil""#))
+            .count(),
+        1
+    );
+    assert!(text.contains("6.50"), "digits stay: {text}");
+    // Read back, it is the same table.
+    let again = answer(folder, "arrange faces.geojson --attributes again.geojson");
+    assert_eq!(again["measures"], found["measures"]);
+    assert_eq!(std::fs::read_to_string(folder.join("again.geojson")).unwrap(), text);
+    assert_eq!(answer(folder, "info faces.geojson")["polygons"]["valid"], true);
+    // By one of its columns the faces are the lots again.
+    let lots = answer(folder, "boolean union faces.geojson --dissolve lot");
+    let groups: Vec<&Value> =
+        lots["groups"].as_array().unwrap().iter().map(|group| &group["measure"]).collect();
+    assert_eq!(groups, [&json!(1.0), &json!(3.0)]);
+}

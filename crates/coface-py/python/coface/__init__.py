@@ -88,6 +88,7 @@ from coface._chains import (
     product,
 )
 from coface._models import as_chain_complex, as_complex, as_model, as_surface
+from coface._models import geo_interface as _geo_interface
 from coface._questions import (
     arrange,
     boolean,
@@ -97,6 +98,7 @@ from coface._questions import (
     congruence,
     cover,
     cut,
+    dissolve,
     harmonic,
     homology,
     incidence,
@@ -207,6 +209,7 @@ __all__ = [
     "cup_products",
     "cut",
     "decompose",
+    "dissolve",
     "entries",
     "extruded",
     "families",
@@ -284,6 +287,7 @@ for _shown in (
     if _shown not in (Report, Verdict):
         setattr(_shown, "plot", _plot_method)
 del _shown
+setattr(Model, "__geo_interface__", property(_geo_interface))
 
 # Faults in arguments of what is compiled are faults of this package.
 _faults.compiled_in_words(globals())

@@ -1633,6 +1633,8 @@ class Model:
         """What the file holds instead of vertices and cells: ``facets``, ``halfedges``, ``chains``, ``gluings``, ``volume`` or ``None``."""
         ...
     @property
+    def __geo_interface__(self) -> dict[str, Json]: ...
+    @property
     def srid(self) -> int | None:
         """The number of the reference system that a map names (``SRID`` of EWKT and EWKB, ``crs`` of GeoJSON), if it has one."""
         ...
@@ -2112,6 +2114,16 @@ class PlanarArrangement:
         dict of str
             A key with equal values has that value, a key with different values the list of them in the order of the
             inputs.
+        """
+        ...
+    def attributes(self) -> Model:
+        """The bounded faces that inputs contain as a map: each with the properties of all features that contain it.
+
+        Returns
+        -------
+        Model
+            All faces have the same keys; a key of several inputs is one for each, such as ``use_1`` and ``use_2``, and the value is ``None``
+            where no feature of that input contains the face. ``GeoDataFrame.from_features`` of geopandas takes it.
         """
         ...
     def provenance(self) -> dict[str, Json] | None:
@@ -3537,6 +3549,38 @@ def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: 
     ------
     NotACycleError
         If an input is open; the message names its rim.
+    """
+    ...
+def dissolve(models: Any, names: Sequence[str], *, dimension: int | None = None, rule: str | None = None, snap: bool = False, exact: bool = False, grid: float | None = None, close: bool = False, max_cells: int | None = None, progress: _Progress = ...) -> Model:
+    """Features of maps with the same values of properties, united: one feature for each list of values.
+
+    Parameters
+    ----------
+    models : sequence of Model, or dict of str to Model
+        The maps.
+    names : sequence of str
+        The names of the properties.
+    dimension : {2}, optional
+        2 leaves out the heights of maps.
+    rule : {"nonzero", "evenodd", "positive"}, optional
+        What is inside a ring.
+    snap : bool
+        Whether coordinates are rounded so that the result stays as it is.
+    exact : bool
+        Whether the exact result is kept where rounding its coordinates makes edges cross.
+    grid : float, optional
+        All coordinates are multiples of this length.
+    close : bool
+        Whether lines that end where they begin are rings of polygons.
+    max_cells : int, optional
+        More cells than this are refused.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    Model
+        A map with a feature for each list of values.
     """
     ...
 def _chains(of: Model | Complex) -> ChainComplex: ...

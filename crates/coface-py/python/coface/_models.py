@@ -192,6 +192,12 @@ def _first_leaf(value: Any) -> Any:
     return value
 
 
+def geo_interface(model: Model) -> dict[str, Any]:
+    """A planar model as a ``FeatureCollection`` of GeoJSON, which geopandas, shapely and others take."""
+    found: dict[str, Any] = json.loads(model.to_bytes("geojson"))
+    return found
+
+
 def _features(x: Any) -> dict[str, Any]:
     """The features of a table as GeoJSON, with the reference system that the table names."""
     found = dict(x.__geo_interface__)

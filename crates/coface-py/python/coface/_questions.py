@@ -765,6 +765,61 @@ def boolean(
 
 
 @in_words
+def dissolve(
+    *models: Any,
+    by: str | Sequence[str],
+    dimension: int | None = None,
+    rule: str | None = None,
+    snap: bool = False,
+    exact: bool = False,
+    grid: float | None = None,
+    close: bool = False,
+    max_cells: int | None = None,
+    progress: Any = False,
+) -> Model:
+    """Features of maps with the same values of properties, united: one feature for each, whose common borders vanish.
+
+    Parameters
+    ----------
+    *models
+        Anything that :func:`as_model` understands, such as a ``GeoDataFrame``, or one list or dictionary of such.
+    by
+        The name of a property, or the names of several.
+    dimension, rule, snap, exact, grid, close, max_cells
+        As for :func:`boolean`.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    Model
+        A map. Each feature has the properties of `by`, then ``features`` (how many were united), ``area``, and what all of them have with
+        one value. Features without the properties are one of their own, the last; ``warnings`` says so.
+
+    Examples
+    --------
+    >>> import coface, json
+    >>> ring = [[[0, 0], [1, 0], [1, 1], [0, 0]]]
+    >>> feature = {"type": "Feature", "properties": {"use": "wood"}, "geometry": {"type": "Polygon", "coordinates": ring}}
+    >>> found = coface.dissolve(coface.Model.from_bytes(json.dumps(feature).encode(), "geojson"), by="use")
+    >>> found.__geo_interface__["features"][0]["properties"]
+    {'use': 'wood', 'features': 1, 'area': 0.5}
+    """
+    return _coface.dissolve(
+        _inputs(models),
+        [by] if isinstance(by, str) else list(by),
+        dimension=dimension,
+        rule=rule,
+        snap=snap,
+        exact=exact,
+        grid=grid,
+        close=close,
+        max_cells=max_cells,
+        progress=progress,
+    )
+
+
+@in_words
 def persistence(
     x: Any,
     vertex_values: Any = None,

@@ -33,6 +33,10 @@ use std::path::{Path, PathBuf};
 /// them in the order of the inputs. A property of a feature that is called "face", "area" or "inside" is left out
 /// where the face has its own.
 ///
+/// With --attributes FILE the faces that inputs contain are written as a table that GIS reads: each has the properties of all features that contain it
+/// and nothing else. All faces have the same keys. A key that several inputs have is one for each, "key_1" of the first input, "key_2" of the second;
+/// the value is null where the input does not contain the face.
+///
 /// With --json: "dimension", "f_vector", "measures" (areas of the bounded faces, volumes of the bounded cells), "inside" (for each
 /// the inputs that contain it, numbered from 0), "products_zero" (the boundary of every boundary, found by multiplying),
 /// "holes"; in the plane also "components", "bridges" (edges with one face on both sides), "dangling_edges" (those that hang on
@@ -71,6 +75,9 @@ pub(crate) struct Arrange {
     /// Write where each vertex, edge and face comes from: .json
     #[arg(long, value_name = "FILE")]
     provenance: Option<PathBuf>,
+    /// In the plane, write the faces that inputs contain, each with the properties of all inputs that contain it: .geojson
+    #[arg(long, value_name = "FILE")]
+    attributes: Option<PathBuf>,
     /// In space, write the graph of the cells, which are adjacent across how much area: .json or .graphml
     #[arg(long, value_name = "FILE")]
     graph: Option<PathBuf>,
@@ -193,12 +200,25 @@ impl Arrange {
         if let Some(path) = &self.graph {
             spatial::check_graph(path)?;
         }
+        if let Some(path) = &self.attributes
+            && Format::from_path(path) != Some(Format::GeoJson)
+        {
+            return Err(Failure::new(format!(
+                "{}: properties are written as GeoJSON: name a .geojson file",
+                path.display()
+            )));
+        }
         let progress = Progress::start(common.quiet);
         let models = read_all(&self.inputs, common, &progress)?;
         match dimension_of(&models, self.cells.dimension) {
             2 => planar::run(self, common, output, &models, progress),
             _ => {
                 self.cells.refuse_planar()?;
+                if self.attributes.is_some() {
+                    return Err(Failure::new(
+                        "--attributes is for maps in the plane, and the inputs lie in space: leave it out",
+                    ));
+                }
                 spatial::run(self, common, output, &models, progress)
             }
         }

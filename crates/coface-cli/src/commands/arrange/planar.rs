@@ -10,7 +10,8 @@ use crate::target::{Target, write_seen};
 use coface::answers::answer::PlanarArrangementAnswer;
 use coface::answers::text;
 use coface::answers::{ArrangementRequest, DrawingArrangement, DrawingOptions, PlanarDrawing};
-use coface::io::{Model, replace_file};
+use coface::io;
+use coface::io::{Format, Model, replace_file};
 use std::path::Path;
 
 pub(super) fn run(
@@ -45,8 +46,19 @@ pub(super) fn run(
     let arranged = DrawingArrangement::new(drawing, &request)?;
     progress.stage("multiplying boundaries and checking coordinates");
     let mut answer = arranged.answer()?;
+    let table = match verb.attributes.as_deref() {
+        Some(path) => Some((path, arranged.attributes()?)),
+        None => None,
+    };
+    if let Some((_, found)) = &table {
+        answer.remarks.extend_from_slice(found.remarks());
+        answer.attributes = Some(found.columns().to_vec());
+    }
     accept(&answer.remarks, common)?;
     progress.stage("writing");
+    if let Some((path, found)) = &table {
+        replace_file(path, |out| io::write(found.model(), out, Format::GeoJson))?;
+    }
     match output {
         Some((path, Target::Model(format))) => {
             answer.remarks.extend(arranged.drawing().losses(format));
@@ -63,7 +75,7 @@ pub(super) fn run(
     if common.json {
         return print_json(&answer);
     }
-    if common.output.is_some() || verb.provenance.is_some() {
+    if common.output.is_some() || verb.provenance.is_some() || table.is_some() {
         return Ok(());
     }
     print_text(&page(&answer))

@@ -34,6 +34,10 @@ pub(super) const CASES: &[Case] = &[
         .before(&["coface generate box -o box.mesh"])
         .refused("coface boolean union box.mesh --dissolve zone")
         .cured(&[&["coface boolean union box.mesh"]]),
+    Case::new("arrange/mod.rs", "--attributes is for maps in the plane, and the inputs lie in space")
+        .before(&["coface generate box -o box.mesh"])
+        .refused("coface arrange box.mesh --attributes faces.geojson")
+        .cured(&[&["coface arrange box.mesh"]]),
     Case::new("boolean/dissolve.rs", "--dissolve unites features: the operation is union")
         .files(ZONE)
         .misused("coface boolean xor zone.geojson --dissolve zone")
