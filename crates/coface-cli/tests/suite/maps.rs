@@ -228,3 +228,30 @@ fn faces_have_the_properties_of_all_inputs() {
         lots["groups"].as_array().unwrap().iter().map(|group| &group["measure"]).collect();
     assert_eq!(groups, [&json!(1.0), &json!(3.0)]);
 }
+
+#[test]
+fn systems_are_named_by_info_and_left_out_by_yin_with_a_remark() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    file(folder, "low.wkt", LOW);
+    let info = answer(folder, "info low.wkt");
+    assert_eq!(
+        (info["kind"].as_str(), info["reference_system"]["srid"].as_u64()),
+        (Some("planar"), Some(25832))
+    );
+    assert!(coface_in(folder, &["info", "low.wkt"]).stdout.contains("SRID 25832"));
+    file(folder, "flat.wkt", "SRID=25832;POLYGON ((0 0, 4 0, 4 4, 0 0))\n");
+    for line in ["yin info flat.wkt", "yin join flat.wkt flat.wkt -o out.wkt"] {
+        let found = answer(folder, line).to_string();
+        assert!(
+            found.contains("sets of the plane keep no reference system: SRID 25832 is left out"),
+            "{line}: {found}"
+        );
+    }
+    // An upright wall has no area seen from above.
+    file(folder, "wall.wkt", "POLYGON Z ((0 0 0, 1 0 0, 1 0 1, 0 0 1, 0 0 0))\n");
+    for verb in ["arrange", "boolean union"] {
+        let found = answer(folder, &format!("{verb} wall.wkt"));
+        assert_eq!(codes(&found), ["unbounded-segments"], "{verb}");
+    }
+}
