@@ -30,7 +30,10 @@ pub use interface::{
     DirectedEdge, InterfaceEdge, InterfaceFault, InterfaceGraph, InterfaceOptions, Overlaps, Trail,
 };
 pub use kinks::{Kinks, KnotIndex, turning_kinks};
-pub use set::{Atom, AtomKind, Comparison, HasseForest, JordanCurve, SetLocation, YinFault, YinSet};
+pub use set::{
+    Atom, AtomKind, Comparison, CurveBend, CurvePlace, HasseForest, JordanCurve, NearestPoint, Sample,
+    Sampling, SetLocation, YinFault, YinSet,
+};
 pub use tracking::{
     Flow, InterfaceRepair, Repair, RungeKutta, TrackedGraph, TrackedSet, TrackingCounts, TrackingOptions,
     VanishedCurve, Verification,

@@ -1922,6 +1922,36 @@ export interface YinAdvectAnswer {
   vanished: VanishedAnswer[];
 }
 
+/** A place on a curve, and what is known there. */
+export interface YinBendPlace {
+  /** The parameter in [0, 1] on that piece. */
+  parameter: number;
+  /** The piece of the curve. */
+  piece: number;
+  /** The point. */
+  point: [number, number];
+  /** A curvature, or an angle in degrees. */
+  value: number;
+}
+
+/** A point of a boundary. */
+export interface YinBoundarySample {
+  /** The signed curvature, positive where the curve turns left; null where the curve stands still. */
+  curvature?: number | null;
+  /** The curve. */
+  curve: number;
+  /** The length of the curve from its beginning, in the unit of the file. */
+  length: number;
+  /** The parameter in [0, 1) on that piece. */
+  parameter: number;
+  /** The piece of the curve. */
+  piece: number;
+  /** The point. */
+  point: [number, number];
+  /** The direction of the curve, of length one, with the set on its left; null where the curve stands still. */
+  tangent?: [number, number] | null;
+}
+
 /** The answer of `yin complement`, `meet`, `join`, `difference`, `xor` and `combine`. */
 export interface YinCombinationAnswer {
   /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers. */
@@ -1984,6 +2014,16 @@ export interface YinComparisonAnswer {
   remarks: Remark[];
 }
 
+/** The answer of `yin curvature`. */
+export interface YinCurvatureAnswer {
+  /** How each curve bends. */
+  curves: YinCurveBend[];
+  /** The name of the file. */
+  file: string;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
 /** A curve of a boundary. */
 export interface YinCurve {
   /** The area that it encloses, with its sign; null beyond the range of numbers. */
@@ -2004,6 +2044,20 @@ export interface YinCurve {
   sign: number;
   /** The names of these kinks. */
   vertices: number[];
+}
+
+/** How a curve bends. */
+export interface YinCurveBend {
+  /** The curve. */
+  curve: number;
+  /** Where its curvature is greatest. */
+  greatest: YinBendPlace;
+  /** Where its curvature is least: positive where it turns left, one over the unit of the file. */
+  least: YinBendPlace;
+  /** The same among knots that are no kinks; null if all knots are kinks. */
+  roughest?: YinBendPlace | null;
+  /** The knot at which its direction turns most at once, and by how many degrees, positive to the left. */
+  sharpest: YinBendPlace;
 }
 
 /** The answer of `yin cut-cells`. */
@@ -2041,6 +2095,21 @@ export interface YinDecision {
   /** Where. */
   point: [number, number];
 }
+
+/** What is wrong with a boundary. */
+export interface YinFaultAnswer {
+  /** The curves that it is about, by their numbers in the file; none where it is about all. */
+  curves: number[];
+  /** What it is. */
+  kind: YinFaultKind;
+  /** The fault in words. */
+  message: string;
+  /** Where; null where that is not one point. */
+  point?: [number, number] | null;
+}
+
+/** A kind of fault of a boundary. */
+export type YinFaultKind = "open" | "too_few_pieces" | "zero_length" | "self_meeting" | "crossing" | "overlap" | "orientation" | "mixed_roots" | "other";
 
 /** The answer of `yin info`. */
 export interface YinInfoAnswer {
@@ -2126,6 +2195,81 @@ export interface YinKinksAnswer {
   remarks: Remark[];
 }
 
+/** The answer of `yin locate`. */
+export interface YinLocateAnswer {
+  /** The number of points on the boundary. */
+  boundary: number;
+  /** The name of the file. */
+  file: string;
+  /** The number of points inside. */
+  inside: number;
+  /** The number of points outside. */
+  outside: number;
+  /** The points, in the order in which they were given. */
+  points: YinLocatedPoint[];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
+/** A point, and the point of a boundary that is nearest to it. */
+export interface YinLocatedPoint {
+  /** The curve that the nearest point is on; null for a set without boundary. */
+  curve?: number | null;
+  /** Where it lies. */
+  location: YinLocation;
+  /** The point of the boundary that is nearest to it; null for a set without boundary. */
+  nearest?: [number, number] | null;
+  /** The parameter of the nearest point in [0, 1] on that piece; null for a set without boundary. */
+  parameter?: number | null;
+  /** The piece of that curve; null for a set without boundary. */
+  piece?: number | null;
+  /** The point. */
+  point: [number, number];
+  /** The distance from the boundary in the unit of the file, positive inside, negative outside; null for a set without boundary. */
+  signed_distance?: number | null;
+}
+
+/** Where a point lies of a set. */
+export type YinLocation = "inside" | "boundary" | "outside";
+
+/** The answer of `yin normalize`. */
+export interface YinNormalizeAnswer {
+  /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers. */
+  area?: number | null;
+  /** The curves of each component, the positive one first, if it has one. */
+  atoms: number[][];
+  /** The numbers of components and of holes of its closure. */
+  betti_closed: [number, number];
+  /** The numbers of components and of holes of the set. */
+  betti_open: [number, number];
+  /** Whether it is bounded. */
+  bounded: boolean;
+  /** The lower left and the upper right corner of the box around all curves; null without curves. */
+  bounding_box?: [[number, number], [number, number]] | null;
+  /** The numbers of positive and of negative curves, and one more for an unbounded component, as the papers on Yin sets count. */
+  curve_counts: [number, number];
+  /** The curves of the boundary. */
+  curves: YinCurve[];
+  /** Whether it is the empty set. */
+  empty: boolean;
+  /** The name of the file. */
+  file: string;
+  /** The number of kinks. */
+  kinks: number;
+  /** The order of its splines: 2 for polylines, 4 for cubics, 6, 8. */
+  order: number;
+  /** The length of all curves, in the unit of the file; null beyond the range of numbers. */
+  perimeter?: number | null;
+  /** Whether it is the whole plane. */
+  plane: boolean;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** How often curves were laid over each other again because rounding had made them cross. */
+  rounds: number;
+  /** The number of knots that lay on straight parts and were left out. */
+  straightened: number;
+}
+
 /** A step in which a boundary that met itself was cut and pasted. */
 export interface YinRepairAnswer {
   /** What was wrong, in words. */
@@ -2134,6 +2278,28 @@ export interface YinRepairAnswer {
   step: number;
   /** The time. */
   time: number;
+}
+
+/** A knot that is no kink, where a curve turns. */
+export interface YinRoughKnot {
+  /** The curve. */
+  curve: number;
+  /** By how many degrees, positive to the left. */
+  degrees: number;
+  /** The knot. */
+  knot: number;
+  /** The point. */
+  point: [number, number];
+}
+
+/** The answer of `yin sample`. */
+export interface YinSampleAnswer {
+  /** The name of the file. */
+  file: string;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The points, curve by curve. */
+  samples: YinBoundarySample[];
 }
 
 /** A set of the plane. */
@@ -2166,4 +2332,23 @@ export interface YinSetAnswer {
   plane: boolean;
   /** What was assumed or left out. */
   remarks: Remark[];
+}
+
+/** The answer of `yin validate`. */
+export interface YinValidationAnswer {
+  /** The number of curves of the file. */
+  curves: number;
+  /** What is wrong: with each curve by itself, or, if nothing is, with all of them together. */
+  faults: YinFaultAnswer[];
+  /** The name of the file. */
+  file: string;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /**
+   * The knot that is no kink at which a curve turns most, with an angle in degrees: of order 4 and more near zero where curves are
+   * smooth. Null for order 2, without such a knot, and where something is wrong.
+   */
+  roughest?: YinRoughKnot | null;
+  /** Whether the curves of the file bound a set. */
+  valid: boolean;
 }

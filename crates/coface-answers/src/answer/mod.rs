@@ -34,6 +34,7 @@ mod shards;
 mod simplices;
 mod view;
 mod yin;
+mod yin_places;
 
 pub use cover::{CoverAnswer, DoubleCoverAnswer};
 pub use cut::{CutAnswer, CutPath, CutPiece, FundamentalDomain, SeamAnswer};
@@ -97,6 +98,11 @@ pub use yin::{
     CoverageAnswer, CutCellAnswer, GridAnswer, VanishedAnswer, YinAdvectAnswer, YinCombinationAnswer,
     YinComparisonAnswer, YinCurve, YinCutCellsAnswer, YinDecision, YinInfoAnswer, YinKinkPoint,
     YinKinksAnswer, YinPieceSource, YinProvenance, YinRepairAnswer, YinSetAnswer,
+};
+pub use yin_places::{
+    YinBendPlace, YinBoundarySample, YinCurvatureAnswer, YinCurveBend, YinFaultAnswer, YinFaultKind,
+    YinLocateAnswer, YinLocatedPoint, YinLocation, YinNormalizeAnswer, YinRoughKnot, YinSampleAnswer,
+    YinValidationAnswer,
 };
 
 use serde::Serialize;

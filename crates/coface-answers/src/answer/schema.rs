@@ -6,8 +6,9 @@ use super::{
     HomotopicAnswer, IncidenceAnswer, InfoAnswer, InfoReports, IsomorphicAnswer, LoopsAnswer,
     PersistenceAnswer, Pi1Answer, PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer, RenderAnswer,
     RowAnswer, ShardAnswer, SimplicesAnswer, SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer,
-    ViewAnswer, YinAdvectAnswer, YinCombinationAnswer, YinComparisonAnswer, YinCutCellsAnswer, YinInfoAnswer,
-    YinKinksAnswer, YinSetAnswer,
+    ViewAnswer, YinAdvectAnswer, YinCombinationAnswer, YinComparisonAnswer, YinCurvatureAnswer,
+    YinCutCellsAnswer, YinInfoAnswer, YinKinksAnswer, YinLocateAnswer, YinNormalizeAnswer, YinSampleAnswer,
+    YinSetAnswer, YinValidationAnswer,
 };
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
@@ -99,4 +100,9 @@ answers! {
     "yin compare" => YinComparisonAnswer,
     "yin cut-cells" => YinCutCellsAnswer,
     "yin advect" => YinAdvectAnswer,
+    "yin locate" => YinLocateAnswer,
+    "yin sample" => YinSampleAnswer,
+    "yin curvature" => YinCurvatureAnswer,
+    "yin validate" => YinValidationAnswer,
+    "yin normalize" => YinNormalizeAnswer,
 }

@@ -8,7 +8,9 @@ mod cells;
 mod facts;
 mod making;
 mod motion;
+mod places;
 mod svg;
+mod validity;
 mod writing;
 
 pub use cells::CutCellsRequest;

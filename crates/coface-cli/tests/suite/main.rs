@@ -38,4 +38,5 @@ mod volumes;
 mod yin;
 mod yin_faults;
 mod yin_motion;
+mod yin_places;
 mod yin_rules;

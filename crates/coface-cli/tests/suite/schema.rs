@@ -216,6 +216,12 @@ fn sets_are_typed() {
     assert_prints("yin kinks", &["yin", "kinks", &a]);
     assert_prints("yin compare", &["yin", "compare", &a, &b]);
     assert_prints("yin cut-cells", &["yin", "cut-cells", &b, "--grid", "4x4"]);
+    assert_prints("yin locate", &["yin", "locate", &b, "--point", "2,2", "--point", "9,9"]);
+    assert_prints("yin sample", &["yin", "sample", &a]);
+    assert_prints("yin curvature", &["yin", "curvature", &a]);
+    assert_prints("yin validate", &["yin", "validate", &a]);
+    assert_prints("yin normalize", &["yin", "normalize", &b]);
+    assert_prints("yin info", &["yin", "transform", &a, "--scale", "2"]);
     let moved = ["--flow", "rotation", "--center", "0,0", "--step", "0.1", "--spacing", "0.5"];
     assert_prints("yin advect", &[&["yin", "advect", &a], &moved[..]].concat());
 }

@@ -130,7 +130,7 @@ impl Curve<'_> {
             }
             let velocity = bernstein::derivative(controls);
             let share = tolerance * self.piece_length(piece) / (last - first);
-            sum.add(speed_integral(&velocity, share, &rule));
+            sum.add(speed_integral(&velocity, [0.0, 1.0], share, &rule));
         }
         sum.value()
     }
@@ -139,7 +139,15 @@ impl Curve<'_> {
 /// Deeper intervals are not halved: speeds are not smooth only at isolated zeros of the velocity.
 const DEEPEST: u32 = 48;
 
-fn speed_integral(velocity: &Piece, tolerance: f64, rule: &[[f64; 2]; 8]) -> f64 {
+/// The length of a piece between two of its parameters in [0, 1], as [`Curve::length`] has it.
+pub(crate) fn length_between(controls: &[[f64; 2]], [from, to]: [f64; 2], tolerance: f64) -> f64 {
+    if bernstein::is_straight(controls) {
+        return (to - from) * distance(controls[0], controls[controls.len() - 1]);
+    }
+    speed_integral(&bernstein::derivative(controls), [from, to], tolerance, &gauss_legendre())
+}
+
+fn speed_integral(velocity: &Piece, [from, to]: [f64; 2], tolerance: f64, rule: &[[f64; 2]; 8]) -> f64 {
     let integral = |low: f64, high: f64| {
         let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
         let speed = |s: f64| {
@@ -149,7 +157,7 @@ fn speed_integral(velocity: &Piece, tolerance: f64, rule: &[[f64; 2]; 8]) -> f64
         rule.iter().map(|&[node, weight]| weight * speed(middle + half * node)).sum::<f64>() * half
     };
     let mut sum = Sum::default();
-    let mut intervals = vec![(0.0, 1.0, integral(0.0, 1.0), 0)];
+    let mut intervals = vec![(from, to, integral(from, to), 0)];
     while let Some((low, high, whole, depth)) = intervals.pop() {
         let middle = 0.5 * (low + high);
         let halves = [integral(low, middle), integral(middle, high)];

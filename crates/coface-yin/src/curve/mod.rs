@@ -23,12 +23,12 @@ mod separators;
 
 pub use carrier::Carrier;
 pub(crate) use carrier::on_grid;
-pub(crate) use distance::distance_to;
+pub(crate) use distance::{distance_to, nearest_on};
 pub use end_condition::EndCondition;
 pub(crate) use extent::monotone_breaks;
 pub use location::Location;
 pub(crate) use location::piece_crossings;
-pub(crate) use measures::gauss_legendre;
+pub(crate) use measures::{gauss_legendre, length_between};
 pub use order::Order;
 pub use piecewise::Curve;
 pub(crate) use piecewise::{checked_chord_lengths, chord_lengths, distance};

@@ -1,7 +1,7 @@
 //! Curves that are moved and scaled.
 
 use super::Curve;
-use coface_geometry::Angle;
+use coface_geometry::{AffineMap, Angle};
 
 impl Curve<'_> {
     /// The curve moved by a vector.
@@ -53,5 +53,14 @@ impl Curve<'_> {
         self.moved(factor.abs(), |point| {
             [0, 1].map(|axis| center[axis] + factor * (point[axis] - center[axis]))
         })
+    }
+
+    /// The image under an affine map of the plane. Where it is a similarity, parameters are scaled with lengths.
+    pub(crate) fn mapped(&self, map: &AffineMap) -> Curve<'static> {
+        let &[a, b, c, d] = map.matrix() else { unreachable!("the map is of the plane") };
+        let &[x, y] = map.offset() else { unreachable!("the map is of the plane") };
+        let is_similarity = a.abs() == d.abs() && b.abs() == c.abs() && a * c + b * d == 0.0;
+        let stretch = if is_similarity { a.hypot(c) } else { 1.0 };
+        self.moved(stretch, |point| [a * point[0] + b * point[1] + x, c * point[0] + d * point[1] + y])
     }
 }

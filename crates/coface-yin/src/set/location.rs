@@ -120,10 +120,7 @@ impl YinSet {
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn locate_all(&self, points: &[[f64; 2]]) -> Result<Vec<SetLocation>, Error> {
-        if let Some(at) = points.iter().position(|point| point.iter().any(|x| !x.is_finite())) {
-            return Err(Error::new(ErrorKind::InvalidInput, format!("point {at} is not finite"))
-                .with_cure("ask about finite coordinates"));
-        }
+        check_points(points)?;
         let degree = self.order().degree();
         let controls = self.arena().controls();
         let pieces: Vec<&[[f64; 2]]> = (0..self.curve_count())
@@ -147,6 +144,15 @@ impl YinSet {
             }
         };
         Ok(points.par_iter().with_min_len(256).map(locate).collect())
+    }
+}
+
+/// Refuses points that are not finite.
+pub(super) fn check_points(points: &[[f64; 2]]) -> Result<(), Error> {
+    match points.iter().position(|point| point.iter().any(|x| !x.is_finite())) {
+        None => Ok(()),
+        Some(at) => Err(Error::new(ErrorKind::InvalidInput, format!("point {at} is not finite"))
+            .with_cure("ask about finite coordinates")),
     }
 }
 

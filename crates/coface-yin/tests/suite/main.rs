@@ -14,6 +14,7 @@ mod yin_interfaces;
 mod yin_invariance;
 mod yin_kinks;
 mod yin_lattice;
+mod yin_places;
 mod yin_sets;
 mod yin_soups;
 mod yin_tangencies;

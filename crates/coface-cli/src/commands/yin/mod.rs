@@ -6,6 +6,8 @@ mod compare;
 mod cut_cells;
 mod edit;
 mod page;
+mod places;
+mod validity;
 
 use crate::arguments::Common;
 use crate::commands::arrange::{Rule, output_format};
@@ -17,11 +19,12 @@ use crate::remarks::{accept, say_remarks, take};
 use clap::{Args, Subcommand, ValueEnum};
 use coface::answers::answer::{
     Remark, RemarkCode, YinAdvectAnswer, YinCombinationAnswer, YinInfoAnswer, YinKinkPoint, YinKinksAnswer,
-    YinSetAnswer,
+    YinNormalizeAnswer, YinSetAnswer,
 };
 use coface::answers::{KinkRequest, PlanarSet, SetRequest};
 use coface::arrange::boolean::BooleanFormula;
 use coface::io;
+use coface::io::yin::BoundaryDrawing;
 use coface::io::{Format, replace_file};
 use coface::pictures::{SetPicture, set_picture};
 use coface::yin::{EndCondition, KnotIndex, Order};
@@ -70,6 +73,12 @@ enum Task {
     Compare(compare::Compare),
     CutCells(cut_cells::Cells),
     Advect(advect::Advect),
+    Locate(places::Locate),
+    Sample(places::SampleVerb),
+    Curvature(places::Curvature),
+    Validate(validity::Validate),
+    Normalize(validity::Normalize),
+    Transform(validity::Transform),
 }
 
 /// A verb of one set.
@@ -96,7 +105,7 @@ struct Several {
 }
 
 /// How files become sets, and sets pictures.
-#[derive(Args)]
+#[derive(Args, Clone)]
 struct SetOptions {
     /// The order: 2 for polylines, 4 for cubics, 6, 8 [default: that of the file]
     #[arg(long, value_name = "ORDER", value_parser = order)]
@@ -206,6 +215,17 @@ impl SetOptions {
         let mut request = self.request(common);
         request.fit = fit;
         let name = input::name(path);
+        let drawing = self.drawing(path, common, progress)?;
+        progress.stage("checking");
+        let set = PlanarSet::of(&drawing, &request).map_err(|error| error.in_file(name.clone()))?;
+        accept(set.remarks(), common)?;
+        take(&name, set.remarks());
+        Ok(set)
+    }
+
+    /// Reads what a file says about a boundary.
+    fn drawing(&self, path: &Path, common: &Common, progress: &Progress) -> Result<BoundaryDrawing, Failure> {
+        let name = input::name(path);
         progress.stage(format!("reading {name}"));
         let mut reading = common.reading();
         if self.order != Some(Order::LINEAR) {
@@ -216,12 +236,7 @@ impl SetOptions {
             true => io::read_boundary_with(std::io::stdin().lock(), &reading),
             false => io::read_boundary_path(path, &reading),
         };
-        let drawing = drawing.map_err(|error| error.in_file(name.clone()))?;
-        progress.stage("checking");
-        let set = PlanarSet::of(&drawing, &request).map_err(|error| error.in_file(name.clone()))?;
-        accept(set.remarks(), common)?;
-        take(&name, set.remarks());
-        Ok(set)
+        Ok(drawing.map_err(|error| error.in_file(name))?)
     }
 
     /// The file of -o and its format; pictures other than the set need an SVG.
@@ -314,7 +329,7 @@ macro_rules! set_reports {
     };
 }
 
-set_reports!(YinInfoAnswer, YinCombinationAnswer, YinAdvectAnswer);
+set_reports!(YinInfoAnswer, YinCombinationAnswer, YinAdvectAnswer, YinNormalizeAnswer);
 
 impl SetReport for YinKinksAnswer {
     fn set(&self) -> &YinSetAnswer {
@@ -374,6 +389,12 @@ impl Yin {
             Task::Compare(verb) => verb.run(common),
             Task::CutCells(verb) => verb.run(common),
             Task::Advect(verb) => verb.run(common),
+            Task::Locate(verb) => verb.run(common),
+            Task::Sample(verb) => verb.run(common),
+            Task::Curvature(verb) => verb.run(common),
+            Task::Validate(verb) => verb.run(common),
+            Task::Normalize(verb) => verb.run(common),
+            Task::Transform(verb) => verb.run(common),
         }
     }
 }

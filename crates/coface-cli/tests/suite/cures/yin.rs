@@ -4,6 +4,7 @@ use super::{Case, Files};
 
 const DISK: Files =
     &[("disk.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"><circle cx=\"5\" cy=\"5\" r=\"3\"/></svg>")];
+const DISK_AND_POINTS: Files = &[DISK[0], ("points.xyz", "1 2\n5 5\n")];
 const BOW: Files = &[("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))")];
 /// Two disks nearer to each other than can be told.
 const DISKS: Files = &[
@@ -79,6 +80,34 @@ pub(super) const CASES: &[Case] = &[
         .files(DISK)
         .refused("coface yin cut-cells disk.svg --picture kinks -o a.svg")
         .cured(&[&["coface yin info disk.svg --picture kinks -o a.svg"]]),
+    Case::new("yin/places.rs", "--picture draws a set, not places on it: ask for it with `coface yin info`")
+        .files(DISK)
+        .refused("coface yin sample disk.svg --picture kinks -o a.svg")
+        .cured(&[&["coface yin info disk.svg --picture kinks -o a.svg"]]),
+    Case::new("yin/places.rs", "there are no points to locate; give --point X,Y, or --points FILE")
+        .files(DISK_AND_POINTS)
+        .refused("coface yin locate disk.svg")
+        .cured(&[
+            &["coface yin locate disk.svg --point 5,5"],
+            &["coface yin locate disk.svg --points points.xyz"],
+        ]),
+    Case::new("yin/validity.rs", "--picture draws a set, not its faults: ask for it with `coface yin info`")
+        .files(DISK)
+        .refused("coface yin validate disk.svg --picture kinks -o a.svg")
+        .cured(&[&["coface yin info disk.svg --picture kinks -o a.svg"]]),
+    Case::new("yin/validity.rs", "repair them with `coface yin normalize`")
+        .files(BOW)
+        .refused("coface yin validate bow.wkt")
+        .cured(&[&["coface yin normalize bow.wkt -o good.wkt", "coface yin validate good.wkt"]]),
+    Case::new("yin/validity.rs", "there is no map; give --scale, --rotate, --translate or --matrix")
+        .files(DISK)
+        .refused("coface yin transform disk.svg")
+        .cured(&[
+            &["coface yin transform disk.svg --scale 2"],
+            &["coface yin transform disk.svg --rotate 90"],
+            &["coface yin transform disk.svg --translate 1,0"],
+            &["coface yin transform disk.svg --matrix 1,0,0,0,1,0"],
+        ]),
     Case::new("yin/edit.rs", "`coface yin kinks` lists them")
         .files(BOW)
         .misused("coface yin kinks bow.wkt --rule nonzero --erase first")

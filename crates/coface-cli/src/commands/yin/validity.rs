@@ -1,0 +1,200 @@
+//! `coface yin validate`, `normalize` and `transform`.
+
+use super::{SetOptions, Shown, give, pair};
+use crate::arguments::Common;
+use crate::commands::arrange::Rule;
+use crate::failure::Failure;
+use crate::input;
+use crate::output::{is_json, print_json, print_text, write_json};
+use crate::progress::Progress;
+use crate::remarks::{accept, take};
+use clap::Args;
+use coface::answers::answer::{YinInfoAnswer, YinValidationAnswer};
+use coface::answers::{PlanarSet, text};
+use coface::geometry::{AffineMap, Angle};
+use std::path::PathBuf;
+
+/// Whether the curves of a file bound a set: exit status 0 if they do, and 1 with a list of what is wrong.
+///
+/// Curves may touch in points; they must not cross, share arcs or come to a point twice, must have the set on their left, and alternate
+/// where one lies in the other. Faults of curves by themselves are all listed, of curves together the first.
+///
+/// With --json, and with -o FILE.json: "valid", "faults" (each with its "kind", "curves", "point" and "message"), "curves" (their number),
+/// "roughest" (of order 4 and more the knot that is no kink at which a curve turns most, in degrees).
+#[derive(Args)]
+pub(super) struct Validate {
+    /// The file; - is standard input
+    #[arg(value_name = "INPUT")]
+    input: PathBuf,
+    #[command(flatten)]
+    options: SetOptions,
+}
+
+/// The unique form of a set: curves that cross are cut and pasted by a fill rule, knots within straight parts of polylines left out,
+/// curves begin at their lowest knots and come in one order.
+///
+/// Two sets of order 2 have the same points if and only if their unique forms are equal. Without --rule, curves that cross are repaired
+/// by the rule nonzero, and what bounds a set stays as it is.
+///
+/// With --json also "rounds" (how often rounding made curves cross again) and "straightened" (knots that were left out).
+#[derive(Args)]
+pub(super) struct Normalize {
+    /// The set; - is standard input
+    #[arg(value_name = "INPUT")]
+    input: PathBuf,
+    #[command(flatten)]
+    options: SetOptions,
+}
+
+/// The image of a set under an affine map of the plane: scaled, then turned, then moved, or by a matrix.
+///
+/// Control points are mapped; kinks and names stay. Curves that touch and come to cross by rounding are an error, with the place.
+#[derive(Args)]
+pub(super) struct Transform {
+    /// The set; - is standard input
+    #[arg(value_name = "INPUT")]
+    input: PathBuf,
+    #[command(flatten)]
+    options: SetOptions,
+    /// Scale by a factor F, or by X,Y along the axes; negative factors mirror
+    #[arg(long, value_name = "FACTORS", value_parser = factors, allow_hyphen_values = true)]
+    scale: Option<[f64; 2]>,
+    /// Turn counterclockwise by so many degrees; multiples of 90 are exact about the origin
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
+    rotate: Option<f64>,
+    /// The point that scaling and turning leave where it is: X,Y
+    #[arg(long, value_name = "POINT", default_value = "0,0", value_parser = pair, allow_hyphen_values = true)]
+    center: [f64; 2],
+    /// Move by a vector: X,Y
+    #[arg(long, value_name = "VECTOR", value_parser = pair, allow_hyphen_values = true)]
+    translate: Option<[f64; 2]>,
+    /// A map instead: A,B,C,D,E,F takes (x, y) to (A x + B y + C, D x + E y + F)
+    #[arg(long, value_name = "NUMBERS", value_parser = matrix, allow_hyphen_values = true,
+          conflicts_with_all = ["scale", "rotate", "translate", "center"])]
+    matrix: Option<[f64; 6]>,
+}
+
+fn factors(text: &str) -> Result<[f64; 2], String> {
+    match text.contains(',') {
+        true => pair(text),
+        false => {
+            pair(&format!("{text},{text}")).map_err(|_| format!("\"{text}\" is no factor: write F, or X,Y"))
+        }
+    }
+}
+
+fn matrix(text: &str) -> Result<[f64; 6], String> {
+    let numbers: Option<Vec<f64>> =
+        text.split(',').map(|word| word.trim().parse().ok().filter(|x: &f64| x.is_finite())).collect();
+    numbers
+        .and_then(|numbers| numbers.try_into().ok())
+        .ok_or_else(|| format!("\"{text}\" are no six numbers: write A,B,C,D,E,F"))
+}
+
+impl Validate {
+    pub(super) fn run(&self, common: &Common) -> Result<(), Failure> {
+        if self.options.picture != Shown::Set {
+            return Err(Failure::new(
+                "--picture draws a set, not its faults: ask for it with `coface yin info`",
+            ));
+        }
+        if let Some(path) = common.output.as_deref().filter(|path| !is_json(path)) {
+            return Err(Failure::new(format!(
+                "{}: what is wrong is written as .json; name the file so",
+                path.display()
+            )));
+        }
+        let progress = Progress::start(common.quiet);
+        let name = input::name(&self.input);
+        let drawing = self.options.drawing(&self.input, common, &progress)?;
+        progress.stage("checking");
+        let answer = PlanarSet::validation(&name, &drawing, &self.options.request(common))
+            .map_err(|error| error.in_file(name.clone()))?;
+        accept(&answer.remarks, common)?;
+        take(&name, &answer.remarks);
+        if let Some(path) = &common.output {
+            write_json(path, &answer)?;
+        }
+        drop(progress);
+        match (common.json, &common.output) {
+            (true, _) => print_json(&answer)?,
+            (false, Some(_)) => {}
+            (false, None) => print_text(&page(&answer))?,
+        }
+        match answer.faults.first() {
+            None => Ok(()),
+            Some(first) => Err(Failure::new(format!(
+                "{name}: the curves bound no set: {}; repair them with `coface yin normalize`",
+                first.message
+            ))),
+        }
+    }
+}
+
+fn page(answer: &YinValidationAnswer) -> String {
+    let mut facts = vec![
+        ("valid".to_owned(), if answer.valid { "yes" } else { "no" }.to_owned(), String::new()),
+        ("curves".to_owned(), text::grouped(answer.curves), String::new()),
+    ];
+    for (number, fault) in answer.faults.iter().enumerate() {
+        let label = if number == 0 { "faults" } else { "" };
+        facts.push((label.to_owned(), fault.message.clone(), String::new()));
+    }
+    if let Some(rough) = &answer.roughest {
+        let gloss =
+            format!("at knot {} of curve {}, the most where there is no kink", rough.knot, rough.curve);
+        facts.push(("turns by".to_owned(), format!("{:.1e} degrees", rough.degrees.abs()), gloss));
+    }
+    text::facts("Validity", &facts)
+}
+
+impl Normalize {
+    pub(super) fn run(&self, common: &Common) -> Result<(), Failure> {
+        let output = self.options.output(common)?;
+        let progress = Progress::start(common.quiet);
+        let options =
+            SetOptions { rule: Some(self.options.rule.unwrap_or(Rule::Nonzero)), ..self.options.clone() };
+        let planar = options.read(&self.input, common, false, &progress)?;
+        progress.stage("normalizing");
+        let name = input::name(&self.input);
+        let (planar, answer) = planar.normalized(&name).map_err(|error| error.in_file(name))?;
+        give(&planar, "Unique form", answer, &options, output, common, progress)
+    }
+}
+
+impl Transform {
+    pub(super) fn run(&self, common: &Common) -> Result<(), Failure> {
+        let output = self.options.output(common)?;
+        let map = self.map()?;
+        let progress = Progress::start(common.quiet);
+        let planar = self.options.read(&self.input, common, false, &progress)?;
+        progress.stage("transforming");
+        let name = input::name(&self.input);
+        let planar = planar.transformed(&map).map_err(|error| error.in_file(name.clone()))?;
+        progress.stage("measuring");
+        let answer = YinInfoAnswer::new(name, planar.answer()?);
+        give(&planar, "Image", answer, &self.options, output, common, progress)
+    }
+
+    fn map(&self) -> Result<AffineMap, Failure> {
+        if let Some([a, b, c, d, e, f]) = self.matrix {
+            return Ok(AffineMap::new(vec![a, b, d, e], vec![c, f])?);
+        }
+        if self.scale.is_none() && self.rotate.is_none() && self.translate.is_none() {
+            return Err(Failure::new("there is no map; give --scale, --rotate, --translate or --matrix"));
+        }
+        let center = self.center;
+        let mut map = AffineMap::translation(&center.map(|x| -x))?;
+        if let Some(factors) = self.scale {
+            map = map.then(&AffineMap::scaling(&factors)?)?;
+        }
+        if let Some(degrees) = self.rotate {
+            map = map.then(&AffineMap::rotation(2, [0, 1], Angle::degrees(degrees)?)?)?;
+        }
+        map = map.then(&AffineMap::translation(&center)?)?;
+        if let Some(by) = self.translate {
+            map = map.then(&AffineMap::translation(&by)?)?;
+        }
+        Ok(map)
+    }
+}
