@@ -67,9 +67,13 @@ fn page(answer: &YinComparisonAnswer) -> String {
     let error = |error: f64| format!("off by at most about {error:.1e}");
     let pair = |[a, b]: [usize; 2]| format!("{} and {}", text::grouped(a), text::grouped(b));
     let facts = [
-        ("area of the symmetric difference", real(answer.area_xor), error(answer.area_xor_error)),
-        ("difference of the areas", real(answer.area_signed), error(answer.area_signed_error)),
-        ("Hausdorff distance", real(answer.hausdorff), "of the boundaries".to_owned()),
+        ("area of a xor b", real(answer.area_xor), error(answer.area_xor_error)),
+        ("area a less b", real(answer.area_signed), error(answer.area_signed_error)),
+        (
+            "Hausdorff",
+            real(answer.hausdorff),
+            "greatest distance of a point of one boundary from the other".to_owned(),
+        ),
         ("components", pair(answer.components), String::new()),
         ("holes", pair(answer.holes), String::new()),
     ];
