@@ -18,6 +18,7 @@ mod groups;
 mod homology;
 mod incidence;
 mod isomorphism;
+mod near;
 mod parts;
 mod persistence;
 mod planar;

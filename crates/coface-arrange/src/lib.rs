@@ -8,6 +8,7 @@
 //!   against the lowest member of its class.
 //! * The **quotient** complex has the classes as cells. A cell whose boundary vanishes in it is **collapsed**: it has
 //!   no class.
+//! * [`JoinedFeatures`] tell what a tolerance, or rounding, put together in the plane or in space.
 //! * A cell that came to touch itself can be **wrapped again**: split into **pieces**, the cells that its boundary
 //!   encloses. Its **image** is their sum.
 //!
@@ -17,5 +18,8 @@ pub mod boolean;
 mod cells;
 pub mod congruence;
 mod face_cells;
+mod near;
 pub mod planar;
 pub mod spatial;
+
+pub use near::{JoinedFeatures, NearCounts};

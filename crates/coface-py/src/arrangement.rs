@@ -94,7 +94,7 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 /// close : bool
 ///     In the plane, whether lines that end where they begin are rings of polygons.
 /// tolerance : float, optional
-///     In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
+///     Vertices, edges, in space faces and planes too, at most so far apart are put together, in the unit of the inputs.
 /// max_cells : int, optional
 ///     More cells than this are refused.
 /// split : bool
@@ -147,7 +147,7 @@ pub(crate) fn arrange<'py>(
     if is_flat(py, &models, dimension)? {
         let mut request = ArrangementRequest::default();
         (request.rule, request.prune, request.snap, request.max_cells) = (rule, prune, snap, max_cells);
-        (request.exact, request.grid) = (exact, grid);
+        (request.exact, request.grid, request.tolerance) = (exact, grid, tolerance);
         let options = DrawingOptions::new().source(inputs.unwrap_or_default()).close_lines(close);
         let (arranged, answer) = run(py, progress, || {
             let arranged = DrawingArrangement::new(drawing_of(&models, &options, dimension)?, &request)?;
@@ -264,7 +264,7 @@ fn spatial_request(
 /// close : bool
 ///     In the plane, whether lines that end where they begin are rings of polygons.
 /// tolerance : float, optional
-///     In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
+///     Vertices, edges, in space faces and planes too, at most so far apart are put together, in the unit of the inputs.
 /// max_cells : int, optional
 ///     More cells than this are refused.
 /// split : bool
@@ -330,7 +330,7 @@ pub(crate) fn boolean<'py>(
         let mut request = BooleanRequest::default();
         (request.rule, request.keep_walls, request.snap, request.max_cells) =
             (rule, keep_walls, snap, max_cells);
-        (request.exact, request.grid) = (exact, grid);
+        (request.exact, request.grid, request.tolerance) = (exact, grid, tolerance);
         let options = DrawingOptions::new().source(inputs.unwrap_or_default()).close_lines(close);
         let result = run(py, progress, || {
             let drawing = drawing_of(&models, &options, dimension)?;

@@ -32,6 +32,9 @@ pub struct PlanarArrangementAnswer {
     pub rounding: PlanarRounding,
     /// How many times coordinates were rounded and everything arranged again; null unless snapping was asked for.
     pub snap_rounds: Option<usize>,
+    /// What was put together, where that was asked for.
+    #[serde(default)]
+    pub joined: Option<JoinedFeatures>,
     /// The inputs in their order.
     pub inputs: Vec<DrawingInput>,
     /// The names of the regions in their order.

@@ -35,6 +35,9 @@ pub struct PlanarBooleanAnswer {
     pub rounding: PolygonRounding,
     /// How many times coordinates were rounded and everything arranged again; null unless snapping was asked for.
     pub snap_rounds: Option<usize>,
+    /// What was put together, where that was asked for.
+    #[serde(default)]
+    pub joined: Option<JoinedFeatures>,
     /// The numbers of vertices, edges and faces that the inputs cut the plane into; where many regions cover each other,
     /// that the sides which are cut do.
     pub arrangement: [usize; 3],

@@ -3,10 +3,10 @@
 use super::containment::{Containment, ContainmentSearch};
 use super::crossings::{MOST_PLACES, crossed_rings, crossing_remark, refuse_crossings};
 use super::drawing::PlanarDrawing;
-use super::settling::{Movement, Settled, vanished_faces};
+use super::settling::{Movement, Placing, Settled, thin_faces};
 use super::sides::Sides;
 use crate::answer::{
-    PlanarArrangementAnswer, PlanarArrangementProvenance, PlanarRounding, Remark, RemarkCode,
+    JoinedFeatures, PlanarArrangementAnswer, PlanarArrangementProvenance, PlanarRounding, Remark, RemarkCode,
 };
 use coface_algebra::RaggedArray;
 use coface_algebra::{EdgeId, Error, FaceId, VertexId};
@@ -30,6 +30,8 @@ pub struct ArrangementRequest {
     pub snap: bool,
     /// Put all vertices on the grid with this step: their coordinates are multiples of it.
     pub grid: Option<f64>,
+    /// Put vertices and edges together that are at most this far apart, in the unit of the inputs.
+    pub tolerance: Option<f64>,
     /// Keep the exact complex where the drawing with rounded coordinates is another one. Else edges are cut and bent there by
     /// a few units of the last digit.
     pub exact: bool,
@@ -70,7 +72,10 @@ pub struct DrawingArrangement {
     certificate: Option<RoundingCertificate>,
     pub(super) containment: Containment,
     crossings: Option<Remark>,
-    vanished: Option<Remark>,
+    /// What was put together within a tolerance.
+    joined: Option<JoinedFeatures>,
+    /// What is said of vertices that were put elsewhere.
+    placed: Option<Remark>,
     rule: Option<InsideRule>,
 }
 
@@ -99,16 +104,15 @@ impl DrawingArrangement {
     pub fn new(drawing: PlanarDrawing, request: &ArrangementRequest) -> Result<Self, Error> {
         let options = PlanarOptions::new().max_cells(request.max_cells);
         let exact = PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?;
-        let (mut snap_rounds, mut vanished, mut movement, mut certificate) = (None, None, None, None);
+        let (mut snap_rounds, mut joined, mut placed) = (None, None, None);
+        let (mut movement, mut certificate, mut is_placed) = (None, None, false);
+        let placing = Placing { snap: request.snap, grid: request.grid, tolerance: request.tolerance };
         // The exact arrangement is kept where another one is made of it.
-        let (mut parts, exact) = if request.snap || request.grid.is_some() {
-            let snapped = match request.grid {
-                Some(step) => exact.snapped_to_grid(step)?,
-                None => exact.snapped()?,
-            };
-            snap_rounds = Some(snapped.round_count());
-            vanished = request.grid.and_then(|_| vanished_faces(&exact, &snapped));
-            (Parts::of_snapped(&snapped, |source| source, |segment| [segment]), Some(exact))
+        let (mut parts, exact) = if placing.is_asked() {
+            let own = placing.of(&exact)?;
+            (snap_rounds, joined, placed) = (own.snap_rounds, own.joined, own.remark);
+            is_placed = own.snapped.round_count() > 0;
+            (Parts::of_snapped(&own.snapped, |source| source, |segment| [segment]), Some(exact))
         } else {
             if !request.exact {
                 certificate = Some(exact.rounding_certificate()?).filter(RoundingCertificate::is_valid);
@@ -120,7 +124,7 @@ impl DrawingArrangement {
                 (parts.settled(&mut movement)?, Some(parts.arrangement))
             }
         };
-        let is_exact = movement.is_none() && snap_rounds.is_none_or(|rounds| rounds == 0);
+        let is_exact = movement.is_none() && !is_placed;
         if request.prune {
             parts = parts.pruned()?;
         }
@@ -140,7 +144,7 @@ impl DrawingArrangement {
             refuse_crossings(&drawing, &crossings, places)?;
         }
         let crossings = crossing_remark(&drawing, &crossings, places);
-        let Parts { arrangement, sources, segments_of_edge } = parts;
+        let Parts { arrangement, sources, segments_of_edge, .. } = parts;
         Ok(Self {
             drawing,
             arrangement,
@@ -151,7 +155,8 @@ impl DrawingArrangement {
             certificate,
             containment,
             crossings,
-            vanished,
+            joined,
+            placed,
             rule: request.rule,
         })
     }
@@ -357,7 +362,7 @@ impl DrawingArrangement {
         let rounding = rounding_answer(&certificate, is_exact, &self.movement.unwrap_or_default());
         let mut remarks = self.drawing.remarks.clone();
         remarks.extend(self.drawing.remarks_of_lines(self.rule, false));
-        remarks.extend(self.crossings.iter().chain(&self.vanished).cloned());
+        remarks.extend(self.crossings.iter().chain(&self.placed).cloned());
         remarks.extend(self.containment.remarks(&self.drawing));
         if !rounding.valid {
             remarks.push(Remark::new(
@@ -366,10 +371,14 @@ impl DrawingArrangement {
             ));
         }
         remarks.extend(self.movement.map(|movement| movement.remark("face")));
+        let measures = arrangement.areas();
+        if self.joined.is_none() {
+            remarks.extend(thin_faces(arrangement, &measures));
+        }
         Ok(PlanarArrangementAnswer {
             dimension: 2,
             f_vector: [vertices, edges, faces],
-            measures: arrangement.areas(),
+            measures,
             inside: self.containment.regions.iter().map(<[u32]>::to_vec).collect(),
             products_zero: self.products_are_zero()?,
             holes: arrangement.hole_count(),
@@ -379,6 +388,7 @@ impl DrawingArrangement {
             dangling_edges: self.dangling_edge_count(),
             rounding,
             snap_rounds: self.snap_rounds,
+            joined: self.joined.clone(),
             inputs: self.drawing.input_answers(),
             regions: self.drawing.region_names().into_iter().map(str::to_owned).collect(),
             attributes: None,
@@ -421,6 +431,8 @@ struct Parts {
     arrangement: PlanarArrangement,
     sources: Vec<VertexSource>,
     segments_of_edge: RaggedArray,
+    /// Whether each of these segments runs up, if that is known.
+    runs_up: Option<Vec<bool>>,
 }
 
 impl Parts {
@@ -429,6 +441,7 @@ impl Parts {
         Self {
             sources: sources.collect(),
             segments_of_edge: arrangement.segments_of_edges().clone(),
+            runs_up: None,
             arrangement,
         }
     }
@@ -450,6 +463,7 @@ impl Parts {
         Self {
             sources: vertices.map(|vertex| source(snapped.source(vertex))).collect(),
             segments_of_edge: RaggedArray::from_lists(lists),
+            runs_up: snapped.runs_up().map(<[bool]>::to_vec),
             arrangement,
         }
     }
@@ -485,15 +499,20 @@ impl Parts {
         }
         let lists = edges.iter().map(|&edge| self.segments_of_edge.list(edge));
         let segments_of_edge = RaggedArray::from_lists(lists);
+        let ranges = edges
+            .iter()
+            .map(|&edge| self.segments_of_edge.start(edge)..self.segments_of_edge.start(edge + 1));
+        let runs_up = self.runs_up.take().map(|known| ranges.flat_map(|own| known[own].to_vec()).collect());
         let mut kept = is_end.iter();
         self.sources.retain(|_| *kept.next().expect("each vertex has a source"));
-        Ok(Self { arrangement: arrangement.pruned()?, sources: self.sources, segments_of_edge })
+        Ok(Self { arrangement: arrangement.pruned()?, sources: self.sources, segments_of_edge, runs_up })
     }
 
     /// The regions around the faces; whether edges lie on their segments exactly.
     fn containment(&self, drawing: &PlanarDrawing, rule: Option<InsideRule>, is_exact: bool) -> Containment {
         let arrangement = &self.arrangement;
-        let sides = Sides { drawing, arrangement, segments: &self.segments_of_edge, is_exact };
+        let runs_up = self.runs_up.as_deref();
+        let sides = Sides { drawing, arrangement, segments: &self.segments_of_edge, is_exact, runs_up };
         let mut search = ContainmentSearch::new(drawing, rule, arrangement.face_count());
         arrangement.tour(|step| match step {
             Step::Into { face, across } => {
@@ -507,7 +526,7 @@ impl Parts {
 
     /// The first points where a ring meets itself: crossings of its segments before others, from the lowest.
     fn meetings_of(&self, drawing: &PlanarDrawing, ring: u32) -> Vec<[f64; 2]> {
-        let Self { arrangement, sources, segments_of_edge } = self;
+        let Self { arrangement, sources, segments_of_edge, .. } = self;
         let is_own = |segment: usize| drawing.ring_of_segment[segment] == ring;
         let mut degrees = vec![0u8; arrangement.vertex_count()];
         for (edge, segments) in segments_of_edge.iter().enumerate() {

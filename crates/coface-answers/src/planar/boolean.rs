@@ -5,15 +5,15 @@ use super::crossings::{MOST_PLACES, crossed_rings, crossing_remark, refuse_cross
 use super::crowd::{Crowd, Leaving};
 use super::drawing::PlanarDrawing;
 use super::outcome::Outcome;
-use super::settling::{Movement, vanished_faces};
+use super::settling::{Movement, Placing};
 use super::walks::Walks;
 use crate::answer::{
-    BoundaryManifold, BoundaryVerdict, BoundaryWitness, EdgeOrigin, PlanarBooleanAnswer,
+    BoundaryManifold, BoundaryVerdict, BoundaryWitness, EdgeOrigin, JoinedFeatures, PlanarBooleanAnswer,
     PlanarBooleanProvenance, PolygonRounding, Remark, RemarkCode,
 };
 use coface_algebra::{EdgeId, Error, FaceId, VertexId};
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
-use coface_arrange::planar::{PlanarArrangement, PlanarOptions, PlanarOverlay, SnappedArrangement, Step};
+use coface_arrange::planar::{PlanarArrangement, PlanarOptions, PlanarOverlay, Step};
 use coface_geometry::{Positions, Sum};
 
 /// How regions are combined.
@@ -30,6 +30,8 @@ pub struct BooleanRequest {
     pub snap: bool,
     /// Put all vertices on the grid with this step: their coordinates are multiples of it.
     pub grid: Option<f64>,
+    /// Put vertices and edges together that are at most this far apart, in the unit of the inputs.
+    pub tolerance: Option<f64>,
     /// Keep the result as it is, where rounding its coordinates makes polygons invalid. Else edges are cut and bent there by
     /// a few units of the last digit, and polygons that come to share an edge become one.
     pub exact: bool,
@@ -69,6 +71,8 @@ pub struct RegionBoolean {
     /// The vertices, edges and faces that the rings cut the plane into.
     cell_counts: [usize; 3],
     snap_rounds: Option<usize>,
+    /// What was put together within a tolerance.
+    joined: Option<JoinedFeatures>,
     rule: Option<InsideRule>,
     warnings: Vec<String>,
     remarks: Vec<Remark>,
@@ -128,20 +132,15 @@ impl RegionBoolean {
             .with_cure("take the complement within a region, as in \"a - b\""));
         }
         let options = PlanarOptions::new().max_cells(request.max_cells);
-        let mut vanished = None;
-        let snapped = match (request.snap, request.grid) {
-            (false, None) => None,
-            (_, grid) => {
-                let exact = PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?;
-                let snapped = match grid {
-                    Some(step) => exact.snapped_to_grid(step)?,
-                    None => exact.snapped()?,
-                };
-                vanished = grid.and_then(|_| vanished_faces(&exact, &snapped));
-                Some(snapped)
-            }
+        let placing = Placing { snap: request.snap, grid: request.grid, tolerance: request.tolerance };
+        let placed = if placing.is_asked() {
+            let exact = PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?;
+            Some(placing.of(&exact)?)
+        } else {
+            None
         };
-        let walks = Walks::new(&drawing, snapped.as_ref());
+        let snapped = placed.as_ref().map(|placed| &placed.snapped);
+        let walks = Walks::new(&drawing, snapped);
         let crowd = if snapped.is_some() || request.keep_walls {
             None
         } else {
@@ -151,19 +150,23 @@ impl RegionBoolean {
             Some(crowd) => Reading::of_crowd(crowd, &drawing, request)?,
             None => Reading::new(&drawing, &walks, formula, request, snapped.is_some(), &options)?,
         };
-        let snap_rounds = snapped.as_ref().map(SnappedArrangement::round_count);
         let odd = containment.as_ref();
         let warnings = odd.map_or_else(Vec::new, |containment| containment.warnings(&drawing));
         let odd = odd.map_or_else(Vec::new, |containment| containment.remarks(&drawing));
-        let remarks = crossings.into_iter().chain(odd).chain(vanished).collect();
+        let mut remarks: Vec<Remark> = crossings.into_iter().chain(odd).collect();
         drop(walks);
+        let (mut snap_rounds, mut joined) = (None, None);
+        if let Some(placed) = placed {
+            remarks.extend(placed.remark);
+            (snap_rounds, joined) = (placed.snap_rounds, placed.joined);
+        }
         let mut movement = None;
         if (!found.is_valid || found.is_turned) && !request.exact {
             let (valid, settled) = found.settled()?;
             (found, movement) = (valid, Some(settled.movement));
         }
         let rule = request.rule;
-        Ok(Self { drawing, found, movement, cell_counts, snap_rounds, rule, warnings, remarks })
+        Ok(Self { drawing, found, movement, cell_counts, snap_rounds, joined, rule, warnings, remarks })
     }
 
     /// The drawing that was combined.
@@ -491,6 +494,7 @@ impl RegionBoolean {
                 repair: movement.answer(),
             },
             snap_rounds: self.snap_rounds,
+            joined: self.joined.clone(),
             arrangement: self.cell_counts,
             regions: self.drawing.region_names().into_iter().map(str::to_owned).collect(),
             inputs: self.drawing.input_answers(),

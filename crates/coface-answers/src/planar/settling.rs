@@ -1,8 +1,9 @@
-//! Edges between rounded points, cut and bent until they meet in their ends only.
+//! Edges between rounded points, cut and bent until they meet in their ends only; and coordinates as they are asked for.
 
-use crate::answer::{Remark, RemarkCode, RoundingRepair};
+use crate::answer::{JoinedFeatures, Remark, RemarkCode, RoundingRepair};
+use crate::near::ThinCells;
 use crate::text;
-use coface_algebra::{EdgeId, Error, VertexId};
+use coface_algebra::{EdgeId, Error, FaceId, VertexId};
 use coface_arrange::planar::{PlanarArrangement, SnappedArrangement};
 use coface_geometry::Positions;
 
@@ -101,8 +102,86 @@ impl Movement {
     }
 }
 
+/// Where vertices are to be.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Placing {
+    pub(super) snap: bool,
+    pub(super) grid: Option<f64>,
+    pub(super) tolerance: Option<f64>,
+}
+
+/// An arrangement with vertices where they were asked to be.
+#[derive(Clone, Debug)]
+pub(super) struct Placed {
+    pub(super) snapped: SnappedArrangement,
+    /// How often coordinates were rounded, if that was asked for.
+    pub(super) snap_rounds: Option<usize>,
+    /// What was put together within a tolerance.
+    pub(super) joined: Option<JoinedFeatures>,
+    /// Says what became of faces.
+    pub(super) remark: Option<Remark>,
+}
+
+impl Placing {
+    pub(super) fn is_asked(&self) -> bool {
+        self.snap || self.grid.is_some() || self.tolerance.is_some()
+    }
+
+    /// # Errors
+    /// `InvalidInput` for a step or a tolerance that is none, and for both at once.
+    pub(super) fn of(&self, exact: &PlanarArrangement) -> Result<Placed, Error> {
+        let vanished = |snapped: &SnappedArrangement| {
+            exact.face_count().saturating_sub(snapped.arrangement().face_count())
+        };
+        match (self.tolerance, self.grid) {
+            (Some(_), Some(_)) => {
+                Err(Error::invalid("a tolerance and a grid are two ways to put points together")
+                    .with_cure("give one of both"))
+            }
+            (Some(tolerance), None) => {
+                let snapped = exact.within(tolerance)?;
+                let joined =
+                    snapped.joined().map(|joined| JoinedFeatures::of(joined, Some(vanished(&snapped))));
+                let remark = joined.as_ref().and_then(|joined| joined.remark(true, "face"));
+                let snap_rounds = self.snap.then(|| snapped.round_count());
+                Ok(Placed { snapped, snap_rounds, joined, remark })
+            }
+            (None, grid) => {
+                let snapped = match grid {
+                    Some(step) => exact.snapped_to_grid(step)?,
+                    None => exact.snapped()?,
+                };
+                let remark = grid.and_then(|_| vanished_faces(exact, &snapped));
+                Ok(Placed { snap_rounds: Some(snapped.round_count()), snapped, joined: None, remark })
+            }
+        }
+    }
+}
+
+/// Tells of faces thinner than a part of the extent that nobody means, and what would remove them.
+pub(super) fn thin_faces(arrangement: &PlanarArrangement, areas: &[f64]) -> Option<Remark> {
+    let flat = arrangement.positions().as_flat();
+    let bounds = ThinCells::of(flat, 2);
+    let at = |end: VertexId| [flat[2 * end.index()], flat[2 * end.index() + 1]];
+    let suspects = areas.iter().enumerate().filter(|(_, area)| **area < bounds.largest_measure(2));
+    let thickness = |(face, area): (usize, &f64)| {
+        let walks = arrangement.walks(Some(FaceId::new(face)));
+        let around: f64 = walks
+            .flatten()
+            .map(|&halfedge| {
+                let [a, b] = arrangement.ends(EdgeId::from_u32(halfedge / 2)).map(at);
+                (b[0] - a[0]).hypot(b[1] - a[1])
+            })
+            .sum();
+        // A strip has twice its length around it.
+        2.0 * area / around
+    };
+    let thin: Vec<f64> = suspects.map(thickness).filter(|&own| own < bounds.least()).collect();
+    bounds.remark(&thin, "face")
+}
+
 /// Says that faces vanished because their vertices were put on a grid.
-pub(super) fn vanished_faces(exact: &PlanarArrangement, snapped: &SnappedArrangement) -> Option<Remark> {
+fn vanished_faces(exact: &PlanarArrangement, snapped: &SnappedArrangement) -> Option<Remark> {
     let [before, after] = [exact, snapped.arrangement()].map(PlanarArrangement::face_count);
     let count = before.checked_sub(after).filter(|&count| count > 0)?;
     let faces = text::count(count, "face");

@@ -13,14 +13,19 @@ pub(super) struct Sides<'a> {
     pub(super) segments: &'a RaggedArray,
     /// Whether edges lie on their segments exactly.
     pub(super) is_exact: bool,
+    /// Whether each of the segments along edges runs up, if that is known.
+    pub(super) runs_up: Option<&'a [bool]>,
 }
 
 impl Sides<'_> {
-    /// Whether a segment runs along an edge from its lower to its upper end.
+    /// Whether the i-th segment along an edge runs from its lower to its upper end.
     ///
     /// Edges go up in lexicographic order. Exact edges lie on their segments. Rounding moves vertices, but never turns a
     /// coordinate's order around: a piece of a segment goes its way on both axes, or stands still on one.
-    pub(super) fn runs_up(&self, segment: u32, edge: u32) -> bool {
+    fn runs_up(&self, i: usize, segment: u32, edge: u32) -> bool {
+        if let Some(known) = self.runs_up {
+            return known[self.segments.start(edge as usize) + i];
+        }
         let [from, to] = self.drawing.segments[segment as usize].map(|vertex| self.drawing.place(vertex));
         if self.is_exact {
             return (from[0], from[1]) < (to[0], to[1]);
@@ -39,10 +44,10 @@ impl Sides<'_> {
     /// several sides here comes several times.
     pub(super) fn across(&self, halfedge: u32, mut wind: impl FnMut(u32, i32)) {
         let (edge, is_up) = (halfedge / 2, halfedge.is_multiple_of(2));
-        for &segment in self.segments.list(edge as usize) {
+        for (i, &segment) in self.segments.list(edge as usize).iter().enumerate() {
             let ring = self.drawing.ring_of_segment[segment as usize];
             if ring != NO_RING {
-                wind(ring, if self.runs_up(segment, edge) == is_up { 1 } else { -1 });
+                wind(ring, if self.runs_up(i, segment, edge) == is_up { 1 } else { -1 });
             }
         }
     }

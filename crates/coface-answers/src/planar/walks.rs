@@ -135,9 +135,49 @@ impl Snapped<'_> {
     /// Adds the vertices from the start of a halfsegment on to before its end. Those at which it goes straight on are left out.
     fn corners_along(&self, drawing: &PlanarDrawing, halfsegment: u32, corners: &mut Vec<u32>) {
         let segment = halfsegment as usize / 2;
+        if let Some(runs_up) = self.arrangement.runs_up() {
+            return self.follow(drawing, halfsegment, runs_up, corners);
+        }
         let [from, to] = drawing.segments[segment].map(|vertex| drawing.place(vertex));
         let ends = if halfsegment % 2 == 1 { [to, from] } else { [from, to] };
         corners_along(self.arrangement.arrangement(), self.edges_of_segment.list(segment), ends, corners);
+    }
+}
+
+impl Snapped<'_> {
+    /// Adds the vertices along a halfsegment by the ways in which it runs along edges.
+    fn follow(&self, drawing: &PlanarDrawing, halfsegment: u32, runs_up: &[bool], corners: &mut Vec<u32>) {
+        let (segment, is_back) = (halfsegment / 2, halfsegment % 2 == 1);
+        let along = self.arrangement.segments_of_edges();
+        let step = |&edge: &u32| {
+            let own =
+                along.list(edge as usize).binary_search(&segment).expect("the segment is along the edge");
+            let [low, high] =
+                self.arrangement.arrangement().ends(EdgeId::from_u32(edge)).map(VertexId::to_u32);
+            if runs_up[along.start(edge as usize) + own] == is_back { [high, low] } else { [low, high] }
+        };
+        let mut steps: Vec<[u32; 2]> =
+            self.edges_of_segment.list(segment as usize).iter().map(step).collect();
+        steps.sort_unstable();
+        let start = drawing.segments[segment as usize][usize::from(is_back)];
+        let Some(start) = self.arrangement.place_of_point(start as usize) else { return };
+        // All steps in one walk: what is left of loops at a vertex is gone around before that is left.
+        let (mut open, mut walk) = (vec![start.to_u32()], Vec::with_capacity(steps.len() + 1));
+        let mut is_taken = vec![false; steps.len()];
+        while let Some(&last) = open.last() {
+            let first = steps.partition_point(|step| step[0] < last);
+            let mut leaving = (first..steps.len()).take_while(|&own| steps[own][0] == last);
+            match leaving.find(|&own| !is_taken[own]) {
+                Some(next) => {
+                    is_taken[next] = true;
+                    open.push(steps[next][1]);
+                }
+                None => walk.extend(open.pop()),
+            }
+        }
+        walk.reverse();
+        walk.pop();
+        corners.extend(walk);
     }
 }
 

@@ -4,9 +4,9 @@ use super::{SpatialRequest, SpatialScene};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, EdgeId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
+use coface_arrange::JoinedFeatures;
 use coface_arrange::spatial::{
-    BallComplex, BallRules, Crossings, ExactPolygons, JoinedFeatures, SpatialArrangement, SpatialOptions,
-    SplitPolygon,
+    BallComplex, BallRules, Crossings, ExactPolygons, SpatialArrangement, SpatialOptions, SplitPolygon,
 };
 use coface_geometry::Positions;
 use std::sync::OnceLock;

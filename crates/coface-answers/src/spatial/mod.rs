@@ -15,9 +15,3 @@ pub use inputs::{InputState, OpenInputs};
 pub use request::SpatialRequest;
 pub use scene::SpatialScene;
 pub use scene_arrangement::SceneArrangement;
-
-/// A length in one digit that is at least this one, to be named as a tolerance.
-fn in_one_digit(length: f64) -> f64 {
-    let scale = 10f64.powf(length.log10().floor());
-    (length / scale).ceil() * scale
-}

@@ -3,8 +3,9 @@
 use super::arranged::Arranged;
 use super::inputs::{InputState, Inputs};
 use super::scene::closed_walks;
-use super::{SpatialRequest, SpatialScene, in_one_digit};
+use super::{SpatialRequest, SpatialScene};
 use crate::answer::{Place, Remark, RemarkCode};
+use crate::near::in_one_digit;
 use crate::text;
 use coface_algebra::{Error, ErrorKind};
 use coface_geometry::predicates::orientation;

@@ -2,11 +2,12 @@
 
 use super::arranged::Arranged;
 use super::inputs::Inputs;
-use super::{InputState, OpenInputs, SpatialRequest, SpatialScene, in_one_digit};
+use super::{InputState, OpenInputs, SpatialRequest, SpatialScene};
 use crate::answer::{
     DegeneratePolygons, JoinedFeatures, Place, Remark, RemarkCode, SpatialArrangementAnswer, SpatialInput,
     SpatialRounding, SplitPolygons,
 };
+use crate::near::ThinCells;
 use crate::text;
 use coface_algebra::UnionFind;
 use coface_algebra::chains::ChainComplex;
@@ -19,8 +20,6 @@ use std::sync::OnceLock;
 
 /// So many polygons of a sort are listed.
 const MOST_LISTED: usize = 100;
-/// Cells are told of that are thinner than this part of the extent of the scene.
-const THIN_PART: f64 = 1e-9;
 
 /// The cells that the polygons of models cut space into.
 ///
@@ -557,45 +556,16 @@ impl SceneArrangement {
 
     /// What was put together.
     pub(super) fn joined(&self) -> Option<JoinedFeatures> {
-        let joined = self.arranged.joined()?;
-        let counts = joined.counts;
         let vanished = |apart: usize| apart.saturating_sub(self.complex().cell_count(3));
-        Some(JoinedFeatures {
-            tolerance: joined.tolerance,
-            planes: counts.planes,
-            vertices: counts.vertices,
-            edges: counts.edges,
-            crossings: counts.crossings,
-            faces: counts.faces,
-            moved: joined.moved.len(),
-            largest_movement: joined.largest_movement,
-            classes: joined.classes.iter().map(<[u32]>::to_vec).collect(),
-            vanished_cells: self.cells_apart.map(vanished),
-        })
+        Some(JoinedFeatures::of(self.arranged.joined()?, self.cells_apart.map(vanished)))
     }
 
     /// Says that features were put together, if that changed anything.
     fn joined_features(&self) -> Option<Remark> {
-        let joined = self.joined()?;
-        let count = joined.vertices + joined.edges + joined.crossings + joined.faces;
-        if self.request.snap || count + joined.planes == 0 {
+        if self.request.snap {
             return None;
         }
-        let mut message = match self.request.tolerance {
-            Some(_) => format!("features up to {:.2e} apart were put together", joined.tolerance),
-            None => format!(
-                "rounded coordinates would make faces cross, so features up to {:.2e} apart were put together",
-                joined.tolerance
-            ),
-        };
-        message += &match joined.largest_movement {
-            0.0 => "; no point moved".to_owned(),
-            way => format!("; points moved by at most {way:.1e}"),
-        };
-        if let Some(vanished) = joined.vanished_cells.filter(|&count| count > 0) {
-            message += &format!("; {} vanished, thinner than that", text::count(vanished, "cell"));
-        }
-        Some(Remark::new(RemarkCode::FeaturesJoined, message).at(count, []))
+        self.joined()?.remark(self.request.tolerance.is_some(), "cell")
     }
 
     /// Tells of cells thinner than a part of the extent that nobody means, and what would remove them.
@@ -605,15 +575,11 @@ impl SceneArrangement {
         }
         let drawn = self.arranged.drawn_positions().as_flat().as_chunks::<3>().0;
         let used = self.positions().as_flat().as_chunks::<3>().0;
-        let extent = (0..3).map(|axis| {
-            let range = used.iter().map(|point| point[axis]);
-            range.clone().fold(f64::MIN, f64::max) - range.fold(f64::MAX, f64::min)
-        });
-        let extent = extent.fold(0.0, f64::max);
-        let least = THIN_PART * extent;
+        let bounds = ThinCells::of(used.as_flattened(), 3);
+        let least = bounds.least();
         let cells = self.complex().boundary_matrix(3)?;
         let suspects =
-            self.volumes().iter().enumerate().filter(|(_, volume)| **volume < least * extent * extent);
+            self.volumes().iter().enumerate().filter(|(_, volume)| **volume < bounds.largest_measure(3));
         let thickness = |(cell, &volume): (usize, &f64)| -> Option<f64> {
             let mut area = 0.0;
             for &face in cells.column(cell).rows() {
@@ -627,19 +593,6 @@ impl SceneArrangement {
             Some(2.0 * volume / area)
         };
         let thin: Vec<f64> = suspects.filter_map(thickness).filter(|&own| own < least).collect();
-        let thickest = thin.iter().copied().reduce(f64::max)?;
-        // A wedge is twice as thick as a slab, where it is thickest; to one digit, upwards.
-        let unit =
-            4.0 * f64::EPSILON * used.as_flattened().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        let needed = (3.0 * thickest).max(unit);
-        let needed = in_one_digit(needed);
-        let subject = match thin.len() {
-            1 => "1 cell is".to_owned(),
-            count => format!("{count} cells are"),
-        };
-        let message = format!(
-            "{subject} thinner than {THIN_PART:e} of the extent; --tolerance {needed:.0e} puts together what is so near"
-        );
-        Some(Remark::new(RemarkCode::ThinCells, message).at(thin.len(), []))
+        bounds.remark(&thin, "cell")
     }
 }

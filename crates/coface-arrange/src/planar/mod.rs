@@ -18,6 +18,7 @@ mod face_polygons;
 mod faces;
 mod gift_wrapped_faces;
 mod hilbert_order;
+mod near_features;
 mod nesting;
 mod options;
 mod oriented_box;

@@ -3,6 +3,7 @@
 use super::faces::NONE;
 use super::snap_rounding::HotPixels;
 use super::{PlanarArrangement, VertexSource};
+use crate::near::JoinedFeatures;
 use coface_algebra::RaggedArray;
 use coface_algebra::{EdgeId, Error, VertexId};
 use coface_geometry::Positions;
@@ -57,12 +58,18 @@ impl RoundingCertificate {
 /// from.
 #[derive(Clone, Debug)]
 pub struct SnappedArrangement {
-    arrangement: PlanarArrangement,
-    sources: Vec<VertexSource>,
-    segments_of_edge: RaggedArray,
+    pub(super) arrangement: PlanarArrangement,
+    pub(super) sources: Vec<VertexSource>,
+    pub(super) segments_of_edge: RaggedArray,
     /// The vertex that each vertex of the input became.
-    places: Vec<u32>,
-    round_count: usize,
+    pub(super) places: Vec<u32>,
+    /// The vertex that each point of the input became.
+    pub(super) place_of_point: Vec<u32>,
+    /// Whether segments run from the lower end of an edge to the upper, for each entry of their lists; none where pieces go
+    /// the way of their segments on both axes.
+    pub(super) runs_up: Option<Vec<bool>>,
+    pub(super) round_count: usize,
+    pub(super) joined: Option<JoinedFeatures>,
 }
 
 impl SnappedArrangement {
@@ -130,6 +137,48 @@ impl SnappedArrangement {
         VertexId::from_u32(self.places[vertex.index()])
     }
 
+    /// The vertex that a point of the input became; none for one that was pruned before.
+    ///
+    /// # Panics
+    /// If there was no such point.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::VertexId;
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let flat = vec![2., 2., 0., 0., 0., 2., 2., 0.];
+    /// let crossed = PlanarArrangement::new(&Positions::from_flat(2, flat)?, &[[0, 1], [2, 3]])?;
+    /// // Vertices are in lexicographic order.
+    /// assert_eq!(crossed.snapped()?.place_of_point(0), Some(VertexId::new(4)));
+    /// # Ok(()) }
+    /// ```
+    pub fn place_of_point(&self, point: usize) -> Option<VertexId> {
+        let place = self.place_of_point[point];
+        (place != NONE).then(|| VertexId::from_u32(place))
+    }
+
+    /// Whether segments run from the lower end of an edge to the upper, for each entry of
+    /// [`Self::segments_of_edges`], one list after the other. None where all pieces go the way of their segments on both
+    /// axes, or stand still on one, as they do after rounding; what was put together within a tolerance may go back a
+    /// little.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let flat = vec![1., 0., 0., 0.];
+    /// let one = PlanarArrangement::new(&Positions::from_flat(2, flat)?, &[[0, 1]])?;
+    /// assert_eq!(one.snapped()?.runs_up(), None);
+    /// assert_eq!(one.within(0.1)?.runs_up(), Some(&[false][..]));
+    /// # Ok(()) }
+    /// ```
+    pub fn runs_up(&self) -> Option<&[bool]> {
+        self.runs_up.as_deref()
+    }
+
     /// The segments of the input that each edge is a piece of, moved by rounding: list e is edge e, rising.
     ///
     /// # Examples
@@ -164,6 +213,24 @@ impl SnappedArrangement {
     /// ```
     pub fn round_count(&self) -> usize {
         self.round_count
+    }
+
+    /// What was put together [within a tolerance](PlanarArrangement::within). Points are those of the input.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A segment that ends a hundredth above another one.
+    /// let ends = Positions::from_flat(2, vec![0., 0., 2., 0., 1., 0.01, 1., 1.])?;
+    /// let joined = PlanarArrangement::new(&ends, &[[0, 1], [2, 3]])?.within(0.1)?;
+    /// assert_eq!(joined.joined().map(|joined| joined.counts.edges), Some(1));
+    /// assert_eq!(joined.arrangement().f_vector(), [4, 3, 0]);
+    /// # Ok(()) }
+    /// ```
+    pub fn joined(&self) -> Option<&JoinedFeatures> {
+        self.joined.as_ref()
     }
 }
 
@@ -427,13 +494,16 @@ fn largest(positions: &Positions) -> f64 {
 }
 
 impl SnappedArrangement {
-    fn of(arrangement: &PlanarArrangement) -> Self {
+    pub(super) fn of(arrangement: &PlanarArrangement) -> Self {
         Self {
             arrangement: arrangement.clone(),
             sources: arrangement.sources.clone(),
             segments_of_edge: arrangement.segments_of_edge.clone(),
             places: (0..arrangement.vertex_count() as u32).collect(),
+            place_of_point: arrangement.vertex_of_point.clone(),
+            runs_up: None,
             round_count: 0,
+            joined: None,
         }
     }
 
@@ -445,8 +515,27 @@ impl SnappedArrangement {
         let segments_of_edge = RaggedArray::from_lists(
             arrangement.segments_of_edge.iter().map(|edges| self.segments_along(edges.iter().copied())),
         );
-        let places = self.places.iter().map(|&place| arrangement.vertex_of_point[place as usize]).collect();
-        Ok(Self { arrangement, sources, segments_of_edge, places, round_count: self.round_count + 1 })
+        let place = |place: u32| arrangement.vertex_of_point[place as usize];
+        let (places, place_of_point) = self.moved(place);
+        Ok(Self {
+            arrangement,
+            sources,
+            segments_of_edge,
+            places,
+            place_of_point,
+            runs_up: None,
+            round_count: self.round_count + 1,
+            joined: None,
+        })
+    }
+
+    /// The places of vertices and of points after another round.
+    fn moved(&self, place: impl Fn(u32) -> u32) -> (Vec<u32>, Vec<u32>) {
+        let of_point = |&own: &u32| if own == NONE { NONE } else { place(own) };
+        (
+            self.places.iter().map(|&own| place(own)).collect(),
+            self.place_of_point.iter().map(of_point).collect(),
+        )
     }
 
     /// Where a vertex of an arrangement of the edges comes from.
@@ -514,8 +603,17 @@ impl SnappedArrangement {
                 .map(|sides| self.segments_along(sides.iter().flat_map(|&side| edges(side as usize)))),
         );
         let pixel = |place: u32| pixels.of_vertex[drawn.vertex_of_point[place as usize] as usize];
-        let place = |place: &u32| arrangement.vertex_of_point[pixel(*place) as usize];
-        let places = self.places.iter().map(place).collect();
-        Ok(Self { arrangement, sources, segments_of_edge, places, round_count: self.round_count + 1 })
+        let place = |place: u32| arrangement.vertex_of_point[pixel(place) as usize];
+        let (places, place_of_point) = self.moved(place);
+        Ok(Self {
+            arrangement,
+            sources,
+            segments_of_edge,
+            places,
+            place_of_point,
+            runs_up: None,
+            round_count: self.round_count + 1,
+            joined: None,
+        })
     }
 }

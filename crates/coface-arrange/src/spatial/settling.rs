@@ -2,19 +2,15 @@
 
 use super::axis_view::AxisView;
 use super::cutting::{Crossings, crossings};
-use super::near::{NearCounts, NearFeatures};
 use super::patches::Patches;
 use super::predicates::{GivenPoints, SpatialPredicates};
 use super::{SpatialArrangement, SpatialOptions};
+use crate::near::{JoinedFeatures, NONE, NearChains, NearCounts, reach};
 use coface_algebra::{EdgeId, Error, FaceId, RaggedArray, Sign, VertexId};
 use coface_geometry::{Positions, cross, dot};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
-/// No number. The arrays that hold it have one entry a point, and an `Option` would double their size.
-const NONE: u32 = u32::MAX;
-/// After so many rounds features are joined that are twice as far apart as in the round before.
-const STEADY_ROUNDS: usize = 4;
 /// Where only rounding is asked for, the reach grows this often before it is given up: to the square root of the
 /// precision.
 const MOST_ROUNDS: usize = 28;
@@ -34,25 +30,6 @@ pub(super) struct Drawing {
     first: Vec<[f64; 3]>,
     /// For each of them, the point that it became; no number for one that vanished.
     place: Vec<u32>,
-}
-
-/// What was put together to make an arrangement within a tolerance.
-///
-/// Points are those of the polygons, or where an arrangement was rounded, the drawn vertices of it.
-#[derive(Clone, Debug, Default, PartialEq)]
-#[non_exhaustive]
-pub struct JoinedFeatures {
-    /// How often features were put together.
-    pub counts: NearCounts,
-    /// The longest way that a point went.
-    pub largest_movement: f64,
-    /// The points that went anywhere, rising, each with where to.
-    pub moved: Vec<(VertexId, [f64; 3])>,
-    /// The points that became one although they were apart, each class rising.
-    pub classes: RaggedArray,
-    /// The distance within which features were put together in the end; more than what was asked for where that did
-    /// not come to an end.
-    pub tolerance: f64,
 }
 
 impl Drawing {
@@ -132,7 +109,7 @@ impl Drawing {
         let mut joined = JoinedFeatures { tolerance, ..JoinedFeatures::default() };
         let most = if is_rounding { MOST_ROUNDS } else { MOST_ROUNDS_WITH_TOLERANCE };
         for round in 0..most {
-            joined.tolerance = tolerance * f64::from(1u32 << round.saturating_sub(STEADY_ROUNDS));
+            joined.tolerance = reach(tolerance, round);
             joined.counts.add(&drawing.join(joined.tolerance));
             let Self { points, triangles, patches, first, place, .. } = drawing;
             let positions = Positions::from_flat(3, points.into_flattened())?;
@@ -141,7 +118,7 @@ impl Drawing {
             let is_settled = arrangement.cut.complex().vertex_count() == positions.len()
                 || (is_rounding && arrangement.is_exactly_rounded());
             if is_settled {
-                joined.tell(&first, &place, &positions);
+                joined.tell(&first, &place, positions.as_flat().as_chunks().0);
                 arrangement.round_count = round + 1;
                 arrangement.joined = Some(joined);
                 return Ok(arrangement);
@@ -158,7 +135,7 @@ impl Drawing {
 
     /// Puts together what is near, and leaves out points that nothing has any more.
     fn join(&mut self, tolerance: f64) -> NearCounts {
-        let mut near = NearFeatures::new(
+        let mut near = NearChains::of_panels(
             std::mem::take(&mut self.points),
             &self.triangles,
             &self.patches.patch_of_triangle,
@@ -166,7 +143,7 @@ impl Drawing {
             std::mem::take(&mut self.patches.is_passing),
             tolerance,
         );
-        near.join(tolerance);
+        near.join(tolerance, |near| near.put_vertices_on_panels(tolerance));
         let (triangles, patch_of_triangle) = near.triangles(tolerance);
         let mut number = vec![NONE; near.points.len()];
         triangles.as_flattened().iter().for_each(|&corner| number[corner as usize] = 0);
@@ -224,41 +201,6 @@ impl Drawing {
         }
         self.patches.polygons_of_patch = Some(lists);
     }
-}
-
-impl JoinedFeatures {
-    /// Notes where points went.
-    fn tell(&mut self, first: &[[f64; 3]], place: &[u32], positions: &Positions) {
-        let at = |place: u32| {
-            let point = positions.point(VertexId::from_u32(place));
-            [point[0], point[1], point[2]]
-        };
-        let mut order: Vec<u32> =
-            (0..first.len() as u32).filter(|&point| place[point as usize] != NONE).collect();
-        for &point in &order {
-            let (from, to) = (first[point as usize], at(place[point as usize]));
-            if from != to {
-                let way = [0, 1, 2].map(|axis| to[axis] - from[axis]);
-                self.largest_movement = self.largest_movement.max(dot(way, way).sqrt());
-                self.moved.push((VertexId::from_u32(point), to));
-            }
-        }
-        order.sort_by_key(|&point| (place[point as usize], point));
-        for class in order.chunk_by(|&a, &b| place[a as usize] == place[b as usize]) {
-            if class.iter().any(|&point| first[point as usize] != first[class[0] as usize]) {
-                self.classes.push(class);
-            }
-        }
-    }
-}
-
-/// Features are at least so many units of the last place of the largest coordinate apart.
-const UNITS_APART: f64 = 4.0;
-
-/// The least tolerance that means something for points with such coordinates.
-pub(super) fn least_tolerance(points: &[[f64; 3]]) -> f64 {
-    let largest = points.as_flattened().iter().fold(f64::MIN_POSITIVE, |most, x| x.abs().max(most));
-    UNITS_APART * f64::EPSILON * largest
 }
 
 /// How the triangles of a patch lie.

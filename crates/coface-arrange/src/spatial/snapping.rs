@@ -1,7 +1,8 @@
 //! Arrangements whose vertices are exactly where their rounded coordinates say.
 
-use super::settling::{Drawing, least_tolerance};
+use super::settling::Drawing;
 use super::{SpatialArrangement, SpatialOptions};
+use crate::near::least_tolerance;
 use coface_algebra::{Error, VertexId};
 
 impl SpatialArrangement {

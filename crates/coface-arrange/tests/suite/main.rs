@@ -12,6 +12,7 @@ mod planar_arrangements;
 mod planar_booleans;
 mod planar_overlays;
 mod planar_segments;
+mod planar_tolerance;
 mod polygon_validity;
 mod reference;
 mod selection_meshes;

@@ -516,11 +516,59 @@ fn a_tolerance_that_is_none_is_refused() {
     let cube = folder.cube("cube.obj", [0.0; 3], 1.0);
     let square = folder.text("square.wkt", "POLYGON((0 0,1 0,1 1,0 1,0 0))");
     for bad in ["-1", "nan", "a"] {
-        let ran = run(&["arrange"], &[&cube], &["--tolerance", bad]);
-        assert!(ran.fails_with(2).contains("give a finite length that is not negative"));
+        for input in [&cube, &square] {
+            let ran = run(&["arrange"], &[input], &["--tolerance", bad]);
+            assert!(ran.fails_with(2).contains("give a finite length that is not negative"));
+        }
     }
-    let ran = run(&["arrange"], &[&square], &["--tolerance", "1"]);
-    assert!(ran.fails_with(1).contains("for drawings in the plane leave it out"));
+    let ran = run(&["arrange"], &[&square], &["--tolerance", "1", "--grid", "1"]);
+    assert!(ran.fails_with(2).contains("--grid"));
+}
+
+/// Drawings within a tolerance: a border that two files digitized apart has no slivers, and the result is input again.
+#[test]
+fn a_tolerance_closes_the_gaps_of_drawings() {
+    let folder = Folder::new();
+    let west = folder.text("west.wkt", "POLYGON((0 0,1 0,1.0004 0.5,1 1,0 1,0 0))");
+    let east = folder.text("east.wkt", "POLYGON((0.9997 0,2 0,2 1,1.0003 1,0.9997 0))");
+    let apart = coface(&["arrange", argument(&west), argument(&east), "--json"]).json();
+    assert_eq!(apart["f_vector"][2], json!(3));
+    let arguments = ["arrange", argument(&west), argument(&east), "--tolerance", "0.002", "--json"];
+    let joined = coface(&arguments).json();
+    assert_eq!(joined["f_vector"], json!([7, 8, 2]));
+    assert_eq!(joined["inside"], json!([[0], [1]]));
+    assert_eq!((&joined["joined"]["vanished_cells"], &joined["joined"]["vertices"]), (&json!(1), &json!(2)));
+    assert!(joined["joined"]["largest_movement"].as_f64().unwrap() <= 0.002);
+    let remark = &joined["remarks"][0];
+    assert_eq!((&remark["code"], &remark["count"]), (&json!("features-joined"), &json!(3)));
+    assert!(remark["message"].as_str().unwrap().contains("1 face vanished"));
+    // The union is one polygon without a hole, and so is it read again.
+    let union = folder.path("union.wkt");
+    let arguments = [
+        "boolean",
+        "union",
+        argument(&west),
+        argument(&east),
+        "--tolerance",
+        "0.002",
+        "-o",
+        argument(&union),
+    ];
+    coface(&[&arguments[..], &["--json"]].concat()).json();
+    let again = coface(&["boolean", "union", argument(&union), "--json"]).json();
+    assert_eq!((&again["polygons"], &again["holes"]), (&json!(1), &json!(0)));
+    assert!((again["measure"].as_f64().unwrap() - 2.0).abs() < 1e-3);
+    // A sliver that nobody means is told of, with the tolerance that it vanishes in.
+    let sliver = folder.text("sliver.wkt", "POLYGON((0.9999999999999 0,2 0,2 1,1 1,0.9999999999999 0))");
+    let square = folder.text("square.wkt", "POLYGON((0 0,1 0,1 1,0 1,0 0))");
+    let answer = coface(&["arrange", argument(&square), argument(&sliver), "--json"]).json();
+    let thin = &answer["remarks"][0];
+    assert_eq!((&answer["f_vector"][2], &thin["code"]), (&json!(3), &json!("thin-cells")), "{answer}");
+    let tolerance =
+        thin["message"].as_str().unwrap().split("--tolerance ").nth(1).unwrap().split(' ').next().unwrap();
+    let answer =
+        coface(&["arrange", argument(&square), argument(&sliver), "--tolerance", tolerance, "--json"]).json();
+    assert_eq!(answer["f_vector"], json!([6, 7, 2]));
 }
 
 /// Results in the plane are one valid geometry, on a grid if that is asked for; in space there is neither.

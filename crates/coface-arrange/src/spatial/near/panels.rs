@@ -1,6 +1,6 @@
 //! Panels: flat faces by their sides, with what lies on them.
 
-use super::{NearFeatures, compare, minus, plus, squared};
+use crate::near::{Chain, NearChains, compare, minus, plus, squared};
 use crate::spatial::predicates::{GivenPoints, SpatialPredicates};
 use coface_algebra::RaggedArray;
 use coface_geometry::triangulation::triangulate_sides;
@@ -16,58 +16,13 @@ const LEAST_PART: f64 = 0.432_1;
 /// be across the sweep, or the order of its vertices is that of their errors: so these are slopes of no usual angle.
 const SWEEP_SLOPES: [f64; 3] = [0.739_085_133, -1.324_717_957, 0.0];
 
-/// A face that is flat within the tolerance.
-#[derive(Clone, Debug)]
-pub(super) struct Panel {
-    pub(super) patch: u32,
-    /// The sides, of which no two cancel; of a side that is there more than once, all.
-    pub(super) sides: Vec<[u32; 2]>,
-    /// The vertices that were put on the inside.
-    inside: Vec<u32>,
-}
-
-impl Panel {
-    /// Follows vertices to where they were put.
-    pub(super) fn put(&mut self, target: &[u32]) {
-        let is_put = |&vertex: &u32| target[vertex as usize] != vertex;
-        if self.sides.as_flattened().iter().any(is_put) {
-            self.sides.as_flattened_mut().iter_mut().for_each(|end| *end = target[*end as usize]);
-            self.cancel();
-        }
-        self.inside.iter_mut().for_each(|vertex| *vertex = target[*vertex as usize]);
-    }
-
-    /// Makes sides paths through the vertices that are given for them, from the lower end on.
-    pub(super) fn divide<'a>(&mut self, path: impl Fn([u32; 2]) -> &'a [u32]) {
-        if self.sides.iter().all(|&side| path(side).is_empty()) {
-            return;
-        }
-        self.sides = divided(&self.sides, path);
-        self.cancel();
-    }
-
-    /// Drops sides without length and pairs of opposite ones. The rest is in no order.
-    fn cancel(&mut self) {
-        self.sides.retain(|[a, b]| a != b);
-        self.sides.sort_unstable_by_key(|&[a, b]| ([a.min(b), a.max(b)], a > b));
-        let mut kept: Vec<[u32; 2]> = Vec::with_capacity(self.sides.len());
-        for group in self.sides.chunk_by(|x, y| x == y || *x == [y[1], y[0]]) {
-            let up = group.iter().filter(|[a, b]| a < b).count();
-            let down = group.len() - up;
-            let first = if up > down { group[0] } else { group[group.len() - 1] };
-            kept.extend(std::iter::repeat_n(first, up.abs_diff(down)));
-        }
-        self.sides = kept;
-    }
-
-    /// The vertices on the sides and on the inside, rising.
-    fn vertices(&self) -> Vec<u32> {
-        let mut all: Vec<u32> = self.sides.iter().map(|side| side[0]).collect();
-        all.extend(&self.inside);
-        all.sort_unstable();
-        all.dedup();
-        all
-    }
+/// The vertices on the sides and on the inside of a panel, rising.
+fn vertices(panel: &Chain) -> Vec<u32> {
+    let mut all: Vec<u32> = panel.sides.iter().map(|side| side[0]).collect();
+    all.extend(&panel.inside);
+    all.sort_unstable();
+    all.dedup();
+    all
 }
 
 /// Where a panel is: a point and the unit normal of its plane, how far sides are from that, and the axis it is seen
@@ -79,10 +34,11 @@ struct Lie {
     axis: usize,
 }
 
-impl NearFeatures {
+/// The chains are panels, their owners patches.
+impl NearChains {
     /// Panels of triangles, each triangle a piece of a patch: patches that are flat within the tolerance, else their
     /// triangles. Lines are edges that lie on them.
-    pub(in crate::spatial) fn new(
+    pub(in crate::spatial) fn of_panels(
         points: Vec<[f64; 3]>,
         triangles: &[[u32; 3]],
         patch_of_triangle: &[u32],
@@ -90,26 +46,24 @@ impl NearFeatures {
         is_passing: Vec<bool>,
         tolerance: f64,
     ) -> Self {
-        let target = (0..points.len() as u32).collect();
-        let mut near = Self { points, panels: Vec::new(), lines, is_passing, target, ..Self::default() };
+        let mut near = Self::new(points, Vec::new(), lines, is_passing);
         let count = patch_of_triangle.iter().max().map_or(0, |&last| last as usize + 1);
         let of_patch = RaggedArray::grouped(count, patch_of_triangle.iter().copied());
         let sides_of = |triangle: u32| {
             let [a, b, c] = triangles[triangle as usize];
             [[a, b], [b, c], [c, a]]
         };
-        let panels: Vec<Vec<Panel>> = (0..count)
+        let panels: Vec<Vec<Chain>> = (0..count)
             .into_par_iter()
             .map(|patch| {
                 let own = of_patch.list(patch);
                 let patch = patch as u32;
-                let single =
-                    |&triangle: &u32| Panel { patch, sides: sides_of(triangle).to_vec(), inside: Vec::new() };
+                let single = |&triangle: &u32| Chain::new(patch, sides_of(triangle).to_vec());
                 if own.len() < 2 {
                     return own.iter().map(single).collect();
                 }
                 let sides = own.iter().flat_map(|&triangle| sides_of(triangle)).collect();
-                let mut whole = Panel { patch, sides, inside: Vec::new() };
+                let mut whole = Chain::new(patch, sides);
                 whole.cancel();
                 let lie = near.lie(&whole);
                 let is_on = |&triangle: &u32| {
@@ -121,12 +75,12 @@ impl NearFeatures {
                 if own.iter().all(is_on) { vec![whole] } else { own.iter().map(single).collect() }
             })
             .collect();
-        near.panels = panels.into_iter().flatten().collect();
+        near.chains = panels.into_iter().flatten().collect();
         near
     }
 
     /// Where a panel is; none without sides or area.
-    fn lie(&self, panel: &Panel) -> Option<Lie> {
+    fn lie(&self, panel: &Chain) -> Option<Lie> {
         let first = panel.sides.first()?[0];
         let origin = self.point(first);
         let relative = |vertex: u32| minus(self.point(vertex), origin);
@@ -151,7 +105,7 @@ impl NearFeatures {
     }
 
     /// Whether a point is inside a panel as it is seen along its axis.
-    fn is_inside(&self, panel: &Panel, lie: &Lie, point: [f64; 3]) -> bool {
+    fn is_inside(&self, panel: &Chain, lie: &Lie, point: [f64; 3]) -> bool {
         let (i, j) = ((lie.axis + 1) % 3, (lie.axis + 2) % 3);
         let mut winding = 0;
         for side in &panel.sides {
@@ -167,12 +121,12 @@ impl NearFeatures {
     }
 
     /// Puts vertices on panels that they are near the insides of.
-    pub(super) fn put_vertices_on_panels(&mut self, tolerance: f64) -> bool {
+    pub(in crate::spatial) fn put_vertices_on_panels(&mut self, tolerance: f64) -> bool {
         let used = self.used();
         let boxes: Vec<AxisBox> = used.par_iter().map(|&vertex| self.box_of([vertex], 0.0)).collect();
         let tree = BoxTree::new(&boxes);
         let found: Vec<Vec<u32>> = self
-            .panels
+            .chains
             .par_iter()
             .map(|panel| {
                 let Some(lie) = self.lie(panel) else { return Vec::new() };
@@ -184,7 +138,7 @@ impl NearFeatures {
                 if own.is_empty() {
                     return own;
                 }
-                let known = panel.vertices();
+                let known = vertices(panel);
                 own.retain(|vertex| {
                     known.binary_search(vertex).is_err() && self.is_inside(panel, &lie, self.point(*vertex))
                 });
@@ -193,7 +147,7 @@ impl NearFeatures {
             .collect();
         let count: usize = found.iter().map(Vec::len).sum();
         self.counts.faces += count;
-        for (panel, own) in self.panels.iter_mut().zip(found) {
+        for (panel, own) in self.chains.iter_mut().zip(found) {
             panel.inside.extend(own);
         }
         count > 0
@@ -207,14 +161,14 @@ impl NearFeatures {
         let positions = Positions::from_flat(3, self.points.as_flattened().to_vec());
         let lists: Vec<Vec<[u32; 3]>> = match positions.as_ref().map(GivenPoints::new) {
             Ok(Ok(points)) => {
-                let own = |panel: &Panel| self.triangulated(panel, &sides, &points, tolerance);
-                self.panels.par_iter().map(own).collect()
+                let own = |panel: &Chain| self.triangulated(panel, &sides, &points, tolerance);
+                self.chains.par_iter().map(own).collect()
             }
             _ => Vec::new(),
         };
         let (mut triangles, mut patches) = (Vec::new(), Vec::new());
-        for (panel, own) in self.panels.iter().zip(lists) {
-            patches.extend(own.iter().map(|_| panel.patch));
+        for (panel, own) in self.chains.iter().zip(lists) {
+            patches.extend(own.iter().map(|_| panel.owner));
             triangles.extend(own);
         }
         (triangles, patches)
@@ -223,7 +177,7 @@ impl NearFeatures {
     /// The triangles of a panel, divided by what lies on it: `sides` are all sides there are, in both directions, rising.
     fn triangulated(
         &self,
-        panel: &Panel,
+        panel: &Chain,
         sides: &[[u32; 2]],
         points: &GivenPoints<'_>,
         tolerance: f64,
@@ -297,8 +251,8 @@ impl NearFeatures {
     }
 
     /// The sides of other panels on the inside of one, in both directions.
-    fn sides_on(&self, panel: &Panel, lie: &Lie, sides: &[[u32; 2]]) -> Vec<[u32; 2]> {
-        let corners = panel.vertices();
+    fn sides_on(&self, panel: &Chain, lie: &Lie, sides: &[[u32; 2]]) -> Vec<[u32; 2]> {
+        let corners = vertices(panel);
         if corners.len() < 4 {
             return Vec::new();
         }
@@ -323,26 +277,6 @@ impl NearFeatures {
         }
         found
     }
-}
-
-/// Sides as paths through the vertices that are given for them, from the lower end on.
-pub(super) fn divided<'a>(sides: &[[u32; 2]], path: impl Fn([u32; 2]) -> &'a [u32]) -> Vec<[u32; 2]> {
-    let mut divided = Vec::with_capacity(2 * sides.len());
-    for &[from, to] in sides {
-        let mut last = from;
-        let inner = path([from, to]);
-        let mut step = |next: u32| {
-            divided.push([last, next]);
-            last = next;
-        };
-        if from < to {
-            inner.iter().copied().for_each(&mut step);
-        } else {
-            inner.iter().rev().copied().for_each(&mut step);
-        }
-        step(to);
-    }
-    divided
 }
 
 /// The triangle that three sides are.

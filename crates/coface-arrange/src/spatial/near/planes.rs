@@ -1,6 +1,6 @@
 //! Planes that are near each other over the extent of their polygons become one.
 
-use super::{compare, minus, plus, squared};
+use crate::near::{compare, minus, plus, squared};
 use crate::spatial::SpatialPolygons;
 use coface_algebra::RaggedArray;
 use coface_geometry::{AxisBox, BoxTree, cross, dot};

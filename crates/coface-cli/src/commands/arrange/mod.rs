@@ -41,7 +41,7 @@ use std::path::{Path, PathBuf};
 /// the inputs that contain it, numbered from 0), "products_zero" (the boundary of every boundary, found by multiplying),
 /// "holes"; in the plane also "components", "bridges" (edges with one face on both sides), "dangling_edges" (those that hang on
 /// the rest by one end), "rounding" (whether coordinates are exact, and whether the drawing with rounded ones is the same
-/// complex), "snap_rounds".
+/// complex), "snap_rounds", "joined" (what --tolerance put together).
 ///
 /// In space also "voids", "components", "dangling_faces", "files" (whether each is closed, how many edges its rim has, around how many
 /// cells it winds less than zero times, or more than once), "degenerate_polygons", "split_polygons", "rounding", "joined". OBJ has a group for each
@@ -106,8 +106,8 @@ pub(crate) struct CellOptions {
     /// Keep the exact cells, also where rounding their coordinates makes edges or faces cross; in space .json keeps exact points too
     #[arg(long, conflicts_with_all = ["snap", "grid"])]
     pub(crate) exact: bool,
-    /// In space, put planes, vertices, edges and faces together that are at most R apart, in the unit of the inputs
-    #[arg(long, value_name = "R", allow_negative_numbers = true, value_parser = length)]
+    /// Put vertices, edges, in space faces and planes too, together that are at most R apart, in the unit of the inputs
+    #[arg(long, value_name = "R", conflicts_with = "grid", allow_negative_numbers = true, value_parser = length)]
     pub(crate) tolerance: Option<f64>,
     /// Refuse an arrangement of more than N cells
     #[arg(long, value_name = "N")]
@@ -126,16 +126,6 @@ impl CellOptions {
             None => Ok(()),
             Some(_) => Err(Failure::new(
                 "--grid is for drawings in the plane, and the inputs lie in space: leave it out",
-            )),
-        }
-    }
-
-    /// Refuses a tolerance for drawings in the plane.
-    pub(crate) fn refuse_tolerance(&self) -> Result<(), Failure> {
-        match self.tolerance {
-            None => Ok(()),
-            Some(_) => Err(Failure::new(
-                "--tolerance is for surfaces and solids in space; for drawings in the plane leave it out",
             )),
         }
     }

@@ -40,9 +40,9 @@ pub(super) fn run(
     request.prune = verb.prune;
     request.snap = verb.cells.snap;
     request.grid = verb.cells.grid;
+    request.tolerance = verb.cells.tolerance;
     request.exact = verb.cells.exact;
     request.max_cells = verb.cells.max_cells;
-    verb.cells.refuse_tolerance()?;
     let arranged = DrawingArrangement::new(drawing, &request)?;
     progress.stage("multiplying boundaries and checking coordinates");
     let mut answer = arranged.answer()?;

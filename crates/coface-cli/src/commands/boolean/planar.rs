@@ -39,9 +39,9 @@ pub(super) fn run(
     request.keep_walls = verb.keep_walls;
     request.snap = verb.cells.snap;
     request.grid = verb.cells.grid;
+    request.tolerance = verb.cells.tolerance;
     request.exact = verb.cells.exact;
     request.max_cells = verb.cells.max_cells;
-    verb.cells.refuse_tolerance()?;
     if !verb.dissolve.is_empty() {
         return super::dissolve::run(verb, &drawing, request, common, output, progress);
     }

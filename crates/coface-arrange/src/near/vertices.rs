@@ -1,11 +1,11 @@
 //! Vertices that are near each other become one.
 
-use super::{NearFeatures, compare, minus, plus, squared};
+use super::{NearChains, compare, minus, plus, squared};
 use coface_algebra::UnionFind;
 use coface_geometry::{AxisBox, BoxTree};
 use rayon::prelude::*;
 
-impl NearFeatures {
+impl NearChains {
     /// Puts vertices together, nearest pairs first, while all of a class stay within the tolerance of each other. A
     /// class goes to the one of its members that is nearest to their mean; new points give way to others.
     pub(super) fn join_vertices(&mut self, tolerance: f64) -> bool {
@@ -94,14 +94,15 @@ impl NearFeatures {
     }
 
     /// Puts vertices to others, which are put nowhere themselves.
-    fn put(&mut self, new_targets: &[(u32, u32)]) {
+    pub(super) fn put(&mut self, new_targets: &[(u32, u32)]) {
         for &(own, target) in new_targets {
             self.target[own as usize] = target;
         }
-        for panel in &mut self.panels {
-            panel.put(&self.target);
+        for chain in &mut self.chains {
+            chain.put(&self.target);
         }
         self.lines.as_flattened_mut().iter_mut().for_each(|end| *end = self.target[*end as usize]);
         self.lines.retain(|[a, b]| a != b);
+        self.alone.iter_mut().for_each(|vertex| *vertex = self.target[*vertex as usize]);
     }
 }

@@ -1,7 +1,6 @@
 //! Edges go through vertices near them, and get a common vertex where they pass near each other.
 
-use super::panels::divided;
-use super::{NearFeatures, compare, minus, plus, squared};
+use super::{NearChains, compare, divided, minus, plus, squared};
 use coface_algebra::RaggedArray;
 use coface_geometry::{AxisBox, BoxTree, dot};
 use rayon::prelude::*;
@@ -13,7 +12,7 @@ struct OnEdge {
     vertex: u32,
 }
 
-impl NearFeatures {
+impl NearChains {
     /// Puts vertices on edges that they are near, other than the ends.
     pub(super) fn put_vertices_on_edges(&mut self, tolerance: f64) -> bool {
         let (edges, used) = (self.edges(), self.used());
@@ -29,18 +28,66 @@ impl NearFeatures {
                     if ends.contains(&vertex) {
                         return;
                     }
-                    let [a, b] = ends.map(|end| self.point(end));
-                    let (along, to) = (minus(b, a), minus(self.point(vertex), a));
-                    let part = dot(along, to) / squared(along);
-                    if part > 0.0 && part < 1.0 && squared(plus(to, -part, along)) <= limit {
+                    if let Some(part) = self.part_beside(ends, vertex, limit) {
                         own.push(OnEdge { edge, part, vertex });
                     }
                 });
                 own
             })
             .collect();
+        if self.join_corners(&edges, &found, limit) {
+            return true;
+        }
         self.counts.edges += found.len();
         self.divide_edges(&edges, found)
+    }
+
+    /// How far along an edge a vertex is, if it is beside the inside and near.
+    fn part_beside(&self, ends: [u32; 2], vertex: u32, limit: f64) -> Option<f64> {
+        let [a, b] = ends.map(|end| self.point(end));
+        let (along, to) = (minus(b, a), minus(self.point(vertex), a));
+        let part = dot(along, to) / squared(along);
+        (part > 0.0 && part < 1.0 && squared(plus(to, -part, along)) <= limit).then_some(part)
+    }
+
+    /// Puts a vertex near an edge and one end of it together where that end is as near to the edge from the vertex to the
+    /// other end: each would be put on the edge of the other again and again. They are at most $2 / \sqrt 3$ tolerances
+    /// apart.
+    fn join_corners(&mut self, edges: &[[u32; 2]], found: &[OnEdge], limit: f64) -> bool {
+        let mut pairs: Vec<[u32; 2]> = Vec::new();
+        for on in found {
+            let [a, b] = edges[on.edge as usize];
+            for (from, to) in [(a, b), (b, a)] {
+                if self.part_beside([from, on.vertex], to, limit).is_some() {
+                    pairs.push([on.vertex, to]);
+                }
+            }
+        }
+        if pairs.is_empty() {
+            return false;
+        }
+        let is_first = |a: u32, b: u32| {
+            let [first, second] = [a, b].map(|own| self.is_passing[own as usize]);
+            first.cmp(&second).then_with(|| compare(self.point(a), self.point(b))).is_lt()
+        };
+        pairs.iter_mut().filter(|pair| is_first(pair[1], pair[0])).for_each(|pair| pair.swap(0, 1));
+        let distance = |&[a, b]: &[u32; 2]| squared(minus(self.point(a), self.point(b)));
+        pairs.sort_by(|x, y| {
+            let places = |i: usize| compare(self.point(x[i]), self.point(y[i]));
+            distance(x).total_cmp(&distance(y)).then_with(|| places(0)).then_with(|| places(1))
+        });
+        let mut is_used = vec![false; self.points.len()];
+        let mut targets = Vec::new();
+        for [first, second] in pairs {
+            if !is_used[first as usize] && !is_used[second as usize] {
+                is_used[first as usize] = true;
+                is_used[second as usize] = true;
+                targets.push((second, first));
+            }
+        }
+        self.counts.vertices += targets.len();
+        self.put(&targets);
+        true
     }
 
     /// Gives edges a common vertex where they pass each other inside.
@@ -77,7 +124,7 @@ impl NearFeatures {
         self.divide_edges(&edges, on)
     }
 
-    /// Makes edges paths through these vertices, in all panels.
+    /// Makes edges paths through these vertices, in all chains.
     fn divide_edges(&mut self, edges: &[[u32; 2]], mut on: Vec<OnEdge>) -> bool {
         if on.is_empty() {
             return false;
@@ -92,7 +139,7 @@ impl NearFeatures {
             let edge = edges.binary_search(&[from.min(to), from.max(to)]);
             edge.map_or(&[][..], |edge| paths.list(edge))
         };
-        self.panels.par_iter_mut().for_each(|panel| panel.divide(path));
+        self.chains.par_iter_mut().for_each(|chain| chain.divide(path));
         self.lines = divided(&self.lines, path);
         true
     }
