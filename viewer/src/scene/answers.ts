@@ -1246,6 +1246,8 @@ export interface PlanarArrangementAnswer {
   inputs: DrawingInput[];
   /** For each bounded face the inputs (or the regions, if features are inputs) that contain it, numbered from 0, rising. */
   inside: number[][];
+  /** What was put together, where that was asked for. */
+  joined?: JoinedFeatures | null;
   /** The areas of the bounded faces, in the square of the unit of the inputs. */
   measures: number[];
   /** Whether the boundary of every boundary is zero, found by multiplying the matrices. */
@@ -1281,6 +1283,8 @@ export interface PlanarBooleanAnswer {
   holes: number;
   /** The inputs in their order. */
   inputs: DrawingInput[];
+  /** What was put together, where that was asked for. */
+  joined?: JoinedFeatures | null;
   /** Whether the boundary is a curve everywhere. */
   manifold: BoundaryManifold;
   /** The area, in the square of the unit of the inputs. */
