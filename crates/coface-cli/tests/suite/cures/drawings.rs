@@ -109,14 +109,10 @@ pub(super) const CASES: &[Case] = &[
         .files(CRACK)
         .refused("coface boolean union crack.off")
         .cured(&[&["coface boolean union crack.off --open close"]]),
-    Case::new("spatial/scene_arrangement.rs", "--tolerance {needed:.0e} puts together what is so near")
+    Case::new("answers/src/near.rs", "--tolerance {needed:.0e} puts together what is so near")
         .files(SLIVER)
         .answered("coface arrange sliver.off --json")
         .cured(&[&["coface arrange sliver.off --tolerance 2e-12 --json"]]),
-    Case::new("arrange/mod.rs", "for drawings in the plane leave it out")
-        .files(BOW)
-        .refused("coface arrange bow.wkt --tolerance 1")
-        .cured(&[&["coface arrange bow.wkt"]]),
     Case::new("spatial/flat_polygons.rs", "let such polygons be split (--non-planar split)")
         .files(WARPED)
         .refused("coface arrange warped.off --non-planar refuse")
