@@ -3465,7 +3465,7 @@ def arrange(models: Any, *, dimension: int | None = None, rule: str | None = Non
     close : bool
         In the plane, whether lines that end where they begin are rings of polygons.
     tolerance : float, optional
-        In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
+        Vertices, edges, in space faces and planes too, at most so far apart are put together, in the unit of the inputs.
     max_cells : int, optional
         More cells than this are refused.
     split : bool
@@ -3524,7 +3524,7 @@ def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: 
     close : bool
         In the plane, whether lines that end where they begin are rings of polygons.
     tolerance : float, optional
-        In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
+        Vertices, edges, in space faces and planes too, at most so far apart are put together, in the unit of the inputs.
     max_cells : int, optional
         More cells than this are refused.
     split : bool
