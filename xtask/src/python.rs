@@ -29,12 +29,13 @@ pub(crate) fn python(tally: &mut Tally) {
         tally.skip("the Python package", &why);
         return;
     }
-    // All libraries at once: by itself the package would have other features of what it depends on, and build everything again.
+    // All libraries, and with the tests, as `cargo xtask test` has built them: by itself the package would have other features of what it depends
+    // on, and build everything again.
     let failures = tally.failed;
     check(
         tally,
         "the Python package",
-        &mut cargo(&[&["build", "--quiet", "--workspace", "--lib"], features()].concat()),
+        &mut cargo(&[&["build", "--quiet", "--workspace", "--lib", "--tests"], features()].concat()),
     );
     if tally.failed > failures {
         return;

@@ -89,8 +89,8 @@ pub(crate) fn browser(tally: &mut Tally) {
         tally.skip("the page in a browser", "chromium is not installed, and cannot be");
         return;
     };
-    // The whole workspace, as the tests build it: the program alone would have other features of what it depends on.
-    let mut build = cargo(&[&["build", "--workspace", "--bins"], features()].concat());
+    // The whole workspace with its tests, as `cargo xtask test` has built it: the program alone would have other features of what it depends on.
+    let mut build = cargo(&[&["build", "--workspace", "--bins", "--tests"], features()].concat());
     if !build.stdin(Stdio::null()).status().is_ok_and(|status| status.success()) {
         println!("== the page in a browser: failed, the program cannot be built");
         tally.count(false);
