@@ -33,6 +33,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
         ],
     ),
     ("coface-pictures", &["coface-algebra", "coface-geometry", "coface-yin", "coface-io", "coface-answers"]),
+    ("coface-check", &[]),
     ("coface-mapped", &[]),
     ("coface-allocator", &[]),
     (

@@ -1,0 +1,119 @@
+//! A checker of the certificates that coface writes. It shares no code with what computed the answers: it has its own readers, its own
+//! complexes and its own elimination, over the integers of `dashu-int`.
+//!
+//! A certificate is a JSON object with the answer, the SHA-256 of the input, and a proof. [`check`] reads the input anew, follows the
+//! proof step by step, derives the claims itself and compares them with the answer. A claim that it does not derive is listed as
+//! unchecked. `docs/certificates.md` has each rule and why it proves the claim.
+
+mod complex;
+mod fault;
+mod groups;
+mod homology;
+mod json;
+mod matching;
+mod polygons;
+mod sha256;
+mod simplices;
+mod smith;
+
+pub use complex::Complex;
+pub use fault::Fault;
+pub use sha256::sha256;
+
+use json::{field, text};
+use serde_json::Value;
+
+/// The number of the form of certificates that this checker reads.
+pub const VERSION: u64 = 1;
+
+/// What a certificate proved.
+///
+/// # Examples
+/// See [`check`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Verdict {
+    proved: Vec<String>,
+    unchecked: Vec<String>,
+}
+
+impl Verdict {
+    /// The claims that were derived from the input and agree with the answer, one a line.
+    ///
+    /// # Examples
+    /// See [`check`].
+    pub fn proved(&self) -> &[String] {
+        &self.proved
+    }
+
+    /// The keys of the answer about which the checker says nothing.
+    ///
+    /// # Examples
+    /// See [`check`].
+    pub fn unchecked(&self) -> &[String] {
+        &self.unchecked
+    }
+}
+
+/// Checks a certificate against the bytes of its input.
+///
+/// # Errors
+/// A [`Fault`] with the first step that fails.
+///
+/// # Complexity
+/// Memory is linear in the sizes of the two files. Time is that of eliminating the pairs for each critical cell, and of the sparse
+/// products of the transforms.
+///
+/// # Examples
+/// ```
+/// // A single point: one vertex, no pairs, and H_0 = Z.
+/// let input = br#"[[0]]"#;
+/// let hash = coface_check::sha256(input);
+/// let certificate = format!(
+///     r#"{{"coface_certificate":1,"kind":"homology","input":{{"sha256":"{hash}"}},"reduced":false,
+///         "answer":{{"file":"point.json","coefficients":"Z","cohomology":false,
+///                   "homology":[{{"degree":0,"betti":1,"torsion":[]}}],"remarks":[]}},
+///         "proof":{{"cells":[1],"pairs":[],"smith":[]}}}}"#
+/// );
+/// let verdict = coface_check::check(certificate.as_bytes(), input).expect("a point is connected");
+/// assert_eq!(verdict.proved(), ["H_0 = Z"]);
+/// assert!(coface_check::check(certificate.as_bytes(), b"[[1]]").is_err());
+/// ```
+pub fn check(certificate: &[u8], input: &[u8]) -> Result<Verdict, Fault> {
+    let step = "certificate";
+    let whole: Value = serde_json::from_slice(certificate)
+        .map_err(|error| Fault::new(step, format!("this is no JSON: {error}")))?;
+    let version = field(&whole, "coface_certificate", step)?;
+    if version.as_u64() != Some(VERSION) {
+        return Err(Fault::new(
+            step,
+            format!("form {version} is not known; this checker reads form {VERSION}"),
+        ));
+    }
+    let hash = text(field(field(&whole, "input", step)?, "sha256", step)?, "\"sha256\"", step)?;
+    let found = sha256(input);
+    if hash != found {
+        return Err(Fault::new(
+            "input",
+            format!("the certificate is of an input with SHA-256 {hash}, and this input has {found}"),
+        ));
+    }
+    let complex = Complex::read(input)?;
+    match text(field(&whole, "kind", step)?, "\"kind\"", step)? {
+        "homology" => homology::check(&whole, &complex),
+        other => {
+            Err(Fault::new(step, format!("{other:?} is no kind of certificate that this checker knows")))
+        }
+    }
+}
+
+/// The name of the input as the answer of a certificate has it; `None` where there is none.
+///
+/// # Examples
+/// ```
+/// assert_eq!(coface_check::input_name(br#"{"answer":{"file":"a.off"}}"#), Some("a.off".to_owned()));
+/// assert_eq!(coface_check::input_name(b"[]"), None);
+/// ```
+pub fn input_name(certificate: &[u8]) -> Option<String> {
+    let whole: Value = serde_json::from_slice(certificate).ok()?;
+    Some(whole.get("answer")?.get("file")?.as_str()?.to_owned())
+}

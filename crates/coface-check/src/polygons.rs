@@ -1,0 +1,156 @@
+//! Surfaces of polygons in OFF and OBJ: as little of these formats as files need, and a refusal for the rest.
+
+use crate::complex::Column;
+use crate::{Complex, Fault, simplices};
+use std::collections::{BTreeMap, BTreeSet};
+
+const STEP: &str = "input";
+
+/// Vertices by their number, polygons by their vertices in order, and edges that the file lists by themselves.
+struct Surface {
+    vertex_count: usize,
+    polygons: Vec<Vec<u32>>,
+    edges: Vec<[u32; 2]>,
+}
+
+pub(crate) fn read(bytes: &[u8]) -> Result<Complex, Fault> {
+    let text =
+        std::str::from_utf8(bytes).map_err(|_| Fault::new(STEP, "the checker reads text, not this"))?;
+    let surface = match text.split_whitespace().next() {
+        Some("OFF") => off(text)?,
+        _ => obj(text)?,
+    };
+    surface.complex(bytes.len())
+}
+
+fn off(text: &str) -> Result<Surface, Fault> {
+    let lines = text.lines().map(|line| line.split('#').next().unwrap_or("").trim());
+    let mut lines = lines.filter(|line| !line.is_empty());
+    let mut next = || lines.next().ok_or_else(|| Fault::new(STEP, "the OFF file ends early"));
+    let first = next()?;
+    let counts = match first.strip_prefix("OFF").map(str::trim) {
+        Some("") => next()?,
+        Some(rest) => rest,
+        None => return Err(Fault::new(STEP, "the OFF file does not start with OFF")),
+    };
+    let counts = counts.split_whitespace().map(number).collect::<Result<Vec<u32>, _>>()?;
+    let [vertex_count, face_count, ..] = counts[..] else {
+        return Err(Fault::new(STEP, "the OFF file has no counts"));
+    };
+    for _ in 0..vertex_count {
+        let line = next()?;
+        if line.split_whitespace().count() != 3 {
+            return Err(Fault::new(STEP, format!("{line:.40?} is not three coordinates")));
+        }
+    }
+    let mut surface =
+        Surface { vertex_count: vertex_count as usize, polygons: Vec::new(), edges: Vec::new() };
+    for _ in 0..face_count {
+        let mut words = next()?.split_whitespace();
+        let count = number(words.next().unwrap_or(""))? as usize;
+        let polygon = words.by_ref().take(count).map(number).collect::<Result<Vec<u32>, _>>()?;
+        if polygon.len() != count {
+            return Err(Fault::new(STEP, "a face of the OFF file has fewer vertices than it says"));
+        }
+        surface.polygons.push(polygon);
+    }
+    match lines.next() {
+        None => Ok(surface),
+        Some(line) => Err(Fault::new(STEP, format!("{line:.40?} stands behind the last face"))),
+    }
+}
+
+fn obj(text: &str) -> Result<Surface, Fault> {
+    let mut surface = Surface { vertex_count: 0, polygons: Vec::new(), edges: Vec::new() };
+    for line in text.lines() {
+        let line = line.split('#').next().unwrap_or("");
+        let mut words = line.split_whitespace();
+        let Some(key) = words.next() else { continue };
+        let vertex = |word: &str| corner(word, surface.vertex_count);
+        match key {
+            _ if line.trim_end().ends_with('\\') => {
+                return Err(Fault::new(STEP, "a line of the OBJ file goes on in the next"));
+            }
+            "v" => surface.vertex_count += 1,
+            "f" => {
+                let polygon = words.map(vertex).collect::<Result<_, _>>()?;
+                surface.polygons.push(polygon);
+            }
+            "l" => {
+                let line = words.map(vertex).collect::<Result<Vec<u32>, _>>()?;
+                surface.edges.extend(line.windows(2).map(|pair| [pair[0], pair[1]]));
+            }
+            "vt" | "vn" | "g" | "o" | "s" | "usemtl" | "mtllib" => (),
+            _ => return Err(Fault::new(STEP, format!("{line:.40?} is no line that the checker knows"))),
+        }
+    }
+    Ok(surface)
+}
+
+/// The vertex of a corner such as `3/1/2`, which counts from 1, or from the last vertex down from -1.
+fn corner(word: &str, vertex_count: usize) -> Result<u32, Fault> {
+    let fault = || Fault::new(STEP, format!("{word:.40?} is no vertex so far"));
+    let given: i64 = word.split('/').next().unwrap_or("").parse().map_err(|_| fault())?;
+    let position = if given < 0 { vertex_count as i64 + given } else { given - 1 };
+    let is_there = (0..vertex_count as i64).contains(&position);
+    u32::try_from(position).ok().filter(|_| is_there).ok_or_else(fault)
+}
+
+fn number(word: &str) -> Result<u32, Fault> {
+    word.parse().map_err(|_| Fault::new(STEP, format!("{word:.40?} is not a number from 0")))
+}
+
+impl Surface {
+    fn complex(self, size: usize) -> Result<Complex, Fault> {
+        let mut seen = BTreeSet::new();
+        let (mut are_triangles, mut repeated) = (true, None);
+        let mut facets = Vec::new();
+        for (i, polygon) in self.polygons.iter().enumerate() {
+            let mut vertices = polygon.clone();
+            vertices.sort_unstable();
+            let is_plain = vertices.windows(2).all(|pair| pair[0] < pair[1]);
+            if polygon.len() < 3 || !is_plain || vertices.iter().any(|v| *v as usize >= self.vertex_count) {
+                let message =
+                    format!("face {i} has fewer than three vertices, one twice, or one that is not there");
+                return Err(Fault::new(STEP, message));
+            }
+            are_triangles &= polygon.len() == 3;
+            if !seen.insert(vertices.clone()) {
+                repeated = Some(i);
+            }
+            facets.push(vertices);
+        }
+        // Equal triangles are one simplex; whether equal polygons are one cell or two, the file does not say.
+        if let Some(i) = repeated.filter(|_| !are_triangles) {
+            return Err(Fault::new(STEP, format!("face {i} has the vertices of another face")));
+        }
+        if self.edges.iter().any(|[a, b]| a == b) {
+            return Err(Fault::new(STEP, "an edge has one vertex twice"));
+        }
+        if are_triangles {
+            facets.extend(self.edges.iter().map(|[a, b]| vec![*a.min(b), *a.max(b)]));
+            let vertices = (0..self.vertex_count).filter_map(|v| u32::try_from(v).ok()).collect();
+            return simplices::of_facets(&facets, vertices, size);
+        }
+        let sides = |polygon: &[u32]| -> Vec<[u32; 2]> {
+            let next = polygon.iter().cycle().skip(1);
+            polygon.iter().zip(next).map(|(a, b)| [*a, *b]).collect()
+        };
+        let all = self.polygons.iter().flat_map(|polygon| sides(polygon)).chain(self.edges.iter().copied());
+        let mut numbers: BTreeMap<[u32; 2], u32> = all.map(|[a, b]| ([a.min(b), a.max(b)], 0)).collect();
+        numbers.values_mut().zip(0..).for_each(|(number, i)| *number = i);
+        let edges = numbers.keys().map(|[a, b]| vec![(*a, -1), (*b, 1)]).collect();
+        let faces: Vec<Column> = self
+            .polygons
+            .iter()
+            .map(|polygon| {
+                let side = |[a, b]: [u32; 2]| (numbers[&[a.min(b), a.max(b)]], if a < b { 1 } else { -1 });
+                let mut column: Column = sides(polygon).into_iter().map(side).collect();
+                column.sort_unstable();
+                column
+            })
+            .collect();
+        let counts = vec![self.vertex_count, numbers.len(), faces.len()];
+        Ok(Complex::new(counts, vec![edges, faces], true))
+    }
+}
