@@ -39,7 +39,7 @@ def rows(lists):
 
 def test_nothing_is_imported_before_it_is_needed() -> None:
     words = "import sys, coface; print([n for n in %r if n in sys.modules])" % (
-        ["trimesh", "meshio", "pyvista", "vtk", "open3d", "networkx", "gudhi", "shapely", "matplotlib", "tqdm"],
+        ["trimesh", "meshio", "pymeshlab", "pyvista", "vtk", "geopandas", "sklearn", "open3d", "networkx", "gudhi", "shapely", "matplotlib", "tqdm"],
     )
     done = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
@@ -237,3 +237,80 @@ def test_faces_have_the_attributes_of_all_inputs():
     geopandas = pytest.importorskip("geopandas")
     frame = geopandas.GeoDataFrame.from_features(table)
     assert sorted(frame.area) == [1, 1, 1] and set(frame.columns) == {"geometry", "use_1", "use_2", "lanes"}
+
+
+@pytest.mark.parametrize("model", [SURFACE, POLYGONS, LINES, TETRAHEDRON, MIXED])
+def test_unstructured_grids_go_both_ways(model) -> None:
+    pyvista = pytest.importorskip("pyvista")
+    grid = coface.to_pyvista(model, grid=True)
+    assert isinstance(grid, pyvista.UnstructuredGrid)
+    same(coface.as_model(grid), model)
+
+
+def test_grids_of_pyvista_keep_faces_beside_cells() -> None:
+    pytest.importorskip("pyvista")
+    both = coface.Model.from_arrays(
+        np.concatenate([np.eye(4)[:, :3], [[2.0, 2.0, 2.0]]]),
+        cells={"tetra": [[3, 0, 1, 2]], "triangle": [[0, 1, 4]], "line": [[2, 4]]},
+    )
+    grid = coface.to_pyvista(both)
+    assert grid.celltypes.tolist() == [3, 5, 10]
+    same(coface.as_model(grid), both)
+
+
+def test_pymeshlab_goes_both_ways() -> None:
+    pymeshlab = pytest.importorskip("pymeshlab")
+    same(coface.as_model(coface.to_pymeshlab(SURFACE)), SURFACE)
+    meshes = pymeshlab.MeshSet()
+    meshes.add_mesh(coface.to_pymeshlab(coface.generate("csaszar")))
+    assert coface.from_pymeshlab(meshes).report().name == "torus"
+    with pytest.raises(coface.InvalidInputError, match="needs triangles, and face 0 has 4 corners"):
+        coface.to_pymeshlab(POLYGONS)
+    with pytest.raises(coface.InvalidInputError, match="3-cells"):
+        coface.to_pymeshlab(TETRAHEDRON)
+
+
+class Meshlab:
+    """What a mesh of PyMeshLab offers, where that is not installed."""
+
+    __module__ = "pymeshlab.pmeshlab"
+
+    def vertex_matrix(self):
+        return SQUARE
+
+    def face_matrix(self):
+        return np.array([[0, 1, 2], [0, 2, 3]], np.int32)
+
+    def edge_matrix(self):
+        return np.zeros((0, 2), np.int32)
+
+    def face_number(self):
+        return 2
+
+    def edge_number(self):
+        return 0
+
+
+def test_meshes_of_pymeshlab_are_taken() -> None:
+    same(coface.as_model(Meshlab()), SURFACE)
+
+
+def test_tables_of_geopandas_go_both_ways() -> None:
+    geopandas = pytest.importorskip("geopandas")
+    shapely = pytest.importorskip("shapely")
+    ring = shapely.Polygon([(0, 0), (4, 0), (4, 4), (0, 4)], [[(1, 1), (2, 1), (2, 2)]])
+    frame = geopandas.GeoDataFrame({"name": ["a", "b"], "count": [1, 2]}, geometry=[ring, shapely.box(5, 0, 6, 1)], crs="EPSG:3857")
+    again = coface.to_geopandas(frame)
+    assert again.crs == frame.crs
+    assert again["name"].tolist() == ["a", "b"]
+    assert again["count"].tolist() == [1, 2]
+    assert again.geometry.geom_equals(frame.geometry).all()
+
+
+def test_labelled_arrays_of_xarray_are_taken() -> None:
+    xarray = pytest.importorskip("xarray")
+    ring = np.ones((3, 3), bool)
+    ring[1, 1] = False
+    assert str(coface.homology(xarray.DataArray(ring, dims=("y", "x")))) == "Homology(Z, Z)"
+    heights = xarray.DataArray(np.where(ring, 2.0, 0.0), dims=("y", "x"))
+    assert coface.volume(heights, threshold=1.0) == coface.volume(ring)

@@ -31,3 +31,32 @@ def test_copies_are_equal(spot, torus) -> None:
     for thing in things(spot, torus):
         assert copy.copy(thing) == thing
         assert copy.deepcopy(thing) == thing
+
+
+def test_grids_come_back() -> None:
+    for grid in (coface.CuboidGrid([2, 3]), coface.CuboidGrid([1, 2, 2]), coface.SimplicialGrid([2, 3])):
+        again = pickle.loads(pickle.dumps(grid))
+        assert type(again) is type(grid)
+        assert repr(again) == repr(grid)
+        assert again.vertices.tolist() == grid.vertices.tolist()
+        assert again.model() == grid.model()
+        assert copy.deepcopy(grid).model() == grid.model()
+
+
+@pytest.mark.parametrize("lengths", [[[0.5, 2.0], [1.0]], [[1.0, -1.0, 1.0]]])
+def test_grids_with_lengths_are_no_others(lengths) -> None:
+    grid = coface.CuboidGrid(lengths=lengths)
+    with pytest.raises(coface.InvalidInputError, match="grid.model()"):
+        pickle.dumps(grid)
+    assert pickle.loads(pickle.dumps(grid.model())) == grid.model()
+
+
+def test_incidences_come_back() -> None:
+    square = coface.LarModel([[[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]], [[0, 1, 2], [0, 2, 3]]])
+    lone = coface.LarModel([[[0, 1]]], 4)
+    mixed = coface.LarModel([[[0, 1], [1, 2], [2, 0], [2, 3], [3, 4], [4, 0]], [[0, 1, 2], [0, 2, 3, 4]]])
+    for model in (square, lone, mixed, square * lone):
+        again = pickle.loads(pickle.dumps(model))
+        assert again.f_vector == model.f_vector
+        for degree in range(1, len(model.f_vector)):
+            assert (again.characteristic(degree) != model.characteristic(degree)).nnz == 0

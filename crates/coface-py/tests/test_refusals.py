@@ -154,3 +154,15 @@ def test_the_diagonal_of_shared_vertices_is_said() -> None:
     assert coface.incidence(triangle, "VV").diagonal().tolist() == [2, 2, 2]
     assert coface.incidence(triangle, "FF").diagonal().tolist() == [3]
     assert coface.incidence(triangle, "VV", "incident").diagonal().tolist() == [0, 0, 0]
+
+
+def test_values_of_cells_do_not_fall() -> None:
+    path = [[0, 1], [1, 2]]
+    with pytest.raises(coface.InvalidInputError, match="upper=True is for vertex_values"):
+        coface.persistence(path, cell_values=[[0.0, 2.0, 1.0], [2.0, 2.0]], upper=True)
+    # What the cure says is the same as values that fall.
+    falling = coface.persistence(path, [0.0, -2.0, -1.0], upper=True).diagram(0)
+    negative = coface.persistence(path, cell_values=[[0.0, 2.0, 1.0], [2.0, 2.0]]).diagram(0)
+    negative[:, 0] *= -1
+    negative[np.isfinite(negative[:, 1]), 1] *= -1
+    assert negative.tolist() == falling.tolist()

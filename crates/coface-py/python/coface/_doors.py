@@ -6,7 +6,7 @@ from typing import Any
 
 from coface._coface import Complex, Model, YinSet
 from coface._models import as_complex, as_model
-from coface.interop import gudhi, meshio, networkx, open3d, pyvista, shapely, trimesh
+from coface.interop import geopandas, gudhi, meshio, networkx, open3d, pymeshlab, pyvista, shapely, trimesh
 from coface._faults import in_words
 
 
@@ -59,9 +59,31 @@ def from_pyvista(mesh: Any) -> Model:
 
 
 @in_words
-def to_pyvista(x: Any, **options: Any) -> Any:
-    """A model as ``pyvista.PolyData``, or ``pyvista.UnstructuredGrid`` where it has 3-cells. `options` go to the class."""
-    return pyvista.from_model(as_model(x), **options)
+def to_pyvista(x: Any, *, grid: bool = False, **options: Any) -> Any:
+    """A model as ``pyvista.PolyData``, or as ``pyvista.UnstructuredGrid`` where it has 3-cells.
+
+    Parameters
+    ----------
+    x
+        Anything that :func:`as_model` understands.
+    grid
+        Whether it becomes an ``UnstructuredGrid`` in any case: lines, then faces, then 3-cells.
+    options
+        What else the class of pyvista takes.
+    """
+    return pyvista.from_model(as_model(x), grid=grid, **options)
+
+
+@in_words
+def from_pymeshlab(mesh: Any) -> Model:
+    """A ``pymeshlab.Mesh``, or the current mesh of a ``MeshSet``, as a model; :func:`as_model` does it too."""
+    return pymeshlab.to_model(mesh)
+
+
+@in_words
+def to_pymeshlab(x: Any) -> Any:
+    """A model of triangles, or of points alone, as ``pymeshlab.Mesh``, which ``MeshSet.add_mesh`` takes."""
+    return pymeshlab.from_model(as_model(x))
 
 
 @in_words
@@ -118,6 +140,12 @@ def from_shapely(geometry: Any) -> Model:
 def to_shapely(x: Any) -> Any:
     """A planar model as a geometry of shapely: polygons with holes, lines and points. Coordinates go over exactly."""
     return shapely.from_model(as_model(x))
+
+
+@in_words
+def to_geopandas(x: Any) -> Any:
+    """A planar model as ``geopandas.GeoDataFrame``: a row for each feature, its attributes as columns, with its reference system."""
+    return geopandas.from_model(as_model(x))
 
 
 def set_from_shapely(geometry: Any, *, order: int = 2, kinks: Any = None, progress: Any = None) -> YinSet:

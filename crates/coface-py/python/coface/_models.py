@@ -49,8 +49,8 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
         * a ``GeoDataFrame`` or ``GeoSeries``, or another table with ``__geo_interface__``: its geometries, with their attributes;
         * a table with ``to_numpy()``, as pandas has them, or a generator, for any of these;
         * a dictionary in the words of the JSON files: ``{"facets": ...}``, ``{"boundaries": ...}`` and so on;
-        * a mesh, scene or drawing of trimesh, a mesh of meshio, a data set of pyvista or VTK, a geometry of open3d, a graph of networkx, a
-          ``SimplexTree`` of gudhi, a geometry of shapely.
+        * a mesh, scene or drawing of trimesh, a mesh of meshio, a mesh of PyMeshLab, a data set of pyvista or VTK, a geometry of open3d, a
+          graph of networkx, a ``SimplexTree`` of gudhi, a geometry of shapely.
     progress
         As in :func:`read`, where a file is read.
 

@@ -843,7 +843,7 @@ def persistence(
     coefficients
         A prime field: ``"f2"``, ``"f3"``, ...
     upper
-        Whether a cell comes with its first vertex and values fall.
+        Whether a cell comes with its first vertex and values fall; for `vertex_values` alone.
     least
         Classes that live no longer than this are left out.
     progress
@@ -872,6 +872,11 @@ def persistence(
         cell_values = gudhi.values(x, complex)
     if vertex_values is not None:
         vertex_values = _at_vertices(vertex_values, x, complex)
+    if cell_values is not None and upper:
+        raise_invalid(
+            "values of cells fall only where those of vertices do: upper=True is for vertex_values",
+            "give the negative of each, without upper, and take the negative of what is finite in the diagram",
+        )
     if cell_values is not None:
         cell_values = [_at_cells(values, degree, complex) for degree, values in enumerate(cell_values)]
     found: Persistence = asked(

@@ -23,14 +23,17 @@ from coface._coface import (
     Congruence,
     Cover,
     Curve,
+    CuboidGrid,
     CutCells,
     Domain,
     FundamentalGroup,
+    LarModel,
     Model,
     Persistence,
     PlanarArrangement,
     PlanarBoolean,
     Report,
+    SimplicialGrid,
     SolidBoolean,
     SpatialArrangement,
     Surface,
@@ -259,6 +262,25 @@ def _recipe_of(self: Any) -> dict[str, Any]:
     return {"recipe": written(self)}
 
 
+def _reduce_lar(self: LarModel) -> tuple[Any, ...]:
+    counts = self.f_vector
+    return LarModel, ([self.cells(degree) for degree in range(1, len(counts))], counts[0] if counts else 0)
+
+
+def _reduce_simplicial(self: SimplicialGrid) -> tuple[Any, ...]:
+    return SimplicialGrid, (self.shape,)
+
+
+def _reduce_cuboids(self: CuboidGrid) -> tuple[Any, ...]:
+    # Corners tell the shape, and where lengths are not 1 or places are left out, they are not those of a grid of that shape.
+    corners = self.vertices
+    shape = [int(last) for last in corners.max(axis=0)] if corners.size else []
+    plain = CuboidGrid(shape) if np.prod([last + 1.0 for last in shape]) == len(corners) else None
+    if plain is None or plain.f_vector != self.f_vector or not np.array_equal(plain.vertices, corners):
+        raise_invalid("a CuboidGrid with lengths of its own does not know them any more", "pickle its model: grid.model()")
+    return CuboidGrid, (shape,)
+
+
 def install() -> None:
     """Gives the classes their methods; the compiled part knows nothing of recipes."""
     for name, compiled in _TOLD.items():
@@ -282,6 +304,8 @@ def install() -> None:
         setattr(made, "from_dict", classmethod(from_dict))
         if made not in (Report, YinSet):
             setattr(made, "to_dict", _recipe_of)
+    for grid, reduce in ((LarModel, _reduce_lar), (SimplicialGrid, _reduce_simplicial), (CuboidGrid, _reduce_cuboids)):
+        setattr(grid, "__reduce__", reduce)
     setattr(Surface, "__eq__", _equal_surfaces)
     setattr(Surface, "__hash__", _hash)
     yin_facts, report_facts = YinSet.to_dict, Report.to_dict

@@ -17,6 +17,7 @@ ADAPTERS = {
     "meshio": "meshio",
     "networkx": "networkx",
     "open3d": "open3d",
+    "pymeshlab": "pymeshlab",
     "pyvista": "pyvista",
     "vtkmodules": "pyvista",
     "shapely": "shapely",
@@ -25,7 +26,7 @@ ADAPTERS = {
 }
 
 #: What to install, where it is not the name that is imported.
-_PACKAGES = {"skimage": "scikit-image"}
+_PACKAGES = {"skimage": "scikit-image", "sklearn": "scikit-learn"}
 
 
 def adapter_of(value: Any) -> ModuleType | None:

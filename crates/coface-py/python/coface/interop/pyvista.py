@@ -47,7 +47,8 @@ def to_model(value: Any) -> Model:
             return to_model(grid)
         value = grid.cast_to_unstructured_grid()
     flat = np.asarray(value.cell_connectivity, np.int64)
-    offsets = np.asarray(value.offset, np.int64)
+    # The name was `offset` before version 0.49.
+    offsets = np.asarray(value.cell_offsets if hasattr(value, "cell_offsets") else value.offset, np.int64)
     kinds = np.asarray(value.celltypes)
     cells = {}
     is_face = np.isin(kinds, FACES)
@@ -81,21 +82,27 @@ def _steps(flat: Any, offsets: Any) -> Any:
     return np.concatenate(walks) if walks else np.zeros((0, 2), np.int64)
 
 
-def from_model(model: Model, **options: Any) -> Any:
-    """A model as ``pyvista.PolyData``, or as ``pyvista.UnstructuredGrid`` where it has 3-cells.
+def from_model(model: Model, *, grid: bool = False, **options: Any) -> Any:
+    """A model as ``pyvista.PolyData``, or as ``pyvista.UnstructuredGrid`` where it has 3-cells or `grid` is set.
 
-    Polygons keep their corners.
+    Polygons keep their corners; in a grid, lines come first, then faces, then 3-cells.
     """
     library = needed("pyvista", "to_pyvista")
     points = positions(model, "to_pyvista")
-    solids = {kind: np.asarray(cells) for kind, cells in model.cells.items() if kind in SOLID and len(cells)}
-    if solids:
-        numbers = {name: number for number, name in NUMBERS.items()}
-        parts = [padded(*ragged(cells)) for cells in solids.values()]
-        kinds = [np.full(len(cells), numbers[kind], np.uint8) for kind, cells in solids.items()]
-        return library.UnstructuredGrid(np.concatenate(parts), np.concatenate(kinds), points, **options)
-    mesh = library.PolyData(points, **options)
     faces, walks = polygons(model), ragged(model.lines)
+    solids = {kind: np.asarray(cells) for kind, cells in model.cells.items() if kind in SOLID and len(cells)}
+    if solids or grid:
+        numbers = {name: number for number, name in NUMBERS.items()}
+        corners = np.diff(faces[1])
+        # Polygons of three and four corners have kinds of their own.
+        parts = [padded(*walks), padded(*faces), *(padded(*ragged(cells)) for cells in solids.values())]
+        kinds = [
+            np.where(np.diff(walks[1]) == 2, LINE, POLYLINE),
+            np.where(corners == 3, 5, np.where(corners == 4, 9, 7)),
+            *(np.full(len(cells), numbers[kind]) for kind, cells in solids.items()),
+        ]
+        return library.UnstructuredGrid(np.concatenate(parts), np.concatenate(kinds).astype(np.uint8), points, **options)
+    mesh = library.PolyData(points, **options)
     if len(faces[0]):
         mesh.faces = padded(*faces)
     if len(walks[0]):

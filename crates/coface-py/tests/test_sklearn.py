@@ -1,0 +1,82 @@
+"""Steps of pipelines of scikit-learn, beside the same diagrams by gudhi."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import coface
+
+pytest.importorskip("sklearn")
+from coface.interop.sklearn import BettiCurves, Diagrams  # noqa: E402
+
+RING = np.array([[0.0, 0.0, 0.0], [0.0, 9.0, 0.0], [0.0, 0.0, 0.0]])
+
+
+def images() -> list[np.ndarray]:
+    random = np.random.default_rng(3)
+    return [random.integers(0, 30, (5, 6)).astype(float) for _ in range(12)]
+
+
+def test_diagrams_of_images_are_those_of_gudhi() -> None:
+    gudhi = pytest.importorskip("gudhi")
+    for image, found in zip(images(), Diagrams().fit_transform(images()), strict=True):
+        cubes = gudhi.CubicalComplex(top_dimensional_cells=image)
+        cubes.persistence(homology_coeff_field=2)
+        for degree, diagram in enumerate(found):
+            expected = cubes.persistence_intervals_in_dimension(degree)
+            assert sorted(map(tuple, diagram)) == sorted(map(tuple, expected))
+
+
+def test_falling_values_are_rising_ones_of_the_negative() -> None:
+    rising = Diagrams().fit_transform([-image for image in images()])
+    falling = Diagrams(upper=True).fit_transform(images())
+    for first, second in zip(rising, falling, strict=True):
+        for up, down in zip(first, second, strict=True):
+            assert np.array_equal(down[:, 0], -up[:, 0])
+            assert np.array_equal(down[:, 1], np.where(np.isinf(up[:, 1]), np.inf, -up[:, 1]))
+    path = [[0, 1], [1, 2]]
+    of_image, of_space = Diagrams(degrees=(0,), upper=True).fit_transform([[[1.0, 0.0, 3.0]], (path, [1.0, 0.0, 3.0])])
+    assert sorted(map(tuple, of_image[0])) == sorted(map(tuple, of_space[0])) == [(1.0, 0.0), (3.0, np.inf)]
+
+
+def test_curves_count_what_lives() -> None:
+    spaces = [([[0, 1], [1, 2], [0, 2]], [0.0, 1.0, 2.0]), RING]
+    diagrams = Diagrams().fit_transform(spaces)
+    curves = BettiCurves(bins=10, limits=(0, 9)).fit_transform(diagrams)
+    assert curves.shape == (2, 20)
+    assert curves[0, 10:].tolist() == [0, 0, 1, 1, 1, 1, 1, 1, 1, 1]
+    assert curves[1, 10:].tolist() == [1] * 9 + [0]
+    falling = Diagrams(upper=True).fit_transform([-RING])
+    found = BettiCurves(bins=10, limits=(-9, 0), upper=True).fit_transform(falling)[0]
+    assert found[:10].tolist() == [1] * 10
+    assert found[10:].tolist() == [0] + [1] * 9
+
+
+def test_steps_are_cloned_and_joined() -> None:
+    from sklearn.base import clone
+    from sklearn.linear_model import LogisticRegression
+    from sklearn.pipeline import make_pipeline
+
+    steps = make_pipeline(Diagrams(degrees=(1,), coefficients="f3"), BettiCurves(bins=4), LogisticRegression())
+    assert clone(steps).get_params()["diagrams__coefficients"] == "f3"
+    flat = np.arange(9.0).reshape(3, 3)
+    samples = [RING, flat, RING + 1, flat + 1]
+    assert steps.fit(samples, [1, 0, 1, 0]).predict(samples).tolist() == [1, 0, 1, 0]
+
+
+def test_what_is_no_sample_is_refused() -> None:
+    with pytest.raises(coface.InvalidInputError, match="NaN"):
+        Diagrams().transform([np.array([[np.nan, 1.0]])])
+    with pytest.raises(coface.InvalidInputError, match="numpy.inf"):
+        Diagrams().transform([np.array([[np.nan, 1.0]])])
+    with pytest.raises(coface.InvalidInputError, match="a sample has the type"):
+        Diagrams().transform([np.array(["a"])])
+    with pytest.raises(coface.InvalidInputError, match="bins is 0"):
+        BettiCurves(bins=0).fit([])
+    with pytest.raises(coface.InvalidInputError, match="2 were fitted"):
+        BettiCurves(limits=(0, 1)).fit([[np.zeros((0, 2))] * 2]).transform([[np.zeros((0, 2))]])
+    with pytest.raises(coface.InvalidInputError, match="upper=True"):
+        BettiCurves(limits=(0, 1)).fit_transform([[np.array([[1.0, 0.0]])]])
+    with pytest.raises(coface.InvalidInputError, match="limits"):
+        BettiCurves(limits=(2, 1)).fit([])
