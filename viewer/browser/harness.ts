@@ -1,10 +1,11 @@
 /** Pages made by the program, in a browser that has no network. */
 
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
+import axe from "axe-core";
 import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
 import { expect } from "vitest";
 
@@ -48,6 +49,7 @@ export async function start(): Promise<void> {
 
 export async function stop(): Promise<void> {
   await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
 }
 
 /** A page and what it did that it should not. */
@@ -56,8 +58,14 @@ export interface Opened {
   complaints: string[];
 }
 
-/** Opens a page from disk. Every request that is not for a file is refused, and noted. */
-export async function open(name: string, fragment = "", options: BrowserContextOptions = {}): Promise<Opened> {
+/** Opens a page from disk, after some script of the test if there is one. Every request that is not for a file is refused, and noted. */
+export async function open(
+  name: string,
+  fragment = "",
+  options: BrowserContextOptions = {},
+  hasScript = true,
+  before: (() => void) | null = null,
+): Promise<Opened> {
   if (!browser) throw new Error("the browser was not started");
   const context = await browser.newContext({ viewport: { width: 1000, height: 700 }, colorScheme: "light", ...options });
   const page = await context.newPage();
@@ -72,14 +80,25 @@ export async function open(name: string, fragment = "", options: BrowserContextO
     complaints.push(`asked for ${url}`);
     return route.abort();
   });
+  if (before) await page.addInitScript(before);
   await page.goto(pathToFileURL(join(folder, name)).href + fragment);
-  await settle(page);
+  if (hasScript) await settle(page);
   return { page, complaints };
 }
 
 /** Reading pixels back is slow, and drivers say so. */
 function isAboutDriver(text: string): boolean {
   return text.includes("GPU stall due to ReadPixels") || text.includes("software WebGL");
+}
+
+/** What stands in the way of people who cannot see, hear or point, by the rules of WCAG 2 at the levels A and AA. */
+export async function faultsOfAccess(page: Page): Promise<string[]> {
+  await page.addScriptTag({ content: axe.source });
+  return page.evaluate(async () => {
+    const { run } = (window as unknown as { axe: typeof import("axe-core") }).axe;
+    const { violations } = await run({ runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"] });
+    return violations.flatMap((fault) => fault.nodes.map((node) => `${fault.id}: ${node.html.slice(0, 120)} ${node.failureSummary ?? ""}`));
+  });
 }
 
 /** Closes a page that did nothing wrong. */

@@ -1,9 +1,11 @@
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { answer, close, coface, difference, file, open, picture, pixels, pixelsOf, settle, slide, start, stop } from "./harness";
+import { answer, close, coface, difference, faultsOfAccess, file, open, picture, pixels, pixelsOf, settle, slide, start, stop } from "./harness";
 
 const ORANGE = "#d55e00";
-const GREEN = "#009e73";
+/** Selections and links have colors that no layer has. */
+const VIOLET = "#7a2cf5";
+const LIME = "#76b900";
 
 /** A cube of side 2 as six squares. */
 function cube(low: number): string {
@@ -68,9 +70,92 @@ describe("a surface of genus 2 with its generators", () => {
       expect(sorted(shown)).toEqual(sorted(told));
       expect(shown.length).toBeGreaterThan(0);
     }
-    // Links are green.
     await page.getByRole("button", { name: "link", exact: true }).click();
-    expect(await pixels(page, GREEN)).toBeGreaterThan(50);
+    expect(await pixels(page, LIME)).toBeGreaterThan(50);
+    await close(opened);
+  });
+
+  it("finds a vertex by its number and says where it is", async () => {
+    const opened = await open("two.html");
+    const { page } = opened;
+    const report = answer("two.json", "info", "two.obj");
+    const [vertices, , faces] = report.f_vector as number[];
+    const count = (n: number) => n.toLocaleString("en");
+    expect(await page.locator("#panel dl").last().innerText()).toContain(`${count(vertices)} vertices, `);
+    await page.getByLabel("its number").fill("7");
+    await page.keyboard.press("Enter");
+    const facts = page.locator("[data-facts='0:7']");
+    expect(await facts.innerText()).toMatch(/^vertex 7 at \(\S+, \S+, \S+\)\nin \d+ edges, \d+ faces$/);
+    // What is said is what the file has.
+    const place = readFileSync(file("two.obj"), "utf8").split("\n").filter((line) => line.startsWith("v "))[7].split(" ").slice(1).map(Number);
+    const said = /\((.*)\)/.exec(await facts.innerText())![1].split(", ").map(Number);
+    said.forEach((x, axis) => expect(x).toBeCloseTo(place[axis], 4));
+    expect(await pixels(page, VIOLET)).toBeGreaterThan(20);
+    await page.getByLabel("what to find").selectOption("face");
+    await page.getByLabel("its number").fill(String(faces));
+    await page.getByRole("button", { name: "go", exact: true }).click();
+    expect(await page.locator("#neighborhood [role='status']").innerText()).toBe(`no such face; there are ${count(faces)} faces, counted from 0`);
+    await close(opened);
+  });
+
+  it("has names for all controls and colors that can be read", async () => {
+    for (const colorScheme of ["light", "dark"] as const) {
+      for (const viewport of [{ width: 1280, height: 800 }, { width: 390, height: 844 }]) {
+        const opened = await open("two.html", "", { colorScheme, viewport });
+        await opened.page.getByLabel("its number").fill("3");
+        await opened.page.keyboard.press("Enter");
+        expect(await faultsOfAccess(opened.page)).toEqual([]);
+        await close(opened);
+      }
+    }
+  });
+
+  it("turns around the axis that is up", async () => {
+    coface("convert", "two.obj", "-o", "two.stl");
+    coface("view", "two.stl", "-o", "stl.html");
+    const opened = await open("stl.html");
+    const { page } = opened;
+    // Files of machines have z up.
+    const z = await picture(page);
+    await page.getByRole("button", { name: "z up", exact: true }).click();
+    expect((await picture(page)) === z).toBe(false);
+    await page.keyboard.press("u");
+    expect(await difference(page, z)).toBeLessThan(0.01);
+    await close(opened);
+  });
+
+  it("draws lines behind the model faintly, and cuts them with it", async () => {
+    const opened = await open("two.html");
+    const { page } = opened;
+    await page.getByRole("button", { name: "none", exact: true }).first().click();
+    const bare = await picture(page);
+    await page.locator("[data-layer='H1 generator 1']").check();
+    // More changes than what is drawn in full color.
+    const size = await page.evaluate(() => document.querySelector("canvas")!.width * document.querySelector("canvas")!.height);
+    expect((await difference(page, bare)) * size).toBeGreaterThan(await pixels(page, ORANGE));
+    await slide(page, "clip", 0);
+    expect(await pixels(page, ORANGE)).toBe(0);
+    await close(opened);
+  });
+
+  it("has the report and a picture without a script, and pictures without WebGL", async () => {
+    const plain = await open("two.html", "", { javaScriptEnabled: false }, false);
+    expect(await plain.page.locator("article").innerText()).toContain("double torus");
+    expect(await plain.page.locator("article figure svg polygon, article figure img").count()).toBeGreaterThan(0);
+    await close(plain);
+    const opened = await open("two.html", "", {}, true, () => {
+      const original = HTMLCanvasElement.prototype.getContext;
+      HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, ...rest: unknown[]) {
+        return kind.startsWith("webgl") ? null : (original as (kind: string, ...rest: unknown[]) => RenderingContext | null).call(this, kind, ...rest);
+      } as typeof original;
+    });
+    const { page } = opened;
+    expect(await page.locator("#stills polygon").count()).toBe(100);
+    const first = await page.locator("#stills").innerHTML();
+    await page.keyboard.press("ArrowLeft");
+    await settle(page);
+    expect((await page.locator("#stills").innerHTML()) === first).toBe(false);
+    expect(await page.locator("#panel dl").last().innerText()).toContain("double torus");
     await close(opened);
   });
 
@@ -202,7 +287,7 @@ describe("other models", () => {
     expect(facts).toMatch(/cell \d\n/);
     expect(facts).toMatch(/volume [17], inside/);
     expect(facts).toMatch(/boundary: [+-]f\d+ [+-]f\d+/);
-    expect(await pixels(page, ORANGE)).toBeGreaterThan(0);
+    expect(await pixels(page, VIOLET)).toBeGreaterThan(0);
     await slide(page, "explode", 0);
     await page.keyboard.press("Escape");
     expect(await pixels(page, "#ffffff")).toBe(whole);
@@ -274,6 +359,28 @@ describe("other models", () => {
     expect((await picture(page)) === shown).toBe(false);
     expect(await page.locator("#panel").innerText()).toContain("perimeter");
     await close(opened);
+  });
+
+  it("shows volumes by their boundary and says what it invents", async () => {
+    // One voxel of 1, as NumPy writes it.
+    const header = "{'descr': '|u1', 'fortran_order': False, 'shape': (1, 1, 1), }".padEnd(117) + "\n";
+    writeFileSync(file("voxel.npy"), Buffer.concat([Buffer.from([0x93]), Buffer.from("NUMPY\x01\x00"), Buffer.from([118, 0]), Buffer.from(header), Buffer.from([1])]));
+    coface("view", "voxel.npy", "-o", "voxel.html");
+    const voxel = await open("voxel.html");
+    expect(await voxel.page.locator("[data-remark]").allTextContents()).toEqual(["drawn: the 6 squares around the voxels of the volume"]);
+    await close(voxel);
+    file("facets.json", "[[0,1,2],[2,3]]");
+    coface("view", "facets.json", "-o", "facets.html");
+    const facets = await open("facets.html");
+    expect(await facets.page.locator("[data-remark]").innerText()).toContain("no positions");
+    // Controls that do nothing in the plane are not there.
+    file("square.wkt", "POLYGON((0 0,1 0,1 1,0 1,0 0))");
+    coface("view", "square.wkt", "-o", "square.html");
+    const square = await open("square.html");
+    expect(await square.page.locator("#clip").count()).toBe(0);
+    expect(await facets.page.locator("#clip").count()).toBe(1);
+    await close(facets);
+    await close(square);
   });
 
   it("marks what is wrong in red", async () => {

@@ -36,7 +36,7 @@ class Page {
   private readonly labels = document.querySelector<HTMLElement>("#labels")!;
   private readonly neighborhoodPanel: NeighborhoodPanel;
   private readonly layersPanel: LayersPanel;
-  private readonly controls: Record<"edges" | "vertices" | "theme" | "axis", HTMLButtonElement>;
+  private readonly controls: Record<"edges" | "vertices" | "theme" | "axis" | "up", HTMLButtonElement>;
   private readonly sliders: Record<"clip" | "explode", HTMLInputElement>;
   private selection = new CellSet();
   /** The part that the last cell was picked on. */
@@ -65,6 +65,7 @@ class Page {
     this.neighborhoodPanel = new NeighborhoodPanel(this.complex, model, {
       choose: (word) => this.showNeighborhood(word),
       pick: (what) => this.setPick(what),
+      find: (cell) => this.find(cell),
     });
     this.layersPanel = new LayersPanel(model.layers, this.colors, {
       show: (index, isOn) => this.showLayer(index, isOn),
@@ -74,27 +75,43 @@ class Page {
       edges: toggle("edges", "edges (E)", false, (isOn) => this.surface.showEdges(isOn)),
       vertices: toggle("vertices", "vertices (V)", false, (isOn) => this.surface.showVertices(isOn)),
       theme: toggle("dark", "light or dark (D)", false, (isOn) => this.setTheme(isOn ? "dark" : "light")),
-      axis: button("x", "which way the cutting plane looks (C)", () => this.setAxis((this.axis + 1) % 3)),
+      axis: button("x", "the axis that the cutting plane is across (C)", () => this.setAxis((this.axis + 1) % 3)),
+      up: button("y up", "which axis is up: y or z (U)", () => this.setUpZ(!this.stage.isUpZ)),
     };
     this.sliders = {
       clip: slider("clip", "0.005", (share) => this.setClip(share)),
       explode: slider("explode", "0.01", (share) => this.setExplode(share)),
     };
     this.fillPanel();
+    this.setUpZ(isUpZ(model.title));
+    if (!this.stage.hasRenderer) this.drawStills();
     this.restore(fromFragment(location.hash));
     this.listen();
   }
 
+  /** Without WebGL the window has a still picture, which follows the camera and what is switched on. */
+  private drawStills(): void {
+    const still = element("div", { id: "stills" });
+    this.canvas.after(still);
+    this.say("this browser has no WebGL: still pictures are drawn instead", 6000);
+    this.stage.onDraw(() => {
+      still.innerHTML = this.pictureText();
+    });
+  }
+
   private fillPanel(): void {
     const panel = document.querySelector<HTMLElement>("#panel")!;
-    const { edges, vertices, theme, axis } = this.controls;
+    const { edges, vertices, theme, axis, up } = this.controls;
+    const isFlat = this.model.dimension === 2;
+    const hasFaces = this.model.polygons.starts.length > 1;
     const view = element(
       "div",
       { class: "row" },
       button("reset", "look at everything (R)", () => this.stage.reset()),
-      edges,
+      hasFaces ? edges : "",
       vertices,
       theme,
+      isFlat ? "" : up,
       button("PNG", "save the picture as PNG (P)", () => void this.savePng()),
       button("SVG", "save the picture as SVG (S)", () => this.saveSvg()),
       button("share", "copy a link to this view (L)", () => this.share()),
@@ -104,8 +121,9 @@ class Page {
       "div",
       { id: "told" },
       element("h1", {}, this.model.title),
+      ...this.model.remarks.map((remark) => element("p", { class: "detail", "data-remark": "" }, remark)),
       view,
-      element("div", { class: "row" }, element("label", { for: "clip" }, "cut"), axis, this.sliders.clip),
+      isFlat ? "" : element("div", { class: "row" }, element("label", { for: "clip" }, "cut across"), axis, this.sliders.clip),
       this.surface.parts
         ? element("div", { class: "row" }, element("label", { for: "explode" }, "take apart"), this.sliders.explode)
         : "",
@@ -145,6 +163,7 @@ class Page {
       nextLayer: (step) => this.nextLayer(step),
       clip: (step) => this.setClip(this.clip + step),
       nextAxis: () => this.setAxis((this.axis + 1) % 3),
+      up: () => this.setUpZ(!this.stage.isUpZ),
       explode: (step) => this.setExplode(this.explode + step),
     });
     window.addEventListener("hashchange", () => this.restore(fromFragment(location.hash)));
@@ -168,10 +187,7 @@ class Page {
       camera.position.add(move);
       controls.target.add(move);
     } else {
-      const place = new THREE.Spherical().setFromVector3(camera.position.clone().sub(controls.target));
-      place.theta += around;
-      place.phi = Math.min(Math.max(place.phi - over, 0.01), Math.PI - 0.01);
-      camera.position.copy(controls.target).add(new THREE.Vector3().setFromSpherical(place));
+      this.stage.turn(around, over);
     }
     controls.update();
     this.stage.draw();
@@ -198,6 +214,15 @@ class Page {
     }
     this.selection = CellSet.of(cells);
     this.drawNeighborhood();
+  }
+
+  /** Selects a cell that was found by its number, and looks at it. */
+  private find(cell: Cell): void {
+    this.part = null;
+    this.select(cell, false);
+    const places = cell.vertices.map((vertex) => this.surface.vertex(vertex));
+    const { center, radius } = new THREE.Sphere().setFromPoints(places);
+    this.stage.look(center, radius);
   }
 
   private setPick(what: Pick): void {
@@ -271,6 +296,11 @@ class Page {
     this.stage.setTheme(theme);
   }
 
+  private setUpZ(isUpZ: boolean): void {
+    this.stage.setUpZ(isUpZ);
+    this.controls.up.textContent = this.stage.isUpZ ? "z up" : "y up";
+  }
+
   private setClip(share: number): void {
     this.clip = Math.min(Math.max(share, 0), 1);
     this.sliders.clip.value = String(this.clip);
@@ -317,14 +347,23 @@ class Page {
   }
 
   private async savePng(): Promise<void> {
+    if (!this.stage.hasRenderer) {
+      this.say("without WebGL the picture is saved as SVG");
+      this.saveSvg();
+      return;
+    }
     download(`${this.model.title}.png`, await this.stage.png());
   }
 
   private saveSvg(): void {
+    download(`${this.model.title}.svg`, new Blob([this.pictureText()], { type: "image/svg+xml" }));
+  }
+
+  /** The picture as SVG. */
+  private pictureText(): string {
     const layers = this.model.layers.map((layer, i) => ({ layer, color: this.colors[i] })).filter(({ layer }) => layer.on);
     const size = { width: this.canvas.clientWidth, height: this.canvas.clientHeight };
-    const text = svgText(this.model, layers, this.stage, this.surface, this.theme, size);
-    download(`${this.model.title}.svg`, new Blob([text], { type: "image/svg+xml" }));
+    return svgText(this.model, layers, this.stage, this.surface, this.theme, size);
   }
 
   private state(): ViewState {
@@ -340,22 +379,25 @@ class Page {
       clip: this.clip,
       axis: this.axis,
       zoom: this.stage.camera.zoom,
+      up: this.stage.isUpZ ? "z" : "y",
     };
   }
 
   private share(): void {
     history.replaceState(null, "", `#${toFragment(this.state())}`);
-    const say = (text: string) => {
-      const message = document.querySelector<HTMLElement>("#message")!;
-      message.textContent = text;
-      message.classList.add("seen");
-      setTimeout(() => message.classList.remove("seen"), 1800);
-    };
     const copied = navigator.clipboard?.writeText(location.href) ?? Promise.reject(new Error("no clipboard"));
     copied.then(
-      () => say("the link is copied"),
-      () => say("the link is in the address bar"),
+      () => this.say("the link is copied"),
+      () => this.say("the link is in the address bar"),
     );
+  }
+
+  /** Says something in the window for a while, in milliseconds. */
+  private say(text: string, time = 1800): void {
+    const message = document.querySelector<HTMLElement>("#message")!;
+    message.textContent = text;
+    message.classList.add("seen");
+    setTimeout(() => message.classList.remove("seen"), time);
   }
 
   private restore(state: Partial<ViewState>): void {
@@ -367,6 +409,7 @@ class Page {
       });
       this.layersPanel.update();
     }
+    if (state.up) this.setUpZ(state.up === "z");
     if (state.camera && state.target) {
       this.stage.camera.position.fromArray(state.camera);
       this.stage.controls.target.fromArray(state.target);
@@ -396,6 +439,11 @@ function slider(id: string, step: string, move: (share: number) => void): HTMLIn
   const found = element("input", { type: "range", min: "0", max: "1", step, id });
   found.addEventListener("input", () => move(Number(found.value)));
   return found;
+}
+
+/** Whether z is up in files with such a name: maps, scans, machines and finite elements; y is in models made for pictures. */
+function isUpZ(title: string): boolean {
+  return /\.(stl|msh|mesh|vt[kup]|city\.jsonl?|cfc|npy|nrrd|nii|3mf|xyz)(\.\w+)?$/i.test(title);
 }
 
 /** A ball around the box around everything. */

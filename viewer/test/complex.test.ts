@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { CellSet, Complex, type Ragged } from "../src/complex/complex";
+import { CellSet, Complex, countsText, type Ragged } from "../src/complex/complex";
 
 function ragged(lists: number[][]): Ragged {
   const starts = [0];
@@ -57,4 +57,9 @@ describe("neighborhoods", () => {
     expect(two.star(shared).counts()).toEqual([0, 0, 1, 2]);
     expect(two.link(shared).counts()).toEqual([2]);
   });
+});
+
+it("names what it counts", () => {
+  expect(countsText([1152, 1, 0, 2, 5])).toBe("1,152 vertices, 1 edge, 2 cells, 5 cells of dimension 4");
+  expect(countsText([])).toBe("");
 });

@@ -13,6 +13,7 @@ const state: ViewState = {
   clip: 0.5,
   axis: 2,
   zoom: 1.5,
+  up: "z",
 };
 
 it("comes back from the address", () => {

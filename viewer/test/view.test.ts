@@ -25,7 +25,7 @@ function grid(n: number): Scene {
     vertexNumbers: new Uint32Array(0),
     title: "grid", report: null, dimension: 3, origin: [0, 0, 0], positions: Float32Array.from(positions), polygons: { starts, items },
     rims: none, polygonsOfRims: new Uint32Array(0), simplices, cells: none, signs: new Uint32Array(0), notes: [], triangles: items,
-    polygonOfTriangle: null, cellOfTriangle: new Uint32Array(0), layers: [], panes: [],
+    polygonOfTriangle: null, cellOfTriangle: new Uint32Array(0), remarks: [], layers: [], panes: [],
   };
 }
 

@@ -299,6 +299,10 @@ pub enum RemarkCode {
     ModelRepaired,
     /// Parts of the scene were not drawn.
     NotDrawn,
+    /// Something else was drawn than the model itself: the boundary of a volume.
+    DrawnInstead,
+    /// The model has no positions; places were found for its vertices.
+    PositionsInvented,
     /// The rows of an earlier run were not taken.
     EarlierRunIgnored,
     /// A file could not be served and is a row of refusals.

@@ -42,6 +42,6 @@ pub(crate) fn _page(
             let report = Report::of(model.clone())?;
             scene = scene.with_boundary().with_report(&report.answer(PLACES));
         }
-        Ok(viewer::page_of(&scene.document()))
+        Ok(viewer::page_of(&scene.document(), None))
     })
 }

@@ -63,6 +63,21 @@ export class CellSet {
   }
 }
 
+/** What cells of a dimension are called. */
+const NAMES = ["vertex", "edge", "face", "cell"];
+const PLURALS = ["vertices", "edges", "faces", "cells"];
+
+/** A number of cells with their name: 1,152 vertices. */
+export function countText(count: number, dimension: number): string {
+  const name = dimension > 3 ? `cells of dimension ${dimension}` : (count === 1 ? NAMES : PLURALS)[dimension];
+  return `${count.toLocaleString("en")} ${name}`;
+}
+
+/** Numbers of cells of each dimension from 0 on with their names; those that are none are left out. */
+export function countsText(counts: number[]): string {
+  return counts.map((count, dimension) => (count > 0 ? countText(count, dimension) : "")).filter(Boolean).join(", ");
+}
+
 export function keyOf(cell: Cell): string {
   return `${cell.dimension}:${cell.vertices.join(",")}`;
 }

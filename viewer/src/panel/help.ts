@@ -15,6 +15,7 @@ export const KEYS: [string, string][] = [
   ["N, Shift+N", "show the next or last layer alone, and look at it"],
   ["[ and ]", "move the cutting plane; C turns it"],
   [", and .", "put together and take apart"],
+  ["U", "y or z up"],
   ["D", "light or dark"],
   ["P, S", "save the picture as PNG, as SVG"],
   ["L", "a link to this view"],

@@ -1,5 +1,6 @@
 /** The report of `coface info` as a list of terms. */
 
+import { countsText } from "../complex/complex";
 import type { HomologyGroup } from "../scene/answers";
 import type { Report } from "../scene/document";
 import { element } from "./elements";
@@ -24,7 +25,7 @@ export function reportElement(report: Report): HTMLElement {
   const number = (value: unknown) =>
     typeof value === "number" ? (Number.isInteger(value) ? String(value) : value.toPrecision(7)) : null;
   say("name", report.name);
-  say("cells", report.f_vector?.join(", "));
+  say("cells", report.f_vector && countsText(report.f_vector));
   say("components", number(report.components));
   say("Euler characteristic", number(report.euler_characteristic));
   const manifold = report.manifold;

@@ -75,6 +75,8 @@ export interface SceneText {
   notes: string[];
   /** What is shaded: three vertices each, the polygon of each, and where there are 3-cells the cell of each; null for the polygons. */
   triangles: { items: string; polygons: string; cells: string } | null;
+  /** What is not drawn, drawn instead of the model, or invented for it. */
+  remarks?: { message: string }[];
   layers: LayerText[];
   panes: PaneText[];
 }
@@ -120,6 +122,7 @@ export interface Scene {
   /** null where each polygon is one triangle. */
   polygonOfTriangle: Uint32Array | null;
   cellOfTriangle: Uint32Array;
+  remarks: string[];
   layers: Layer[];
   panes: Pane[];
 }
@@ -197,6 +200,7 @@ export function readScene(text: SceneText): Scene {
     triangles: triangles ? numbers(triangles.items) : polygons.items,
     polygonOfTriangle: triangles ? numbers(triangles.polygons) : null,
     cellOfTriangle: triangles ? numbers(triangles.cells) : new Uint32Array(0),
+    remarks: (text.remarks ?? []).map((remark) => remark.message),
     layers: text.layers.map((layer) => readLayer(layer, positions)),
     panes: text.panes.map((pane) => {
       const flat = lifted(reals(pane.positions));

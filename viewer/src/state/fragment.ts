@@ -19,6 +19,8 @@ export interface ViewState {
   /** Which way the cutting plane looks, 0 to 2. */
   axis: number;
   zoom: number;
+  /** The axis that is up. */
+  up: string;
 }
 
 export function toFragment(state: ViewState): string {
@@ -34,6 +36,7 @@ export function toFragment(state: ViewState): string {
   if (state.explode) query.set("explode", String(state.explode));
   if (state.clip < 1) query.set("clip", String(state.clip));
   if (state.axis) query.set("axis", String(state.axis));
+  query.set("up", state.up);
   if (state.zoom !== 1) query.set("zoom", String(Number(state.zoom.toPrecision(6))));
   return query.toString();
 }
@@ -67,6 +70,8 @@ export function fromFragment(fragment: string): Partial<ViewState> {
   if ([0, 1, 2].includes(axis)) found.axis = axis;
   const zoom = Number(query.get("zoom") ?? NaN);
   if (zoom > 0 && Number.isFinite(zoom)) found.zoom = zoom;
+  const up = query.get("up");
+  if (up === "y" || up === "z") found.up = up;
   for (const key of Object.keys(found) as (keyof ViewState)[]) if (found[key] === undefined) delete found[key];
   return found;
 }

@@ -18,12 +18,16 @@ export interface KeyActions {
   nextLayer(step: number): void;
   clip(step: number): void;
   nextAxis(): void;
+  up(): void;
   explode(step: number): void;
 }
 
 export function listenToKeys(actions: KeyActions): void {
   window.addEventListener("keydown", (event) => {
     const target = event.target as HTMLElement | null;
+    // What is typed into a field is no command.
+    if (target instanceof HTMLInputElement && target.type !== "range" && target.type !== "checkbox") return;
+    if (target instanceof HTMLSelectElement) return;
     const isRange = target instanceof HTMLInputElement && target.type === "range" && event.key.startsWith("Arrow");
     if (event.ctrlKey || event.metaKey || event.altKey || isRange || document.querySelector("dialog[open]")) return;
     const step = event.shiftKey ? 0.02 : 0.12;
@@ -38,6 +42,7 @@ export function listenToKeys(actions: KeyActions): void {
       m: () => actions.nextPick(),
       n: () => actions.nextLayer(event.shiftKey ? -1 : 1),
       c: () => actions.nextAxis(),
+      u: () => actions.up(),
       "?": () => actions.help(),
       "[": () => actions.clip(-0.05),
       "]": () => actions.clip(0.05),

@@ -10,6 +10,9 @@ import type { Stage } from "./stage";
 /** So many arrowheads are on one line at most. */
 const HEADS = 24;
 
+/** How much is seen of lines behind the model, of 1. */
+const HIDDEN = 0.22;
+
 /** A layer in the window. What it is drawn with is made when it is shown for the first time. */
 export class DrawnLayer {
   readonly object = new THREE.Group();
@@ -95,7 +98,16 @@ export class DrawnLayer {
     material.transparent = this.stage.isFlat;
     const lines = new LineSegments2(geometry, material);
     lines.renderOrder = this.stage.isFlat ? 100 + this.order : 0;
-    return lines;
+    if (this.stage.isFlat) return lines;
+    // What the model hides is faint.
+    const faint = this.stage.lineMaterial(this.color, 0.6 * this.width);
+    faint.transparent = true;
+    faint.opacity = HIDDEN;
+    faint.depthFunc = THREE.GreaterDepth;
+    faint.depthWrite = false;
+    const both = new THREE.Group();
+    both.add(lines, new LineSegments2(geometry, faint));
+    return both;
   }
 
   private triangles(): THREE.Object3D {
@@ -110,7 +122,7 @@ export class DrawnLayer {
     }
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.Float32BufferAttribute(corners, 3));
-    const common = { color, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2 };
+    const common = { color, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2, clippingPlanes: this.stage.planes };
     const material = this.stage.isFlat
       ? new THREE.MeshBasicMaterial({ ...common, transparent: true, opacity: 0.45, depthTest: false })
       : new THREE.MeshLambertMaterial({ ...common, flatShading: true });
@@ -129,7 +141,7 @@ export class DrawnLayer {
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.Float32BufferAttribute(places, 3));
     const size = layer.points.length > 1000 ? width : 2.5 * width;
-    const marks = new THREE.Points(geometry, new THREE.PointsMaterial({ color, size, sizeAttenuation: false, depthTest: false, transparent: true }));
+    const marks = new THREE.Points(geometry, new THREE.PointsMaterial({ color, size, sizeAttenuation: false, depthTest: false, transparent: true, clippingPlanes: this.stage.planes }));
     marks.renderOrder = 200 + this.order;
     return marks;
   }
@@ -166,6 +178,7 @@ export class DrawnLayer {
       polygonOffset: true,
       polygonOffsetFactor: -3,
       polygonOffsetUnits: -8,
+      clippingPlanes: this.stage.planes,
     });
     const heads = new THREE.InstancedMesh(new THREE.ConeGeometry(0.38, 1, 10), material, matrices.length);
     matrices.forEach((matrix, i) => heads.setMatrixAt(i, matrix));

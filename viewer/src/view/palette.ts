@@ -7,8 +7,8 @@ export const PALETTE = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "
 /** For what is wrong. */
 export const ALARM = "#d0021b";
 
-/** What a click selects, and its star, closure and link. */
-export const NEIGHBORHOOD = { selection: "#d55e00", star: "#e69f00", closure: "#56b4e9", link: "#009e73", boundary: "#0072b2" };
+/** What a click selects, and its star, closure, link and boundary: no layer has these colors. */
+export const NEIGHBORHOOD = { selection: "#7a2cf5", star: "#f15bb5", closure: "#00bcd4", link: "#76b900", boundary: "#8d6248" };
 
 export function colorOf(place: number): string {
   return PALETTE[place % PALETTE.length];

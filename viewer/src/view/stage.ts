@@ -14,8 +14,11 @@ const PAUSE = 250;
 export class Stage {
   readonly scene = new THREE.Scene();
   readonly camera: THREE.OrthographicCamera | THREE.PerspectiveCamera;
-  readonly controls: OrbitControls;
-  private readonly renderer: THREE.WebGLRenderer;
+  controls: OrbitControls;
+  /** What is beyond this plane is not drawn. */
+  readonly clip = new THREE.Plane(new THREE.Vector3(-1, 0, 0), 1e30);
+  /** null where the browser has no WebGL: then whoever draws still pictures is asked for one. */
+  private readonly renderer: THREE.WebGLRenderer | null;
   private readonly lineMaterials = new Set<LineMaterial>();
   /** When the picture moved last, and when it was drawn last; how many moving pictures in a row took long. */
   private movedAt = -Infinity;
@@ -32,27 +35,16 @@ export class Stage {
     readonly center: THREE.Vector3,
     readonly radius: number,
   ) {
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    this.renderer.localClippingEnabled = true;
+    this.renderer = rendererOf(canvas);
+    this.renderer?.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    if (this.renderer) this.renderer.localClippingEnabled = true;
     const reach = Math.max(radius, 1e-30);
     if (isFlat) {
       this.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -100 * reach, 100 * reach);
     } else {
       this.camera = new THREE.PerspectiveCamera(35, 1, reach / 1000, reach * 100);
     }
-    this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.enableDamping = false;
-    this.controls.screenSpacePanning = true;
-    if (isFlat) {
-      this.controls.enableRotate = false;
-      this.controls.mouseButtons.LEFT = THREE.MOUSE.PAN;
-      this.controls.touches.ONE = THREE.TOUCH.PAN;
-    }
-    this.controls.addEventListener("change", () => {
-      this.movedAt = performance.now();
-      this.draw();
-    });
+    this.controls = this.controlsOf();
     const key = new THREE.DirectionalLight(0xffffff, 2.2);
     key.position.set(0.4, 0.7, 1);
     this.camera.add(key);
@@ -65,27 +57,84 @@ export class Stage {
     this.resize();
   }
 
+  /** What the mouse and fingers do; it turns around the direction that is up when it is made. */
+  private controlsOf(): OrbitControls {
+    const controls = new OrbitControls(this.camera, this.canvas);
+    controls.enableDamping = false;
+    controls.screenSpacePanning = true;
+    if (this.isFlat) {
+      controls.enableRotate = false;
+      controls.mouseButtons.LEFT = THREE.MOUSE.PAN;
+      controls.touches.ONE = THREE.TOUCH.PAN;
+    }
+    controls.addEventListener("change", () => {
+      this.movedAt = performance.now();
+      this.draw();
+    });
+    return controls;
+  }
+
+  /** Which axis is up: y, as in pictures, or z, as on maps and drawings of machines. */
+  get isUpZ(): boolean {
+    return this.camera.up.z === 1;
+  }
+
+  setUpZ(isUpZ: boolean): void {
+    if (this.isFlat || isUpZ === this.isUpZ) return;
+    this.camera.up.set(0, isUpZ ? 0 : 1, isUpZ ? 1 : 0);
+    const { target } = this.controls;
+    this.controls.dispose();
+    this.controls = this.controlsOf();
+    this.controls.target.copy(target);
+    this.reset();
+  }
+
+  /** Turns a direction in which y is up into one where the axis is up that is. */
+  upright(direction: THREE.Vector3): THREE.Vector3 {
+    return this.isUpZ ? new THREE.Vector3(direction.x, -direction.z, direction.y) : direction;
+  }
+
+  /** Turns around what is looked at, by angles in radians. */
+  turn(around: number, over: number): void {
+    const { camera, controls } = this;
+    const arm = camera.position.clone().sub(controls.target);
+    const toY = new THREE.Quaternion().setFromUnitVectors(camera.up, new THREE.Vector3(0, 1, 0));
+    const place = new THREE.Spherical().setFromVector3(arm.applyQuaternion(toY));
+    place.theta += around;
+    place.phi = Math.min(Math.max(place.phi - over, 0.01), Math.PI - 0.01);
+    arm.setFromSpherical(place).applyQuaternion(toY.invert());
+    camera.position.copy(controls.target).add(arm);
+  }
+
   /** Lines of a width in pixels. */
   lineMaterial(color: string, width: number): LineMaterial {
-    const material = new LineMaterial({ color, linewidth: width });
+    const material = new LineMaterial({ color, linewidth: width, clippingPlanes: this.planes });
     this.lineMaterials.add(material);
     material.resolution.set(this.canvas.clientWidth, this.canvas.clientHeight);
     return material;
   }
+
+  /** The cutting planes of what is drawn over the model; none where 3-cells are left out whole. */
+  planes: THREE.Plane[] = [this.clip];
 
   /** A material that was thrown away needs to know the size of the window no more. */
   forget(material: THREE.Material): void {
     this.lineMaterials.delete(material as LineMaterial);
   }
 
+  /** Whether the picture is drawn by the graphics processor, or by a program that stands in for one. */
+  get hasRenderer(): boolean {
+    return this.renderer !== null;
+  }
+
   setTheme(theme: Theme): void {
-    this.renderer.setClearColor(THEMES[theme].background);
+    this.renderer?.setClearColor(THEMES[theme].background);
     this.draw();
   }
 
   /** The first view again. */
   reset(): void {
-    this.look(this.center, this.radius, this.isFlat ? new THREE.Vector3(0, 0, 1) : new THREE.Vector3(0.5, 0.35, 1));
+    this.look(this.center, this.radius, this.isFlat ? new THREE.Vector3(0, 0, 1) : this.upright(new THREE.Vector3(0.5, 0.35, 1)));
   }
 
   /** Looks at a ball from a direction, or from where the camera is. */
@@ -120,7 +169,7 @@ export class Stage {
     const parent = this.canvas.parentElement;
     const width = Math.max(parent?.clientWidth ?? 1, 1);
     const height = Math.max(parent?.clientHeight ?? 1, 1);
-    this.renderer.setSize(width, height, false);
+    this.renderer?.setSize(width, height, false);
     const aspect = width / height;
     if (this.camera instanceof THREE.PerspectiveCamera) {
       this.camera.aspect = aspect;
@@ -148,7 +197,8 @@ export class Stage {
 
   drawNow(): void {
     this.pace();
-    this.renderer.render(this.scene, this.camera);
+    this.camera.updateMatrixWorld();
+    this.renderer?.render(this.scene, this.camera);
     for (const listener of this.listeners) listener();
   }
 
@@ -204,4 +254,11 @@ export class Stage {
       at.z,
     );
   }
+}
+
+/** A renderer, or null where there is none: without WebGL, or where it is switched off. */
+function rendererOf(canvas: HTMLCanvasElement): THREE.WebGLRenderer | null {
+  const attributes = { alpha: true, depth: true, stencil: false, antialias: true, preserveDrawingBuffer: true };
+  const context = canvas.getContext("webgl2", attributes) as WebGL2RenderingContext | null;
+  return context ? new THREE.WebGLRenderer({ canvas, context, ...attributes }) : null;
 }

@@ -34,9 +34,8 @@ export class Surface {
   readonly parts: Parts | null;
   private readonly material: THREE.MeshLambertMaterial;
   private readonly edgeMaterial: THREE.LineBasicMaterial;
-  private readonly pointMaterial = new THREE.PointsMaterial({ size: 6, sizeAttenuation: false });
+  private readonly pointMaterial: THREE.PointsMaterial;
   private readonly curves: THREE.Object3D | null;
-  private readonly clip = new THREE.Plane(new THREE.Vector3(-1, 0, 0), 1e30);
   private readonly picker: TrianglePicker;
   private edges: THREE.LineSegments | null = null;
   private points: THREE.Points | null = null;
@@ -46,7 +45,8 @@ export class Surface {
     private readonly stage: Stage,
   ) {
     this.parts = Parts.of(model, stage.center);
-    const planes = this.parts?.areCells ? [] : [this.clip];
+    if (this.parts?.areCells) stage.planes = [];
+    const { planes } = stage;
     this.material = new THREE.MeshLambertMaterial({
       side: THREE.DoubleSide,
       flatShading: true,
@@ -57,6 +57,7 @@ export class Surface {
       clippingPlanes: planes,
     });
     this.edgeMaterial = new THREE.LineBasicMaterial({ transparent: true, opacity: 0.55, clippingPlanes: planes });
+    this.pointMaterial = new THREE.PointsMaterial({ size: 6, sizeAttenuation: false, clippingPlanes: planes });
     let geometry = new THREE.BufferGeometry();
     if (this.parts) {
       geometry = this.parts.triangleGeometry();
@@ -70,7 +71,7 @@ export class Surface {
     mesh.frustumCulled = false;
     stage.scene.add(mesh);
     if (!this.parts && model.triangles.length > 3 * COARSE_FROM) this.drawCoarse(mesh);
-    this.picker = new TrianglePicker(model, this.clip, this.parts);
+    this.picker = new TrianglePicker(model, stage.clip, this.parts);
     this.curves = this.drawCurves();
     if (this.sideCount <= EDGES_UP_TO) this.showEdges(true);
     const isBare = model.triangles.length === 0 && !this.curves && model.layers.length === 0;
@@ -126,7 +127,7 @@ export class Surface {
   setClip(share: number, axis: number): void {
     const normal = new THREE.Vector3().setComponent(axis, -1);
     const place = this.stage.center.getComponent(axis) + (2 * share - 1) * this.stage.radius * 1.0001;
-    this.clip.set(normal, share >= 1 ? 1e30 : place);
+    this.stage.clip.set(normal, share >= 1 ? 1e30 : place);
     this.parts?.setPlane(axis, share >= 1 ? 1e30 : place);
     this.stage.draw();
   }
@@ -157,7 +158,7 @@ export class Surface {
   isShown(triangle: number): boolean {
     if (this.parts?.areCells) return this.parts.isShown(this.parts.partOfTriangle(triangle));
     const corner = new THREE.Vector3();
-    return [0, 1, 2].some((i) => this.clip.distanceToPoint(this.corner(triangle, i, corner)) >= 0);
+    return [0, 1, 2].some((i) => this.stage.clip.distanceToPoint(this.corner(triangle, i, corner)) >= 0);
   }
 
   /** A corner of a triangle where it is seen. */

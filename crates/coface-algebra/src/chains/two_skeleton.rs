@@ -72,7 +72,7 @@ impl TwoSkeleton {
             )
             .with_cure("give each edge a source and a target"));
         }
-        if ends.len() >= 1 << 32 || u32::try_from(vertex_count).is_err() {
+        if u32::try_from(ends.len()).is_err() || u32::try_from(vertex_count).is_err() {
             return Err(Error::new(
                 ErrorKind::TooLarge,
                 "a 2-skeleton has fewer than 2^31 edges and 2^32 vertices",

@@ -6,15 +6,13 @@ use crate::input;
 use crate::output::{give, is_json, print_json, write_file};
 use crate::progress::Progress;
 use crate::remarks::{accept, are_on_the_page};
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
 use clap::{Args, ValueEnum};
 use coface::answers::answer::{FailedInput, InfoAnswer, InfoEntry, InfoReports, to_pretty_json};
 use coface::answers::text;
 use coface::answers::{GeometryCheck, Producer, Report, ReportRequest};
 use coface::io::{Format, Model};
 use coface::pictures::pages::html::{self, Figure, Section};
-use coface::pictures::{Picture, PictureStyle, Scene, matrix_picture};
+use coface::pictures::{Scene, matrix_picture};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -217,12 +215,8 @@ fn is_html(path: &Path) -> bool {
     })
 }
 
-/// With more triangles than this, a picture is PNG: SVG would be larger.
-const TRIANGLES_AS_SVG: usize = 3000;
 /// The boundary matrices of more cells than this are not drawn.
 const CELLS_OF_MATRICES: usize = 3000;
-/// The size of pictures on a page.
-const FIGURE: [usize; 2] = [800, 560];
 
 /// The pictures of a model: itself with what is wrong and its boundary in red, and its boundary matrices if they are small.
 fn figures_of(name: &str, model: Model, report: &Report) -> Result<Vec<(Figure, String)>, coface::Error> {
@@ -236,14 +230,7 @@ fn figures_of(name: &str, model: Model, report: &Report) -> Result<Vec<(Figure, 
         } else if scene.layers().iter().any(|layer| layer.group == "boundary" && layer.is_on) {
             caption += ", its boundary in red";
         }
-        let mut style = PictureStyle::default();
-        style.size = FIGURE;
-        let picture = Picture::new(&scene, &style)?;
-        let figure = if scene.triangles().len() <= TRIANGLES_AS_SVG {
-            Figure::Svg(picture.svg())
-        } else {
-            Figure::Png(STANDARD.encode(picture.png()?))
-        };
+        let figure = Figure::of(&scene)?;
         for remark in scene.remarks() {
             caption += "; ";
             caption += &remark.message;

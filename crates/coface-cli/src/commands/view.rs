@@ -7,10 +7,11 @@ use crate::output::{print_bytes, print_json, write_file};
 use crate::progress::Progress;
 use crate::remarks::say_remarks;
 use clap::Args;
-use coface::answers::answer::{LayerAnswer, ViewAnswer};
-use coface::answers::{PlanarSet, Report, SetRequest};
+use coface::answers::answer::{LayerAnswer, ViewAnswer, to_pretty_json};
+use coface::answers::{PlanarSet, Report, SetRequest, text};
 use coface::io::{Format, Model};
 use coface::pictures::Scene;
+use coface::pictures::pages::html::{Figure, Section};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -45,13 +46,21 @@ impl View {
             let result = read_result(path)?;
             scene.add_result(&input::name(path), &result)?;
         }
-        if let Some(model) = model.filter(|_| !self.no_report) {
+        let mut still = None;
+        if let Some((model, format)) = model.filter(|_| !self.no_report) {
             progress.stage(format!("examining {name}"));
-            let report = Report::of(model).map_err(|error| error.in_file(name.clone()))?;
-            scene = scene.with_boundary().with_report(&report.answer(100));
+            let in_file = |error: coface::Error| error.in_file(name.clone());
+            let report = Report::of(model).map_err(in_file)?;
+            let answer = report.answer(100);
+            scene = scene.with_boundary().with_report(&answer);
+            still = Some(Section {
+                items: text::items(&name, format.title(), &report, text::FEW),
+                figures: vec![(Figure::of(&scene).map_err(in_file)?, "The model.".to_owned())],
+                object: to_pretty_json(&answer),
+            });
         }
         progress.stage("writing the page");
-        let page = coface::pictures::pages::viewer::page_of(&scene.document());
+        let page = coface::pictures::pages::viewer::page_of(&scene.document(), still.as_ref());
         drop(progress);
         match &common.output {
             Some(path) => write_file(path, page.as_bytes())?,
@@ -78,7 +87,11 @@ impl View {
     }
 
     /// The name of the model for people, its scene, and the model itself if it can be examined: sets have their report already.
-    fn read(&self, common: &Common, progress: &Progress) -> Result<(String, Scene, Option<Model>), Failure> {
+    fn read(
+        &self,
+        common: &Common,
+        progress: &Progress,
+    ) -> Result<(String, Scene, Option<(Model, Format)>), Failure> {
         let source = input::Source::of(&self.input)?;
         let loaded = source.model(common.reading(), progress);
         progress.stage("drawing");
@@ -105,7 +118,7 @@ impl View {
         let loaded = loaded?;
         let scene = Scene::of(&title(&loaded.name), &loaded.model)
             .map_err(|error| error.in_file(loaded.name.clone()))?;
-        Ok((loaded.name, scene, Some(loaded.model)))
+        Ok((loaded.name, scene, Some((loaded.model, loaded.format))))
     }
 }
 

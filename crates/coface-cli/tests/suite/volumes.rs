@@ -173,3 +173,16 @@ fn volumes_and_grids_are_cut_into_shards() {
     assert_eq!(coface(&["homology"]).status, 2);
     assert_eq!(coface(&["shard", file, "--grid", "3,3", "-o", to, "--parts", "2"]).status, 2);
 }
+
+#[test]
+fn pictures_show_the_boundary() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("radii.npy");
+    radii(&path);
+    let out = folder.path().join("drawn.svg");
+    // One corner voxel of eight has three squares on the outside, and three within.
+    let run = coface(&["render", argument(&path), "--threshold", "16", "-o", argument(&out)]);
+    assert_eq!((run.status, run.stdout.as_str()), (0, ""), "{}", run.stderr);
+    assert!(run.stderr.contains("drawn: the 48 squares around the voxels of the volume"), "{}", run.stderr);
+    assert!(fs::read_to_string(&out).unwrap().starts_with("<svg "));
+}

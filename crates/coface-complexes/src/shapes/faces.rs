@@ -172,7 +172,10 @@ fn facets(kind: CellKind, dimension: usize, cells: &RaggedArray) -> Result<Facet
         CellKind::Simplex => (dimension + 1, dimension),
         CellKind::Cuboid => (2 * dimension, 1 << (dimension - 1)),
     };
-    let side_count = cells.len().checked_mul(facet_count).filter(|&count| count * width < 1 << 32);
+    let side_count = cells
+        .len()
+        .checked_mul(facet_count)
+        .filter(|&count| count.checked_mul(width).is_some_and(|n| u32::try_from(n).is_ok()));
     let Some(side_count) = side_count else {
         return Err(Error::new(
             ErrorKind::TooLarge,

@@ -385,7 +385,7 @@ impl SimplicialComplex {
     pub fn product(&self, other: &Self) -> Result<(Self, VertexPairs), Error> {
         let (first, second): (Vec<VertexId>, Vec<VertexId>) =
             (self.vertices().collect(), other.vertices().collect());
-        if first.len().saturating_mul(second.len()) >= 1 << 32 {
+        if first.len().checked_mul(second.len()).is_none_or(|count| u32::try_from(count).is_err()) {
             return Err(Error::new(
                 ErrorKind::TooLarge,
                 format!(

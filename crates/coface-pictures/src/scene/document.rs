@@ -5,7 +5,7 @@ use super::{Layer, Pane, Scene};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use coface_algebra::RaggedArray;
-use coface_answers::answer::{InfoAnswer, YinSetAnswer};
+use coface_answers::answer::{InfoAnswer, Remark, YinSetAnswer};
 use serde::{Deserialize, Serialize};
 
 /// What the page of a scene shows. Texts of numbers are base64 of little-endian bytes, 32 bits each.
@@ -55,6 +55,9 @@ pub struct SceneDocument {
     pub notes: Vec<String>,
     /// What is shaded; null where that is the polygons.
     pub triangles: Option<PackedTriangles>,
+    /// What is not drawn, drawn instead of the model, or invented for it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub remarks: Vec<Remark>,
     /// What is drawn over the model.
     pub layers: Vec<LayerDocument>,
     /// Flat pictures beside the model.
@@ -218,6 +221,7 @@ impl Scene {
                 polygons: numbers(self.polygon_of_triangle.iter().copied()),
                 cells: numbers(self.cell_of_triangle.iter().copied()),
             }),
+            remarks: self.remarks(),
             layers: self.layers.iter().map(|layer| layer_document(layer, shifted)).collect(),
             panes: self.panes.iter().map(pane_document).collect(),
         }

@@ -8,7 +8,7 @@ use super::shading::shaded;
 use super::{Layer, Pane, SceneReport, layout};
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind, VertexId};
-use coface_answers::answer::{InfoAnswer, Remark};
+use coface_answers::answer::{InfoAnswer, Remark, RemarkCode};
 use coface_answers::triangulated;
 use coface_io::{Model, Structure};
 
@@ -35,6 +35,8 @@ pub struct Scene {
     pub(super) parts: Parts,
     pub(super) hidden: Hidden,
     pub(super) numbering: Numbering,
+    /// What is drawn instead of the model, or was invented for it.
+    pub(super) assumed: Option<Remark>,
     /// What is known of each 3-cell, or of each polygon where there are none; else empty.
     pub(super) notes: Vec<String>,
     pub(super) triangles: Vec<[u32; 3]>,
@@ -65,17 +67,18 @@ impl Scene {
     /// ```
     pub fn of(title: &str, model: &Model) -> Result<Self, Error> {
         let subdivided;
+        let mut assumed = None;
         let model = match model.structure() {
             Some(Structure::Halfedges { .. } | Structure::Gluings(_)) => {
                 subdivided = triangulated(model)?.0;
                 &subdivided
             }
-            Some(Structure::Volume(_)) => {
-                return Err(Error::new(
-                    ErrorKind::UnsupportedFormat,
-                    "a volume of voxels is not shown itself, only its boundary",
-                )
-                .with_cure("make a mesh of it: coface convert VOLUME -o boundary.obj"));
+            Some(Structure::Volume(volume)) => {
+                let (positions, squares) = volume.boundary_squares()?;
+                let message = format!("drawn: the {} squares around the voxels of the volume", squares.len());
+                assumed = Some(Remark::new(RemarkCode::DrawnInstead, message).at(squares.len(), []));
+                subdivided = Model::from_polygons(positions, squares)?;
+                &subdivided
             }
             Some(Structure::Chains(_)) if model.positions().is_empty() => {
                 return Err(Error::new(
@@ -113,10 +116,12 @@ impl Scene {
             }
             _ => {
                 let count = parts.vertex_count(model);
+                let message = "the model has no positions: its vertices were placed so that edges are about equally long";
+                assumed = Some(Remark::new(RemarkCode::PositionsInvented, message).at(count, []));
                 layout::laid_out(count, &parts.edges())
             }
         };
-        let mut scene = Self { hidden, numbering, ..Self::flat(title, positions, parts) };
+        let mut scene = Self { hidden, numbering, assumed, ..Self::flat(title, positions, parts) };
         scene.dimension = if model.positions().dimension() == 2 { 2 } else { 3 };
         scene.shade();
         for layer in region_layers(model, &scene.positions) {
@@ -136,6 +141,7 @@ impl Scene {
             parts,
             hidden: Hidden::default(),
             numbering: Numbering::default(),
+            assumed: None,
             notes: Vec::new(),
             triangles: Vec::new(),
             polygon_of_triangle: Vec::new(),
@@ -159,6 +165,16 @@ impl Scene {
     /// # Ok(()) }
     /// ```
     pub fn with_report(mut self, report: &InfoAnswer) -> Self {
+        // Cells of a volume are no cells of its boundary.
+        if self.assumed.as_ref().is_none_or(|remark| remark.code != RemarkCode::DrawnInstead) {
+            self.mark_problems(report);
+        }
+        self.report = Some(SceneReport::Model(Box::new(report.clone())));
+        self
+    }
+
+    /// Layers of what is wrong.
+    fn mark_problems(&mut self, report: &InfoAnswer) {
         let marks = report
             .problems
             .iter()
@@ -183,8 +199,6 @@ impl Scene {
             }
             self.push_layer(layer);
         }
-        self.report = Some(SceneReport::Model(Box::new(report.clone())));
-        self
     }
 
     /// Adds a layer, if there is something to be seen of it and its points are there; without what is at vertices that are left out. Its
@@ -232,7 +246,7 @@ impl Scene {
         !self.parts.cells.is_empty()
     }
 
-    /// What the scene leaves out of the model.
+    /// What the scene leaves out of the model, shows instead of it, or invents for it.
     ///
     /// # Examples
     /// ```
@@ -245,7 +259,7 @@ impl Scene {
     /// # Ok(()) }
     /// ```
     pub fn remarks(&self) -> Vec<Remark> {
-        [self.hidden.remark(), self.parts.remark()].into_iter().flatten().collect()
+        [self.assumed.clone(), self.hidden.remark(), self.parts.remark()].into_iter().flatten().collect()
     }
 
     /// Whether this vertex of the model is left out.

@@ -197,13 +197,6 @@ pub(super) const CASES: &[Case] = &[
             &["coface star book.json --simplices 0 --json"],
             &["coface closure book.json --simplices '0 1 2; 0 1 3' -o closure.json"],
         ]),
-    Case::new("pictures/src/scene/model.rs", "make a mesh of it: coface convert VOLUME -o boundary.obj")
-        .files(VOXELS)
-        .refused("coface render voxels.nrrd -o picture.svg")
-        .cured(&[&[
-            "coface convert voxels.nrrd -o boundary.obj",
-            "coface render boundary.obj -o picture.svg",
-        ]]),
     Case::new("cubical/surface.rs", "leave out --periodic")
         .files(VOXELS)
         .refused("coface convert voxels.nrrd --periodic x -o boundary.obj")
