@@ -4,6 +4,7 @@
 mod advisories;
 mod answers;
 mod api;
+mod clipping;
 mod fuzz;
 #[cfg(test)]
 mod house;
@@ -30,6 +31,7 @@ const USAGE: &str = "usage:
                               runs every verb on every file; keeps the answers in DIR, or compares with those there
   cargo xtask wild DIR..      runs `coface info` on every file below the folders; counts what is read, and why the rest is refused
   cargo xtask ogc DIR..       runs the XML test cases of JTS or GEOS below the folders: isValid and overlays of polygons
+  cargo xtask clipping DIR..  runs the cases of Clipper2 and of i_overlay: results are valid and have the areas of the cases
   cargo xtask soak [--minutes N]
                               asks the program and the Python package the same again and again; answers, files and memory must stay
   cargo xtask advisories [DIR]
@@ -54,6 +56,7 @@ fn main() -> ExitCode {
         Some("soak") => soak::soak(&words[1..]),
         Some("wild") => wild::wild(&words[1..]),
         Some("ogc") => ogc::ogc(&words[1..]),
+        Some("clipping") => clipping::clipping(&words[1..]),
         Some("api") => api::api(&words[1..]),
         Some("types") => typescript::types(&words[1..]),
         Some("fuzz") => fuzz::fuzz(&words[1..]),

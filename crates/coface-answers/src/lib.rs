@@ -51,8 +51,9 @@ pub use persistence::{
     DiagramFormat, FoundDiagram, Growth, PersistenceRequest, VertexFunction, write_diagram,
 };
 pub use planar::{
-    ArrangementRequest, BooleanRequest, DissolveRequest, Dissolved, DrawingArrangement, DrawingOptions,
-    FaceAttributes, PlanarDrawing, RegionBoolean, are_planar, is_planar, reference_loss,
+    ArrangementRequest, BooleanRequest, BufferCaps, BufferJoins, BufferOptions, DissolveRequest, Dissolved,
+    DrawingArrangement, DrawingOptions, FaceAttributes, MapResult, MapTask, PlanarDrawing, RegionBoolean,
+    RepairMethod, are_planar, is_planar, reference_loss,
 };
 pub use producer::{CellNames, OrderedSimplices, Pair, Producer, Term};
 pub use repair::{

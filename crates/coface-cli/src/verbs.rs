@@ -135,7 +135,7 @@ fn with_info(words: &[OsString]) -> impl Iterator<Item = OsString> {
 }
 
 /// The verbs that never read a volume of voxels.
-const WITHOUT_VOLUMES: [&str; 11] = [
+const WITHOUT_VOLUMES: [&str; 12] = [
     "star",
     "closure",
     "link",
@@ -145,6 +145,7 @@ const WITHOUT_VOLUMES: [&str; 11] = [
     "congruence",
     "arrange",
     "boolean",
+    "map",
     "yin",
     "merge",
 ];
@@ -192,6 +193,7 @@ pub(crate) enum Verb {
     Congruence(commands::congruence::Congruence),
     Arrange(commands::arrange::Arrange),
     Boolean(commands::boolean::Boolean),
+    Map(commands::map::MapVerb),
     Yin(commands::yin::Yin),
     Generate(commands::generate::Generate),
     Batch(commands::batch::Batch),
@@ -244,6 +246,7 @@ fn serve(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Congruence(verb) => verb.run(common),
         Verb::Arrange(verb) => verb.run(common),
         Verb::Boolean(verb) => verb.run(common),
+        Verb::Map(verb) => verb.run(common),
         Verb::Yin(verb) => verb.run(common),
         Verb::Generate(verb) => verb.run(common),
         Verb::Batch(verb) => verb.run(common),

@@ -1,7 +1,7 @@
 //! The features of a map: what a file says of them beside their shapes.
 
 use crate::{Model, Remark};
-use coface_algebra::Error;
+use coface_algebra::{Error, VertexId};
 use std::sync::Arc;
 
 /// The number of the feature of what is of none.
@@ -222,6 +222,31 @@ impl Model {
             texts.push(if properties == "{}" { "" } else { &properties }, "");
         }
         self.features = FeatureTable::new(texts, of_lines, vec![NO_FEATURE; self.points.len()]);
+        self.check()?;
+        Ok(self)
+    }
+}
+
+impl Model {
+    /// The model with features that have these properties (texts of JSON objects) and ids (numbers or texts in quotation marks, or
+    /// nothing), by the features of its lines and of its points, which are these vertices.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if there are other lines, or such features or vertices are not there.
+    #[doc(hidden)]
+    pub fn with_map_features(
+        mut self,
+        texts: impl IntoIterator<Item = (String, String)>,
+        of_lines: Vec<u32>,
+        points: Vec<VertexId>,
+        of_points: Vec<u32>,
+    ) -> Result<Self, Error> {
+        let mut all = FeatureTexts::default();
+        for (properties, id) in texts {
+            all.push(if properties == "{}" { "" } else { &properties }, &id);
+        }
+        self.points = points;
+        self.features = FeatureTable::new(all, of_lines, of_points);
         self.check()?;
         Ok(self)
     }

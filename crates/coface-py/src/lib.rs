@@ -21,6 +21,7 @@ mod homology;
 mod homology_facts;
 mod incidence;
 mod json;
+mod maps;
 mod memory;
 mod model;
 mod objects;
@@ -83,6 +84,7 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(arrangement::arrange, module)?)?;
     module.add_function(wrap_pyfunction!(arrangement::boolean, module)?)?;
     module.add_function(wrap_pyfunction!(dissolve::dissolve, module)?)?;
+    module.add_function(wrap_pyfunction!(maps::map_task, module)?)?;
     module.add_function(wrap_pyfunction!(arrangement::graphml, module)?)?;
     module.add_function(wrap_pyfunction!(yin::_curve, module)?)?;
     module.add_function(wrap_pyfunction!(yin::_yin_set, module)?)?;

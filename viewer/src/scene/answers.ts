@@ -81,6 +81,16 @@ export interface BoundaryWitness {
   points?: number[][][] | null;
 }
 
+/** Arcs as straight lines. */
+export interface BufferArcsAnswer {
+  /** The distance. */
+  distance: number;
+  /** How far the flattened arcs are from the true ones at most: corners are on the true arcs. */
+  error: number;
+  /** The least number of sides that a whole circle has. */
+  sides: number;
+}
+
 /**
  * An edge or a halfedge: by its number, or by the vertices that it goes from and to.
  *
@@ -214,6 +224,8 @@ export interface ConvertAnswer {
   file: string;
   /** Its format; absent for sets of the plane. */
   format?: string | null;
+  /** What was repaired of a drawing; absent if no such repair was asked for. */
+  map_repair?: MapRepairAnswer | null;
   /** The name of the file that was written. */
   output: string;
   /** Its format. */
@@ -537,6 +549,20 @@ export interface FailedInput {
   error: string;
   /** The name of the input. */
   file: string;
+}
+
+/** A bounded part of the plane that no feature contains. */
+export interface GapAnswer {
+  /** The area. */
+  area: number;
+  /** The features around it, numbered from 0. */
+  features: number[];
+  /** Whether it is so narrow that it is a fault. */
+  narrow: boolean;
+  /** A corner of it. */
+  point: [number, number];
+  /** Twice the area by the length of its border: the width of a long narrow one. */
+  width: number;
 }
 
 /** A model made by rule. */
@@ -889,6 +915,8 @@ export interface InfoAnswer {
   reference_system?: ReferenceAnswer | null;
   /** The warnings with their codes, counts and first places. */
   remarks: Remark[];
+  /** What a repair of the polygons of a drawing would do; absent unless that was asked for. */
+  repair?: MapRepairAnswer | null;
   /** The enclosed volume, in the cube of the unit of the file, positive when faces run counterclockwise seen from outside. */
   signed_volume?: number | null;
   /** The center of the area of a surface in space. */
@@ -1051,6 +1079,86 @@ export interface ManifoldAnswer {
   witness?: WitnessAnswer | null;
 }
 
+/** A map that was changed or examined. */
+export interface MapAnswer {
+  /** How arcs were flattened; of `buffer`. */
+  arcs?: BufferArcsAnswer | null;
+  /** How much the new map has. */
+  counts: MapCounts;
+  /** Gaps, overlaps and sides that do not fit; of `coverage`. */
+  coverage?: MapCoverageAnswer | null;
+  /** The dimension of the space: 2. */
+  dimension: number;
+  /** The inputs in their order. */
+  inputs: DrawingInput[];
+  /** What was left out; of `polygonize`. */
+  left_out?: PolygonizeAnswer | null;
+  /** The sum of the lengths of its lines, which rings are not, in the unit of the inputs. */
+  length: number;
+  /** The sum of the areas of its polygons, in the square of the unit of the inputs. */
+  measure: number;
+  /** What was assumed, changed or left out. */
+  remarks: Remark[];
+  /** What was repaired: of `repair`, and of `buffer` and `clip`, which repair polygons first. */
+  repair?: MapRepairAnswer | null;
+  /** How much simpler the map is; of `simplify`. */
+  simplification?: SimplificationAnswer | null;
+  /** What was done: repair, buffer, clip, node, polygonize, simplify or coverage. */
+  task: string;
+}
+
+/** How much a map has. */
+export interface MapCounts {
+  /** The number of features, those that draw nothing included. */
+  features: number;
+  /** The number of their holes. */
+  holes: number;
+  /** The number of lines, which rings are not. */
+  lines: number;
+  /** The number of points of their own. */
+  points: number;
+  /** The number of polygons. */
+  polygons: number;
+  /** The number of corners of rings and lines, and of points. */
+  vertices: number;
+}
+
+/** Whether polygons are a coverage. */
+export interface MapCoverageAnswer {
+  /** The width up to which a gap is a fault; `null` if none is. */
+  gap_width?: number | null;
+  /** Bounded connected parts of the plane that are in no feature. */
+  gaps: GapAnswer[];
+  /** How many sides of polygons overlap others, run into them or meet them at no vertex of their own; the new map has these sides. */
+  invalid_edges: number;
+  /** Connected parts of the plane that are in several features. */
+  overlaps: OverlapAnswer[];
+  /** Whether polygons do not overlap, common borders have the same vertices on both sides, and no gap is too narrow. */
+  valid: boolean;
+}
+
+/** Polygons that were made valid. */
+export interface MapRepairAnswer {
+  /** Their area now. */
+  area: number;
+  /** The area of those features before, as outer rings minus holes, which other programs state of polygons that are not valid. */
+  area_before: number;
+  /** The area of what is inside now and not enclosed an odd number of times by the rings of before, or the other way around. */
+  area_changed: number;
+  /** What was wrong. */
+  faults: DrawnFaultAnswer[];
+  /** How many features were not valid and are now. */
+  features: number;
+  /** How far points moved at most so that rounded coordinates are valid. */
+  largest_movement: number;
+  /** What decided what is inside: structure or linework. */
+  method: string;
+  /** How many rings of valid polygons were reversed: outer ones run counterclockwise and holes clockwise now (RFC 7946). */
+  rings_turned: number;
+  /** How many features have no polygon any more. */
+  vanished: number;
+}
+
 /** Mass properties of a solid of density 1. */
 export interface MassAnswer {
   /** The center of mass. */
@@ -1110,6 +1218,16 @@ export interface NamedGroup {
   name: string;
   /** What the members are. */
   of: string;
+}
+
+/** A part of the plane that several features contain. */
+export interface OverlapAnswer {
+  /** The area. */
+  area: number;
+  /** The features, numbered from 0. */
+  features: number[];
+  /** A corner of it. */
+  point: [number, number];
 }
 
 /** How a complex was cut into parts. */
@@ -1351,6 +1469,14 @@ export interface PolygonRounding {
   vanished?: number;
 }
 
+/** Edges that bound no face. */
+export interface PolygonizeAnswer {
+  /** The number of other edges with one face on both sides. */
+  cut_edges: number;
+  /** The number of edges that hang on the rest at one end or at none. */
+  dangles: number;
+}
+
 /** One sort of fault with its places. */
 export interface ProblemAnswer {
   /** The first cells that have it, each by its vertices. */
@@ -1579,6 +1705,20 @@ export interface SimplicesAnswer {
   remarks: Remark[];
   /** The simplices, each by its vertices, by rising dimension. */
   simplices: number[][];
+}
+
+/** A map with fewer vertices. */
+export interface SimplificationAnswer {
+  /** How far the vertices that were left out are at most from the border now. */
+  largest_distance: number;
+  /** How far a border may be from where it was. */
+  tolerance: number;
+  /** The number of different vertices now. */
+  vertices: number;
+  /** How many vertices were put in first, where borders met without one. */
+  vertices_added: number;
+  /** The number of different vertices of rings and lines before. */
+  vertices_before: number;
 }
 
 /** A Boolean combination of solids. */

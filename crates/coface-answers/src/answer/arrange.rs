@@ -106,7 +106,7 @@ pub struct RoundingRepair {
 }
 
 /// One drawing among the inputs.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[non_exhaustive]
 pub struct DrawingInput {
     /// The name of the file.

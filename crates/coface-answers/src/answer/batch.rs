@@ -161,6 +161,7 @@ impl RowAnswer {
             warnings,
             polygons,
             halfedges: _,
+            repair: _,
             reference_system: _,
             remarks: _,
         } = answer;

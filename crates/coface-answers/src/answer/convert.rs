@@ -1,6 +1,6 @@
 //! What `convert` answers: the file that was written.
 
-use super::Remark;
+use super::{MapRepairAnswer, Remark};
 use crate::{PlanarSet, SurfaceRepair};
 use coface_complexes::surface::MeshRepair;
 use coface_io::Model;
@@ -25,6 +25,9 @@ pub struct ConvertAnswer {
     /// What was repaired; absent if no repair was asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub repair: Option<MeshRepairAnswer>,
+    /// What was repaired of a drawing; absent if no such repair was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub map_repair: Option<MapRepairAnswer>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,
 }
@@ -182,8 +185,28 @@ impl ConvertAnswer {
             output_format: output_format.to_owned(),
             counts,
             repair: None,
+            map_repair: None,
             remarks: Vec::new(),
         }
+    }
+
+    /// The same with what was repaired of a drawing.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::answer::ConvertAnswer;
+    /// use coface_answers::{MapResult, MapTask, RepairMethod};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let tie = coface_io::read(&b"POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))"[..], coface_io::Format::Wkt)?;
+    /// let valid = MapResult::new([("tie", &tie)], &MapTask::Repair(RepairMethod::Structure))?;
+    /// let answer = ConvertAnswer::of_model("a.wkt", "wkt", "b.wkt", "wkt", valid.model());
+    /// let answer = answer.with_map_repair(valid.answer().repair.clone());
+    /// assert_eq!(answer.map_repair.map(|repair| repair.features), Some(1));
+    /// # Ok(()) }
+    /// ```
+    pub fn with_map_repair(mut self, repair: Option<MapRepairAnswer>) -> Self {
+        self.map_repair = repair;
+        self
     }
 
     /// The same with what was repaired.

@@ -1,6 +1,6 @@
 //! The answer of `info`: the report on a model.
 
-use super::{HalfedgePointers, HomologyGroup, Remark};
+use super::{HalfedgePointers, HomologyGroup, MapRepairAnswer, Remark};
 use crate::{DrawnFault, DrawnPlace, DrawnPolygons, GeometryFacts, Problem, Report};
 use coface_arrange::spatial::checks::{Fault, FaultPlace, GeometryFaults};
 use coface_complexes::surface::{SurfaceComponent, SurfaceType};
@@ -75,6 +75,9 @@ pub struct InfoAnswer {
     /// Whether the polygons with rings of a drawing are valid; `null` for what has none, and where they were not checked.
     #[serde(default)]
     pub polygons: Option<DrawnPolygonsAnswer>,
+    /// What a repair of the polygons of a drawing would do; absent unless that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub repair: Option<MapRepairAnswer>,
     /// The reference system of the coordinates of a map; absent where the file names none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reference_system: Option<ReferenceAnswer>,
@@ -364,25 +367,31 @@ pub struct DrawnPlaceAnswer {
     pub rings: Vec<(usize, usize)>,
 }
 
+impl DrawnFaultAnswer {
+    /// A fault with so many of its places.
+    pub(crate) fn of(fault: &DrawnFault, limit: usize) -> Self {
+        let place = |place: &DrawnPlace| DrawnPlaceAnswer { point: place.point, rings: place.rings.clone() };
+        Self {
+            name: fault.kind.name().to_owned(),
+            reason: fault.kind.reason().to_owned(),
+            count: fault.places.len(),
+            message: fault.sentence(),
+            places: fault.places.iter().take(limit).map(place).collect(),
+        }
+    }
+}
+
 impl DrawnPolygonsAnswer {
     fn of(found: &DrawnPolygons, limit: usize) -> Self {
         let reason = |fault: &DrawnFault| {
             let [x, y] = fault.places.first()?.point;
             Some(format!("{}[{x} {y}]", fault.kind.reason()))
         };
-        let place = |place: &DrawnPlace| DrawnPlaceAnswer { point: place.point, rings: place.rings.clone() };
-        let fault = |fault: &DrawnFault| DrawnFaultAnswer {
-            name: fault.kind.name().to_owned(),
-            reason: fault.kind.reason().to_owned(),
-            count: fault.places.len(),
-            message: fault.sentence(),
-            places: fault.places.iter().take(limit).map(place).collect(),
-        };
         Self {
             count: found.polygon_count(),
             valid: found.faults().is_empty(),
             reason: found.faults().first().and_then(reason),
-            faults: found.faults().iter().map(fault).collect(),
+            faults: found.faults().iter().map(|fault| DrawnFaultAnswer::of(fault, limit)).collect(),
             reversed_rings: found.reversed_rings(),
         }
     }
@@ -518,6 +527,7 @@ impl Report {
             problems: self.problems.iter().map(|problem| ProblemAnswer::of(problem, limit)).collect(),
             geometry: self.geometry.as_ref().map(|facts| GeometryAnswer::of(facts, limit)),
             polygons: self.drawn.as_ref().map(|found| DrawnPolygonsAnswer::of(found, limit)),
+            repair: None,
             reference_system: self
                 .reference
                 .as_ref()

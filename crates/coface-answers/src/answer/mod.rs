@@ -25,6 +25,7 @@ mod incidence;
 mod info;
 mod isomorphic;
 mod loops;
+mod map;
 mod persistence;
 mod pi1;
 mod picture;
@@ -80,6 +81,10 @@ pub use isomorphic::IsomorphicAnswer;
 pub use loops::{
     CyclesAnswer, HomotopicAnswer, HomotopicComponent, LoopsAnswer, LoopsComponent, SubgroupsAnswer,
     SubgroupsComponent, TreesAnswer,
+};
+pub use map::{
+    BufferArcsAnswer, GapAnswer, MapAnswer, MapCounts, MapCoverageAnswer, MapRepairAnswer, OverlapAnswer,
+    PolygonizeAnswer, SimplificationAnswer,
 };
 pub use persistence::{PersistenceAnswer, PersistencePairAnswer};
 pub use pi1::{

@@ -3,7 +3,7 @@
 use super::{
     BatchAnswer, CochainTestAnswer, CocyclesAnswer, CongruenceAnswer, ConvertAnswer, CoverAnswer, CutAnswer,
     CyclesAnswer, DissolveAnswer, DoubleCoverAnswer, EditAnswer, GenerateAnswer, HomologyAnswer,
-    HomotopicAnswer, IncidenceAnswer, InfoAnswer, InfoReports, IsomorphicAnswer, LoopsAnswer,
+    HomotopicAnswer, IncidenceAnswer, InfoAnswer, InfoReports, IsomorphicAnswer, LoopsAnswer, MapAnswer,
     PersistenceAnswer, Pi1Answer, PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer, RenderAnswer,
     RowAnswer, ShardAnswer, SimplicesAnswer, SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer,
     ViewAnswer, YinAdvectAnswer, YinCombinationAnswer, YinComparisonAnswer, YinCurvatureAnswer,
@@ -84,6 +84,7 @@ answers! {
     "view" => ViewAnswer,
     "render" => RenderAnswer,
     "convert" => ConvertAnswer,
+    "map" => MapAnswer,
     "generate" => GenerateAnswer,
     "batch" => BatchAnswer,
     "batch (row)" => RowAnswer,

@@ -161,6 +161,11 @@ impl DrawingArrangement {
         })
     }
 
+    /// What moved so that rounded coordinates are exact, if that was needed.
+    pub(super) fn remark_of_movement(&self) -> Option<Remark> {
+        self.movement.map(|movement| movement.remark("face"))
+    }
+
     /// What was drawn.
     ///
     /// # Examples

@@ -11,7 +11,7 @@ use crate::answer::{
     BoundaryManifold, BoundaryVerdict, BoundaryWitness, EdgeOrigin, JoinedFeatures, PlanarBooleanAnswer,
     PlanarBooleanProvenance, PolygonRounding, Remark, RemarkCode,
 };
-use coface_algebra::{EdgeId, Error, FaceId, VertexId};
+use coface_algebra::{EdgeId, Error, FaceId, RaggedArray, VertexId};
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
 use coface_arrange::planar::{PlanarArrangement, PlanarOptions, PlanarOverlay, Step};
 use coface_geometry::{Positions, Sum};
@@ -167,6 +167,49 @@ impl RegionBoolean {
         }
         let rule = request.rule;
         Ok(Self { drawing, found, movement, cell_counts, snap_rounds, joined, rule, warnings, remarks })
+    }
+
+    /// The faces that are chosen in the overlay of all rings, of which the unbounded one comes last and is never chosen.
+    pub(super) fn of_faces(
+        drawing: PlanarDrawing,
+        choose: impl FnOnce(&PlanarOverlay) -> Vec<bool>,
+    ) -> Result<Self, Error> {
+        let walks = Walks::new(&drawing, None);
+        let overlay = walks.overlay(&PlanarOptions::default())?;
+        let selected = choose(&overlay);
+        let nothing = RaggedArray::from_lists(vec![[0u32; 0]; overlay.face_count()]);
+        let mut found = Outcome::new(
+            &overlay,
+            &selected,
+            false,
+            |source| walks.source(source),
+            |side| [walks.segment(side)],
+            [&nothing, &nothing],
+        )?;
+        let cell_counts = overlay.f_vector();
+        drop(overlay);
+        drop(walks);
+        let mut movement = None;
+        if !found.is_valid || found.is_turned {
+            let (valid, settled) = found.settled()?;
+            (found, movement) = (valid, Some(settled.movement));
+        }
+        Ok(Self {
+            drawing,
+            found,
+            movement,
+            cell_counts,
+            snap_rounds: None,
+            joined: None,
+            rule: None,
+            warnings: Vec::new(),
+            remarks: Vec::new(),
+        })
+    }
+
+    /// What moved so that rounded coordinates are valid, if that was needed.
+    pub(super) fn movement(&self) -> Option<&Movement> {
+        self.movement.as_ref()
     }
 
     /// The drawing that was combined.

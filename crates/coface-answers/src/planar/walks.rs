@@ -186,9 +186,31 @@ impl Snapped<'_> {
 pub(super) fn corners_along(
     arrangement: &PlanarArrangement,
     edges: &[u32],
-    [from, to]: [[f64; 2]; 2],
+    ends: [[f64; 2]; 2],
     corners: &mut Vec<u32>,
 ) {
+    let place = |vertex: u32| {
+        let point = arrangement.positions().point(VertexId::from_u32(vertex));
+        [point[0], point[1]]
+    };
+    let vertices = vertices_along(arrangement, edges, ends);
+    for i in 0..vertices.len().saturating_sub(1) {
+        let goes_straight = i > 0 && {
+            let [p, q, r] = [vertices[i - 1], vertices[i], vertices[i + 1]].map(place);
+            orientation(p, q, r).is_eq()
+        };
+        if !goes_straight {
+            corners.push(vertices[i]);
+        }
+    }
+}
+
+/// The vertices of edges that a segment was bent to, from its start to its end.
+pub(super) fn vertices_along(
+    arrangement: &PlanarArrangement,
+    edges: &[u32],
+    [from, to]: [[f64; 2]; 2],
+) -> Vec<u32> {
     let place = |vertex: u32| {
         let point = arrangement.positions().point(VertexId::from_u32(vertex));
         [point[0], point[1]]
@@ -207,15 +229,7 @@ pub(super) fn corners_along(
         along(p[0], q[0], 0).then_with(|| along(p[1], q[1], 1)).then(a.cmp(&b))
     });
     vertices.dedup();
-    for i in 0..vertices.len().saturating_sub(1) {
-        let goes_straight = i > 0 && {
-            let [p, q, r] = [vertices[i - 1], vertices[i], vertices[i + 1]].map(place);
-            orientation(p, q, r).is_eq()
-        };
-        if !goes_straight {
-            corners.push(vertices[i]);
-        }
-    }
+    vertices
 }
 
 /// Lines of which an even number ends at every point as closed walks of halfsegments.

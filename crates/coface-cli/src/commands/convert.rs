@@ -10,10 +10,13 @@ use crate::progress::Progress;
 use crate::remarks::{self, say_remarks};
 use crate::target::unknown_extension;
 use clap::{Args, ValueEnum};
-use coface::answers::answer::{CarriersAnswer, ConvertAnswer, MeshRepairAnswer, Remark, RemarkCode};
+use coface::answers::answer::{
+    CarriersAnswer, ConvertAnswer, MapAnswer, MeshRepairAnswer, Remark, RemarkCode,
+};
 use coface::answers::{
-    PlanarSet, RepairRequest, SetRequest, SurfaceRepairRequest, dual_graph_model, dual_model, halfedge_model,
-    polygon_model, reference_loss, repaired, repaired_surface, triangulated,
+    MapResult, MapTask, PlanarSet, RepairMethod, RepairRequest, SetRequest, SurfaceRepairRequest,
+    dual_graph_model, dual_model, halfedge_model, polygon_model, reference_loss, repaired, repaired_surface,
+    triangulated,
 };
 use coface::complexes::surface::FacesAtEdge;
 use coface::io;
@@ -68,7 +71,7 @@ pub(crate) struct Convert {
     #[arg(long)]
     orient: bool,
     /// Make a surface: merge equal vertices, leave out collapsed and repeated polygons and what is in no face, split, turn; `closed` also
-    /// fills the holes
+    /// fills the holes. Of a drawing: make its polygons valid, by `structure` (outer rings minus holes; without a goal) or by `linework`
     #[arg(long, value_name = "GOAL", num_args = 0..=1, default_missing_value = "surface",
           conflicts_with_all = ["split_vertices", "split_edges", "orient"])]
     repair: Option<RepairGoal>,
@@ -82,6 +85,8 @@ pub(crate) struct Convert {
 enum RepairGoal {
     Surface,
     Closed,
+    Structure,
+    Linework,
 }
 
 fn weld_length(text: &str) -> Result<f64, String> {
@@ -171,7 +176,8 @@ impl Convert {
             let (positions, squares) = volume.boundary_squares().map_err(in_file)?;
             loaded.model = Model::from_polygons(positions, squares).map_err(in_file)?;
         }
-        let repair = self.repaired(&mut loaded, &progress)?;
+        let valid = self.valid_map(&mut loaded, &progress)?;
+        let repair = if valid.is_some() { None } else { self.repaired(&mut loaded, &progress)? };
         let (model, scene) = self.colored(loaded.model, &loaded.name, format)?;
         progress.stage("writing");
         let write = |out: &mut dyn std::io::Write| match (format, &scene) {
@@ -185,7 +191,10 @@ impl Convert {
             Target::Model(format) => losses_of(&model, format),
             Target::Scene(_) => scene.as_ref().map_or_else(Vec::new, |(scene, _)| scene.remarks()),
         });
-        let losses = reshaped;
+        let losses: Vec<Remark> = reshaped
+            .into_iter()
+            .chain(valid.iter().flat_map(|valid| valid.remarks.iter().cloned()))
+            .collect();
         let Some(path) = target else {
             // Made in memory first: a model that the format cannot hold leaves nothing on standard output.
             let mut bytes = Vec::new();
@@ -203,7 +212,8 @@ impl Convert {
             let output = path.display().to_string();
             let mut answer =
                 ConvertAnswer::of_model(&loaded.name, loaded.format.name(), &output, format.name(), &model)
-                    .with_repair(repair);
+                    .with_repair(repair)
+                    .with_map_repair(valid.and_then(|valid| valid.repair));
             answer.remarks = losses.into_iter().chain(repaired).collect();
             return print_json(&answer);
         }
@@ -266,6 +276,7 @@ impl Convert {
         let is_plain = self.color_by.is_none()
             && !self.triangulate
             && self.request().is_none()
+            && self.repair.is_none()
             && common.flatten.is_none();
         if !keeps_curves || !is_plain || self.input.as_os_str() == "-" {
             return Ok(None);
@@ -349,6 +360,21 @@ impl Convert {
         Ok(Vec::new())
     }
 
+    /// Makes the polygons of a drawing valid, if a repair was asked for and it is one: says what was done.
+    fn valid_map(&self, loaded: &mut Loaded, progress: &Progress) -> Result<Option<MapAnswer>, Failure> {
+        let method = match self.repair {
+            Some(RepairGoal::Structure) => RepairMethod::Structure,
+            Some(RepairGoal::Linework) => RepairMethod::Linework,
+            Some(RepairGoal::Surface) if is_drawn(&loaded.model) => RepairMethod::Structure,
+            _ => return Ok(None),
+        };
+        progress.stage("repairing");
+        let result = MapResult::new([(&loaded.name[..], &loaded.model)], &MapTask::Repair(method))?;
+        let answer = result.answer().clone();
+        loaded.model = result.model().clone();
+        Ok(Some(answer))
+    }
+
     /// Repairs the model as was asked for, if anything was: says what was done.
     fn repaired(
         &self,
@@ -385,6 +411,11 @@ impl Convert {
         request.orient = self.orient;
         (request != RepairRequest::default()).then_some(request)
     }
+}
+
+/// Whether a model is a drawing with polygons that have rings.
+fn is_drawn(model: &Model) -> bool {
+    model.polygons().is_empty() && model.data_named("ring", GroupKind::Lines).is_some()
 }
 
 /// What was repaired, in numbers.

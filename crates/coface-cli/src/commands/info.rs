@@ -1,5 +1,6 @@
 //! `coface info`: the report.
 
+use super::map::{Method, repair_facts};
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input;
@@ -7,9 +8,11 @@ use crate::output::{give, is_json, print_json, write_file};
 use crate::progress::Progress;
 use crate::remarks::{accept, are_on_the_page};
 use clap::{Args, ValueEnum};
-use coface::answers::answer::{FailedInput, InfoAnswer, InfoEntry, InfoReports, to_pretty_json};
+use coface::answers::answer::{
+    FailedInput, InfoAnswer, InfoEntry, InfoReports, MapRepairAnswer, to_pretty_json,
+};
 use coface::answers::text;
-use coface::answers::{GeometryCheck, Producer, Report, ReportRequest};
+use coface::answers::{GeometryCheck, MapResult, MapTask, Producer, Report, ReportRequest};
 use coface::io::{Format, Model};
 use coface::pictures::pages::html::{self, Figure, Section};
 use coface::pictures::{Scene, matrix_picture};
@@ -49,6 +52,10 @@ pub(crate) struct Info {
     /// How far points of a flat face may be from its plane, in the unit of the file [default: a hundredth of the face]
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     flatness: Option<f64>,
+    /// Say what a repair of the polygons of a drawing would do, by structure (outer rings minus holes) or by linework: convert --repair
+    /// writes it
+    #[arg(long, value_name = "METHOD", num_args = 0..=1, default_missing_value = "structure")]
+    repair: Option<Method>,
 }
 
 /// What is checked beside the cells.
@@ -135,6 +142,10 @@ impl Info {
                 }
                 page +=
                     &text::report(&report.name, report.format.title(), &report.report, self.limit(text::FEW));
+                if let Some(repair) = &report.repair {
+                    page.push('\n');
+                    page += &text::facts("Repair", &repair_facts(repair));
+                }
             }
         }
         progress.stage("writing");
@@ -170,6 +181,12 @@ impl Info {
         progress.stage(format!("examining {}", loaded.name));
         let format = loaded.format;
         let model = if is_drawn { Some(loaded.model.clone()) } else { None };
+        let mut repair = None;
+        if let Some(method) = self.repair {
+            let task = MapTask::Repair(method.method());
+            let result = MapResult::new([(&loaded.name[..], &loaded.model)], &task)?;
+            repair.clone_from(&result.answer().repair);
+        }
         let request = ReportRequest::new()
             .moments(self.moment.clone())
             .full_verdict(self.verdict == VerdictEffort::Full)
@@ -187,7 +204,7 @@ impl Info {
             progress.stage("drawing");
             figures = figures_of(&loaded.name, model, &report).map_err(in_file)?;
         }
-        Ok((Named { name: loaded.name, format, report }, figures))
+        Ok((Named { name: loaded.name, format, report, repair }, figures))
     }
 
     fn limit(&self, usual: usize) -> usize {
@@ -195,7 +212,10 @@ impl Info {
     }
 
     fn answer(&self, named: &Named) -> InfoAnswer {
-        named.report.answer(self.limit(PLACES_IN_JSON)).of_file(&named.name, named.format.name())
+        let answer = named.report.answer(self.limit(PLACES_IN_JSON));
+        let mut answer = answer.of_file(&named.name, named.format.name());
+        answer.repair.clone_from(&named.repair);
+        answer
     }
 }
 
@@ -252,4 +272,6 @@ struct Named {
     name: String,
     format: Format,
     report: Report,
+    /// What a repair of a drawing would do, if that was asked for.
+    repair: Option<MapRepairAnswer>,
 }

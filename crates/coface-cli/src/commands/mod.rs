@@ -23,6 +23,7 @@ pub(crate) mod isomorphic;
 pub(crate) mod link;
 pub(crate) mod loops;
 pub(crate) mod man;
+pub(crate) mod map;
 pub(crate) mod merge;
 pub(crate) mod persistence;
 pub(crate) mod pi1;

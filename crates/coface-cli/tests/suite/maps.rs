@@ -255,3 +255,79 @@ fn systems_are_named_by_info_and_left_out_by_yin_with_a_remark() {
         assert_eq!(codes(&found), ["unbounded-segments"], "{verb}");
     }
 }
+
+#[test]
+fn polygons_are_repaired_by_convert_and_map() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    file(folder, "tie.wkt", "SRID=25832;POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))\n");
+    let told = answer(folder, "info tie.wkt --repair");
+    let repair = &told["repair"];
+    let faults = &repair["faults"];
+    assert_eq!(
+        (repair["area"].as_f64(), faults[0]["name"].as_str()),
+        (Some(2.0), Some("ring_crosses_itself"))
+    );
+    assert_eq!(faults[0]["places"][0]["point"], json!([1.0, 1.0]));
+    let valid = "SRID=25832;MULTIPOLYGON (((0 0, 1 1, 0 2, 0 0)), ((1 1, 2 0, 2 2, 1 1)))\n";
+    for line in [
+        "convert tie.wkt --repair -o valid.wkt",
+        "convert tie.wkt --repair linework -o valid.wkt",
+        "map repair tie.wkt -o valid.wkt",
+        "map repair tie.wkt --method linework -o valid.wkt",
+    ] {
+        let done = answer(folder, line);
+        assert_eq!(codes(&done), ["invalid-polygon", "model-repaired"], "{line}");
+        assert_eq!(std::fs::read_to_string(folder.join("valid.wkt")).unwrap(), valid, "{line}");
+    }
+    assert_eq!(answer(folder, "info valid.wkt")["polygons"]["valid"], json!(true));
+    assert!(coface_in(folder, &["info", "tie.wkt", "--repair"]).stdout.contains("area changed"));
+}
+
+#[test]
+fn map_keeps_features_and_writes_what_is_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let feature = |id: i32, x: i32| {
+        format!(
+            "{{\"type\":\"Feature\",\"id\":{id},\"properties\":{{\"lot\":{id}}},\"geometry\":{{\"type\":\"Polygon\",\
+             \"coordinates\":[[[{x},0],[{},0],[{},2],[{x},2],[{x},0]]]}}}}",
+            x + 2,
+            x + 2
+        )
+    };
+    let text =
+        format!("{{\"type\":\"FeatureCollection\",\"features\":[{},{}]}}", feature(7, 0), feature(8, 2));
+    file(folder, "lots.geojson", &text);
+    let wide = answer(folder, "map buffer lots.geojson --distance 1 --joins mitre -o wide.geojson");
+    assert_eq!((wide["measure"].as_f64(), wide["counts"]["features"].as_u64()), (Some(32.0), Some(2)));
+    let written = std::fs::read_to_string(folder.join("wide.geojson")).unwrap();
+    assert!(written.contains(r#""id":7,"properties":{"lot":7}"#), "{written}");
+    let overlap = answer(folder, "map coverage wide.geojson -o edges.wkt");
+    assert_eq!((overlap["coverage"]["valid"].as_bool(), codes(&overlap).len()), (Some(false), 3));
+    assert!(answer(folder, "map coverage lots.geojson")["coverage"]["valid"].as_bool().unwrap());
+    let inner = answer(folder, "map buffer lots.geojson --distance -0.5");
+    assert_eq!(inner["measure"].as_f64(), Some(2.0));
+    let clipped = answer(folder, "map clip lots.geojson --box 0,0,1,1 -o clip.wkt");
+    assert_eq!(codes(&clipped), ["cells-left-out", "format-keeps-less"]);
+    assert_eq!(
+        std::fs::read_to_string(folder.join("clip.wkt")).unwrap(),
+        "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n"
+    );
+    let faces = answer(folder, "map polygonize lots.geojson");
+    assert_eq!((faces["counts"]["polygons"].as_u64(), faces["measure"].as_f64()), (Some(2), Some(8.0)));
+    assert_eq!(answer(folder, "map node lots.geojson")["counts"]["lines"].as_u64(), Some(3));
+    let simpler = answer(folder, "map simplify lots.geojson --tolerance 0.1 -o lots.wkt");
+    assert_eq!(simpler["simplification"]["vertices"].as_u64(), Some(6));
+    for (line, status) in [
+        ("map buffer lots.geojson", 2),
+        ("map buffer lots.geojson --distance 1 --error 0", 1),
+        ("map clip lots.geojson --box 1,1,0,0", 1),
+        ("map clip lots.geojson --box 1,1,0", 2),
+        ("map simplify lots.geojson --tolerance -1", 2),
+        ("map melt lots.geojson", 2),
+    ] {
+        let words: Vec<&str> = line.split(' ').collect();
+        coface_in(folder, &words).fails_with(status);
+    }
+}

@@ -106,7 +106,7 @@ from coface._questions import (
     pi1,
     polygon,
 )
-from coface import _faults, _records
+from coface import _faults, _records, maps
 from coface._notebook import repr_html as _repr_html
 from coface._view import page, render, view
 from coface._volumes import volume
@@ -237,6 +237,7 @@ __all__ = [
     "is_exact",
     "laplacian",
     "long_exact_sequence",
+    "maps",
     "matching",
     "matrix_svg",
     "page",

@@ -3583,6 +3583,38 @@ def dissolve(models: Any, names: Sequence[str], *, dimension: int | None = None,
         A map with a feature for each list of values.
     """
     ...
+def map_task(models: Any, task: str, *, method: str = "structure", length: float | None = None, error: float | None = None, joins: str = "round", mitre_limit: float = 5.0, caps: str = "round", frame: Sequence[float] | None = None, progress: _Progress = ...) -> tuple[Model, dict[str, Any]]:
+    """A map repaired, buffered, clipped, noded, made polygons, simplified, or examined as a coverage.
+
+    Parameters
+    ----------
+    models : sequence of Model, or dict of str to Model
+        The maps.
+    task : {"repair", "buffer", "clip", "node", "polygonize", "simplify", "coverage"}
+        What is done.
+    method : {"structure", "linework"}
+        What is inside of a polygon that is not valid.
+    length : float, optional
+        The distance of a buffer, the tolerance of a simplification, the width of gaps that are faults.
+    error : float, optional
+        How far flattened arcs of a buffer may be from true ones; a thousandth of the distance if left out.
+    joins : {"round", "mitre", "bevel"}
+        How corners of a buffer are joined.
+    mitre_limit : float
+        How many times the distance a mitred corner may be away.
+    caps : {"round", "flat", "square"}
+        How the ends of lines are closed.
+    frame : sequence of four float, optional
+        The box of clip: least x, least y, greatest x, greatest y.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    tuple of Model and dict
+        The new map, and what was done in numbers.
+    """
+    ...
 def _chains(of: Model | Complex) -> ChainComplex: ...
 def congruence(models: Any, tolerance: float, *, greedy: bool = False, representative: str = "lowest", stable: bool = False, collisions: str = "rewrap", blocks: str = "models", within_blocks: str = "allow", method: str = "lists", progress: _Progress = ...) -> Congruence:
     """Merges models within a tolerance.
