@@ -11,6 +11,7 @@ mod house;
 mod ogc;
 mod packages;
 mod python;
+mod release;
 mod soak;
 mod tally;
 mod test;
@@ -27,6 +28,7 @@ const USAGE: &str = "usage:
   cargo xtask test -p CRATE   format, lints, docs and tests of one crate
   cargo xtask viewer          the viewer alone: types, tests, the page in the repository, the page in a browser
   cargo xtask python          the Python package alone: build, types, stubs, tests, examples
+  cargo xtask python --sdist  makes its source distribution and looks at it; --wheel makes the wheel for this machine too (minutes)
   cargo xtask answers --write DIR | --against DIR [--program PATH] [--only WORD] [--seconds N] [--jobs N]
                               runs every verb on every file; keeps the answers in DIR, or compares with those there
   cargo xtask wild DIR..      runs `coface info` on every file below the folders; counts what is read, and why the rest is refused
@@ -51,6 +53,8 @@ fn main() -> ExitCode {
         }
         Some("viewer") if words.len() == 1 => viewer::run(),
         Some("python") if words.len() == 1 => python::run(),
+        Some("python") if words[1..] == ["--sdist"] => release::release(false),
+        Some("python") if words[1..] == ["--wheel"] => release::release(true),
         Some("answers") => answers::answers(&words[1..]),
         Some("advisories") => advisories::advisories(&words[1..]),
         Some("soak") => soak::soak(&words[1..]),
