@@ -13,6 +13,7 @@ mod packages;
 mod python;
 mod release;
 mod soak;
+mod space_soak;
 mod tally;
 mod test;
 mod tokens;
@@ -36,6 +37,8 @@ const USAGE: &str = "usage:
   cargo xtask clipping DIR..  runs the cases of Clipper2 and of i_overlay: results are valid and have the areas of the cases
   cargo xtask soak [--minutes N]
                               asks the program and the Python package the same again and again; answers, files and memory must stay
+  cargo xtask soak --space [--chains N] [--steps N] [--scenes N] [--angles N]
+                              chains of Booleans of solids, random scenes against voxels, rooms at many angles
   cargo xtask advisories [DIR]
                               says which packages have known faults, by the snapshot in xtask/advisories.txt; DIR makes it anew
   cargo xtask api [--write]   says what has changed of what each crate offers, as listed in docs/api; writes the lists
@@ -57,6 +60,7 @@ fn main() -> ExitCode {
         Some("python") if words[1..] == ["--wheel"] => release::release(true),
         Some("answers") => answers::answers(&words[1..]),
         Some("advisories") => advisories::advisories(&words[1..]),
+        Some("soak") if words.get(1).is_some_and(|word| word == "--space") => space_soak::soak(&words[2..]),
         Some("soak") => soak::soak(&words[1..]),
         Some("wild") => wild::wild(&words[1..]),
         Some("ogc") => ogc::ogc(&words[1..]),

@@ -163,7 +163,7 @@ pub(crate) fn arrange<'py>(
     let request = spatial_request(snap, tolerance, max_cells, split, merge_coplanar);
     let (arranged, answer) = run(py, progress, || {
         let mut arranged = SceneArrangement::of_scene(scene_of(&models, inputs, 1, true)?, &request)?;
-        if !exact && arranged.crossings()?.count > 0 {
+        if !exact && !arranged.is_valid()? {
             arranged = arranged.validly_rounded()?.unwrap_or(arranged);
         }
         let answer = arranged.answer(rule.unwrap_or_default())?;
@@ -356,7 +356,8 @@ pub(crate) fn boolean<'py>(
         let mut arrangement = SceneArrangement::of_scene(scene, &spatial)?;
         request.rule = rule.unwrap_or_default();
         (request.split_pinches, request.keep_walls) = (split_pinches, keep_walls);
-        if !exact && SolidBoolean::of(&arrangement, &request)?.crossings()?.count > 0 {
+        request.merge_coplanar = merge_coplanar && !exact;
+        if !exact && !SolidBoolean::of(&arrangement, &request)?.is_valid()? {
             arrangement = arrangement.validly_rounded()?.unwrap_or(arrangement);
         }
         let result = SolidBoolean::of(&arrangement, &request)?;

@@ -280,10 +280,14 @@ pub struct SpatialRounding {
     pub rounded_vertices: usize,
     /// How many times coordinates were rounded and everything arranged again.
     pub rounds: usize,
-    /// Whether faces with rounded coordinates meet in common vertices and edges alone; decided exactly.
+    /// Whether faces with rounded coordinates meet in common vertices and edges alone, and no cell, or no solid and void of
+    /// a result, is flat or inside out; decided exactly.
     pub valid: bool,
-    /// The number of places where they do not.
+    /// The number of places where faces meet otherwise.
     pub crossings: usize,
+    /// The number of cells, or of solids and voids of a result, that rounding made flat or turned inside out.
+    #[serde(default)]
+    pub turned: usize,
     /// Some of these places, by their coordinates.
     pub places: Vec<[f64; 3]>,
 }

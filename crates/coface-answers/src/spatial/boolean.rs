@@ -1,5 +1,6 @@
 //! Boolean combinations of the models of a scene.
 
+use super::enclosed::turned_parts;
 use super::{InputState, OpenInputs, SceneArrangement};
 use crate::answer::{
     BoundaryManifold, BoundaryVerdict, BoundaryWitness, InsideMethod, Pinches, SolidBooleanAnswer,
@@ -11,7 +12,7 @@ use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, VertexId};
 use coface_algebra::{RaggedArray, Sign, UnionFind};
 use coface_arrange::boolean::{BooleanFormula, CellSelection, InsideRule, SelectionBoundary, SelectionMesh};
-use coface_arrange::spatial::{Crossings, SpatialPolygons};
+use coface_arrange::spatial::{CoplanarTriangles, Crossings, SpatialPolygons, merge_coplanar_triangles};
 use coface_complexes::surface::PolygonMesh;
 use coface_geometry::{Positions, Sum, polygon_area};
 use coface_io::repeated_vertex;
@@ -43,6 +44,9 @@ pub struct SolidRequest {
     pub split_pinches: bool,
     /// Whether faces between cells of the result are kept.
     pub keep_walls: bool,
+    /// Whether triangles in one plane that nothing of the result separates are drawn as one polygon is; with rounded
+    /// coordinates within their rounding. Only where triangles are asked for, and walls are not.
+    pub merge_coplanar: bool,
 }
 
 impl SolidRequest {
@@ -70,6 +74,7 @@ impl SolidRequest {
             triangles: false,
             split_pinches: false,
             keep_walls: false,
+            merge_coplanar: false,
         }
     }
 }
@@ -107,12 +112,15 @@ pub struct SolidBoolean<'a> {
     /// Made when it is asked for.
     mesh: OnceLock<PolygonMesh>,
     crossings: OnceLock<Crossings>,
+    turned: OnceLock<Vec<[f64; 3]>>,
     /// The numbers of vertices and edges that splitting pinches added.
     copies: [usize; 2],
     /// The cells behind and in front of each face.
     pub(super) sides: Vec<[u32; 2]>,
     /// The connected part of each cell, selected or not; that of the exterior last.
     pub(super) regions: Vec<u32>,
+    /// The facets that each polygon of the surface has parts of, where they were put together.
+    pub(super) merged_facets: Option<Vec<Vec<(CellId, Sign)>>>,
 }
 
 impl<'a> SolidBoolean<'a> {
@@ -187,6 +195,24 @@ impl<'a> SolidBoolean<'a> {
             copies[0] = surface.split_pinches(around)?;
             copies[1] = mesh_on(&surface).edge_count() - edge_count;
         }
+        let crossings = OnceLock::new();
+        let mut merged_facets = None;
+        if request.merge_coplanar && request.triangles && !request.keep_walls {
+            let positions = surface.positions(arranged.drawn_positions())?;
+            let is_rounded = arranged.joined().is_some() || !arranged.is_exactly_rounded();
+            let tolerance = if is_rounded { rounding_of(&positions) } else { 0.0 };
+            let triangles: Vec<[u32; 3]> = surface.polygons().items().as_chunks::<3>().0.to_vec();
+            if let Some(merged) = merge_coplanar_triangles(&positions, &triangles, tolerance)? {
+                let first = |&patch: &u32| merged.patches.list(patch as usize)[0];
+                merged_facets = Some(facets_of_patches(&merged, surface.facets()));
+                let pairs = merged.triangles.iter().zip(&merged.patch_of_triangle);
+                surface = surface.with_triangles(pairs.map(|(&own, patch)| (own, first(patch))));
+                if is_rounded {
+                    // It was looked for crossings.
+                    crossings.get_or_init(Crossings::default);
+                }
+            }
+        }
         let sides = arrangement.sides_of_faces();
         let regions = regions(&selection, &sides, complex.cell_count(3));
         Ok(Self {
@@ -196,10 +222,12 @@ impl<'a> SolidBoolean<'a> {
             boundary,
             surface,
             mesh: OnceLock::new(),
-            crossings: OnceLock::new(),
+            crossings,
+            turned: OnceLock::new(),
             copies,
             sides,
             regions,
+            merged_facets,
         })
     }
 
@@ -319,6 +347,66 @@ impl<'a> SolidBoolean<'a> {
             })?
         };
         Ok(self.crossings.get_or_init(|| found))
+    }
+
+    /// A corner of each solid and void of the result that rounding of coordinates made flat or turned inside out; decided
+    /// exactly for the surface as it is drawn.
+    ///
+    /// # Errors
+    /// None for results that were made.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("a", &solid)], &Default::default())?;
+    /// let result = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::union(1)))?;
+    /// assert!(result.turned_parts()?.is_empty());
+    /// # Ok(()) }
+    /// ```
+    pub fn turned_parts(&self) -> Result<&[[f64; 3]], Error> {
+        if let Some(found) = self.turned.get() {
+            return Ok(found);
+        }
+        let found = if self.arrangement.arranged.is_exactly_rounded() {
+            Vec::new()
+        } else {
+            let exterior = self.regions.len() - 1;
+            let region = |cell: u32| {
+                let own = self.regions[if cell == EXTERIOR { exterior } else { cell as usize }];
+                if own == self.regions[exterior] { EXTERIOR } else { own }
+            };
+            turned_parts(&self.positions()?, self.surface.polygons(), |polygon| {
+                let (facet, sign) = self.surface.facets()[polygon];
+                let [back, front] = self.sides[facet.index()].map(region);
+                if sign == Sign::Plus { [back, front] } else { [front, back] }
+            })
+        };
+        Ok(self.turned.get_or_init(|| found))
+    }
+
+    /// Whether rounded coordinates are a valid surface: faces meet in common vertices and edges alone, and no solid or void
+    /// is flat or inside out.
+    ///
+    /// # Errors
+    /// As [`Self::crossings`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("a", &solid)], &Default::default())?;
+    /// assert!(SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::union(1)))?.is_valid()?);
+    /// # Ok(()) }
+    /// ```
+    pub fn is_valid(&self) -> Result<bool, Error> {
+        Ok(self.crossings()?.count == 0 && self.turned_parts()?.is_empty())
     }
 
     /// The number of vertices that were copied to split pinches.
@@ -462,7 +550,8 @@ impl<'a> SolidBoolean<'a> {
         let surface = survey.surface();
         let files = self.input_answers();
         let crossings = self.crossings()?;
-        let remarks = self.arrangement.remarks(&files, self.request.rule, crossings);
+        let turned = self.turned_parts()?;
+        let remarks = self.arrangement.remarks(&files, self.request.rule, crossings, turned);
         Ok(SolidBooleanAnswer {
             dimension: 3,
             measure: self.volume(),
@@ -487,7 +576,7 @@ impl<'a> SolidBoolean<'a> {
             pinches: self.pinches(),
             rule: rule_word(self.request.rule).to_owned(),
             files,
-            rounding: self.arrangement.rounding(self.closure()[0].iter().copied(), crossings),
+            rounding: self.arrangement.rounding(self.closure()[0].iter().copied(), crossings, turned),
             joined: self.arrangement.joined(),
             remarks,
         })
@@ -583,6 +672,24 @@ impl<'a> SolidBoolean<'a> {
 }
 
 /// The word for a rule in answers.
+/// How far points that rounding moved out of a plane or a line may be from it: both ways by a few units in the last place
+/// of the largest coordinate, in each coordinate.
+fn rounding_of(positions: &Positions) -> f64 {
+    8.0 * f64::EPSILON * positions.as_flat().iter().fold(0.0, |most: f64, x| x.abs().max(most))
+}
+
+/// For each new triangle the facets that its patch has triangles of, rising.
+fn facets_of_patches(merged: &CoplanarTriangles, facets: &[(CellId, Sign)]) -> Vec<Vec<(CellId, Sign)>> {
+    let own = |&patch: &u32| {
+        let members = merged.patches.list(patch as usize).iter();
+        let mut own: Vec<(CellId, Sign)> = members.map(|&triangle| facets[triangle as usize]).collect();
+        own.sort_unstable();
+        own.dedup();
+        own
+    };
+    merged.patch_of_triangle.iter().map(own).collect()
+}
+
 fn rule_word(rule: InsideRule) -> &'static str {
     match rule {
         InsideRule::Nonzero => "nonzero",

@@ -2,6 +2,7 @@
 
 mod arranged;
 mod boolean;
+mod enclosed;
 mod graph;
 mod inputs;
 mod models;

@@ -346,12 +346,21 @@ impl SolidBoolean<'_> {
     /// # Ok(()) }
     /// ```
     pub fn provenance(&self) -> Result<SolidBooleanProvenance, Error> {
-        let mesh = self.mesh_with_walls()?;
-        let sources = mesh.facets().iter().map(|&(face, sign)| self.arrangement.sources(face, sign));
-        Ok(SolidBooleanProvenance {
-            files: self.arrangement.scene().names().to_vec(),
-            polygons: sources.collect(),
-        })
+        let files = self.arrangement.scene().names().to_vec();
+        let sources = |&(face, sign): &(CellId, Sign)| self.arrangement.sources(face, sign);
+        let polygons = match &self.merged_facets {
+            None => self.mesh_with_walls()?.facets().iter().map(sources).collect(),
+            Some(facets) => facets
+                .iter()
+                .map(|own| {
+                    let mut all: Vec<[i64; 3]> = own.iter().flat_map(sources).collect();
+                    all.sort_unstable();
+                    all.dedup();
+                    all
+                })
+                .collect(),
+        };
+        Ok(SolidBooleanProvenance { files, polygons })
     }
 
     fn mesh_with_walls(&self) -> Result<SelectionMesh, Error> {

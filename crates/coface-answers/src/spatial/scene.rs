@@ -1,18 +1,18 @@
 //! Models as polygons in space.
 
+use super::enclosed::volume_sign;
 use super::mouths::Mouths;
 use crate::RegionSource;
 use crate::answer::{Place, Remark, RemarkCode, remarks_of_file};
 use crate::parts::{Part, closed_objects, parts_of};
 use coface_algebra::chains::ChainComplex;
-use coface_algebra::{CellId, Error, ErrorKind, FaceId, VertexId};
+use coface_algebra::{CellId, Error, ErrorKind, FaceId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
 use coface_arrange::spatial::{ExactPolygons, NonPlanar, SpatialPolygons};
 use coface_complexes::cell_mesh::CellMesh;
-use coface_geometry::predicates::{Dyadic, SpatialPoint};
-use coface_geometry::{Positions, determinant};
+use coface_geometry::Positions;
+use coface_geometry::predicates::SpatialPoint;
 use coface_io::{GroupKind, Model, Structure};
-use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -860,59 +860,4 @@ pub(super) fn closed_walks(sides: &mut [[u32; 2]]) -> RaggedArray {
         places.clear();
     }
     walks
-}
-
-/// The sign of the volume that polygons enclose, as 1, -1, or 1 for none: 1 where they run counterclockwise seen from outside.
-fn volume_sign<'a, I: Iterator<Item = (Sign, &'a [u32])>>(
-    positions: &Positions,
-    faces: impl Fn() -> I,
-) -> i32 {
-    let point = |vertex: u32| {
-        let point = positions.point(VertexId::from_u32(vertex));
-        [point[0], point[1], point[2]]
-    };
-    let Some(apex) = faces().next().map(|(_, face)| point(face[0])) else { return 1 };
-    let relative = |vertex: u32| {
-        let point = point(vertex);
-        [0, 1, 2].map(|axis| point[axis] - apex[axis])
-    };
-    let (mut sum, mut size, mut count) = (0.0, 0.0, 0);
-    for (sign, face) in faces() {
-        for pair in face[1..].windows(2) {
-            let [a, b, c] = [face[0], pair[0], pair[1]].map(relative);
-            sum += f64::from(sign.to_i32()) * determinant(a, b, c);
-            size += (0..3)
-                .map(|i| {
-                    a[i].abs()
-                        * (b[(i + 1) % 3] * c[(i + 2) % 3]).abs().max((b[(i + 2) % 3] * c[(i + 1) % 3]).abs())
-                })
-                .sum::<f64>();
-            count += 1;
-        }
-    }
-    // Each term is off by less than 16 units of its size, the sum by one unit of that for each term.
-    let bound = size * f64::EPSILON * f64::from(count + 16) * 2.0;
-    if size.is_finite() && size > f64::MIN_POSITIVE * 1e40 && sum.abs() > bound {
-        return if sum > 0.0 { 1 } else { -1 };
-    }
-    let mut exact = Dyadic::from(0.0);
-    let apex = apex.map(Dyadic::from);
-    for (sign, face) in faces() {
-        for pair in face[1..].windows(2) {
-            let [a, b, c] = [face[0], pair[0], pair[1]].map(|vertex| {
-                let point = point(vertex).map(Dyadic::from);
-                [0, 1, 2].map(|axis| &point[axis] - &apex[axis])
-            });
-            for (i, x) in a.iter().enumerate() {
-                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-                let minor = &(&b[j] * &c[k]) - &(&b[k] * &c[j]);
-                let term = x * &minor;
-                exact = match sign {
-                    Sign::Plus => &exact + &term,
-                    Sign::Minus => &exact - &term,
-                };
-            }
-        }
-    }
-    if exact.sign() == Ordering::Less { -1 } else { 1 }
 }

@@ -1,6 +1,7 @@
 //! A scene arranged: its cells, and what they are inside of.
 
 use super::arranged::Arranged;
+use super::enclosed::turned_parts;
 use super::inputs::Inputs;
 use super::{InputState, OpenInputs, SpatialRequest, SpatialScene};
 use crate::answer::{
@@ -11,7 +12,7 @@ use crate::near::ThinCells;
 use crate::text;
 use coface_algebra::UnionFind;
 use coface_algebra::chains::ChainComplex;
-use coface_algebra::{CellId, Error, ErrorKind};
+use coface_algebra::{CellId, Error, ErrorKind, Sign};
 use coface_arrange::boolean::InsideRule;
 use coface_arrange::spatial::{Crossings, SplitPolygon};
 use coface_geometry::{Positions, cross, dot};
@@ -156,6 +157,52 @@ impl SceneArrangement {
             Err(error) if error.kind() == ErrorKind::InvalidInput => Ok(None),
             other => other.map(Some),
         }
+    }
+
+    /// A corner of each cell that rounding of coordinates made flat or turned inside out; decided exactly for the triangles
+    /// that faces are drawn with.
+    ///
+    /// # Errors
+    /// None for arrangements that were made.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = coface_answers::SceneArrangement::of([("solid", &solid)], &Default::default())?;
+    /// assert!(arranged.turned_cells()?.is_empty());
+    /// # Ok(()) }
+    /// ```
+    pub fn turned_cells(&self) -> Result<Vec<[f64; 3]>, Error> {
+        if self.arranged.is_exactly_rounded() {
+            return Ok(Vec::new());
+        }
+        let faces: Vec<(CellId, Sign)> =
+            (0..self.complex().cell_count(2)).map(|face| (CellId::new(face), Sign::Plus)).collect();
+        let mesh = self.mesh_of(&faces, true)?;
+        let sides = self.sides_of_faces();
+        let positions = mesh.positions(self.arranged.drawn_positions())?;
+        Ok(turned_parts(&positions, mesh.polygons(), |polygon| sides[mesh.facets()[polygon].0.index()]))
+    }
+
+    /// Whether rounded coordinates are a valid arrangement: faces meet in common vertices and edges alone, and no cell is
+    /// flat or inside out.
+    ///
+    /// # Errors
+    /// None for arrangements that were made.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = coface_answers::SceneArrangement::of([("solid", &solid)], &Default::default())?;
+    /// assert!(arranged.is_valid()?);
+    /// # Ok(()) }
+    /// ```
+    pub fn is_valid(&self) -> Result<bool, Error> {
+        Ok(self.crossings()?.count == 0 && self.turned_cells()?.is_empty())
     }
 
     /// Where faces with rounded coordinates meet otherwise than in common vertices and edges: nowhere if rounding is valid.
@@ -369,7 +416,8 @@ impl SceneArrangement {
         f_vector.resize(4, 0);
         let files = self.input_answers();
         let crossings = self.crossings()?;
-        let remarks = self.remarks(&files, rule, crossings);
+        let turned = self.turned_cells()?;
+        let remarks = self.remarks(&files, rule, crossings, &turned);
         Ok(SpatialArrangementAnswer {
             dimension: 3,
             f_vector,
@@ -389,7 +437,7 @@ impl SceneArrangement {
                 listed: dropped.iter().take(MOST_LISTED).map(place).collect(),
             },
             split_polygons: SplitPolygons { count: split.len(), largest_deviation },
-            rounding: self.rounding((0..complex.cell_count(0)).map(CellId::new), crossings),
+            rounding: self.rounding((0..complex.cell_count(0)).map(CellId::new), crossings, &turned),
             joined: self.joined(),
             remarks,
         })
@@ -401,6 +449,7 @@ impl SceneArrangement {
         files: &[SpatialInput],
         rule: InsideRule,
         crossings: &Crossings,
+        turned: &[[f64; 3]],
     ) -> Vec<Remark> {
         let mut remarks = self.scene.remarks().to_vec();
         remarks.extend(self.warped_polygons());
@@ -411,6 +460,18 @@ impl SceneArrangement {
             let message = format!("with rounded coordinates faces cross in {places}");
             let points = crossings.places.iter().map(|point| Place::point(point));
             remarks.push(Remark::new(RemarkCode::RoundedInvalid, message).at(crossings.count, points));
+        }
+        if !turned.is_empty() {
+            let message = format!(
+                "with rounded coordinates {} or inside out",
+                if turned.len() == 1 {
+                    "one part is flat".to_owned()
+                } else {
+                    format!("{} parts are flat", turned.len())
+                }
+            );
+            let points = turned.iter().map(|point| Place::point(point));
+            remarks.push(Remark::new(RemarkCode::RoundedInvalid, message).at(turned.len(), points));
         }
         for file in files.iter().filter(|file| file.reversed_cells > 0) {
             let message = format!(
@@ -542,14 +603,16 @@ impl SceneArrangement {
         &self,
         vertices: impl Iterator<Item = CellId>,
         crossings: &Crossings,
+        turned: &[[f64; 3]],
     ) -> SpatialRounding {
         let rounded_vertices = vertices.filter(|&vertex| self.arranged.is_rounded(vertex)).count();
         SpatialRounding {
             exact: rounded_vertices == 0,
             rounded_vertices,
             rounds: self.arranged.round_count(),
-            valid: crossings.count == 0,
+            valid: crossings.count == 0 && turned.is_empty(),
             crossings: crossings.count,
+            turned: turned.len(),
             places: crossings.places.clone(),
         }
     }

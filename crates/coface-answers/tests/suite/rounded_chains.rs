@@ -6,6 +6,7 @@ use crate::turned_boxes::{self, cuboid, operation, through_file};
 use coface_answers::answer::RemarkCode;
 use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, are_planar};
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
+use coface_arrange::spatial::SpatialPolygons;
 use coface_io::{Format, Model};
 use proptest::prelude::*;
 
@@ -38,7 +39,7 @@ fn arranged(models: &[&Model]) -> SceneArrangement {
 
 fn request(formula: &str) -> SolidRequest {
     let mut request = SolidRequest::of(BooleanFormula::parse(formula, &[]).unwrap());
-    (request.triangles, request.split_pinches) = (true, true);
+    (request.triangles, request.split_pinches, request.merge_coplanar) = (true, true, true);
     request
 }
 
@@ -52,6 +53,9 @@ fn step(operands: [&Model; 2], operation: char) -> (Model, f64) {
     };
     let result = SolidBoolean::of(rounded.as_ref().unwrap_or(&exact), &request).unwrap();
     assert_eq!(result.crossings().unwrap().count, 0);
+    let mesh = result.to_mesh().unwrap();
+    let polygons = SpatialPolygons::from_polygons(mesh.positions().clone(), mesh.polygons().clone()).unwrap();
+    assert_eq!(polygons.crossings(1).unwrap().count, 0);
     (through_file(&result.to_mesh().unwrap(), Format::Off), result.volume().unwrap())
 }
 
@@ -65,11 +69,15 @@ fn agree(models: &[Model], operations: &[char]) -> Result<(), TestCaseError> {
     }
     let all: Vec<&Model> = models.iter().collect();
     let whole = arranged(&all);
-    let expected = SolidBoolean::of(&whole, &request(&formula)).unwrap().volume().unwrap();
+    let result = SolidBoolean::of(&whole, &request(&formula)).unwrap();
+    let expected = result.volume().unwrap();
     prop_assert!(
         (volume - expected).abs() <= 1e-12 * expected.max(1.0),
         "{formula}: {volume} for {expected}"
     );
+    // The faces of each box are one polygon still.
+    let counts = [chained.polygons().len(), result.surface().polygons().len()];
+    prop_assert!(counts[0] <= counts[1] + counts[1] / 8 + 8, "{formula}: {counts:?}");
     Ok(())
 }
 

@@ -87,6 +87,22 @@ impl SelectionMesh {
         mesh
     }
 
+    /// The same surface with other triangles on its vertices, each with the number of a polygon of before, whose facet is its
+    /// own.
+    #[doc(hidden)]
+    pub fn with_triangles(&self, triangles: impl Iterator<Item = ([u32; 3], u32)>) -> Self {
+        let mut mesh = Self { polygons: RaggedArray::new(), facets: Vec::new(), vertex_sources: Vec::new() };
+        for (triangle, polygon) in triangles {
+            mesh.polygons.push(&triangle);
+            mesh.facets.push(self.facets[polygon as usize]);
+        }
+        mesh.number_vertices();
+        for source in &mut mesh.vertex_sources {
+            *source = self.vertex_sources[source.index()];
+        }
+        mesh
+    }
+
     fn push(&mut self, facet: (CellId, Sign), polygon: &[u32]) {
         let start = self.polygons.item_count();
         self.polygons.push(polygon);

@@ -5,6 +5,7 @@ mod booleans;
 mod congruence;
 mod congruence_rewrap;
 mod contract;
+mod coplanar_triangles;
 mod geometry_checks;
 #[cfg(feature = "graphblas-tests")]
 mod graphblas;

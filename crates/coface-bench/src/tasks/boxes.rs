@@ -80,7 +80,7 @@ fn chained(path: &Path, clock: &mut Clock) -> Result<String, Error> {
             };
             let formula = if i % 2 == 1 { BooleanFormula::union(2) } else { BooleanFormula::difference(2) };
             let mut request = SolidRequest::of(formula);
-            (request.triangles, request.split_pinches) = (true, true);
+            (request.triangles, request.split_pinches, request.merge_coplanar) = (true, true, true);
             let models = [("solid", &own), ("box", other)];
             let exact = SceneArrangement::of(models, &SpatialRequest::default())?;
             let mut result = SolidBoolean::of(&exact, &request)?;

@@ -350,9 +350,13 @@ fn many_solids_are_combined_at_once() {
         let object = combined(operation, &row, &[]);
         assert_eq!((&object["measure"], &object["solids"]), (&json!(volume), &json!(solids)), "{operation}");
     }
-    // Coplanar faces of one result are merged on request.
-    let object = combined("union", &row, &["--merge-coplanar"]);
-    assert_eq!(object["measure"], json!(3.0));
+    // Coplanar faces of one result are one face, unless they are to be kept apart.
+    let whole = combined("union", &row, &["--triangles"]);
+    assert_eq!((&whole["measure"], &whole["f_vector"]), (&json!(3.0), &json!([8, 18, 12])));
+    let apart = combined("union", &row, &["--triangles", "--keep-coplanar"]);
+    assert_eq!(apart["measure"], json!(3.0));
+    assert!(apart["f_vector"][2].as_u64().unwrap() > 60, "{}", apart["f_vector"]);
+    assert_eq!(run(&["boolean", "union"], &row, &["--merge-coplanar", "--keep-coplanar"]).status, 2);
     let deep = formula("(a ^ b) & !(c | d) | e - d", &row, &[]);
     assert_eq!(deep["measure"], json!(1.0));
 }

@@ -47,3 +47,41 @@ pub(in crate::spatial) fn crossings(
     let all = degenerate.chain(touching).chain(crossing).chain(common).chain(overlapping);
     Ok(Crossings { count, places: all.take(most_listed).collect() })
 }
+
+/// The triangles at which [`crossings`] finds something, rising.
+pub(in crate::spatial) fn crossing_triangles(
+    positions: &Positions,
+    triangles: &[[u32; 3]],
+) -> Result<Vec<u32>, Error> {
+    check_input(positions, triangles)?;
+    let (sheets, tree) = Sheets::new(positions, triangles);
+    let meetings = Meetings::new(&sheets, &tree, |_| Ok(()))?;
+    let mut is_found = vec![false; sheets.count()];
+    let mut is_edge_found = vec![false; sheets.edges.len()];
+    let mut is_corner_found = vec![false; sheets.points.len()];
+    for &[edge, vertex] in &meetings.vertices_on_edges {
+        (is_edge_found[edge as usize], is_corner_found[vertex as usize]) = (true, true);
+    }
+    let mut find = |place: &Place| match *place {
+        Place::Corner(_) => {}
+        Place::Edges(edges) => edges.iter().for_each(|&edge| is_edge_found[edge as usize] = true),
+        Place::EdgeAndSheet([edge, sheet]) => {
+            (is_edge_found[edge as usize], is_found[sheet as usize]) = (true, true);
+        }
+        Place::Sheets(own) => own.iter().for_each(|&sheet| is_found[sheet as usize] = true),
+    };
+    meetings.places.iter().for_each(&mut find);
+    let pairs = meetings.cuts.iter().flat_map(|cut| cut.sheets);
+    pairs.chain(meetings.overlapping.iter().copied()).for_each(|sheet| is_found[sheet as usize] = true);
+    let mut found = sheets.degenerate.clone();
+    for (sheet, sources) in sheets.sources.iter().enumerate() {
+        if is_found[sheet]
+            || sheets.edges_of[sheet].iter().any(|&edge| is_edge_found[edge as usize])
+            || sheets.corners[sheet].iter().any(|&corner| is_corner_found[corner as usize])
+        {
+            found.extend(sources.iter().map(|&triangle| triangle >> 1));
+        }
+    }
+    found.sort_unstable();
+    Ok(found)
+}

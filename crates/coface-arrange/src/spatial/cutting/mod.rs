@@ -24,6 +24,6 @@ mod triples;
 mod vertices;
 
 pub use crossings::Crossings;
-pub(in crate::spatial) use crossings::crossings;
+pub(in crate::spatial) use crossings::{crossing_triangles, crossings};
 pub use cut_triangles::{CutOptions, CutTriangles, SpatialVertexSource};
 pub(in crate::spatial) use parts::PartOutlines;

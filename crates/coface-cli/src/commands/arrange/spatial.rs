@@ -140,7 +140,7 @@ pub(super) fn run(
     progress.stage("arranging");
     let scene = scene_of(verb.source, 1, models, true)?;
     let mut arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells, common))?;
-    if !verb.cells.exact && arrangement.crossings()?.count > 0 {
+    if !verb.cells.exact && !arrangement.is_valid()? {
         progress.stage("rounding");
         arrangement = arrangement.validly_rounded()?.unwrap_or(arrangement);
     }

@@ -38,11 +38,13 @@ use std::path::PathBuf;
 /// Inputs in space are closed surfaces, volume meshes (the union of their cells), or chain complexes with positions (the union of
 /// their cells of degree 3, or the surface of their faces). The result is a surface that runs counterclockwise seen from outside; as .json
 /// a chain complex with solids as cells, or with --keep-walls the cells of the arrangement, cut until each is a ball; .glb, .gltf and
-/// .png, in space .svg too, are to be looked at.
+/// .png, in space .svg too, are to be looked at. Triangles in one plane that nothing of the result separates, and faces of one input, are put together and
+/// drawn as one polygon is, where coordinates are rounded within that rounding; --keep-coplanar keeps them apart.
 ///
 /// With --json: "measure" (the area or volume), "f_vector", "components", "closed", "manifold" with its witness; in the plane also
 /// "polygons", "holes", "measures", "pinches" (vertices where more than two edges of the boundary meet), "rounding"; in space also
-/// "area", "genus", "solids", "voids", "walls", "pinches" (edges in more than two polygons, and vertices, with coordinates), "files".
+/// "area", "genus", "solids", "voids", "walls", "pinches" (edges in more than two polygons, and vertices, with coordinates), "files",
+/// "rounding" (whether the rounded surface is valid: faces that cross, parts that are flat or inside out).
 #[derive(Args)]
 pub(crate) struct Boolean {
     /// union, intersection, difference or xor, unless there is a formula; then the inputs

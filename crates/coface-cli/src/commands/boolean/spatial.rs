@@ -27,6 +27,9 @@ pub(super) struct SolidOptions {
     /// [default: split in files of meshes that keep no cells apart]
     #[arg(long, value_name = "WHAT")]
     pinches: Option<Pinches>,
+    /// Keep faces in one plane apart that are parts of different polygons; by default they are put together where nothing separates them
+    #[arg(long, conflicts_with = "merge_coplanar")]
+    keep_coplanar: bool,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -58,7 +61,10 @@ pub(super) fn run(
     }
     let count = scene.names().len();
     let triangles = verb.space.triangles(&scene, output);
-    let arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells, common))?;
+    let mut spatial = verb.space.request(&verb.cells, common);
+    // Whose faces are parts of the result alone.
+    spatial.merge_coplanar |= !verb.solids.keep_coplanar;
+    let arrangement = SceneArrangement::of_scene(scene, &spatial)?;
     progress.stage("combining");
     let mut request = SolidRequest::of(task.formula(count));
     request.rule = verb.cells.rule.map(Rule::inside).unwrap_or_default();
@@ -69,9 +75,10 @@ pub(super) fn run(
         None => is_mesh && !verb.keep_walls,
     };
     request.keep_walls = verb.keep_walls;
+    request.merge_coplanar = spatial.merge_coplanar && !verb.cells.exact;
     let rounded;
     let mut result = SolidBoolean::of(&arrangement, &request)?;
-    if !verb.cells.exact && result.crossings()?.count > 0 {
+    if !verb.cells.exact && !result.is_valid()? {
         progress.stage("rounding");
         if let Some(valid) = arrangement.validly_rounded()? {
             rounded = valid;
