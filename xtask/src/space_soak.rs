@@ -420,7 +420,8 @@ fn euler_of_voxels(voxels: &[bool], size: usize) -> i64 {
             is_there[at[0] + fine * (at[1] + fine * at[2])] = true;
         }
     }
-    let sign = |at: usize| if (at % fine + at / fine % fine + at / fine / fine) % 2 == 0 { 1 } else { -1 };
+    let sign =
+        |at: usize| if (at % fine + at / fine % fine + at / fine / fine).is_multiple_of(2) { 1 } else { -1 };
     (0..is_there.len()).filter(|&at| is_there[at]).map(sign).sum()
 }
 

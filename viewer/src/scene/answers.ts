@@ -1836,7 +1836,7 @@ export interface SpatialInput {
 
 /** What was rounded in space. */
 export interface SpatialRounding {
-  /** The number of places where they do not. */
+  /** The number of places where faces meet otherwise. */
   crossings: number;
   /** Whether no coordinate was rounded. */
   exact: boolean;
@@ -1846,7 +1846,12 @@ export interface SpatialRounding {
   rounded_vertices: number;
   /** How many times coordinates were rounded and everything arranged again. */
   rounds: number;
-  /** Whether faces with rounded coordinates meet in common vertices and edges alone; decided exactly. */
+  /** The number of cells, or of solids and voids of a result, that rounding made flat or turned inside out. */
+  turned?: number;
+  /**
+   * Whether faces with rounded coordinates meet in common vertices and edges alone, and no cell, or no solid and void of
+   * a result, is flat or inside out; decided exactly.
+   */
   valid: boolean;
 }
 
