@@ -68,6 +68,9 @@ pub use surface_model::{
     CutComponent, CutRequest, CutSeam, LayoutChoice, PlacedCover, SurfaceCover, SurfaceCut, SurfaceModel,
     edge_lengths,
 };
-pub use yin::{CutCellsRequest, KinkRequest, MotionRequest, PlanarMotion, PlanarSet, SetRequest};
+pub use yin::{
+    CutCellsRequest, KinkRequest, LabelImage, MotionRequest, NamedSet, PlanarInterface, PlanarMotion,
+    PlanarSet, SetRequest,
+};
 #[doc(hidden)]
 pub use yin::{SetPiece, set_pieces};

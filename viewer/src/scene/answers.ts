@@ -1006,6 +1006,9 @@ export interface JoinedFeatures {
   vertices: number;
 }
 
+/** The type of a junction. */
+export type JunctionKind = "y" | "t" | "x" | "other";
+
 /** A layer over the model. */
 export interface LayerAnswer {
   /** What is said about it beside its name. */
@@ -2245,6 +2248,24 @@ export interface YinDecision {
   point: [number, number];
 }
 
+/** An edge of an interface. */
+export interface YinEdgeAnswer {
+  /** The Bernstein control points of its pieces, neighbors sharing the one between them; in files only. */
+  controls?: [number, number][] | null;
+  /** The vertices at its start and at its end. */
+  ends: [number, number];
+  /** The parameters of its knots; in files only. */
+  knots?: number[] | null;
+  /** The phase on its left; null for what is in no phase. */
+  left?: number | null;
+  /** Its length; null beyond the range of numbers. */
+  length?: number | null;
+  /** The number of its polynomial pieces. */
+  pieces: number;
+  /** The phase on its right; null for what is in no phase. */
+  right?: number | null;
+}
+
 /** What is wrong with a boundary. */
 export interface YinFaultAnswer {
   /** The curves that it is about, by their numbers in the file; none where it is about all. */
@@ -2292,6 +2313,44 @@ export interface YinInfoAnswer {
   plane: boolean;
   /** What was assumed or left out. */
   remarks: Remark[];
+}
+
+/** The answer of `yin interface`. */
+export interface YinInterfaceAnswer {
+  /** The edges: arcs between two phases, or between a phase and what is in none. */
+  edges: YinEdgeAnswer[];
+  /** The names of the files. */
+  files: string[];
+  /** The vertices at which three or more edges end. */
+  junctions: YinJunctionAnswer[];
+  /** The length of all edges, each once, in the unit of the coordinates; null beyond the range of numbers. */
+  length?: number | null;
+  /** The order of the edges. */
+  order: number;
+  /** The phases, in the order of the sets. */
+  phases: YinPhaseAnswer[];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The points at which edges end: junctions, kinks, and one point of each closed edge. */
+  vertices: [number, number][];
+}
+
+/** A junction of an interface. */
+export interface YinJunctionAnswer {
+  /** The number of edges that end there. */
+  degree: number;
+  /** The edges that leave it, counterclockwise. */
+  edges: number[];
+  /** The type, by degree and smooth pairs. */
+  kind: JunctionKind;
+  /** For each of these edges the phase on its left; null for what is in no phase. */
+  phases: (number | null)[];
+  /** Where it is. */
+  point: [number, number];
+  /** How many pairs of edges go on smoothly into each other. */
+  smooth_pairs: number;
+  /** Its vertex. */
+  vertex: number;
 }
 
 /** A kink with its place. */
@@ -2381,6 +2440,16 @@ export interface YinLocatedPoint {
 /** Where a point lies of a set. */
 export type YinLocation = "inside" | "boundary" | "outside";
 
+/** What phases have in common. */
+export interface YinNeighborAnswer {
+  /** The number of common edges. */
+  edges: number;
+  /** Their length; null beyond the range of numbers. */
+  length?: number | null;
+  /** The number of the other phase; null for what is in no phase. */
+  phase?: number | null;
+}
+
 /** The answer of `yin normalize`. */
 export interface YinNormalizeAnswer {
   /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers. */
@@ -2419,6 +2488,22 @@ export interface YinNormalizeAnswer {
   straightened: number;
 }
 
+/** A phase of an interface. */
+export interface YinPhaseAnswer {
+  /** The area, in the square of the unit of the coordinates; null if it is infinite. */
+  area?: number | null;
+  /** The number of components. */
+  components: number;
+  /** The number of holes. */
+  holes: number;
+  /** The name: of the feature, or of the file. */
+  name: string;
+  /** What lies on the other side of the boundary; what is in no phase comes first. */
+  neighbors: YinNeighborAnswer[];
+  /** The length of the boundary; null beyond the range of numbers. */
+  perimeter?: number | null;
+}
+
 /** A step in which a boundary that met itself was cut and pasted. */
 export interface YinRepairAnswer {
   /** What was wrong, in words. */
@@ -2449,6 +2534,44 @@ export interface YinSampleAnswer {
   remarks: Remark[];
   /** The points, curve by curve. */
   samples: YinBoundarySample[];
+}
+
+/** The answer of `yin compare --series`. */
+export interface YinSeriesAnswer {
+  /** The name of the set that the others are compared with. */
+  reference: string;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The sets, in their order. */
+  rows: YinSeriesRow[];
+}
+
+/** How far a set of a series is from the one that it is compared with. */
+export interface YinSeriesRow {
+  /** The power of the spacing by which that area has fallen since the row before; null in the first row and at the same spacing. */
+  area_rate?: number | null;
+  /** The area of the set less that of the reference; null if it is infinite. */
+  area_signed?: number | null;
+  /** How far that is off at most by rounding. */
+  area_signed_error: number;
+  /** The area of the symmetric difference; null if it is infinite. */
+  area_xor?: number | null;
+  /** An estimate from above of how far that is off. */
+  area_xor_error: number;
+  /** The number of components. */
+  components: number;
+  /** The name of the file. */
+  file: string;
+  /** The Hausdorff distance of the boundaries; null if one set alone has a boundary. */
+  hausdorff?: number | null;
+  /** The power of the spacing by which that distance has fallen since the row before; null in the first row and at the same spacing. */
+  hausdorff_rate?: number | null;
+  /** The number of holes. */
+  holes: number;
+  /** The number of polynomial pieces of the boundary. */
+  knots: number;
+  /** The mean distance of knots along the boundary; null without a boundary. */
+  spacing?: number | null;
 }
 
 /** A set of the plane. */

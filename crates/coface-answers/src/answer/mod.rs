@@ -35,7 +35,9 @@ mod shards;
 mod simplices;
 mod view;
 mod yin;
+mod yin_interface;
 mod yin_places;
+mod yin_series;
 
 pub use cover::{CoverAnswer, DoubleCoverAnswer};
 pub use cut::{CutAnswer, CutPath, CutPiece, FundamentalDomain, SeamAnswer};
@@ -104,11 +106,15 @@ pub use yin::{
     YinComparisonAnswer, YinCurve, YinCutCellsAnswer, YinDecision, YinInfoAnswer, YinKinkPoint,
     YinKinksAnswer, YinPieceSource, YinProvenance, YinRepairAnswer, YinSetAnswer,
 };
+pub use yin_interface::{
+    JunctionKind, YinEdgeAnswer, YinInterfaceAnswer, YinJunctionAnswer, YinNeighborAnswer, YinPhaseAnswer,
+};
 pub use yin_places::{
     YinBendPlace, YinBoundarySample, YinCurvatureAnswer, YinCurveBend, YinFaultAnswer, YinFaultKind,
     YinLocateAnswer, YinLocatedPoint, YinLocation, YinNormalizeAnswer, YinRoughKnot, YinSampleAnswer,
     YinValidationAnswer,
 };
+pub use yin_series::{YinSeriesAnswer, YinSeriesRow};
 
 use serde::Serialize;
 

@@ -7,8 +7,8 @@ use super::{
     PersistenceAnswer, Pi1Answer, PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer, RenderAnswer,
     RowAnswer, ShardAnswer, SimplicesAnswer, SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer,
     ViewAnswer, YinAdvectAnswer, YinCombinationAnswer, YinComparisonAnswer, YinCurvatureAnswer,
-    YinCutCellsAnswer, YinInfoAnswer, YinKinksAnswer, YinLocateAnswer, YinNormalizeAnswer, YinSampleAnswer,
-    YinSetAnswer, YinValidationAnswer,
+    YinCutCellsAnswer, YinInfoAnswer, YinInterfaceAnswer, YinKinksAnswer, YinLocateAnswer,
+    YinNormalizeAnswer, YinSampleAnswer, YinSeriesAnswer, YinSetAnswer, YinValidationAnswer,
 };
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
@@ -99,6 +99,8 @@ answers! {
     "yin fit" => YinSetAnswer,
     "yin kinks" => YinKinksAnswer,
     "yin compare" => YinComparisonAnswer,
+    "yin compare --series" => YinSeriesAnswer,
+    "yin interface" => YinInterfaceAnswer,
     "yin cut-cells" => YinCutCellsAnswer,
     "yin advect" => YinAdvectAnswer,
     "yin locate" => YinLocateAnswer,

@@ -3,9 +3,13 @@
 //! # Words
 //! * A [`PlanarSet`] is a Yin set with the names of its curves and what had to be said about the file it is from.
 //! * A [`SetRequest`] says how a file becomes a set: its order, the rule that repairs what crosses itself, its kinks.
+//! * A [`PlanarInterface`] is made of sets that lie side by side, its phases, which share the arcs between them.
 
 mod cells;
+mod exact;
 mod facts;
+mod interface;
+mod labels;
 mod making;
 mod motion;
 mod places;
@@ -14,6 +18,8 @@ mod validity;
 mod writing;
 
 pub use cells::CutCellsRequest;
+pub use interface::{NamedSet, PlanarInterface};
+pub use labels::LabelImage;
 pub use making::{KinkRequest, PlanarSet, SetRequest};
 pub use motion::{MotionRequest, PlanarMotion};
 #[doc(hidden)]

@@ -37,6 +37,7 @@ mod view;
 mod volumes;
 mod yin;
 mod yin_faults;
+mod yin_interface;
 mod yin_motion;
 mod yin_places;
 mod yin_rules;

@@ -215,6 +215,8 @@ fn sets_are_typed() {
     assert_prints("yin fit", &["yin", "fit", &b]);
     assert_prints("yin kinks", &["yin", "kinks", &a]);
     assert_prints("yin compare", &["yin", "compare", &a, &b]);
+    assert_prints("yin compare --series", &["yin", "compare", "--series", &a, &b, &a]);
+    assert_prints("yin interface", &["yin", "interface", &b]);
     assert_prints("yin cut-cells", &["yin", "cut-cells", &b, "--grid", "4x4"]);
     assert_prints("yin locate", &["yin", "locate", &b, "--point", "2,2", "--point", "9,9"]);
     assert_prints("yin sample", &["yin", "sample", &a]);

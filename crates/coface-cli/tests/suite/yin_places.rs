@@ -189,3 +189,41 @@ fn images_go_back() {
     assert!(fails(&["transform", set, "--scale", "1e308", "-o", out]).contains("not finite"));
     coface(&["yin", "transform", set, "--matrix", "1,0,0,1"]).fails_with(2);
 }
+
+fn circle(folder: &TempDir, count: u32) -> PathBuf {
+    let angle = |i: u32| f64::from(i) * std::f64::consts::TAU / f64::from(count);
+    let points: Vec<[f64; 2]> =
+        (0..count).map(|i| [3.0 + 2.0 * angle(i).cos(), 2.0 * angle(i).sin()]).collect();
+    let text = json!({"order": 4, "curves": [{"points": points}]}).to_string();
+    file(folder, &format!("c{count}.json"), &text)
+}
+
+#[test]
+fn fits_of_a_circle_come_near_it_at_order_four() {
+    let folder = TempDir::new().unwrap();
+    let files: Vec<PathBuf> = [16, 32, 64].into_iter().map(|count| circle(&folder, count)).collect();
+    let names: Vec<&str> = files.iter().map(|path| argument(path)).collect();
+    let series = [&["compare", "--series", "--exact", "circle:3,0,2"], &names[..]].concat();
+    let found = yin(&series);
+    let rows = found["rows"].as_array().unwrap();
+    assert_eq!((rows.len(), found["reference"].as_str()), (3, Some("circle:3,0,2")));
+    assert!(rows[0]["area_rate"].is_null());
+    for row in &rows[1..] {
+        for key in ["area_rate", "hausdorff_rate"] {
+            assert!((row[key].as_f64().unwrap() - 4.0).abs() < 0.2, "{row}");
+        }
+    }
+    // One by one they are the same, and the area of the shape is right.
+    let one = yin(&["compare", names[2], "--exact", "circle:3,0,2"]);
+    assert_eq!(one["area_xor"], rows[2]["area_xor"]);
+    let turned = yin(&["compare", names[2], "--exact", "ellipse:3,0,2,2,30"]);
+    let miss = turned["area_xor"].as_f64().unwrap() - one["area_xor"].as_f64().unwrap();
+    assert!(miss.abs() < 1e-12, "{miss}");
+    // Without a shape the last file is what the others come near.
+    let last = yin(&[&["compare", "--series"], &names[..]].concat());
+    assert_eq!((last["rows"].as_array().unwrap().len(), last["reference"].as_str().is_some()), (2, true));
+    assert!(fails(&["compare", names[0]]).contains("--exact"));
+    assert!(fails(&["compare", names[0], names[1], names[2]]).contains("--series"));
+    let wrong = coface(&["yin", "compare", names[0], "--exact", "circle:1,2"]);
+    assert!(wrong.fails_with(2).contains("circle:X,Y,RADIUS"));
+}

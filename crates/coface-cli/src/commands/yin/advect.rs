@@ -236,7 +236,7 @@ fn named_rules(error: coface::Error) -> coface::Error {
 }
 
 /// `a/b.svg` with a number: `a/b-007.svg`.
-fn numbered(path: &Path, number: usize) -> PathBuf {
+pub(super) fn numbered(path: &Path, number: usize) -> PathBuf {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let extension = path.extension().unwrap_or_default().to_string_lossy();
     path.with_file_name(format!("{stem}-{number:03}.{extension}"))

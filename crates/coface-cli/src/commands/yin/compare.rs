@@ -7,8 +7,9 @@ use crate::input;
 use crate::output::{is_json, print_json, print_text, write_json};
 use crate::progress::Progress;
 use clap::Args;
-use coface::answers::answer::YinComparisonAnswer;
-use coface::answers::text;
+use coface::answers::answer::{YinComparisonAnswer, YinSeriesAnswer};
+use coface::answers::{PlanarSet, text};
+use coface::geometry::Angle;
 use std::path::PathBuf;
 
 /// How far two sets are apart: the area of their symmetric difference, right to about 1e-14 of the box around both.
@@ -19,16 +20,59 @@ use std::path::PathBuf;
 /// With --json, and with -o FILE.json: "area_xor" (null if it is infinite), "area_xor_error" (an estimate from above), "area_signed" (the
 /// first less the second), "area_signed_error", "hausdorff" (the greatest distance of a point of one boundary from the other),
 /// "components" and "holes" of both.
+///
+/// With --exact the sets are compared with a shape instead of a last file; with --series any number of them, one after the other: a table
+/// of convergence with the rates at which areas and distances fall with the mean distance of knots. With --json: "reference", "rows" (each
+/// with "file", "knots", "spacing", the keys above, "area_rate" and "hausdorff_rate").
 #[derive(Args)]
 pub(super) struct Compare {
-    /// The first set; - is standard input
-    #[arg(value_name = "A")]
-    first: PathBuf,
-    /// The second set
-    #[arg(value_name = "B")]
-    second: PathBuf,
+    /// The two sets, or those of a series and the one that they come near; - is standard input
+    #[arg(required = true, value_name = "INPUT")]
+    inputs: Vec<PathBuf>,
     #[command(flatten)]
     options: SetOptions,
+    /// Compare with a shape, right to rounding: circle:X,Y,RADIUS or ellipse:X,Y,A,B[,DEGREES] with half axes A and B
+    #[arg(long, value_name = "SHAPE", value_parser = shape)]
+    exact: Option<Shape>,
+    /// Compare any number of sets, each with the last one or with --exact, in a table with rates
+    #[arg(long)]
+    series: bool,
+}
+
+/// An ellipse as the command line names it.
+#[derive(Clone)]
+struct Shape {
+    name: String,
+    center: [f64; 2],
+    half_axes: [f64; 2],
+    degrees: f64,
+}
+
+fn shape(text: &str) -> Result<Shape, String> {
+    let fault = || {
+        format!(
+            "\"{text}\" is no shape: write circle:X,Y,RADIUS or ellipse:X,Y,A,B[,DEGREES] with positive lengths"
+        )
+    };
+    let (kind, numbers) = text.split_once(':').ok_or_else(fault)?;
+    let numbers: Option<Vec<f64>> =
+        numbers.split(',').map(|word| word.trim().parse().ok().filter(|x: &f64| x.is_finite())).collect();
+    let (center, half_axes, degrees) = match (kind, numbers.ok_or_else(fault)?.as_slice()) {
+        ("circle", &[x, y, radius]) => ([x, y], [radius; 2], 0.0),
+        ("ellipse", &[x, y, a, b]) => ([x, y], [a, b], 0.0),
+        ("ellipse", &[x, y, a, b, degrees]) => ([x, y], [a, b], degrees),
+        _ => return Err(fault()),
+    };
+    if half_axes.iter().any(|axis| *axis <= 0.0) {
+        return Err(fault());
+    }
+    Ok(Shape { name: text.to_owned(), center, half_axes, degrees })
+}
+
+impl Shape {
+    fn set(&self) -> Result<PlanarSet, coface::Error> {
+        PlanarSet::ellipse(self.center, self.half_axes, Angle::degrees(self.degrees)?)
+    }
 }
 
 impl Compare {
@@ -44,12 +88,42 @@ impl Compare {
                 path.display()
             )));
         }
+        let (count, files) = (self.inputs.len() + usize::from(self.exact.is_some()), self.inputs.len());
+        if count < 2 {
+            return Err(Failure::new(
+                "there is one set; give another one, or a shape with --exact circle:X,Y,RADIUS",
+            ));
+        }
+        if count > 2 && !self.series {
+            let what = if self.exact.is_some() { " and a shape" } else { "" };
+            return Err(Failure::new(format!(
+                "there are {files} sets{what}; give two, or compare all with the last one in a table: --series"
+            )));
+        }
         let progress = Progress::start(common.quiet);
-        let first = self.options.read(&self.first, common, false, &progress)?;
-        let second = self.options.read(&self.second, common, false, &progress)?;
+        let mut sets = Vec::with_capacity(count);
+        for path in &self.inputs {
+            sets.push((input::name(path), self.options.read(path, common, false, &progress)?));
+        }
+        if let Some(shape) = &self.exact {
+            sets.push((shape.name.clone(), shape.set()?));
+        }
         progress.stage("comparing");
-        let names = [&self.first, &self.second].map(|path| input::name(path));
-        let answer = first.compared_with(&names[0], &second, &names[1])?;
+        let (reference, last) = sets.pop().expect("there are two sets at least");
+        if self.series {
+            let answer = last.series(&reference, &sets)?;
+            if let Some(path) = &common.output {
+                write_json(path, &answer)?;
+            }
+            drop(progress);
+            return match (common.json, &common.output) {
+                (true, _) => print_json(&answer),
+                (false, Some(_)) => Ok(()),
+                (false, None) => print_text(&table(&answer)),
+            };
+        }
+        let (name, first) = &sets[0];
+        let answer = first.compared_with(name, &last, &reference)?;
         if let Some(path) = &common.output {
             write_json(path, &answer)?;
         }
@@ -60,6 +134,37 @@ impl Compare {
             (false, None) => print_text(&page(&answer)),
         }
     }
+}
+
+/// The table of a series.
+fn table(answer: &YinSeriesAnswer) -> String {
+    let real = |number: Option<f64>| number.map_or("infinite".to_owned(), |number| format!("{number:.3e}"));
+    let rate = |rate: Option<f64>| rate.map_or("-".to_owned(), |rate| format!("{rate:.2}"));
+    let titles = ["set", "knots", "area of xor", "off by at most", "rate", "Hausdorff", "rate"];
+    let mut rows = vec![titles.map(str::to_owned).to_vec()];
+    rows.extend(answer.rows.iter().map(|row| {
+        vec![
+            row.file.clone(),
+            text::grouped(row.knots),
+            real(row.area_xor),
+            format!("{:.1e}", row.area_xor_error),
+            rate(row.area_rate),
+            real(row.hausdorff),
+            rate(row.hausdorff_rate),
+        ]
+    }));
+    let widths: Vec<usize> =
+        (0..titles.len()).map(|k| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0)).collect();
+    let mut page = format!("  Compared with {}\n", answer.reference);
+    for row in rows {
+        let cells = row.iter().zip(&widths).enumerate().map(|(k, (cell, &width))| match k {
+            0 => format!("  {cell:<width$}"),
+            _ => format!("  {cell:>width$}"),
+        });
+        page += &cells.collect::<String>();
+        page.push('\n');
+    }
+    page
 }
 
 fn page(answer: &YinComparisonAnswer) -> String {

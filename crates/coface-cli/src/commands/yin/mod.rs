@@ -5,6 +5,7 @@ mod combine;
 mod compare;
 mod cut_cells;
 mod edit;
+mod interface;
 mod page;
 mod places;
 mod validity;
@@ -71,6 +72,7 @@ enum Task {
     /// The kinks of a set: list, insert, erase or reset them; what lies beside them is fitted again
     Kinks(edit::Kinks),
     Compare(compare::Compare),
+    Interface(interface::Interface),
     CutCells(cut_cells::Cells),
     Advect(advect::Advect),
     Locate(places::Locate),
@@ -387,6 +389,7 @@ impl Yin {
             Task::Fit(verb) => verb.fit(common),
             Task::Kinks(verb) => verb.run(common),
             Task::Compare(verb) => verb.run(common),
+            Task::Interface(verb) => verb.run(common),
             Task::CutCells(verb) => verb.run(common),
             Task::Advect(verb) => verb.run(common),
             Task::Locate(verb) => verb.run(common),

@@ -14,6 +14,9 @@ const DISKS: Files = &[
         "<svg xmlns=\"http://www.w3.org/2000/svg\"><circle cx=\"5\" cy=\"5\" r=\"3.00000000000001\"/></svg>",
     ),
 ];
+/// Two squares that overlap.
+const SQUARES: Files =
+    &[("a.wkt", "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"), ("b.wkt", "POLYGON ((1 1, 3 1, 3 3, 1 3, 1 1))")];
 /// Two curves that leave one point side by side.
 const ARCS: Files = &[
     ("a.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M0 0 C3 4 4 1 4 0 L2 -3 Z\"/></svg>"),
@@ -143,6 +146,46 @@ pub(super) const CASES: &[Case] = &[
         .files(ARCS)
         .refused("coface yin meet a.svg b.svg")
         .cured(&[&["coface yin meet a.svg b.svg --order 2 --flatten 1e-3"]]),
+    Case::new("yin/interface.rs", "--picture draws a set, not an interface: write the phases with --sets")
+        .files(DISK)
+        .refused("coface yin interface disk.svg --picture kinks -o a.svg")
+        .cured(&[&[
+            "coface yin interface disk.svg --sets phase.json",
+            "coface yin info phase-001.json --picture kinks -o a.svg",
+        ]]),
+    Case::new("yin/interface.rs", "name the file so, or write its phases with --sets")
+        .files(DISK)
+        .refused("coface yin interface disk.svg -o a.svg")
+        .cured(&[
+            &["coface yin interface disk.svg -o a.json"],
+            &["coface yin interface disk.svg --sets a.svg"],
+        ]),
+    Case::new("yin/interface.rs", "give an angle below 180 degrees; a negative one lets no edges go on smoothly")
+        .files(DISK)
+        .refused("coface yin interface disk.svg --smooth 200")
+        .cured(&[
+            &["coface yin interface disk.svg --smooth 20"],
+            &["coface yin interface disk.svg --smooth -1"],
+        ]),
+    Case::new("yin/interface.rs", "give a file for each phase: --inputs files")
+        .files(DROP)
+        .refused("coface yin interface drop.json --inputs features")
+        .cured(&[&["coface yin interface drop.json --inputs files"]]),
+    Case::new("yin/interface.rs", "or say to which of them common points go: --overlaps first or --overlaps last")
+        .files(SQUARES)
+        .refused("coface yin interface a.wkt b.wkt")
+        .cured(&[
+            &["coface yin interface a.wkt b.wkt --overlaps first"],
+            &["coface yin interface a.wkt b.wkt --overlaps last"],
+        ]),
+    Case::new("yin/compare.rs", "give another one, or a shape with --exact circle:X,Y,RADIUS")
+        .files(DISK)
+        .refused("coface yin compare disk.svg")
+        .cured(&[&["coface yin compare disk.svg disk.svg"], &["coface yin compare disk.svg --exact circle:5,5,3"]]),
+    Case::new("yin/compare.rs", "give two, or compare all with the last one in a table: --series")
+        .files(DISKS)
+        .refused("coface yin compare a.svg b.svg a.svg")
+        .cured(&[&["coface yin compare a.svg b.svg"], &["coface yin compare a.svg b.svg a.svg --series"]]),
     Case::new("yin/compare.rs", "ask for it with `coface yin xor`")
         .files(DISKS)
         .refused("coface yin compare a.svg b.svg --picture kinks -o out.svg")
