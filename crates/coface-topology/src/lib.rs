@@ -10,7 +10,8 @@
 //!   on it.
 //! * **Hodge theory**: a [`MetricComplex`] is a complex with weights. A [`HodgeSpace`] decomposes real cochains into
 //!   exact, coexact and harmonic parts; [`harmonic_basis`] has one harmonic cochain for each free class.
-//! * **Persistence**: [`persistence`] reports over a prime field when the classes of a [`Filtration`] are born and die.
+//! * **Persistence**: [`persistence`] reports over a prime field when the classes of a [`Filtration`] are born and die, and a
+//!   [`RipsFiltration`] those of points with [`Distances`].
 //! * **Groups**: [`EdgePathGroups`] presents fundamental groups, a [`Simplification`] shortens presentations, and a
 //!   [`SurfaceGroup`] has normal forms that decide homotopy.
 //! * **Recognition**: [`Presentation::recognized`] names a group, as a [`GroupName`], if it can prove which one it is.
@@ -50,7 +51,10 @@ pub use covering::{CoverExtent, CoverLayout, CoverPlane, UniversalCover};
 pub use hodge::{
     HarmonicCochain, HodgeDecomposition, HodgeSpace, MetricComplex, harmonic_basis, laplacian_matrix,
 };
-pub use persistence::{Filtration, PersistenceDiagram, PersistencePair, persistence};
+pub use persistence::{
+    Distances, Filtration, PersistenceDiagram, PersistencePair, RipsDiagram, RipsFiltration, RipsPair,
+    RipsSize, persistence,
+};
 
 mod curves;
 

@@ -12,6 +12,7 @@
 mod diagram;
 mod filtration;
 mod reduction;
+mod rips;
 
 #[cfg(test)]
 mod tests;
@@ -19,3 +20,4 @@ mod tests;
 pub use diagram::{PersistenceDiagram, PersistencePair};
 pub use filtration::Filtration;
 pub use reduction::persistence;
+pub use rips::{Distances, RipsDiagram, RipsFiltration, RipsPair, RipsSize};

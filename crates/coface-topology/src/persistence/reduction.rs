@@ -61,7 +61,7 @@ pub fn persistence(
     })
 }
 
-fn prime(coefficients: Coefficients) -> Result<u32, Error> {
+pub(super) fn prime(coefficients: Coefficients) -> Result<u32, Error> {
     let number = match coefficients {
         Coefficients::Modulo(n) => u32::try_from(n).ok().filter(|&n| n < 1 << 31 && is_prime(n.into())),
         Coefficients::Integers | Coefficients::Rationals => None,

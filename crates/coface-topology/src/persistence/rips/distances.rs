@@ -1,0 +1,202 @@
+//! Distances between finitely many points.
+
+use coface_algebra::{Error, ErrorKind};
+
+/// The distances between points that are numbered from 0 on: all of them, or those that are known, where the others are
+/// infinite.
+///
+/// Distances are symmetric and not negative. The triangle inequality is not needed.
+///
+/// # Examples
+/// ```
+/// use coface_topology::Distances;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// // Points 0, 1 and 3 on a line: the distances 1-0, 2-0, 2-1.
+/// let line = Distances::from_lower_triangle(3, vec![1.0, 3.0, 2.0])?;
+/// assert_eq!(line.enclosing_radius(), Some(2.0));
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Distances {
+    count: usize,
+    kind: Kind,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Kind {
+    /// That of i and j < i at i (i - 1) / 2 + j.
+    All(Vec<f64>),
+    /// Points i > j with their distance, sorted.
+    Some(Vec<(u32, u32, f64)>),
+}
+
+impl Distances {
+    /// All distances of `count` points: for each point those to the points before it.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] unless there are `count (count - 1) / 2` numbers; [`ErrorKind::InvalidInput`] naming a distance that is negative
+    /// or no number.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::Distances;
+    /// assert!(Distances::from_lower_triangle(2, vec![1.5]).is_ok());
+    /// assert!(Distances::from_lower_triangle(2, vec![-1.5]).is_err());
+    /// assert!(Distances::from_lower_triangle(3, vec![1.5]).is_err());
+    /// ```
+    pub fn from_lower_triangle(count: usize, mut distances: Vec<f64>) -> Result<Self, Error> {
+        if distances.len() != count * count.saturating_sub(1) / 2 {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!("{} distances for the pairs of {count} points", distances.len()),
+            )
+            .with_cure("give one distance for each pair of points"));
+        }
+        let mut at = 0;
+        for i in 0..count {
+            for j in 0..i {
+                distances[at] = checked(i, j, distances[at])?;
+                at += 1;
+            }
+        }
+        Ok(Self { count, kind: Kind::All(distances) })
+    }
+
+    /// Some distances of `count` points, each as two points and a number; the other pairs of points are infinitely far apart.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] naming a pair with a point that there is not, of a point with itself unless its distance is 0, a distance
+    /// that is negative or no number, or a pair that is given with two distances.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::Distances;
+    /// let path = Distances::from_list(3, [(0, 1, 1.0), (2, 1, 4.0)]).expect("two distances");
+    /// assert_eq!(path.enclosing_radius(), Some(4.0));
+    /// assert_eq!(Distances::from_list(3, [(0, 1, 1.0)]).expect("one distance").enclosing_radius(), None);
+    /// assert!(Distances::from_list(2, [(0, 2, 1.0)]).is_err());
+    /// ```
+    pub fn from_list(
+        count: usize,
+        list: impl IntoIterator<Item = (usize, usize, f64)>,
+    ) -> Result<Self, Error> {
+        let mut known = Vec::new();
+        for (i, j, distance) in list {
+            if i >= count || j >= count {
+                return Err(Error::invalid(format!(
+                    "there is no point {}: the points are 0 to {}",
+                    i.max(j),
+                    count.saturating_sub(1)
+                ))
+                .with_cure("number points from 0 on"));
+            }
+            let distance = checked(i, j, distance)?;
+            if i == j {
+                if distance != 0.0 {
+                    return Err(Error::invalid(format!(
+                        "the distance of point {i} to itself is {distance}, not 0"
+                    ))
+                    .with_cure("leave it out"));
+                }
+            } else if distance.is_finite() {
+                known.push((i.max(j) as u32, i.min(j) as u32, distance));
+            }
+        }
+        known.sort_by(|a, b| (a.0, a.1).cmp(&(b.0, b.1)).then(a.2.total_cmp(&b.2)));
+        known.dedup();
+        if let Some(two) = known.windows(2).find(|two| (two[0].0, two[0].1) == (two[1].0, two[1].1)) {
+            let (i, j, distance) = two[0];
+            return Err(Error::invalid(format!(
+                "points {j} and {i} have two distances, {distance} and {}",
+                two[1].2
+            ))
+            .with_cure("give one distance for each pair of points"));
+        }
+        Ok(Self { count, kind: Kind::Some(known) })
+    }
+
+    /// The number of points.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::Distances;
+    /// assert_eq!(Distances::from_lower_triangle(2, vec![1.5]).expect("one distance").point_count(), 2);
+    /// ```
+    pub fn point_count(&self) -> usize {
+        self.count
+    }
+
+    /// Whether only some distances are known.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::Distances;
+    /// assert!(!Distances::from_lower_triangle(2, vec![1.5]).expect("one distance").is_sparse());
+    /// ```
+    pub fn is_sparse(&self) -> bool {
+        matches!(self.kind, Kind::Some(_))
+    }
+
+    /// The least number r such that some point has all others within r; `None` if each point is infinitely far from some other, and if there is
+    /// no point.
+    ///
+    /// From r on a Vietoris-Rips complex is a cone over that point, and nothing more happens.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::Distances;
+    /// let line = Distances::from_lower_triangle(3, vec![1.0, 3.0, 2.0]).expect("three distances");
+    /// assert_eq!(line.enclosing_radius(), Some(2.0));
+    /// ```
+    pub fn enclosing_radius(&self) -> Option<f64> {
+        let mut farthest = vec![0f64; self.count];
+        let mut known = vec![0usize; self.count];
+        self.each(|i, j, distance| {
+            for point in [i, j] {
+                farthest[point] = farthest[point].max(distance);
+                known[point] += 1;
+            }
+        });
+        let whole = farthest.iter().zip(&known).filter(|&(_, &known)| known + 1 == self.count);
+        whole.map(|(&farthest, _)| farthest).filter(|radius| radius.is_finite()).min_by(f64::total_cmp)
+    }
+
+    /// The least threshold at which the answer is whole: the enclosing radius, or the largest finite distance if there is none.
+    pub(super) fn whole_threshold(&self) -> f64 {
+        self.enclosing_radius().unwrap_or_else(|| {
+            let mut largest = 0f64;
+            self.each(|_, _, distance| {
+                if distance.is_finite() {
+                    largest = largest.max(distance);
+                }
+            });
+            largest
+        })
+    }
+
+    /// Calls with each known distance: point i, point j < i.
+    pub(super) fn each(&self, mut visit: impl FnMut(usize, usize, f64)) {
+        match &self.kind {
+            Kind::All(distances) => {
+                let mut all = distances.iter();
+                for i in 0..self.count {
+                    for (j, &distance) in all.by_ref().take(i).enumerate() {
+                        visit(i, j, distance);
+                    }
+                }
+            }
+            Kind::Some(known) => {
+                known.iter().for_each(|&(i, j, distance)| visit(i as usize, j as usize, distance));
+            }
+        }
+    }
+}
+
+fn checked(i: usize, j: usize, distance: f64) -> Result<f64, Error> {
+    if distance >= 0.0 {
+        // A negative zero becomes a zero.
+        return Ok(distance + 0.0);
+    }
+    Err(Error::invalid(format!("the distance of points {} and {} is {distance}", i.min(j), i.max(j)))
+        .with_cure("give distances that are 0 or more"))
+}

@@ -1,0 +1,330 @@
+//! Vietoris-Rips filtrations, and how large they are.
+
+use super::diagram::RipsDiagram;
+use super::distances::Distances;
+use super::near::{Lists, MOST_POINTS, Near, Square};
+use super::reduction::Reduction;
+use super::simplices::{Binomials, Simplex, Simplices};
+use crate::homology::Coefficients;
+use crate::persistence::reduction::prime;
+use coface_algebra::progress::stage;
+use coface_algebra::{Binary, Error, ErrorKind, Field, Odd};
+use rayon::prelude::*;
+
+/// The Vietoris-Rips filtration of points: a simplex for each set of points, which enters at the largest distance of two of them, up to a
+/// threshold.
+///
+/// # Examples
+/// Three points in a row, of which the outer ones are 3 apart.
+/// ```
+/// use coface_topology::{Coefficients, Distances, RipsFiltration};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let line = Distances::from_lower_triangle(3, vec![1.0, 3.0, 2.0])?;
+/// let filtration = RipsFiltration::new(&line, None)?;
+/// // From 2 on the point in the middle is near all others: nothing happens any more.
+/// assert_eq!(filtration.threshold(), 2.0);
+/// let diagram = filtration.persistence(1, Coefficients::Modulo(2))?;
+/// let deaths: Vec<_> = diagram.pairs().map(|pair| pair.death()).collect();
+/// assert_eq!(deaths, [None, Some(1.0), Some(2.0)]);
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug)]
+pub struct RipsFiltration {
+    count: usize,
+    threshold: f64,
+    /// The different distances up to the threshold, rising, 0 first.
+    values: Vec<f64>,
+    /// Pairs of points i > j with their ranks, as they enter.
+    edges: Vec<(u32, u32, u32)>,
+}
+
+/// How many simplices a Vietoris-Rips filtration has, and how much memory their persistence takes, as far as a sample shows.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct RipsSize {
+    simplices: Vec<f64>,
+    bytes: f64,
+}
+
+impl RipsSize {
+    /// About how many simplices there are, by degree.
+    ///
+    /// # Examples
+    /// See [`RipsFiltration::size`].
+    pub fn simplices(&self) -> &[f64] {
+        &self.simplices
+    }
+
+    /// About how many bytes of memory are used.
+    ///
+    /// # Examples
+    /// See [`RipsFiltration::size`].
+    pub fn bytes(&self) -> f64 {
+        self.bytes
+    }
+}
+
+/// So many simplices of a degree are looked at to find how many there are.
+const SAMPLE: usize = 1000;
+
+impl RipsFiltration {
+    /// The filtration up to a threshold; without one, up to the [enclosing radius](Distances::enclosing_radius), where all later simplices
+    /// change nothing, or to the largest finite distance if there is none.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] for a threshold that is negative or no number.
+    ///
+    /// # Complexity
+    /// n log n for n distances up to the threshold.
+    ///
+    /// # Examples
+    /// See [`RipsFiltration`].
+    pub fn new(distances: &Distances, threshold: Option<f64>) -> Result<Self, Error> {
+        if let Some(threshold) = threshold.filter(|threshold| threshold.is_nan() || *threshold < 0.0) {
+            return Err(Error::invalid(format!(
+                "the threshold is {threshold}, and distances are not negative"
+            ))
+            .with_cure("give a threshold of 0 or more"));
+        }
+        let _steps = stage("sorting distances", 0);
+        let threshold = threshold.unwrap_or_else(|| distances.whole_threshold());
+        let mut pairs: Vec<(f64, u32, u32)> = Vec::new();
+        distances.each(|i, j, distance| {
+            if distance <= threshold && distance.is_finite() {
+                pairs.push((distance, i as u32, j as u32));
+            }
+        });
+        // Of one length the larger index first: by i, then j.
+        pairs.par_sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((b.1, b.2).cmp(&(a.1, a.2))));
+        let mut values = vec![0.0];
+        let edges = pairs.into_iter().map(|(distance, i, j)| {
+            if values.last().is_some_and(|&last| distance > last) {
+                values.push(distance);
+            }
+            (i, j, (values.len() - 1) as u32)
+        });
+        let edges = edges.collect();
+        Ok(Self { count: distances.point_count(), threshold, values, edges })
+    }
+
+    /// The largest diameter of its simplices.
+    ///
+    /// # Examples
+    /// See [`RipsFiltration`].
+    pub fn threshold(&self) -> f64 {
+        self.threshold
+    }
+
+    /// The number of edges.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{Distances, RipsFiltration};
+    /// let line = Distances::from_lower_triangle(3, vec![1.0, 3.0, 2.0]).expect("three distances");
+    /// assert_eq!(RipsFiltration::new(&line, None).expect("a threshold").edge_count(), 2);
+    /// ```
+    pub fn edge_count(&self) -> usize {
+        self.edges.len()
+    }
+
+    /// The persistent homology of all degrees up to `dimension`: the pairs that live longer than a moment.
+    ///
+    /// Points are joined by union-find. Above, coboundaries are reduced from the last simplex to the first, with clearing; apparent pairs and
+    /// coboundaries are found from the distances when they are needed. Only what was added to a column is stored. Simplices are found in
+    /// parallel; the result does not depend on the number of threads.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Coefficient`] unless the coefficients are modulo a prime below 2^31; [`ErrorKind::TooLarge`] if simplices have no number of
+    /// 63 bits, or have more than 17 points.
+    ///
+    /// # Complexity
+    /// Each simplex up to `dimension` is looked at once, in time proportional to the points near it; the reduction is cubic at worst.
+    /// Memory: 16 bytes for each simplex below `dimension`, and some for each column that is not in an apparent pair.
+    ///
+    /// # References
+    /// U. Bauer, *Ripser: efficient computation of Vietoris-Rips persistence barcodes* (2021).
+    ///
+    /// # Examples
+    /// See [`RipsDiagram`].
+    pub fn persistence(&self, dimension: usize, coefficients: Coefficients) -> Result<RipsDiagram, Error> {
+        let prime = prime(coefficients)?;
+        let binomials = self.binomials(dimension)?;
+        let edges = self.simplices_of_edges();
+        let degrees = if self.is_dense() {
+            let near = Square::new(self.count, self.edges.iter().copied());
+            self.pairs(&Simplices { near, binomials }, &edges, dimension, prime)
+        } else {
+            let near = Lists::new(self.count, self.edges.iter().copied());
+            self.pairs(&Simplices { near, binomials }, &edges, dimension, prime)
+        };
+        Ok(RipsDiagram { prime, threshold: self.threshold, degrees })
+    }
+
+    fn pairs<N: Near>(
+        &self,
+        simplices: &Simplices<N>,
+        edges: &[Simplex],
+        dimension: usize,
+        prime: u32,
+    ) -> Vec<Vec<super::RipsPair>> {
+        match prime {
+            2 => self.over(&Binary, simplices, edges, dimension),
+            _ => self.over(&Odd::new(prime), simplices, edges, dimension),
+        }
+    }
+
+    fn over<N: Near, F: Field + Sync>(
+        &self,
+        field: &F,
+        simplices: &Simplices<N>,
+        edges: &[Simplex],
+        dimension: usize,
+    ) -> Vec<Vec<super::RipsPair>>
+    where
+        F::Unit: Send + Sync,
+    {
+        let values = &self.values;
+        Reduction { simplices, field, values, edges, point_count: self.count }.pairs(dimension)
+    }
+
+    /// How many simplices there are up to a degree, and how much memory [`Self::persistence`] takes, as far as a sample shows, if the threshold
+    /// were this one or less.
+    ///
+    /// # Errors
+    /// As of [`Self::persistence`], but for the coefficients.
+    ///
+    /// # Complexity
+    /// Linear in the edges.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{Distances, RipsFiltration};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Ten points, all 1 apart.
+    /// let filtration = RipsFiltration::new(&Distances::from_lower_triangle(10, vec![1.0; 45])?, None)?;
+    /// assert_eq!(filtration.size(2, f64::INFINITY)?.simplices(), [10.0, 45.0, 120.0]);
+    /// assert_eq!(filtration.size(2, 0.5)?.simplices(), [10.0, 0.0, 0.0]);
+    /// assert!(filtration.size(2, 1.0)?.bytes() < 10_000.0);
+    /// # Ok(()) }
+    /// ```
+    pub fn size(&self, dimension: usize, threshold: f64) -> Result<RipsSize, Error> {
+        let binomials = self.binomials(dimension)?;
+        let edges = self.edges.iter().copied();
+        Ok(if self.is_dense() {
+            let near = Square::new(self.count, edges);
+            self.size_with(&Simplices { near, binomials }, dimension, threshold)
+        } else {
+            let near = Lists::new(self.count, edges);
+            self.size_with(&Simplices { near, binomials }, dimension, threshold)
+        })
+    }
+
+    /// The largest threshold at which, as far as a sample shows, [`Self::persistence`] takes at most these bytes; `None` if none does.
+    ///
+    /// # Errors
+    /// As of [`Self::size`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{Distances, RipsFiltration};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let filtration = RipsFiltration::new(&Distances::from_lower_triangle(3, vec![1.0, 3.0, 2.0])?, None)?;
+    /// assert_eq!(filtration.threshold_within(1, 1e9)?, Some(2.0));
+    /// assert_eq!(filtration.threshold_within(1, 1.0)?, None);
+    /// # Ok(()) }
+    /// ```
+    pub fn threshold_within(&self, dimension: usize, bytes: f64) -> Result<Option<f64>, Error> {
+        let binomials = self.binomials(dimension)?;
+        let edges = self.edges.iter().copied();
+        let fitting = if self.is_dense() {
+            let near = Square::new(self.count, edges);
+            self.fitting(&Simplices { near, binomials }, dimension, bytes)
+        } else {
+            let near = Lists::new(self.count, edges);
+            self.fitting(&Simplices { near, binomials }, dimension, bytes)
+        };
+        Ok(fitting.checked_sub(1).map(|last| self.values[last]))
+    }
+
+    /// How many of the different distances may be thresholds.
+    fn fitting<N: Near>(&self, simplices: &Simplices<N>, dimension: usize, bytes: f64) -> usize {
+        self.values.partition_point(|&value| self.size_with(simplices, dimension, value).bytes <= bytes)
+    }
+
+    fn size_with<N: Near>(&self, simplices: &Simplices<N>, dimension: usize, threshold: f64) -> RipsSize {
+        let ranks = self.values.partition_point(|&value| value <= threshold) as u32;
+        let edge_count = self.edges.partition_point(|edge| edge.2 < ranks);
+        let mut counts = vec![self.count as f64, edge_count as f64];
+        let mut sample: Vec<Simplex> =
+            thinned(&self.edges[..edge_count]).map(|&edge| simplex(edge)).collect();
+        let mut free = 0.0;
+        for degree in 1..=dimension {
+            let is_free = |simplex: &&Simplex| !simplices.has_apparent_cofacet(degree, **simplex);
+            free = sample.iter().filter(is_free).count() as f64 / (sample.len().max(1) as f64);
+            if degree == dimension {
+                break;
+            }
+            let mut above = Vec::new();
+            for &simplex in &sample {
+                let points = simplices.points(degree, simplex.index());
+                simplices.cofacets(simplex, &points, points[0] + 1, |cofacet, _| {
+                    if cofacet.rank < ranks {
+                        above.push(cofacet);
+                    }
+                    None::<()>
+                });
+            }
+            let per_simplex = above.len() as f64 / sample.len().max(1) as f64;
+            counts.push(counts[degree] * per_simplex);
+            sample = thinned(&above).copied().collect();
+        }
+        counts.truncate(dimension + 1);
+        let square = self.count as f64 * self.count as f64;
+        let is_dense = edge_count as f64 * DENSE >= square;
+        // Distances, edges twice, who is near whom; simplices below the top; columns with their pivots.
+        let mut bytes =
+            edge_count as f64 * 48.0 + if is_dense { 4.0 * square } else { 16.0 * edge_count as f64 };
+        bytes += counts.iter().take(dimension).skip(2).map(|count| 32.0 * count).sum::<f64>();
+        bytes += counts.last().filter(|_| dimension > 0).map_or(0.0, |count| 96.0 * free * count);
+        RipsSize { simplices: counts, bytes }
+    }
+
+    fn is_dense(&self) -> bool {
+        let square = self.count as f64 * self.count as f64;
+        self.edges.len() as f64 * DENSE >= square
+    }
+
+    fn simplices_of_edges(&self) -> Vec<Simplex> {
+        self.edges.iter().map(|&edge| simplex(edge)).collect()
+    }
+
+    /// The numbers for simplices up to the cofacets of those of this degree.
+    fn binomials(&self, dimension: usize) -> Result<Binomials, Error> {
+        let points = dimension.checked_add(2).filter(|&points| points < MOST_POINTS);
+        let binomials = points.and_then(|points| Binomials::new(self.count, points));
+        binomials.ok_or_else(|| {
+            Error::new(
+                ErrorKind::TooLarge,
+                format!(
+                    "the simplices of {} points up to degree {dimension} are too many to be numbered",
+                    self.count
+                ),
+            )
+            .with_cure("ask for a lower dimension, or take fewer points")
+        })
+    }
+}
+
+/// From this many edges for each n^2 points on (1 / [`DENSE`]) all ranks are kept in a square.
+const DENSE: f64 = 10.0;
+
+fn simplex((i, j, rank): (u32, u32, u32)) -> Simplex {
+    let (i, j) = (u64::from(i), u64::from(j));
+    Simplex::new(rank, i * i.saturating_sub(1) / 2 + j)
+}
+
+/// At most [`SAMPLE`] items, evenly spread.
+fn thinned<T>(items: &[T]) -> impl Iterator<Item = &T> {
+    let step = items.len().div_ceil(SAMPLE).max(1);
+    items.iter().step_by(step)
+}
