@@ -230,7 +230,8 @@ impl RipsFiltration {
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let filtration = RipsFiltration::new(&Distances::from_lower_triangle(3, vec![1.0, 3.0, 2.0])?, None)?;
     /// assert_eq!(filtration.threshold_within(1, 1e9)?, Some(2.0));
-    /// assert_eq!(filtration.threshold_within(1, 1.0)?, None);
+    /// // No edge fits.
+    /// assert_eq!(filtration.threshold_within(1, 1.0)?, Some(0.0));
     /// # Ok(()) }
     /// ```
     pub fn threshold_within(&self, dimension: usize, bytes: f64) -> Result<Option<f64>, Error> {
