@@ -151,7 +151,7 @@ const WITHOUT_VOLUMES: [&str; 12] = [
 ];
 
 /// The verbs that read no model.
-const WITHOUT_INPUTS: [&str; 2] = ["completions", "man"];
+const WITHOUT_INPUTS: [&str; 3] = ["check", "completions", "man"];
 
 /// The options that say how a model is read.
 const OF_INPUTS: [&str; 6] = ["format", "flatten", "strict", "partial", "allow_outside", "lod"];
@@ -169,6 +169,7 @@ Exit status: 0 done; 1 the input or the request cannot be served; 2 wrong usage;
 pub(crate) enum Verb {
     Info(commands::info::Info),
     Homology(commands::homology::Homology),
+    Check(commands::check::Check),
     Shard(commands::shard::Shard),
     Reduce(commands::reduce::Reduce),
     Merge(commands::merge::Merge),
@@ -222,6 +223,7 @@ fn serve(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.verb {
         Verb::Info(verb) => verb.run(common),
         Verb::Homology(verb) => verb.run(common),
+        Verb::Check(verb) => verb.run(common),
         Verb::Shard(verb) => verb.run(common),
         Verb::Reduce(verb) => verb.run(common),
         Verb::Merge(verb) => verb.run(common),

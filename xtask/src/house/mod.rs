@@ -63,7 +63,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "coface-scale",
         ],
     ),
-    ("coface-cli", &["coface", "coface-allocator"]),
+    ("coface-cli", &["coface", "coface-allocator", "coface-check"]),
     ("coface-py", &["coface", "coface-allocator"]),
     ("coface-bench", &["coface"]),
 ];

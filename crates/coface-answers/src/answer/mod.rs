@@ -10,6 +10,7 @@ mod arrange;
 mod batch;
 mod boolean;
 mod cell_graph;
+mod check;
 mod cocycles;
 mod congruence;
 mod convert;
@@ -63,6 +64,7 @@ pub use boolean::{
     PlanarBooleanProvenance, PolygonRounding, SolidBooleanAnswer, SolidBooleanProvenance,
 };
 pub use cell_graph::{CellEdge, CellGraph, CellNode};
+pub use check::CheckAnswer;
 pub use cocycles::{
     CochainTestAnswer, CochainValue, CocycleBasisMethod, CocyclesAnswer, EdgeWeights, HarmonicFormAnswer,
     LoopAnswer, LoopIntersections,

@@ -1,14 +1,14 @@
 //! The JSON schema of all answers.
 
 use super::{
-    BatchAnswer, CochainTestAnswer, CocyclesAnswer, CongruenceAnswer, ConvertAnswer, CoverAnswer, CutAnswer,
-    CyclesAnswer, DissolveAnswer, DoubleCoverAnswer, EditAnswer, GenerateAnswer, HomologyAnswer,
-    HomotopicAnswer, IncidenceAnswer, InfoAnswer, InfoReports, IsomorphicAnswer, LoopsAnswer, MapAnswer,
-    PersistenceAnswer, Pi1Answer, PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer, RenderAnswer,
-    RowAnswer, ShardAnswer, SimplicesAnswer, SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer,
-    ViewAnswer, YinAdvectAnswer, YinCombinationAnswer, YinComparisonAnswer, YinCurvatureAnswer,
-    YinCutCellsAnswer, YinInfoAnswer, YinInterfaceAnswer, YinKinksAnswer, YinLocateAnswer,
-    YinNormalizeAnswer, YinSampleAnswer, YinSeriesAnswer, YinSetAnswer, YinValidationAnswer,
+    BatchAnswer, CheckAnswer, CochainTestAnswer, CocyclesAnswer, CongruenceAnswer, ConvertAnswer,
+    CoverAnswer, CutAnswer, CyclesAnswer, DissolveAnswer, DoubleCoverAnswer, EditAnswer, GenerateAnswer,
+    HomologyAnswer, HomotopicAnswer, IncidenceAnswer, InfoAnswer, InfoReports, IsomorphicAnswer, LoopsAnswer,
+    MapAnswer, PersistenceAnswer, Pi1Answer, PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer,
+    RenderAnswer, RowAnswer, ShardAnswer, SimplicesAnswer, SolidBooleanAnswer, SpatialArrangementAnswer,
+    SubgroupsAnswer, ViewAnswer, YinAdvectAnswer, YinCombinationAnswer, YinComparisonAnswer,
+    YinCurvatureAnswer, YinCutCellsAnswer, YinInfoAnswer, YinInterfaceAnswer, YinKinksAnswer,
+    YinLocateAnswer, YinNormalizeAnswer, YinSampleAnswer, YinSeriesAnswer, YinSetAnswer, YinValidationAnswer,
 };
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
@@ -58,6 +58,7 @@ answers! {
     "info" => InfoAnswer,
     "info FILES" => InfoReports,
     "homology" => HomologyAnswer,
+    "check" => CheckAnswer,
     "merge" => HomologyAnswer,
     "shard" => ShardAnswer,
     "reduce" => ReduceAnswer,

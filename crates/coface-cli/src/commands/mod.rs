@@ -4,6 +4,7 @@ pub(crate) mod arrange;
 pub(crate) mod batch;
 pub(crate) mod boolean;
 pub(crate) mod boundary;
+pub(crate) mod check;
 pub(crate) mod closure;
 pub(crate) mod cocycles;
 pub(crate) mod completions;

@@ -1,5 +1,6 @@
 //! `coface homology`: homology and cohomology groups, generators, classes of cycles, products, sequences and maps.
 
+mod certificate;
 mod page;
 pub(crate) mod parts;
 
@@ -16,7 +17,7 @@ use coface::answers::text;
 use coface::answers::{
     FoundHomology, GivenChain, GivenRealCochain, GivenVertexMap, HomologyRequest, RelativeTo,
 };
-use coface::io::{Format, ReadOptions, write_path};
+use coface::io::{Format, ReadOptions, check_output, write_path};
 use coface::topology::{AbelianGroup, Coefficients};
 use parts::PartsOptions;
 use serde_json::Value;
@@ -74,6 +75,10 @@ pub(crate) struct Homology {
     /// The target of --map
     #[arg(long, value_name = "MODEL", requires = "map")]
     target: Option<PathBuf>,
+    /// A certificate of the groups, which coface check verifies against the input; of a facet list, a chain complex, or a surface as plain
+    /// OFF or OBJ
+    #[arg(long, value_name = "OUT", conflicts_with = "relative")]
+    certificate: Option<PathBuf>,
     #[command(flatten)]
     in_parts: PartsOptions,
 }
@@ -87,6 +92,15 @@ impl Homology {
                 common,
             );
         }
+        if let Some(place) = &self.certificate {
+            // Before the work, not after it.
+            check_output(place)?;
+            if self.input.as_deref() == Some(Path::new("-")) {
+                return Err(Failure::new(
+                    "standard input: a certificate is of a file; write the input to a file first, or leave --certificate out",
+                ));
+            }
+        }
         let progress = Progress::start(common.quiet);
         let input = self.input.as_deref().ok_or_else(|| Failure::new("no model is named"))?;
         let request = self.request(&progress)?;
@@ -96,8 +110,12 @@ impl Homology {
             progress.stage(format!("writing {}", place.display()));
             save_generators(place, &found)?;
         }
-        drop(progress);
         let answer = found.answer();
+        if let Some(place) = &self.certificate {
+            progress.stage(format!("proving {}", place.display()));
+            certificate::save(place, input, self.reduced, answer)?;
+        }
+        drop(progress);
         let page = self.page(&answer.file, found.groups())
             + &page::details(answer, found.cell_names(), &self.cycle, self.decompose.as_deref());
         give(common, answer, &page)
@@ -160,6 +178,7 @@ impl Homology {
             ("--harmonic", self.harmonic),
             ("--decompose", self.decompose.is_some()),
             ("--map", self.map.is_some()),
+            ("--certificate", self.certificate.is_some()),
         ];
         if let Some((option, _)) = others.iter().find(|(_, is_given)| *is_given) {
             return Err(Failure::new(format!(
