@@ -5,6 +5,7 @@ mod bad_input;
 mod batch;
 mod boolean;
 mod buildings;
+mod certificates;
 mod congruence;
 mod cures;
 mod exports;
