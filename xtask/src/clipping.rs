@@ -87,7 +87,7 @@ pub(crate) fn clipping(words: &[String]) -> ExitCode {
     drop(std::fs::remove_dir_all(&work));
     println!("{count} operations, {without_area} of them without an area to compare with");
     stale.iter().for_each(|file| {
-        println!("passed over, since its results are those of other rings: {}", file.display())
+        println!("passed over, since its results are those of other rings: {}", file.display());
     });
     faults.iter().for_each(|fault| println!("{fault}"));
     println!("{} faults", faults.len());

@@ -37,10 +37,19 @@ pub(crate) struct View {
     no_report: bool,
 }
 
+/// What the page shows.
+struct Shown {
+    /// Its name for people.
+    name: String,
+    scene: Scene,
+    /// The model and its format, if it can be examined: sets have their report already.
+    model: Option<(Model, Format)>,
+}
+
 impl View {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let progress = Progress::start(common.quiet);
-        let (name, mut scene, model) = self.read(common, &progress)?;
+        let Shown { name, mut scene, model } = self.read(common, &progress)?;
         say_remarks(&scene.remarks(), common);
         for path in &self.with {
             let result = read_result(path)?;
@@ -86,12 +95,8 @@ impl View {
         Ok(())
     }
 
-    /// The name of the model for people, its scene, and the model itself if it can be examined: sets have their report already.
-    fn read(
-        &self,
-        common: &Common,
-        progress: &Progress,
-    ) -> Result<(String, Scene, Option<(Model, Format)>), Failure> {
+    /// Reads the input as a set of the plane, or else as a model.
+    fn read(&self, common: &Common, progress: &Progress) -> Result<Shown, Failure> {
         let source = input::Source::of(&self.input)?;
         let loaded = source.model(common.reading(), progress);
         progress.stage("drawing");
@@ -113,12 +118,12 @@ impl View {
             let in_file = |error: coface::Error| error.in_file(name.clone());
             let set = PlanarSet::of(&drawing, &SetRequest::default()).map_err(in_file)?;
             let scene = Scene::of_set(&title(&name), &set).map_err(in_file)?;
-            return Ok((name, scene, None));
+            return Ok(Shown { name, scene, model: None });
         }
         let loaded = loaded?;
         let scene = Scene::of(&title(&loaded.name), &loaded.model)
             .map_err(|error| error.in_file(loaded.name.clone()))?;
-        Ok((loaded.name, scene, Some((loaded.model, loaded.format))))
+        Ok(Shown { name: loaded.name, scene, model: Some((loaded.model, loaded.format)) })
     }
 }
 

@@ -77,8 +77,7 @@ impl Figure {
     /// # Ok(()) }
     /// ```
     pub fn of(scene: &Scene) -> Result<Self, Error> {
-        let mut style = PictureStyle::default();
-        style.size = SIZE;
+        let style = PictureStyle { size: SIZE, ..PictureStyle::default() };
         let picture = Picture::new(scene, &style)?;
         Ok(if scene.triangles().len() <= TRIANGLES_AS_SVG {
             Self::Svg(picture.svg())

@@ -18,8 +18,7 @@ pub(super) fn examined(layer: &MapLayer, gap_width: Option<f64>) -> Result<Chang
     }
     let regions = layer.features.iter().map(|feature| &feature.geometry.polygons[..]);
     let drawing = drawing_of(regions.map(|polygons| (polygons, Filling::OuterWithoutHoles)))?;
-    let mut request = ArrangementRequest::default();
-    request.exact = true;
+    let request = ArrangementRequest { exact: true, ..ArrangementRequest::default() };
     let arranged = DrawingArrangement::new(drawing, &request)?;
     let search = Search { arranged: &arranged, arrangement: arranged.arrangement() };
     let (overlaps, gaps) = search.parts(gap_width);

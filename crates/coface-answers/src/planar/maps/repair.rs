@@ -91,8 +91,11 @@ pub(super) fn polygons_of(result: &RegionBoolean) -> Result<Vec<Rings>, Error> {
     Ok(polygons.map(|polygon| result.rings_of_polygon(FaceId::new(polygon)).map(ring).collect()).collect())
 }
 
-/// What is wrong with polygons, by their rings one after the other; and the polygon and the ring of it that each is.
-pub(super) fn faults_of(polygons: &[Rings]) -> Result<(Vec<PolygonFault>, Vec<(usize, usize)>), Error> {
+/// A ring by its polygon, and by its place in it: 0 is the outer ring.
+pub(super) type RingName = (usize, usize);
+
+/// What is wrong with polygons, by their rings one after the other; and which ring each of these is.
+pub(super) fn faults_of(polygons: &[Rings]) -> Result<(Vec<PolygonFault>, Vec<RingName>), Error> {
     let (mut flat, mut rings, mut lists) = (Vec::new(), RaggedArray::new(), RaggedArray::new());
     let mut names = Vec::new();
     for (number, polygon) in polygons.iter().enumerate() {
