@@ -114,6 +114,22 @@ export interface CellsOfShape {
   shape: string;
 }
 
+/** What a certificate proved. There is no answer where a step fails. */
+export interface CheckAnswer {
+  /** The name of the certificate. */
+  certificate: string;
+  /** The name of the input. */
+  file: string;
+  /** The claims that were derived from the input and agree with the answer. */
+  proved: string[];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The keys of the answer that were not checked. */
+  unchecked: string[];
+  /** Whether all steps of the proof hold; always true. */
+  verified: boolean;
+}
+
 /** A closed path with its length. */
 export interface ClosedPath {
   /** The length in the unit of the file, or the number of edges without positions. */
