@@ -107,8 +107,8 @@ fn what_makes_no_sense_is_refused() {
     let file = argument(&path);
     for (arguments, words) in [
         (&["pi1", file][..], "no words"),
-        (&["render", file, "-o", "x.png"], "boundary.obj"),
-        (&["view", file, "-o", "x.html"], "boundary.obj"),
+        (&["render", file, "--periodic", "x", "-o", "x.png"], "--periodic"),
+        (&["view", file, "--periodic", "x", "-o", "x.html"], "--periodic"),
         (&["link", file, "--simplices", "0"], "cubes"),
         (&["cut", file], ""),
         (&["info", file, "--periodic", "5"], "axis 5"),

@@ -31,7 +31,7 @@ pub(super) struct Compare {
     inputs: Vec<PathBuf>,
     #[command(flatten)]
     options: SetOptions,
-    /// Compare with a shape, right to rounding: circle:X,Y,RADIUS or ellipse:X,Y,A,B[,DEGREES] with half axes A and B
+    /// Compare with a shape, right to rounding: circle:X,Y,RADIUS or ellipse:X,Y,A,B,DEGREES with half axes A and B
     #[arg(long, value_name = "SHAPE", value_parser = shape)]
     exact: Option<Shape>,
     /// Compare any number of sets, each with the last one or with --exact, in a table with rates

@@ -197,6 +197,23 @@ pub(super) const CASES: &[Case] = &[
             &["coface star book.json --simplices 0 --json"],
             &["coface closure book.json --simplices '0 1 2; 0 1 3' -o closure.json"],
         ]),
+    Case::new("homology/certificate.rs", "leave --certificate out, or give a facet list, a chain complex")
+        .files(VOXELS)
+        .refused("coface homology voxels.nrrd --certificate voxels.cert")
+        .cured(&[
+            &["coface homology voxels.nrrd"],
+            &[
+                "coface convert voxels.nrrd -o boundary.off",
+                "coface homology boundary.off --certificate boundary.cert",
+                "coface check boundary.cert boundary.off",
+            ],
+        ]),
+    Case::new("commands/check.rs", "name it: coface check CERTIFICATE INPUT")
+        .files(BOOK)
+        .with(&[("lone.cert", "{}")])
+        .before(&["coface homology book.json --certificate book.cert"])
+        .refused("coface check lone.cert")
+        .cured(&[&["coface check book.cert book.json"]]),
     Case::new("cubical/surface.rs", "leave out --periodic")
         .files(VOXELS)
         .refused("coface convert voxels.nrrd --periodic x -o boundary.obj")
