@@ -3583,7 +3583,7 @@ def dissolve(models: Any, names: Sequence[str], *, dimension: int | None = None,
         A map with a feature for each list of values.
     """
     ...
-def map_task(models: Any, task: str, *, method: str = "structure", length: float | None = None, error: float | None = None, joins: str = "round", mitre_limit: float = 5.0, caps: str = "round", frame: Sequence[float] | None = None, progress: _Progress = ...) -> tuple[Model, dict[str, Any]]:
+def map_task(models: Any, task: str, *, method: str = "structure", length: float | None = None, error: float | None = None, joins: str = "round", mitre_limit: float = 5.0, caps: str = "round", frame: Sequence[float] | None = None, progress: _Progress = ...) -> tuple[Model, dict[str, Json]]:
     """A map repaired, buffered, clipped, noded, made polygons, simplified, or examined as a coverage.
 
     Parameters

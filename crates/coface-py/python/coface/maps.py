@@ -8,7 +8,7 @@ their order, properties and ids. What was assumed or changed is in ``warnings`` 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, cast
 
 from coface import _coface
 from coface._coface import Model
@@ -236,4 +236,4 @@ def coverage(*models: Any, gap_width: float | None = None, progress: Any = False
     (False, [2.0])
     """
     model, answer = _coface.map_task(_inputs(models), "coverage", length=gap_width, progress=progress)
-    return {**answer["coverage"], "edges": model}
+    return {**cast("dict[str, Any]", answer["coverage"]), "edges": model}
