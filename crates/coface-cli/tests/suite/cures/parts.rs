@@ -91,9 +91,9 @@ pub(super) const CASES: &[Case] = &[
             &["coface shard torus.json --parts 4 -o parts", "coface reduce parts", "coface merge parts"],
         ]),
     Case::new("homology/parts.rs", "cut into more by --parts {}, or allow more")
-        .refused("coface homology --grid 40,40,40 --memory 72M --parts 1")
+        .refused("coface homology --grid 40,40,40 --memory 76M --parts 1")
         .cured(&[
-            &["coface homology --grid 40,40,40 --memory 72M --parts 2"],
+            &["coface homology --grid 40,40,40 --memory 76M --parts 2"],
             &["coface homology --grid 40,40,40 --memory 1G --parts 1"],
         ]),
 ];
