@@ -1,7 +1,7 @@
 //! `cargo xtask clipping DIR`: the test cases of Clipper2 and of i_overlay, against the program.
 
 use serde_json::Value;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, ExitCode, Stdio};
 
 const USAGE: &str = "usage: cargo xtask clipping DIR.. [--program PATH]
@@ -36,30 +36,10 @@ enum Rule {
 }
 
 pub(crate) fn clipping(words: &[String]) -> ExitCode {
-    let (mut folders, mut program) = (Vec::new(), None);
-    let mut words = words.iter();
-    while let Some(word) = words.next() {
-        match word.as_str() {
-            "--program" => program = words.next().map(PathBuf::from),
-            word if word.starts_with("--") => folders.clear(),
-            folder => folders.push(PathBuf::from(folder)),
-        }
-    }
-    if folders.is_empty() {
-        eprintln!("{USAGE}");
-        return ExitCode::from(2);
-    }
-    let Some(program) = program.or_else(crate::wild::build) else {
-        eprintln!("the program does not build");
-        return ExitCode::FAILURE;
+    let (mut files, program) = match crate::wild::files_and_program(words, USAGE) {
+        Ok(found) => found,
+        Err(code) => return code,
     };
-    let mut files = Vec::new();
-    for folder in &folders {
-        if let Err(error) = crate::wild::add_files(folder, &mut files) {
-            eprintln!("{}: {error}", folder.display());
-            return ExitCode::FAILURE;
-        }
-    }
     files.sort();
     let work = std::env::temp_dir().join(format!("coface-clipping-{}", std::process::id()));
     if let Err(error) = std::fs::create_dir_all(&work) {

@@ -1,7 +1,7 @@
 //! `cargo xtask ogc DIR`: the test cases of JTS and GEOS, against the program.
 
 use serde_json::Value;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, ExitCode, Stdio};
 
 const USAGE: &str = "usage: cargo xtask ogc DIR.. [--program PATH]
@@ -30,30 +30,10 @@ struct Tally {
 }
 
 pub(crate) fn ogc(words: &[String]) -> ExitCode {
-    let (mut folders, mut program) = (Vec::new(), None);
-    let mut words = words.iter();
-    while let Some(word) = words.next() {
-        match word.as_str() {
-            "--program" => program = words.next().map(PathBuf::from),
-            word if word.starts_with("--") => folders.clear(),
-            folder => folders.push(PathBuf::from(folder)),
-        }
-    }
-    if folders.is_empty() {
-        eprintln!("{USAGE}");
-        return ExitCode::from(2);
-    }
-    let Some(program) = program.or_else(crate::wild::build) else {
-        eprintln!("the program does not build");
-        return ExitCode::FAILURE;
+    let (mut files, program) = match crate::wild::files_and_program(words, USAGE) {
+        Ok(found) => found,
+        Err(code) => return code,
     };
-    let mut files = Vec::new();
-    for folder in &folders {
-        if let Err(error) = crate::wild::add_files(folder, &mut files) {
-            eprintln!("{}: {error}", folder.display());
-            return ExitCode::FAILURE;
-        }
-    }
     files.retain(|file| !file.components().any(|part| part.as_os_str() == "failure"));
     files.retain(|file| file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("xml")));
     files.sort();

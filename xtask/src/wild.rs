@@ -93,8 +93,38 @@ pub(crate) fn build() -> Option<PathBuf> {
     Some(target.join("debug").join(format!("coface{}", std::env::consts::EXE_SUFFIX)))
 }
 
+/// The files below the folders of a command line `DIR.. [--program PATH]`, and the program to try them with, which is built if none is named.
+/// What is wrong is printed.
+pub(crate) fn files_and_program(words: &[String], usage: &str) -> Result<(Vec<PathBuf>, PathBuf), ExitCode> {
+    let (mut folders, mut program) = (Vec::new(), None);
+    let mut words = words.iter();
+    while let Some(word) = words.next() {
+        match word.as_str() {
+            "--program" => program = words.next().map(PathBuf::from),
+            word if word.starts_with("--") => folders.clear(),
+            folder => folders.push(PathBuf::from(folder)),
+        }
+    }
+    if folders.is_empty() {
+        eprintln!("{usage}");
+        return Err(ExitCode::from(2));
+    }
+    let Some(program) = program.or_else(build) else {
+        eprintln!("the program does not build");
+        return Err(ExitCode::FAILURE);
+    };
+    let mut files = Vec::new();
+    for folder in &folders {
+        if let Err(error) = add_files(folder, &mut files) {
+            eprintln!("{}: {error}", folder.display());
+            return Err(ExitCode::FAILURE);
+        }
+    }
+    Ok((files, program))
+}
+
 /// Adds the regular files below a folder; links are not followed.
-pub(crate) fn add_files(folder: &Path, files: &mut Vec<PathBuf>) -> std::io::Result<()> {
+fn add_files(folder: &Path, files: &mut Vec<PathBuf>) -> std::io::Result<()> {
     for entry in std::fs::read_dir(folder)? {
         let entry = entry?;
         let kind = entry.file_type()?;

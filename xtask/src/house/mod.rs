@@ -19,6 +19,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("coface-graphblas", &[]),
     ("coface-arrange", &["coface-algebra", "coface-geometry"]),
     ("coface-yin", &["coface-algebra", "coface-geometry", "coface-complexes", "coface-arrange"]),
+    ("coface-check", &[]),
     ("coface-io", &["coface-algebra", "coface-geometry", "coface-complexes", "coface-arrange", "coface-yin"]),
     (
         "coface-answers",
@@ -30,10 +31,10 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "coface-arrange",
             "coface-yin",
             "coface-io",
+            "coface-check",
         ],
     ),
     ("coface-pictures", &["coface-algebra", "coface-geometry", "coface-yin", "coface-io", "coface-answers"]),
-    ("coface-check", &[]),
     ("coface-mapped", &[]),
     ("coface-allocator", &[]),
     (

@@ -5,6 +5,7 @@
 //! * A chain, a cochain or a map of vertices that the user writes is a [`GivenChain`], a [`GivenRealCochain`] or a
 //!   [`GivenVertexMap`].
 
+mod certificate;
 mod classes;
 mod generators;
 mod harmonic;
@@ -355,7 +356,14 @@ impl HomologyRequest {
         {
             let _steps = stage("computing homology", 0);
             let groups = self.groups(&homology_of_volume(volume).map_err(in_file)?.1);
-            return Ok(FoundHomology { answer: answer(&groups), groups, producer: None, chains: Vec::new() });
+            return Ok(FoundHomology {
+                answer: answer(&groups),
+                groups,
+                producer: None,
+                chains: Vec::new(),
+                is_reduced: self.is_reduced,
+                is_relative: false,
+            });
         }
         let steps = stage("identifying cells", 0);
         let producer = Producer::of(model).map_err(in_file)?;
@@ -411,7 +419,14 @@ impl HomologyRequest {
             let _steps = stage("computing the induced map", 0);
             object.map = Some(maps::answer(&producer, map)?);
         }
-        Ok(FoundHomology { answer: object, groups, producer: Some(producer), chains })
+        Ok(FoundHomology {
+            answer: object,
+            groups,
+            producer: Some(producer),
+            chains,
+            is_reduced: self.is_reduced,
+            is_relative: self.relative.is_some(),
+        })
     }
 }
 
@@ -424,6 +439,8 @@ pub struct FoundHomology {
     producer: Option<Producer>,
     /// The generators on the cells of the model, each with a name.
     chains: Vec<(String, Chain<Integer>)>,
+    is_reduced: bool,
+    is_relative: bool,
 }
 
 impl FoundHomology {

@@ -1,6 +1,5 @@
 //! `coface homology`: homology and cohomology groups, generators, classes of cycles, products, sequences and maps.
 
-mod certificate;
 mod page;
 pub(crate) mod parts;
 
@@ -9,7 +8,7 @@ use crate::chains::{read_chain, read_terms};
 use crate::commands::merge::Question;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{give, write_json};
+use crate::output::{give, write_file, write_json};
 use crate::progress::Progress;
 use clap::Args;
 use coface::answers::answer::GeneratorsFile;
@@ -110,11 +109,11 @@ impl Homology {
             progress.stage(format!("writing {}", place.display()));
             save_generators(place, &found)?;
         }
-        let answer = found.answer();
         if let Some(place) = &self.certificate {
             progress.stage(format!("proving {}", place.display()));
-            certificate::save(place, input, self.reduced, answer)?;
+            save_certificate(place, input, &found)?;
         }
+        let answer = found.answer();
         drop(progress);
         let page = self.page(&answer.file, found.groups())
             + &page::details(answer, found.cell_names(), &self.cycle, self.decompose.as_deref());
@@ -203,6 +202,16 @@ impl Homology {
         let title = format!("{what} of {name} over {}{pair}", self.coefficients);
         text::groups(&title, groups, symbol, self.coefficients)
     }
+}
+
+/// Writes a certificate of the groups of a file.
+fn save_certificate(place: &Path, input: &Path, found: &FoundHomology) -> Result<(), Failure> {
+    let name = input::name(input);
+    let bytes = std::fs::read(input).map_err(|error| {
+        Failure::new(format!("{name}: cannot be read again for the certificate: {error}"))
+    })?;
+    let certificate = found.certificate(&bytes).map_err(|error| error.in_file(name))?;
+    write_file(place, certificate.as_bytes())
 }
 
 /// Writes generators as JSON, or as a picture in the format that the name tells.
