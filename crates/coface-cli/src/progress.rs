@@ -203,11 +203,15 @@ pub(crate) fn end_on_signals() {
 }
 
 /// Ends the program when the user interrupts it: no temporary file stays, and no half a line.
-#[cfg(not(unix))]
+#[cfg(windows)]
 pub(crate) fn end_on_signals() {
     // Without a handler the system ends the program, as it does others.
     let _ = ctrlc::set_handler(|| end(INTERRUPTED));
 }
+
+/// There are no signals: a page that runs the program ends it together with its files.
+#[cfg(not(any(unix, windows)))]
+pub(crate) fn end_on_signals() {}
 
 /// Ends the program before its work is done: no temporary file stays, and no half a line.
 pub(crate) fn end(status: i32) -> ! {

@@ -230,7 +230,7 @@ impl Mesh<'_> {
 
     fn owner(&self, planes: &[Plane], position: usize, vertices: &[u32]) -> u32 {
         if self.is_random {
-            return scattered(position >> 32, position as u32, self.part_count);
+            return scattered((position as u64 >> 32) as usize, position as u32, self.part_count);
         }
         let point = self.centroid(vertices);
         let mut at = 0;
