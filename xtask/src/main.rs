@@ -14,6 +14,7 @@ mod python;
 mod release;
 mod soak;
 mod space_soak;
+mod studio;
 mod tally;
 mod test;
 mod tokens;
@@ -28,6 +29,8 @@ const USAGE: &str = "usage:
   cargo xtask test            format, lints, docs, packages, all tests, the viewer, Python, the commands of the README
   cargo xtask test -p CRATE   format, lints, docs and tests of one crate
   cargo xtask viewer          the viewer alone: types, tests, the page in the repository, the page in a browser
+  cargo xtask studio          builds dist/studio.html: the program as WebAssembly in one page, with a target of WASI or Debian's rustc-web (minutes)
+  cargo xtask studio --test   runs the page in a browser too, and compares its answers with the program's
   cargo xtask python          the Python package alone: build, types, stubs, tests, examples
   cargo xtask python --sdist  makes its source distribution and looks at it; --wheel makes the wheel for this machine too (minutes)
   cargo xtask answers --write DIR | --against DIR [--program PATH] [--only WORD] [--seconds N] [--jobs N]
@@ -55,6 +58,8 @@ fn main() -> ExitCode {
             test::run_crate(&words[2])
         }
         Some("viewer") if words.len() == 1 => viewer::run(),
+        Some("studio") if words.len() == 1 => studio::run(false),
+        Some("studio") if words[1..] == ["--test"] => studio::run(true),
         Some("python") if words.len() == 1 => python::run(),
         Some("python") if words[1..] == ["--sdist"] => release::release(false),
         Some("python") if words[1..] == ["--wheel"] => release::release(true),

@@ -31,14 +31,14 @@ pub(crate) fn viewer(tally: &mut Tally) {
 }
 
 /// The command `npm WORDS` in the folder of the viewer.
-fn npm(words: &[&str]) -> Command {
+pub(crate) fn npm(words: &[&str]) -> Command {
     let mut command = Command::new(if cfg!(windows) { "npm.cmd" } else { "npm" });
     command.args(words).current_dir(root().join("viewer")).env("NO_COLOR", "1");
     command
 }
 
 /// Sees to it that Node is there, and what the lock file names.
-fn prepare() -> Result<(), String> {
+pub(crate) fn prepare() -> Result<(), String> {
     let version = output(Command::new("node").arg("--version")).ok_or("node is not installed")?;
     let major = version.trim().trim_start_matches('v').split('.').next().and_then(|major| major.parse().ok());
     if major.is_none_or(|major: u32| major < 20) {
@@ -103,7 +103,7 @@ pub(crate) fn browser(tally: &mut Tally) {
 }
 
 /// A browser of the Chromium family; installed where that is possible.
-fn chromium() -> Option<PathBuf> {
+pub(crate) fn chromium() -> Option<PathBuf> {
     let find = || {
         let names = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
         let named = std::env::var_os("CHROMIUM").map(PathBuf::from).filter(|path| path.is_file());
@@ -115,13 +115,13 @@ fn chromium() -> Option<PathBuf> {
     })
 }
 
-fn on_path(name: &str) -> Option<PathBuf> {
+pub(crate) fn on_path(name: &str) -> Option<PathBuf> {
     let folders = std::env::var_os("PATH")?;
     std::env::split_paths(&folders).map(|folder| folder.join(name)).find(|path| path.is_file())
 }
 
 /// What a command prints, if it runs well.
-fn output(command: &mut Command) -> Option<String> {
+pub(crate) fn output(command: &mut Command) -> Option<String> {
     let output = command.stdin(Stdio::null()).output().ok()?;
     output.status.success().then(|| String::from_utf8_lossy(&output.stdout).into_owned())
 }

@@ -1,0 +1,80 @@
+/** Models to begin with: how the program makes them, or their text. */
+
+export interface Example {
+  title: string;
+  /** The name of the file that it becomes. */
+  name: string;
+  /** The words of the program that make it; or its text. */
+  from: string[] | string;
+}
+
+const made = (title: string, name: string, ...words: string[]): Example => ({ title, name, from: ["generate", ...words, "-o", name] });
+
+export const EXAMPLES: { group: string; examples: Example[] }[] = [
+  {
+    group: "surfaces",
+    examples: [
+      made("sphere", "sphere.off", "sphere"),
+      made("torus", "torus.off", "torus"),
+      made("two handles", "genus2.off", "genus", "--genus", "2"),
+      made("Moebius band", "moebius.off", "moebius"),
+      made("Klein bottle", "klein.off", "klein"),
+      made("projective plane, 6 vertices", "rp2.json", "rp2"),
+      made("torus of Csaszar, 7 vertices", "csaszar.off", "csaszar"),
+      made("ring", "ring.off", "ring"),
+      made("cylinder", "cylinder.off", "cylinder"),
+      made("pinched torus", "pinched.json", "pinched-torus"),
+    ],
+  },
+  {
+    group: "known spaces",
+    examples: [
+      made("lens space L(7, 2)", "lens.json", "lens", "--p", "7", "--q", "2"),
+      made("homology sphere of Poincare", "poincare.json", "poincare"),
+      made("hyperbolic space of Weber and Seifert", "weber.json", "weber-seifert"),
+      made("complex projective plane", "cp2.json", "cp2"),
+      made("K3 surface", "k3.json", "k3"),
+      made("3-torus", "torus3.json", "cyclic-torus", "--dimension", "3"),
+      made("dunce hat", "dunce.json", "dunce-hat"),
+      made("house with two rooms", "house.json", "house"),
+      made("Moore space: a disk around a circle, 3 times", "moore.json", "moore", "--order", "3"),
+      made("a group: x^2 = y^3", "trefoil.json", "presentation", "--generators", "2", "--relator", "1,1,-2,-2,-2"),
+    ],
+  },
+  {
+    group: "solids",
+    examples: [
+      made("box", "box.off", "box", "--boundary"),
+      made("solid torus", "solid-torus.vtk", "solid-torus"),
+      made("hollow ball", "hollow-ball.vtk", "hollow-ball"),
+      made("grid of cubes", "grid.vtk", "grid", "--shape", "3,3,3"),
+    ],
+  },
+  {
+    group: "drawings and curves",
+    examples: [
+      {
+        title: "four lines and a square",
+        name: "lines.wkt",
+        from: "MULTILINESTRING((0 1,6 1),(0 3,6 3),(2 0,2 4),(4 0,4 4))\nLINESTRING(1 0.5,5 0.5,5 3.5,1 3.5,1 0.5)\n",
+      },
+      { title: "square with a hole", name: "square.wkt", from: "POLYGON((0 0,6 0,6 6,0 6,0 0),(2 2,2 4,4 4,4 2,2 2))\n" },
+      { title: "star that crosses itself", name: "star.wkt", from: "POLYGON((0 3,6 3,1 0,3 5,5 0,0 3))\n" },
+      {
+        title: "blob with curved sides",
+        name: "blob.yin.json",
+        from: '{"order":4,"curves":[{"points":[[4,2],[2,3],[1,1],[3,-0.4]]}]}\n',
+      },
+      {
+        title: "triangle with kinks",
+        name: "kinks.yin.json",
+        from: '{"order":4,"curves":[{"points":[[0,0],[6,2],[2,4]],"kinks":[0,1,2]}]}\n',
+      },
+      {
+        title: "two triangles as halfedges (a boundary with one loop)",
+        name: "two-triangles.halfedges.json",
+        from: '{"vertices":[[0,0,0],[2,0,0],[2,2,0],[0,2,0]],"next":[1,2,0,4,5,3,7,8,9,6],"twin":[6,9,3,2,8,7,0,5,4,1],"outer":[2]}\n',
+      },
+    ],
+  },
+];
