@@ -48,7 +48,8 @@ pub use incidence::{FoundOperator, OperatorKind, OperatorRequest};
 pub use isomorphism::isomorphic;
 pub use parts::RegionSource;
 pub use persistence::{
-    DiagramFormat, FoundDiagram, Growth, PersistenceRequest, VertexFunction, write_diagram,
+    DiagramFormat, FoundDiagram, FoundRips, Growth, PersistenceRequest, RipsRequest, TableForm,
+    VertexFunction, write_diagram,
 };
 pub use planar::{
     ArrangementRequest, BooleanRequest, BufferCaps, BufferJoins, BufferOptions, DissolveRequest, Dissolved,

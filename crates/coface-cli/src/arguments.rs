@@ -104,6 +104,11 @@ fn limit<T>(text: &str, parse: fn(&str) -> Result<T, coface::Error>) -> Result<L
 type PeriodicAxes = [bool; CubicalVolume::MOST_AXES];
 
 impl VoxelArguments {
+    /// The threshold by itself; of points it is the largest diameter.
+    pub(crate) fn threshold(&self) -> Option<f64> {
+        self.threshold
+    }
+
     /// Which axes are periodic.
     pub(crate) fn periodic(&self) -> PeriodicAxes {
         self.periodic.unwrap_or_default()

@@ -50,6 +50,7 @@ mod mesh_tests;
 mod model;
 mod model_cells;
 pub mod msh;
+mod number_table;
 mod numbers;
 pub mod obj;
 mod oddities;
@@ -98,6 +99,7 @@ pub use model::repeated_vertex;
 pub use model::{Model, Structure};
 #[doc(hidden)]
 pub use model::{ModelParts, placed, segments};
+pub use number_table::NumberTable;
 pub use parts::parts_of_path;
 pub use readers::{
     ReadOptions, format_of_path, read, read_boundary, read_boundary_path, read_boundary_with, read_named,

@@ -36,7 +36,8 @@ const PHRASES: [(&str, &str); 22] = [
 ];
 
 /// The options whose values are words, and those words. No words stand for any.
-const WORDS: [(&str, &[&str]); 5] = [
+const WORDS: [(&str, &[&str]); 6] = [
+    ("distances", &["lower", "upper", "square", "sparse"]),
     ("rule", &["nonzero", "evenodd", "positive"]),
     ("inputs", &["files", "features", "objects", "groups", "components"]),
     ("open", &["refuse", "close"]),

@@ -7,11 +7,12 @@ use crate::source::Naming;
 use crate::work::run;
 use coface::algebra::Integer;
 use coface::algebra::chains::ChainComplex as Chains;
-use coface::answers::{DiagramFormat, write_diagram};
+use coface::answers::{DiagramFormat, FoundRips, RipsRequest, TableForm, write_diagram};
+use coface::io::NumberTable;
 use coface::pictures::{DiagramPoint, diagram_picture};
 use coface::topology;
 use coface::topology::{Coefficients, Filtration, PersistenceDiagram, PersistencePair};
-use coface::{CellId, Error, ErrorKind};
+use coface::{CellId, Error, ErrorKind, VertexId};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyList, PyTuple};
@@ -32,10 +33,17 @@ use std::sync::Arc;
 ///        [ 1.,  2.]])
 #[pyclass(frozen, dict, module = "coface", name = "Persistence")]
 pub(crate) struct Persistence {
-    diagram: PersistenceDiagram,
-    naming: Arc<Naming>,
-    complex: Arc<Chains>,
+    diagram: Diagram,
 }
+
+/// The diagram of a complex, whose cells have names, or of points.
+enum Diagram {
+    Complex { diagram: PersistenceDiagram, naming: Arc<Naming>, complex: Arc<Chains> },
+    Points(FoundRips),
+}
+
+/// A class: degree, birth and death.
+type Class = (usize, f64, Option<f64>);
 
 /// The filtration that values make: of vertices, or of all cells.
 fn filtration(
@@ -115,21 +123,102 @@ pub(crate) fn persistence(
         let filtration = filtration(complex, vertex_values, cell_values, upper)?;
         Ok(topology::persistence(&complex.complex, &filtration, field)?.longer_than(least))
     })?;
-    Ok(Persistence { diagram, naming: Arc::clone(&complex.naming), complex: Arc::clone(&complex.complex) })
+    let (naming, complex) = (Arc::clone(&complex.naming), Arc::clone(&complex.complex));
+    Ok(Persistence { diagram: Diagram::Complex { diagram, naming, complex } })
+}
+
+/// Persistent homology of the Vietoris-Rips filtration of points or distances.
+///
+/// Parameters
+/// ----------
+/// table : array_like of float
+///     Rows of numbers.
+/// form : {"points", "lower", "upper", "square", "sparse"}
+///     What the rows are: coordinates, distances to the points before or behind or to all, or two points and their distance.
+/// dimension : int
+///     The highest degree of classes.
+/// threshold : float, optional
+///     The largest diameter of simplices; the enclosing radius if not given.
+/// coefficients : str or int
+///     A prime field: ``"f2"``, ``"f3"``, ...
+/// least : float
+///     Classes that live no longer than this are left out.
+/// progress : bool or callable, optional
+///     ``True`` shows a bar; a function is called with (stage, done, total).
+///
+/// Returns
+/// -------
+/// Persistence
+///     The diagram.
+#[pyfunction]
+#[pyo3(signature = (table, *, form="points", dimension=None, threshold=None, coefficients=None, least=0.0, progress=None), text_signature = "(table, *, form='points', dimension=1, threshold=None, coefficients='f2', least=0.0, progress=False)")]
+#[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
+pub(crate) fn rips(
+    py: Python<'_>,
+    table: &Bound<'_, PyAny>,
+    form: &str,
+    dimension: Option<&Bound<'_, PyAny>>,
+    threshold: Option<f64>,
+    coefficients: Option<&Bound<'_, PyAny>>,
+    least: f64,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Persistence> {
+    let rows: Vec<Vec<f64>> =
+        table.try_iter()?.map(|row| arrays::real_list(&row?, "table")).collect::<PyResult<_>>()?;
+    let field = coefficients.map_or(Ok(Coefficients::Modulo(2)), ring)?;
+    let dimension = dimension.map_or(Ok(1), whole)?;
+    let found = run(py, progress, || {
+        let (distances, _) = TableForm::from_name(form)?.distances(&NumberTable::from_rows(rows))?;
+        let request = RipsRequest::new().coefficients(field).dimension(dimension);
+        request.threshold(threshold).min_persistence(least).found("points", &distances)
+    })?;
+    Ok(Persistence { diagram: Diagram::Points(found) })
 }
 
 impl Persistence {
-    fn values(pairs: &[PersistencePair]) -> Vec<f64> {
-        pairs.iter().flat_map(|pair| [pair.birth(), pair.death().unwrap_or(f64::INFINITY)]).collect()
+    fn degree_count(&self) -> usize {
+        match &self.diagram {
+            Diagram::Complex { diagram, .. } => diagram.degree_count(),
+            Diagram::Points(found) => found.diagram().degree_count(),
+        }
+    }
+
+    fn classes(&self) -> Vec<Class> {
+        match &self.diagram {
+            Diagram::Complex { diagram, .. } => {
+                diagram.pairs().iter().map(|pair| (pair.degree(), pair.birth(), pair.death())).collect()
+            }
+            Diagram::Points(found) => {
+                found.pairs().iter().map(|pair| (pair.degree(), pair.birth(), pair.death())).collect()
+            }
+        }
     }
 
     fn points(&self) -> Vec<DiagramPoint> {
-        let point = |pair: &PersistencePair| DiagramPoint {
-            degree: pair.degree(),
-            birth: pair.birth(),
-            death: pair.death(),
-        };
-        self.diagram.pairs().iter().map(point).collect()
+        let point = |(degree, birth, death)| DiagramPoint { degree, birth, death };
+        self.classes().into_iter().map(point).collect()
+    }
+
+    /// The pairs of a degree, of a complex.
+    fn pairs_of_degree(&self, degree: usize) -> &[PersistencePair] {
+        match &self.diagram {
+            Diagram::Complex { diagram, .. } if degree < diagram.degree_count() => {
+                diagram.pairs_of_degree(degree)
+            }
+            _ => &[],
+        }
+    }
+
+    /// Of points, whose simplices have no numbers, nothing.
+    fn require_complex(&self, py: Python<'_>) -> PyResult<()> {
+        match &self.diagram {
+            Diagram::Complex { .. } => Ok(()),
+            Diagram::Points(_) => Err(invalid(
+                py,
+                "simplices of points have no numbers".to_owned(),
+                "ask .simplices(degree) for their points",
+            )),
+        }
     }
 }
 
@@ -138,19 +227,37 @@ impl Persistence {
     /// The prime of the field.
     #[getter]
     fn prime(&self) -> u32 {
-        self.diagram.prime()
+        match &self.diagram {
+            Diagram::Complex { diagram, .. } => diagram.prime(),
+            Diagram::Points(found) => found.diagram().prime(),
+        }
+    }
+
+    /// The largest diameter of the simplices that were looked at; ``None`` unless the diagram is of points.
+    #[getter]
+    fn threshold(&self) -> Option<f64> {
+        match &self.diagram {
+            Diagram::Complex { .. } => None,
+            Diagram::Points(found) => Some(found.diagram().threshold()),
+        }
     }
 
     /// Whether values fall along the filtration.
     #[getter]
     fn is_falling(&self) -> bool {
-        self.diagram.is_falling()
+        matches!(&self.diagram, Diagram::Complex { diagram, .. } if diagram.is_falling())
     }
 
     /// The numbers of classes that never die, by degree.
     #[getter]
     fn betti_numbers<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
-        PyTuple::new(py, self.diagram.betti_numbers())
+        PyTuple::new(
+            py,
+            match &self.diagram {
+                Diagram::Complex { diagram, .. } => diagram.betti_numbers(),
+                Diagram::Points(found) => found.diagram().betti_numbers(),
+            },
+        )
     }
 
     /// Births and deaths of a degree.
@@ -169,27 +276,25 @@ impl Persistence {
         py: Python<'py>,
         #[pyo3(from_py_with = whole)] degree: usize,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let pairs = match degree < self.diagram.degree_count() {
-            true => self.diagram.pairs_of_degree(degree),
-            false => &[],
-        };
-        Ok(PyArray1::from_vec(py, Self::values(pairs)).reshape([pairs.len(), 2])?.into_any())
+        let classes = self.classes().into_iter().filter(|class| class.0 == degree);
+        let values: Vec<f64> =
+            classes.flat_map(|(_, birth, death)| [birth, death.unwrap_or(f64::INFINITY)]).collect();
+        let count = values.len() / 2;
+        Ok(PyArray1::from_vec(py, values).reshape([count, 2])?.into_any())
     }
 
     /// The diagrams of all degrees, as Ripser's users have them.
     #[getter]
     fn diagrams<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
-        let all: Vec<Bound<'py, PyAny>> = (0..self.diagram.degree_count())
-            .map(|degree| self.diagram(py, degree))
-            .collect::<PyResult<_>>()?;
+        let all: Vec<Bound<'py, PyAny>> =
+            (0..self.degree_count()).map(|degree| self.diagram(py, degree)).collect::<PyResult<_>>()?;
         PyList::new(py, all)
     }
 
     /// All pairs as ``(degree, (birth, death))``, as GUDHI's users have them.
     fn to_gudhi(&self) -> Vec<(usize, (f64, f64))> {
-        let pair =
-            |pair: &PersistencePair| (pair.degree(), (pair.birth(), pair.death().unwrap_or(f64::INFINITY)));
-        self.diagram.pairs().iter().map(pair).collect()
+        let pair = |(degree, birth, death): Class| (degree, (birth, death.unwrap_or(f64::INFINITY)));
+        self.classes().into_iter().map(pair).collect()
     }
 
     /// The cells that make and end the classes of a degree.
@@ -208,10 +313,8 @@ impl Persistence {
         py: Python<'py>,
         #[pyo3(from_py_with = whole)] degree: usize,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let pairs = match degree < self.diagram.degree_count() {
-            true => self.diagram.pairs_of_degree(degree),
-            false => &[],
-        };
+        self.require_complex(py)?;
+        let pairs = self.pairs_of_degree(degree);
         let cells = pairs.iter().flat_map(|pair| {
             let death = pair.death_cell().map_or(-1, |cell| cell.index() as i64);
             [pair.birth_cell().index() as i64, death]
@@ -221,14 +324,23 @@ impl Persistence {
 
     /// The vertices of the cells that make and end the classes of a degree: a list of pairs.
     fn simplices(&self, #[pyo3(from_py_with = whole)] degree: usize) -> Vec<(Vec<u32>, Option<Vec<u32>>)> {
-        if degree >= self.diagram.degree_count() {
-            return Vec::new();
+        match &self.diagram {
+            Diagram::Complex { naming, .. } => {
+                let names = |pair: &PersistencePair| {
+                    let death = pair.death_cell().map(|cell| naming.vertices(degree + 1, cell.index()));
+                    (naming.vertices(degree, pair.birth_cell().index()), death)
+                };
+                self.pairs_of_degree(degree).iter().map(names).collect()
+            }
+            Diagram::Points(found) => {
+                let points =
+                    |simplex: &[VertexId]| simplex.iter().map(|point| point.index() as u32).collect();
+                let of_degree = found.pairs().iter().filter(|pair| pair.degree() == degree);
+                of_degree
+                    .map(|pair| (points(pair.birth_simplex()), pair.death_simplex().map(points)))
+                    .collect()
+            }
         }
-        let names = |pair: &PersistencePair| {
-            let death = pair.death_cell().map(|cell| self.naming.vertices(degree + 1, cell.index()));
-            (self.naming.vertices(degree, pair.birth_cell().index()), death)
-        };
-        self.diagram.pairs_of_degree(degree).iter().map(names).collect()
     }
 
     /// The cycle that a death cell fills: its boundary.
@@ -250,11 +362,9 @@ impl Persistence {
         #[pyo3(from_py_with = whole)] degree: usize,
         #[pyo3(from_py_with = whole)] place: usize,
     ) -> PyResult<Option<crate::homology::Chain>> {
-        let pair = match degree < self.diagram.degree_count() {
-            true => self.diagram.pairs_of_degree(degree).get(place),
-            false => None,
-        };
-        let Some(pair) = pair else {
+        self.require_complex(py)?;
+        let Diagram::Complex { naming, complex, .. } = &self.diagram else { return Ok(None) };
+        let Some(pair) = self.pairs_of_degree(degree).get(place) else {
             return Err(invalid(
                 py,
                 format!("there is no class {place} of degree {degree}"),
@@ -262,21 +372,25 @@ impl Persistence {
             ));
         };
         let Some(cell) = pair.death_cell() else { return Ok(None) };
-        let Some(matrix) = self.complex.boundary_matrix(degree + 1) else { return Ok(None) };
+        let Some(matrix) = complex.boundary_matrix(degree + 1) else { return Ok(None) };
         let terms = matrix.column(cell.index()).iter();
         let terms = terms.map(|(row, x)| (CellId::new(row), Integer::from(x))).collect();
-        let cell_count = self.complex.cell_count(degree);
-        let naming = Arc::clone(&self.naming);
+        let cell_count = complex.cell_count(degree);
+        let naming = Arc::clone(naming);
         Ok(Some(crate::homology::Chain { degree, terms, cell_count, naming, is_cochain: false }))
     }
 
     /// The diagram without classes that live no longer than this.
     fn longer_than(&self, length: f64) -> Self {
-        Self {
-            diagram: self.diagram.longer_than(length),
-            naming: Arc::clone(&self.naming),
-            complex: Arc::clone(&self.complex),
-        }
+        let diagram = match &self.diagram {
+            Diagram::Complex { diagram, naming, complex } => Diagram::Complex {
+                diagram: diagram.longer_than(length),
+                naming: Arc::clone(naming),
+                complex: Arc::clone(complex),
+            },
+            Diagram::Points(found) => Diagram::Points(found.longer_than(length)),
+        };
+        Self { diagram }
     }
 
     /// The diagram as a file has it.
@@ -305,7 +419,10 @@ impl Persistence {
         };
         let bytes = run(py, None, || {
             let mut bytes = Vec::new();
-            write_diagram(&self.diagram, &mut bytes, format)?;
+            match &self.diagram {
+                Diagram::Complex { diagram, .. } => write_diagram(diagram, &mut bytes, format)?,
+                Diagram::Points(found) => found.write(&mut bytes, format)?,
+            }
             Ok(bytes)
         })?;
         Ok(PyBytes::new(py, &bytes))
@@ -318,12 +435,12 @@ impl Persistence {
     }
 
     fn __len__(&self) -> usize {
-        self.diagram.pairs().len()
+        self.classes().len()
     }
 
     fn __repr__(&self) -> String {
-        let count = self.diagram.pairs().len();
+        let count = self.classes().len();
         let classes = if count == 1 { "class" } else { "classes" };
-        format!("Persistence(field of {}, {count} {classes})", self.diagram.prime())
+        format!("Persistence(field of {}, {count} {classes})", self.prime())
     }
 }

@@ -1265,7 +1265,7 @@ export interface PartsAnswer {
 
 /** Persistent homology of a function on a complex. */
 export interface PersistenceAnswer {
-  /** The Betti numbers of the whole complex over the field. */
+  /** The Betti numbers of the whole complex over the field, of points those at the threshold. */
   betti: number[];
   /** The pairs of all degrees. */
   diagram: PersistencePairAnswer[];
@@ -1273,12 +1273,14 @@ export interface PersistenceAnswer {
   field: number;
   /** The name of the input. */
   file: string;
-  /** The function on the vertices, or the file of the values. */
+  /** The function on the vertices, the file of the values, or `vietoris-rips`. */
   function: string;
   /** What was assumed or left out. */
   remarks: Remark[];
   /** How cells follow from the function: `lower` or `upper`; `null` for given values. */
   star?: string | null;
+  /** The largest diameter of the simplices that were looked at; `null` unless the input is points or distances. */
+  threshold?: number | null;
 }
 
 /** A homology class that is born and dies, or stays. */

@@ -11,13 +11,16 @@ pub struct PersistenceAnswer {
     pub file: String,
     /// The characteristic of the field of coefficients.
     pub field: u32,
-    /// The function on the vertices, or the file of the values.
+    /// The function on the vertices, the file of the values, or `vietoris-rips`.
     pub function: String,
     /// How cells follow from the function: `lower` or `upper`; `null` for given values.
     pub star: Option<String>,
+    /// The largest diameter of the simplices that were looked at; `null` unless the input is points or distances.
+    #[serde(default)]
+    pub threshold: Option<f64>,
     /// The pairs of all degrees.
     pub diagram: Vec<PersistencePairAnswer>,
-    /// The Betti numbers of the whole complex over the field.
+    /// The Betti numbers of the whole complex over the field, of points those at the threshold.
     pub betti: Vec<usize>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,

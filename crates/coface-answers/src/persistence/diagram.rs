@@ -59,34 +59,62 @@ impl DiagramFormat {
 /// ```
 pub fn write_diagram(
     diagram: &PersistenceDiagram,
-    mut out: impl Write,
+    out: impl Write,
     format: DiagramFormat,
 ) -> Result<(), Error> {
     let never = if diagram.is_falling() { f64::NEG_INFINITY } else { f64::INFINITY };
-    let death = |pair: &PersistencePair| pair.death().unwrap_or(never);
+    let lines = diagram.pairs().iter().map(|pair: &PersistencePair| Line {
+        degree: pair.degree(),
+        birth: pair.birth(),
+        death: pair.death(),
+        birth_cell: pair.birth_cell().index().to_string(),
+        death_cell: pair.death_cell().map(|cell| cell.index().to_string()),
+    });
+    write_lines(diagram.prime(), never, diagram.degree_count(), lines, out, format)
+}
+
+/// A class, with the names of its cells.
+pub(super) struct Line {
+    pub(super) degree: usize,
+    pub(super) birth: f64,
+    pub(super) death: Option<f64>,
+    pub(super) birth_cell: String,
+    pub(super) death_cell: Option<String>,
+}
+
+/// Writes classes, which are sorted by degree.
+pub(super) fn write_lines(
+    prime: u32,
+    never: f64,
+    degree_count: usize,
+    lines: impl Iterator<Item = Line>,
+    mut out: impl Write,
+    format: DiagramFormat,
+) -> Result<(), Error> {
+    let mut lines = lines.peekable();
     match format {
         DiagramFormat::Gudhi => {
-            for pair in diagram.pairs() {
-                writeln!(out, "{} {} {} {}", diagram.prime(), pair.degree(), pair.birth(), death(pair))?;
+            for line in lines {
+                writeln!(out, "{prime} {} {} {}", line.degree, line.birth, line.death.unwrap_or(never))?;
             }
         }
         DiagramFormat::Ripser => {
-            for degree in 0..diagram.degree_count() {
+            for degree in 0..degree_count {
                 writeln!(out, "persistence intervals in dim {degree}:")?;
-                for pair in diagram.pairs_of_degree(degree) {
-                    match pair.death() {
-                        Some(death) => writeln!(out, " [{},{death})", pair.birth())?,
-                        None => writeln!(out, " [{}, )", pair.birth())?,
+                while let Some(line) = lines.next_if(|line| line.degree == degree) {
+                    match line.death {
+                        Some(death) => writeln!(out, " [{},{death})", line.birth)?,
+                        None => writeln!(out, " [{}, )", line.birth)?,
                     }
                 }
             }
         }
         DiagramFormat::Csv => {
             writeln!(out, "degree,birth,death,birth_cell,death_cell")?;
-            for pair in diagram.pairs() {
-                let cell = pair.death_cell().map_or(String::new(), |cell| cell.index().to_string());
-                let (birth, birth_cell) = (pair.birth(), pair.birth_cell().index());
-                writeln!(out, "{},{birth},{},{birth_cell},{cell}", pair.degree(), death(pair))?;
+            for line in lines {
+                let cell = line.death_cell.unwrap_or_default();
+                let death = line.death.unwrap_or(never);
+                writeln!(out, "{},{},{death},{},{cell}", line.degree, line.birth, line.birth_cell)?;
             }
         }
     }

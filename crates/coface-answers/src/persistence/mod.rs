@@ -2,11 +2,14 @@
 //!
 //! * [`PersistenceRequest`] says over which field, and how the model grows: by a [`Growth`].
 //! * [`FoundDiagram`] has the diagram and makes the [`PersistenceAnswer`].
+//! * A [`RipsRequest`] asks for that of points or distances, which a [`TableForm`] reads from a table; [`FoundRips`] has the diagram.
 //! * [`write_diagram`] writes a diagram as the text that other programs read.
 
 mod diagram;
+mod points;
 
 pub use diagram::{DiagramFormat, write_diagram};
+pub use points::{FoundRips, RipsRequest, TableForm};
 
 use crate::Producer;
 use crate::answer::{PersistenceAnswer, PersistencePairAnswer};
@@ -338,6 +341,7 @@ impl FoundDiagram<'_> {
             field: self.diagram.prime(),
             function: self.function.clone(),
             star: self.star.map(str::to_owned),
+            threshold: None,
             diagram: self.diagram.pairs().iter().map(pair).collect(),
             betti: self.diagram.betti_numbers(),
             remarks: Vec::new(),

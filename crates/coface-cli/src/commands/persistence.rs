@@ -1,5 +1,7 @@
 //! `coface persistence`: births and deaths of classes along a filtration.
 
+mod points;
+
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::filtration::{read_function, read_values};
@@ -12,13 +14,14 @@ use coface::answers::answer::{PersistenceAnswer, PersistencePairAnswer};
 use coface::answers::text;
 use coface::answers::{DiagramFormat, Growth, PersistenceRequest, write_diagram};
 use coface::topology::Coefficients;
+use points::PointArguments;
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Persistent homology: which components, loops and cavities are born and die as a model grows.
 ///
 /// The model grows by sublevel sets of a function on vertices (each cell enters with its highest vertex), or by values
-/// given for cells. Without --function the function is the last coordinate, the height; without positions it is the
+/// given for cells; points, with --rips, as balls around them meet. Without --function the function is the last coordinate, the height; without positions it is the
 /// vertex number. Pairs of persistence 0 are left out unless --min-persistence says otherwise.
 ///
 /// The file named by -o has the format of its extension: .pers as GUDHI reads, .txt as Ripser prints, .csv, or .json with
@@ -29,7 +32,7 @@ pub(crate) struct Persistence {
     /// The model; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
-    /// A prime field: f2, f3, f5, ...
+    /// A prime field: f2, f3, f5, ... or 2, 3, 5, ...
     #[arg(long, value_name = "FIELD", default_value = "f2", value_parser = field)]
     coefficients: Coefficients,
     /// The function on vertices: a coordinate, or a file with one number a line for each vertex
@@ -45,12 +48,16 @@ pub(crate) struct Persistence {
     /// Only pairs whose persistence is greater than R; a negative R keeps all
     #[arg(long, value_name = "R", default_value = "0", allow_negative_numbers = true, value_parser = length)]
     min_persistence: f64,
+    #[command(flatten)]
+    points: PointArguments,
 }
 
 /// How many pairs of a degree the page for people lists.
 const LISTED: usize = 8;
 
 fn field(name: &str) -> Result<Coefficients, String> {
+    let is_number = !name.is_empty() && name.bytes().all(|byte| byte.is_ascii_digit());
+    let name = if is_number { format!("f{name}") } else { name.to_owned() };
     name.parse().map_err(|error: coface::Error| error.to_string())
 }
 
@@ -85,6 +92,13 @@ impl Persistence {
         });
         let output = output.transpose()?;
         let progress = Progress::start(common.quiet);
+        if self.points.rips {
+            let found =
+                self.points.found(&self.input, common, self.coefficients, self.min_persistence, &progress)?;
+            return self.give(common, output.as_ref(), progress, &found.answer(), |bytes, format| {
+                found.write(bytes, format)
+            });
+        }
         let (name, producer) = input::produce(&self.input, common.reading(), &progress)?;
         let growth = match &self.values {
             Some(path) => read_values(path)?,
@@ -98,26 +112,38 @@ impl Persistence {
             .growth(growth)
             .min_persistence(self.min_persistence);
         let found = request.found(&name, &producer)?;
+        self.give(common, output.as_ref(), progress, &found.answer(), |bytes, format| {
+            write_diagram(found.diagram(), bytes, format)
+        })
+    }
+
+    /// Writes the file that was asked for, and prints.
+    fn give(
+        &self,
+        common: &Common,
+        output: Option<&(&Path, Output)>,
+        progress: Progress,
+        answer: &PersistenceAnswer,
+        write: impl FnOnce(&mut Vec<u8>, DiagramFormat) -> Result<(), coface::Error>,
+    ) -> Result<(), Failure> {
         progress.stage("writing");
         match output {
-            Some((path, Output::Json)) => write_json(path, &found.answer())?,
+            Some((path, Output::Json)) => write_json(path, answer)?,
             Some((path, Output::Text(format))) => {
                 let mut bytes = Vec::new();
-                write_diagram(found.diagram(), &mut bytes, format)?;
+                write(&mut bytes, *format)?;
                 write_file(path, &bytes)?;
             }
             None => {}
         }
-        if common.json {
-            let answer = found.answer();
-            drop(progress);
-            return print_json(&answer);
-        }
         drop(progress);
+        if common.json {
+            return print_json(answer);
+        }
         if common.output.is_some() {
             return Ok(());
         }
-        print_text(&self.page(&found.answer()))
+        print_text(&self.page(answer))
     }
 
     /// The diagram for people: for each degree the longest pairs.
@@ -125,17 +151,19 @@ impl Persistence {
         let mut page = format!("  persistence of {} over {}\n", escaped(&answer.file), self.coefficients);
         let function = &answer.function;
         // Writing to a string does not fail.
-        let _ = match &answer.star {
-            Some(star) => writeln!(page, "    function: {function}, {star} star"),
-            None => writeln!(page, "    values: {function}"),
+        let _ = match (&answer.star, answer.threshold) {
+            (Some(star), _) => writeln!(page, "    function: {function}, {star} star"),
+            (None, Some(threshold)) => writeln!(page, "    {function}, diameters up to {threshold}"),
+            (None, None) => writeln!(page, "    values: {function}"),
         };
         for degree in 0..answer.betti.len() {
             let mut pairs: Vec<&PersistencePairAnswer> =
                 answer.diagram.iter().filter(|pair| pair.degree == degree).collect();
             let essential = pairs.iter().filter(|pair| pair.death.is_none()).count();
+            let for_ever = if answer.threshold.is_some() { "at the end" } else { "for ever" };
             let _ = writeln!(
                 page,
-                "\n    degree {degree}: {} for ever, {}",
+                "\n    degree {degree}: {} {for_ever}, {}",
                 text::count(essential, "class"),
                 text::count(pairs.len() - essential, "pair")
             );

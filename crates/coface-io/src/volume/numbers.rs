@@ -50,6 +50,20 @@ impl NumberType {
     }
 }
 
+/// What becomes of the numbers of a file.
+pub(super) trait Decode {
+    type Item;
+
+    /// Decodes numbers; the bytes are those of whole numbers.
+    fn of_bytes(&self, bytes: &[u8], is_big_endian: bool, out: &mut Vec<Self::Item>);
+
+    /// Decodes a number as text.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) for what is no number of the type.
+    fn of_word(&self, word: &str) -> Result<Self::Item, Error>;
+}
+
 /// What is asked of the numbers of a file.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Test {
@@ -86,63 +100,126 @@ impl Test {
             None => self.rule.holds(number),
         }
     }
+}
 
-    /// Says of each number whether it sets its voxel; the bytes are those of whole numbers.
-    pub(super) fn of_bytes(&self, bytes: &[u8], is_big_endian: bool, is_set: &mut Vec<bool>) {
+/// Calls with each number of some bytes.
+macro_rules! each_number {
+    ($number_type:expr, $bytes:expr, $is_big_endian:expr, $out:expr, $integer:expr, $real:expr) => {{
         macro_rules! each {
-            ($number:ty, $test:expr) => {{
+            ($number:ty, $item:expr) => {{
                 const SIZE: usize = size_of::<$number>();
-                let numbers = bytes.chunks_exact(SIZE).map(|bytes| {
+                let numbers = $bytes.chunks_exact(SIZE).map(|bytes| {
                     let bytes: [u8; SIZE] = bytes.try_into().expect("chunks have the size of a number");
-                    if is_big_endian {
+                    if $is_big_endian {
                         <$number>::from_be_bytes(bytes)
                     } else {
                         <$number>::from_le_bytes(bytes)
                     }
                 });
-                is_set.extend(numbers.map($test));
+                $out.extend(numbers.map($item));
             }};
         }
-        match self.number_type {
-            NumberType::Bool => each!(u8, |x| self.integer(i128::from(x != 0))),
-            NumberType::I8 => each!(i8, |x| self.integer(x.into())),
-            NumberType::U8 => each!(u8, |x| self.integer(x.into())),
-            NumberType::I16 => each!(i16, |x| self.integer(x.into())),
-            NumberType::U16 => each!(u16, |x| self.integer(x.into())),
-            NumberType::I32 => each!(i32, |x| self.integer(x.into())),
-            NumberType::U32 => each!(u32, |x| self.integer(x.into())),
-            NumberType::I64 => each!(i64, |x| self.integer(x.into())),
-            NumberType::U64 => each!(u64, |x| self.integer(x.into())),
-            NumberType::F16 => each!(u16, |x| self.real(half(x))),
-            NumberType::F32 => each!(f32, |x| self.real(x.into())),
-            NumberType::F64 => each!(f64, |x| self.real(x)),
+        let (integer, real) = ($integer, $real);
+        match $number_type {
+            NumberType::Bool => each!(u8, |x| integer(i128::from(x != 0))),
+            NumberType::I8 => each!(i8, |x| integer(x.into())),
+            NumberType::U8 => each!(u8, |x| integer(x.into())),
+            NumberType::I16 => each!(i16, |x| integer(x.into())),
+            NumberType::U16 => each!(u16, |x| integer(x.into())),
+            NumberType::I32 => each!(i32, |x| integer(x.into())),
+            NumberType::U32 => each!(u32, |x| integer(x.into())),
+            NumberType::I64 => each!(i64, |x| integer(x.into())),
+            NumberType::U64 => each!(u64, |x| integer(x.into())),
+            NumberType::F16 => each!(u16, |x| real(half(x))),
+            NumberType::F32 => each!(f32, |x| real(x.into())),
+            NumberType::F64 => each!(f64, |x| real(x)),
         }
-    }
+    }};
+}
 
-    /// Says of a number as text whether it sets its voxel.
-    ///
+/// A word as a number of a type.
+enum Number {
+    Integer(i128),
+    Real(f64),
+}
+
+impl Number {
     /// # Errors
     /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) for what is no number of the type.
-    pub(super) fn of_word(&self, word: &str) -> Result<bool, Error> {
+    fn of_word(word: &str, number_type: NumberType) -> Result<Self, Error> {
         let fault = || {
-            let what =
-                if self.number_type.range().is_some() { "integer of the file's type" } else { "number" };
+            let what = if number_type.range().is_some() { "integer of the file's type" } else { "number" };
             Error::parse(format!("\"{}\" is no {what}", word.escape_debug()))
                 .with_cure("write numbers with white space between them")
         };
-        match self.number_type.range() {
+        match number_type.range() {
             Some((least, most)) => {
                 let number: i128 = word.parse().map_err(|_| fault())?;
                 if number < least || most < number {
                     return Err(fault());
                 }
-                Ok(self.integer(number))
+                Ok(Self::Integer(number))
             }
-            None if self.number_type == NumberType::F32 => {
-                Ok(self.real(word.parse::<f32>().map_err(|_| fault())?.into()))
+            None if number_type == NumberType::F32 => {
+                Ok(Self::Real(word.parse::<f32>().map_err(|_| fault())?.into()))
             }
-            None => Ok(self.real(word.parse().map_err(|_| fault())?)),
+            None => Ok(Self::Real(word.parse().map_err(|_| fault())?)),
         }
+    }
+}
+
+impl Decode for Test {
+    type Item = bool;
+
+    /// Says of each number whether it sets its voxel.
+    fn of_bytes(&self, bytes: &[u8], is_big_endian: bool, is_set: &mut Vec<bool>) {
+        each_number!(self.number_type, bytes, is_big_endian, is_set, |x: i128| self.integer(x), |x: f64| {
+            self.real(x)
+        });
+    }
+
+    fn of_word(&self, word: &str) -> Result<bool, Error> {
+        Ok(match Number::of_word(word, self.number_type)? {
+            Number::Integer(number) => self.integer(number),
+            Number::Real(number) => self.real(number),
+        })
+    }
+}
+
+/// The numbers themselves.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Values {
+    pub(super) number_type: NumberType,
+    /// Factor and summand that make of a number of the file the one that is meant.
+    pub(super) scale: Option<(f64, f64)>,
+}
+
+impl Values {
+    #[inline]
+    fn meant(&self, number: f64) -> f64 {
+        self.scale.map_or(number, |(factor, summand)| factor * number + summand)
+    }
+}
+
+impl Decode for Values {
+    type Item = f64;
+
+    fn of_bytes(&self, bytes: &[u8], is_big_endian: bool, out: &mut Vec<f64>) {
+        each_number!(
+            self.number_type,
+            bytes,
+            is_big_endian,
+            out,
+            |x: i128| self.meant(x as f64),
+            |x: f64| self.meant(x)
+        );
+    }
+
+    fn of_word(&self, word: &str) -> Result<f64, Error> {
+        Ok(self.meant(match Number::of_word(word, self.number_type)? {
+            Number::Integer(number) => number as f64,
+            Number::Real(number) => number,
+        }))
     }
 }
 

@@ -1,7 +1,7 @@
 //! Volume files read voxel by voxel.
 
 use super::header::{Encoding, Skip, VolumeHeader, unreadable, up_to};
-use super::numbers::{Test, Words};
+use super::numbers::{Decode, Test, Values, Words};
 use super::rule::{VolumeReading, VoxelRule};
 use super::{nifti, npy, nrrd};
 use crate::Format;
@@ -19,8 +19,8 @@ use std::path::{Path, PathBuf};
 /// No more numbers than this are held at once.
 const CHUNK: usize = 1 << 14;
 
-/// What is called with the first voxel of a run and which voxels of the run are set.
-type Visit<'v> = dyn FnMut(&[u32], &[bool]) -> Result<(), Error> + 'v;
+/// What is called with the first voxel of a run and what became of the numbers of the run.
+type Visit<'v, T> = dyn FnMut(&[u32], &[T]) -> Result<(), Error> + 'v;
 
 /// A volume file whose header has been read, and whose numbers have not.
 ///
@@ -269,17 +269,48 @@ impl<'r> VolumeStream<'r> {
     ) -> Result<Vec<Remark>, Error> {
         rule.check()?;
         let name = self.name.clone();
-        self.runs(rule, &mut visit).map_err(|error| match name {
+        let test = Test::new(rule, self.header.number_type, self.header.scale);
+        self.runs(&test, &mut visit).map_err(|error| match name {
             Some(name) if error.kind() != ErrorKind::InvalidInput => error.in_file(name),
             _ => error,
         })
     }
 
-    fn runs(self, rule: VoxelRule, visit: &mut Visit<'_>) -> Result<Vec<Remark>, Error> {
+    /// Reads the numbers in the order of the file, as they are meant (scaled where the header says so). Gives remarks too.
+    ///
+    /// # Errors
+    /// Those of [`Self::for_each_run`].
+    ///
+    /// # Complexity
+    /// Linear in the file; 8 bytes a voxel are held.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{Format, VolumeStream};
+    /// let text = b"NRRD0004\ntype: double\ndimension: 2\nsizes: 3 1\nencoding: ascii\n\n1 0.5 -2";
+    /// let stream = VolumeStream::new(&text[..], Format::Nrrd)?;
+    /// assert_eq!(stream.numbers()?.0, [1.0, 0.5, -2.0]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn numbers(self) -> Result<(Vec<f64>, Vec<Remark>), Error> {
+        let name = self.name.clone();
+        let values = Values { number_type: self.header.number_type, scale: self.header.scale };
+        // Grown as numbers come: what the header says may be a lie.
+        let mut numbers = Vec::new();
+        let remarks = self.runs(&values, &mut |_, run| {
+            numbers.extend_from_slice(run);
+            Ok(())
+        });
+        let remarks = remarks.map_err(|error| match name {
+            Some(name) => error.in_file(name),
+            None => error,
+        })?;
+        Ok((numbers, remarks))
+    }
+
+    fn runs<D: Decode>(self, decode: &D, visit: &mut Visit<'_, D::Item>) -> Result<Vec<Remark>, Error> {
         let fastest = self.fastest_axis();
-        let VolumeHeader { shape, is_first_fastest, number_type, is_big_endian, encoding, scale, .. } =
-            self.header;
-        let test = Test::new(rule, number_type, scale);
+        let VolumeHeader { shape, is_first_fastest, number_type, is_big_endian, encoding, .. } = self.header;
         let total: u128 = shape.iter().map(|&length| u128::from(length)).product();
         let mut numbers = match encoding {
             Encoding::Ascii => Numbers::Words(Words::new(self.input)),
@@ -296,14 +327,14 @@ impl<'r> VolumeStream<'r> {
             outer.reverse();
         }
         let mut voxel = vec![0u32; shape.len()];
-        let mut is_set = Vec::with_capacity(CHUNK.min(shape[fastest] as usize));
+        let mut items = Vec::with_capacity(CHUNK.min(shape[fastest] as usize));
         let mut done: u128 = 0;
         loop {
             voxel[fastest] = 0;
             while voxel[fastest] < shape[fastest] {
                 let count = (shape[fastest] - voxel[fastest]).min(CHUNK as u32);
-                is_set.clear();
-                numbers.read(count as usize, &test, &mut is_set).map_err(|fault| match fault {
+                items.clear();
+                numbers.read(count as usize, decode, &mut items).map_err(|fault| match fault {
                     Fault::Error(error) => error,
                     Fault::End(early) => {
                         let error = Error::parse(format!(
@@ -319,7 +350,7 @@ impl<'r> VolumeStream<'r> {
                         }
                     }
                 })?;
-                visit(&voxel, &is_set)?;
+                visit(&voxel, &items)?;
                 voxel[fastest] += count;
                 done += u128::from(count);
             }
@@ -528,13 +559,13 @@ enum Numbers<'r> {
 }
 
 impl Numbers<'_> {
-    /// Says of the next numbers whether they set their voxels.
-    fn read(&mut self, count: usize, test: &Test, is_set: &mut Vec<bool>) -> Result<(), Fault> {
+    /// Decodes the next numbers.
+    fn read<D: Decode>(&mut self, count: usize, decode: &D, out: &mut Vec<D::Item>) -> Result<(), Fault> {
         match self {
             Self::Words(words) => {
                 for done in 0..count {
                     let word = words.next().map_err(Fault::Error)?.ok_or(Fault::End(done))?;
-                    is_set.push(test.of_word(word).map_err(Fault::Error)?);
+                    out.push(decode.of_word(word).map_err(Fault::Error)?);
                 }
             }
             Self::Bytes { input, size, is_big_endian, buffer } => {
@@ -545,7 +576,7 @@ impl Numbers<'_> {
                 if buffer.len() < wanted {
                     return Err(Fault::End(buffer.len() / *size));
                 }
-                test.of_bytes(buffer, *is_big_endian, is_set);
+                decode.of_bytes(buffer, *is_big_endian, out);
             }
         }
         Ok(())

@@ -105,6 +105,7 @@ from coface._questions import (
     persistence,
     pi1,
     polygon,
+    rips,
 )
 from coface import _faults, _records, maps
 from coface._notebook import repr_html as _repr_html
@@ -248,6 +249,7 @@ __all__ = [
     "product",
     "read",
     "render",
+    "rips",
     "to_geopandas",
     "to_gudhi",
     "to_meshio",

@@ -1946,6 +1946,10 @@ class Persistence:
         """
         ...
     @property
+    def threshold(self) -> float | None:
+        """The largest diameter of the simplices that were looked at; ``None`` unless the diagram is of points."""
+        ...
+    @property
     def diagrams(self) -> list[NDArray[np.float64]]:
         """The diagrams of all degrees, as Ripser's users have them."""
         ...
@@ -3786,6 +3790,32 @@ def persistence(complex: ChainComplex, *, vertex_values: ArrayLike | None = None
         A prime field: ``"f2"``, ``"f3"``, ...
     upper : bool
         Whether a cell enters with its first vertex and values fall.
+    least : float
+        Classes that live no longer than this are left out.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    Persistence
+        The diagram.
+    """
+    ...
+def rips(table: Any, *, form: str = "points", dimension: int = ..., threshold: float | None = None, coefficients: str | int = ..., least: float = 0.0, progress: _Progress = ...) -> Persistence:
+    """Persistent homology of the Vietoris-Rips filtration of points or distances.
+
+    Parameters
+    ----------
+    table : array_like of float
+        Rows of numbers.
+    form : {"points", "lower", "upper", "square", "sparse"}
+        What the rows are: coordinates, distances to the points before or behind or to all, or two points and their distance.
+    dimension : int
+        The highest degree of classes.
+    threshold : float, optional
+        The largest diameter of simplices; the enclosing radius if not given.
+    coefficients : str or int
+        A prime field: ``"f2"``, ``"f3"``, ...
     least : float
         Classes that live no longer than this are left out.
     progress : bool or callable, optional

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -886,6 +886,85 @@ def persistence(
         cell_values=cell_values,
         coefficients=coefficients,
         upper=upper,
+        least=least,
+        progress=progress,
+    )
+    return found
+
+
+@in_words
+def rips(
+    x: Any,
+    *,
+    dimension: int = 1,
+    threshold: float | None = None,
+    distances: Literal["lower", "upper", "square", "sparse"] | None = None,
+    coefficients: str | int = "f2",
+    least: float = 0.0,
+    progress: Any = False,
+) -> Persistence:
+    """Persistent homology of the Vietoris-Rips filtration of points or of distances.
+
+    Parameters
+    ----------
+    x
+        Points, an array of shape ``(points, coordinates)``; a sparse matrix of distances, of which what is not stored is infinite; or what
+        `distances` says.
+    dimension
+        The highest degree of classes.
+    threshold
+        The largest diameter of simplices; the enclosing radius if not given, behind which nothing changes.
+    distances
+        What `x` has if not points: ``"square"``, the distances of all points to all; ``"lower"`` or ``"upper"``, those of each point to the points
+        before it or behind it; ``"sparse"``, rows of two points, from 0 on, and their distance.
+    coefficients
+        A prime field: ``"f2"``, ``"f3"``, ...
+    least
+        Classes that live no longer than this are left out.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    Persistence
+        ``diagram(degree)`` is an array ``(n, 2)`` of births and deaths, ``simplices(degree)`` has the points that make and end each class.
+
+    Examples
+    --------
+    The corners of a square:
+
+    >>> import coface
+    >>> coface.rips([[0, 0], [3, 0], [3, 4], [0, 4]], dimension=1).diagram(1)
+    array([[4., 5.]])
+    >>> coface.rips([[3], [5, 4]], distances="lower", dimension=0).diagram(0)
+    array([[ 0., inf],
+           [ 0.,  3.],
+           [ 0.,  4.]])
+    """
+    if hasattr(x, "tocoo"):
+        entries = x.tocoo()
+        # Both places of a pair say the same: the lower one is kept, and the upper one where the lower is not stored.
+        stored: dict[tuple[int, int], float] = {}
+        for i, j, distance in zip(entries.row.tolist(), entries.col.tolist(), entries.data.tolist(), strict=True):
+            if i == j:
+                continue
+            pair = (max(i, j), min(i, j))
+            if stored.setdefault(pair, float(distance)) != float(distance):
+                raise_invalid(f"the distance of the points {pair[1]} and {pair[0]} is {stored[pair]} and {distance}", "give one")
+        if not stored or max(i for i, _ in stored) + 1 < entries.shape[0]:
+            raise_invalid("the last point is at no stored distance to another", "leave it out, or store a distance to it")
+        x, distances = [[i, j, distance] for (i, j), distance in stored.items()], "sparse"
+    elif distances is None or distances in ("square", "sparse"):
+        x = numbers(x, "x")
+        if x.ndim != 2:
+            raise_invalid(f"x has the shape {x.shape}", "give an array of two axes, a row for each point")
+    found: Persistence = asked(
+        "rips",
+        x,
+        form=distances or "points",
+        dimension=dimension,
+        threshold=threshold,
+        coefficients=coefficients,
         least=least,
         progress=progress,
     )

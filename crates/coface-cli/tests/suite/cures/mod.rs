@@ -226,6 +226,11 @@ const EXCEPTIONS: &[(&str, &str, &str)] = &[
         "Split a face by an edge between the sources",
         "the help of an option, not a message",
     ),
+    (
+        "persistence/points.rs",
+        "(--threshold {fitting})",
+        "has a test of its own, which asks for the threshold that it names",
+    ),
     ("cli/src/classes.rs", "build it with --features arrow", "needs another build of the program"),
     ("facts/volume.rs", "coface homology --parts N", "needs a volume of a thousand million voxels"),
     (

@@ -10,6 +10,21 @@ const TRIANGLE: Files = &[("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0
 const SPHERE: Files = &[("sphere.json", "[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]")];
 
 pub(super) const CASES: &[Case] = &[
+    Case::new("persistence/points.rs", "or say what they are by --distances lower")
+        .files(&[("a.csv", "1\n2 3\n")])
+        .refused("coface persistence a.csv --rips")
+        .cured(&[&["coface persistence a.csv --rips --distances lower"]]),
+    Case::new(
+        "persistence/points.rs",
+        "or say how the table is laid out by --distances square or --distances sparse",
+    )
+    .files(&[("a.csv", "0 1 2\n1 2 1\n0 2 2\n")])
+    .refused("coface persistence a.csv --rips --distances lower --threshold 5")
+    .cured(&[&["coface persistence a.csv --rips --distances sparse"]]),
+    Case::new("persistence/points.rs", "if its numbers are distances, say so by --distances square")
+        .files(&[("a.csv", "0 1 2\n1 0 1\n2 1 0\n")])
+        .answered("coface persistence a.csv --rips")
+        .cured(&[&["coface persistence a.csv --rips --distances square"]]),
     Case::new("repair/triangulation.rs", "convert the model without --triangulate")
         .files(TRIANGLE)
         .refused("coface convert triangle.off --triangulate -o a.obj")

@@ -1,0 +1,505 @@
+//! Vietoris-Rips persistence of points and distances.
+
+use super::diagram::{DiagramFormat, Line, write_lines};
+use crate::answer::{PersistenceAnswer, PersistencePairAnswer, Remark, RemarkCode};
+use crate::text;
+use coface_algebra::progress::stage;
+use coface_algebra::{Error, VertexId, memory};
+use coface_io::NumberTable;
+use coface_topology::{Coefficients, Distances, RipsDiagram, RipsFiltration, RipsPair};
+use std::io::Write;
+
+/// What the numbers of a table are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum TableForm {
+    /// A row for each point, its coordinates in any number of columns.
+    Points,
+    /// The distances of each point to the points before it, one point after the other.
+    Lower,
+    /// The distances of each point to the points after it, one point after the other.
+    Upper,
+    /// A row for each point, with its distances to all points.
+    Square,
+    /// Rows `i j distance` with points from 0 on; other pairs of points are infinitely far apart.
+    Sparse,
+}
+
+impl TableForm {
+    /// The form of this name: `points`, `lower`, `upper`, `square` or `sparse`.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for another name.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::TableForm;
+    /// assert_eq!(TableForm::from_name("lower").expect("a form"), TableForm::Lower);
+    /// ```
+    pub fn from_name(name: &str) -> Result<Self, Error> {
+        Ok(match name {
+            "points" => Self::Points,
+            "lower" => Self::Lower,
+            "upper" => Self::Upper,
+            "square" | "full" => Self::Square,
+            "sparse" => Self::Sparse,
+            _ => {
+                return Err(Error::invalid(format!("\"{}\" is no form of distances", name.escape_debug()))
+                    .with_cure("give points, lower, upper, square or sparse"));
+            }
+        })
+    }
+
+    /// The distances that a table holds, or those of its points. Points have the Euclidean distance. Gives remarks too.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) or
+    /// [`ErrorKind::Shape`](coface_algebra::ErrorKind::Shape) for rows that do not fit the form, with their line.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::TableForm;
+    /// use coface_io::NumberTable;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = NumberTable::read(&b"0 0\n3 0\n3 4\n"[..])?;
+    /// let lower = NumberTable::read(&b"3\n5 4\n"[..])?;
+    /// let square = NumberTable::read(&b"0 3 5\n3 0 4\n5 4 0\n"[..])?;
+    /// let (distances, _) = TableForm::Points.distances(&points)?;
+    /// assert_eq!(TableForm::Lower.distances(&lower)?.0, distances);
+    /// assert_eq!(TableForm::Square.distances(&square)?.0, distances);
+    /// # Ok(()) }
+    /// ```
+    pub fn distances(self, table: &NumberTable) -> Result<(Distances, Vec<Remark>), Error> {
+        let mut remarks = Vec::new();
+        let distances = match self {
+            Self::Points => {
+                if is_square_of_distances(table) {
+                    remarks.push(Remark::new(
+                        RemarkCode::InputReading,
+                        "the table is symmetric with zeros on its diagonal and was read as points; if its numbers are distances, say so by --distances square",
+                    ));
+                }
+                of_points(table)?
+            }
+            Self::Lower => of_lower(table)?,
+            Self::Upper => {
+                let count = point_count(table.numbers().len())?;
+                let row = |i: usize| i * (2 * count - i - 1) / 2;
+                let at = |i: usize, j: usize| table.numbers()[row(j) + i - j - 1];
+                let lower = (0..count).flat_map(|i| (0..i).map(move |j| at(i, j)));
+                Distances::from_lower_triangle(count, lower.collect())?
+            }
+            Self::Square => of_square(table)?,
+            Self::Sparse => of_list(table)?,
+        };
+        Ok((distances, remarks))
+    }
+}
+
+/// An error in a row of a table.
+fn in_row(error: Error, table: &NumberTable, row: usize) -> Error {
+    match table.line(row) {
+        Some(line) => error.at_line(line),
+        None => error,
+    }
+}
+
+fn of_points(table: &NumberTable) -> Result<Distances, Error> {
+    let count = table.row_count();
+    let dimension = if count == 0 { 0 } else { table.row(0).len() };
+    for row in 0..count {
+        let point = table.row(row);
+        if point.len() != dimension {
+            let error = Error::invalid(format!(
+                "point {row} has {}, and point 0 has {dimension}",
+                text::count(point.len(), "coordinate")
+            ));
+            return Err(in_row(
+                error.with_cure("give each point as many numbers, or say what they are by --distances lower"),
+                table,
+                row,
+            ));
+        }
+        if let Some(number) = point.iter().find(|number| !number.is_finite()) {
+            let error = Error::invalid(format!("a coordinate of point {row} is {number}"));
+            return Err(in_row(
+                error.with_cure("give finite coordinates, or leave the point out"),
+                table,
+                row,
+            ));
+        }
+    }
+    memory::require((count as u64).saturating_mul(count as u64).saturating_mul(4), || {
+        format!("the distances of {} points", text::grouped(count))
+    })?;
+    let steps = stage("measuring distances", count);
+    let mut lower = Vec::with_capacity(count * count.saturating_sub(1) / 2);
+    for i in steps.each(0..count) {
+        for j in 0..i {
+            let squares = table.row(i).iter().zip(table.row(j)).map(|(x, y)| (x - y) * (x - y));
+            lower.push(squares.sum::<f64>().sqrt());
+        }
+    }
+    if let Some(at) = lower.iter().position(|distance| !distance.is_finite()) {
+        let i = ((((8 * at + 1) as f64).sqrt() + 1.0) / 2.0) as usize;
+        return Err(Error::invalid(format!(
+            "the distance of point {i} to an earlier one is too large for a number"
+        ))
+        .with_cure("scale the points"));
+    }
+    Distances::from_lower_triangle(count, lower)
+}
+
+/// The number of points whose pairs are so many.
+fn point_count(pairs: usize) -> Result<usize, Error> {
+    let count = ((((8.0 * pairs as f64 + 1.0).sqrt() + 1.0) / 2.0).round()) as usize;
+    if pairs == 0 {
+        return Ok(1);
+    }
+    if count * (count - 1) / 2 != pairs {
+        return Err(Error::invalid(format!(
+            "{} are not one for each pair of any number of points: {count} points have {} pairs",
+            text::count(pairs, "distance"),
+            count * (count - 1) / 2
+        ))
+        .with_cure("give a number for each pair, or say how the table is laid out by --distances square or --distances sparse"));
+    }
+    Ok(count)
+}
+
+fn of_lower(table: &NumberTable) -> Result<Distances, Error> {
+    // Rows of lengths 1, 2, 3, .. that end in 0 have the diagonal too.
+    let rows = table.row_count();
+    let with_diagonal = rows > 1
+        && (0..rows).all(|row| table.row(row).len() == row + 1 && table.row(row).last() == Some(&0.0));
+    if with_diagonal {
+        let lower = (0..rows).flat_map(|row| table.row(row)[..row].iter().copied());
+        return Distances::from_lower_triangle(rows, lower.collect());
+    }
+    let numbers = table.numbers();
+    Distances::from_lower_triangle(point_count(numbers.len())?, numbers.to_vec())
+}
+
+fn of_square(table: &NumberTable) -> Result<Distances, Error> {
+    let count = table.row_count();
+    let mut lower = Vec::new();
+    for i in 0..count {
+        let row = table.row(i);
+        let wrong = |error: Error| in_row(error, table, i);
+        if row.len() != count {
+            return Err(wrong(
+                Error::invalid(format!(
+                    "row {i} has {}, and there are {count} rows",
+                    text::count(row.len(), "number")
+                ))
+                .with_cure("give as many numbers in each row as there are rows"),
+            ));
+        }
+        if row[i] != 0.0 {
+            return Err(wrong(
+                Error::invalid(format!("the distance of point {i} to itself is {}, not 0", row[i]))
+                    .with_cure("write zeros on the diagonal"),
+            ));
+        }
+        for (j, &one) in row.iter().enumerate().take(i) {
+            let other = table.row(j)[i];
+            if one != other {
+                return Err(wrong(
+                    Error::invalid(format!("row {i} says that point {j} is at {one}, row {j} says {other}"))
+                        .with_cure("write the same number in both places"),
+                ));
+            }
+            lower.push(one);
+        }
+    }
+    Distances::from_lower_triangle(count, lower)
+}
+
+fn of_list(table: &NumberTable) -> Result<Distances, Error> {
+    let mut list = Vec::with_capacity(table.row_count());
+    let mut count = 0;
+    for row in 0..table.row_count() {
+        let wrong = |message: String| {
+            in_row(
+                Error::invalid(message).with_cure("write rows of two points, from 0 on, and their distance"),
+                table,
+                row,
+            )
+        };
+        let &[i, j, distance] = table.row(row) else {
+            return Err(wrong(format!("the row has {}, not 3", text::count(table.row(row).len(), "number"))));
+        };
+        let point = |number: f64| {
+            let is_point = number >= 0.0 && number.fract() == 0.0 && number < f64::from(u32::MAX);
+            is_point.then_some(number as usize).ok_or_else(|| wrong(format!("{number} is no point")))
+        };
+        let (i, j) = (point(i)?, point(j)?);
+        count = count.max(i + 1).max(j + 1);
+        list.push((i, j, distance));
+    }
+    Distances::from_list(count, list)
+}
+
+fn is_square_of_distances(table: &NumberTable) -> bool {
+    let count = table.row_count();
+    count > 2
+        && (0..count).all(|i| table.row(i).len() == count && table.row(i)[i] == 0.0)
+        && (0..count).all(|i| (0..i).all(|j| table.row(i)[j] == table.row(j)[i]))
+}
+
+/// Asks for persistent homology of the Vietoris-Rips filtration of points.
+///
+/// # Examples
+/// ```
+/// use coface_answers::{RipsRequest, TableForm};
+/// use coface_io::NumberTable;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let square = NumberTable::read(&b"0 0\n1 0\n1 1\n0 1\n"[..])?;
+/// let (distances, _) = TableForm::Points.distances(&square)?;
+/// let answer = RipsRequest::new().found("square.csv", &distances)?.answer();
+/// let hole = answer.diagram.last().expect("four points and a hole");
+/// assert_eq!((hole.degree, hole.birth, hole.death), (1, 1.0, Some(2f64.sqrt())));
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug)]
+pub struct RipsRequest {
+    coefficients: Coefficients,
+    dimension: usize,
+    threshold: Option<f64>,
+    min_persistence: f64,
+}
+
+impl Default for RipsRequest {
+    fn default() -> Self {
+        Self { coefficients: Coefficients::Modulo(2), dimension: 1, threshold: None, min_persistence: 0.0 }
+    }
+}
+
+impl RipsRequest {
+    /// Asks for the degrees 0 and 1 over two elements, up to the enclosing radius.
+    ///
+    /// # Examples
+    /// See [`RipsRequest`].
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The field of coefficients.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::RipsRequest;
+    /// use coface_topology::{Coefficients, Distances};
+    /// let two = Distances::from_lower_triangle(2, vec![3.0])?;
+    /// assert_eq!(RipsRequest::new().coefficients(Coefficients::Modulo(3)).found("two", &two)?.answer().field, 3);
+    /// # Ok(()) }
+    /// ```
+    pub fn coefficients(mut self, coefficients: Coefficients) -> Self {
+        self.coefficients = coefficients;
+        self
+    }
+
+    /// The highest degree that is asked for.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::RipsRequest;
+    /// use coface_topology::Distances;
+    /// let two = Distances::from_lower_triangle(2, vec![3.0])?;
+    /// assert_eq!(RipsRequest::new().dimension(2).found("two", &two)?.answer().betti, [1, 0, 0]);
+    /// # Ok(()) }
+    /// ```
+    pub fn dimension(mut self, dimension: usize) -> Self {
+        self.dimension = dimension;
+        self
+    }
+
+    /// The largest diameter of simplices; `None` is the enclosing radius.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::RipsRequest;
+    /// use coface_topology::Distances;
+    /// let two = Distances::from_lower_triangle(2, vec![3.0])?;
+    /// assert_eq!(RipsRequest::new().threshold(Some(2.0)).found("two", &two)?.answer().betti, [2, 0]);
+    /// # Ok(()) }
+    /// ```
+    pub fn threshold(mut self, threshold: Option<f64>) -> Self {
+        self.threshold = threshold;
+        self
+    }
+
+    /// Leaves out the pairs whose persistence is not greater. Pairs of persistence 0 are never listed: they are not computed one by one.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::RipsRequest;
+    /// use coface_topology::Distances;
+    /// let two = Distances::from_lower_triangle(2, vec![3.0])?;
+    /// assert_eq!(RipsRequest::new().min_persistence(3.0).found("two", &two)?.answer().diagram.len(), 1);
+    /// # Ok(()) }
+    /// ```
+    pub fn min_persistence(mut self, least: f64) -> Self {
+        self.min_persistence = least;
+        self
+    }
+
+    /// Finds the diagram of points with these distances.
+    ///
+    /// # Errors
+    /// Those of [`RipsFiltration::new`] and [`RipsFiltration::persistence`]; [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) where the
+    /// memory that is free would not do, with a threshold for which it would.
+    ///
+    /// # Examples
+    /// See [`RipsRequest`].
+    pub fn found(&self, name: &str, distances: &Distances) -> Result<FoundRips, Error> {
+        let in_file = |error: Error| error.in_file(name);
+        let filtration = RipsFiltration::new(distances, self.threshold).map_err(in_file)?;
+        self.require_memory(&filtration).map_err(in_file)?;
+        let diagram = filtration.persistence(self.dimension, self.coefficients).map_err(in_file)?;
+        let pairs = diagram.pairs().filter(|pair| length(pair) > self.min_persistence).cloned().collect();
+        Ok(FoundRips { name: name.to_owned(), diagram, pairs })
+    }
+
+    fn require_memory(&self, filtration: &RipsFiltration) -> Result<(), Error> {
+        let size = filtration.size(self.dimension, f64::INFINITY)?;
+        let what = || {
+            let counts: Vec<String> =
+                size.simplices().iter().map(|&count| text::grouped(count.round() as usize)).collect();
+            format!(
+                "persistence of about {} simplices of degrees 0 to {}",
+                counts.join(" + "),
+                self.dimension
+            )
+        };
+        memory::require(size.bytes() as u64, what).map_err(|error| {
+            let free = memory::free().unwrap_or(0) as f64;
+            match filtration.threshold_within(self.dimension, free).ok().flatten() {
+                Some(fitting) if fitting > 0.0 => error.with_cure(format!(
+                    "ask for a threshold of {fitting} or less (--threshold {fitting}), a lower dimension, or allow more memory"
+                )),
+                _ => error.with_cure("ask for a lower dimension, take fewer points, or allow more memory"),
+            }
+        })
+    }
+}
+
+fn length(pair: &RipsPair) -> f64 {
+    pair.death().map_or(f64::INFINITY, |death| death - pair.birth())
+}
+
+/// A persistence diagram of points.
+#[derive(Clone, Debug)]
+pub struct FoundRips {
+    name: String,
+    diagram: RipsDiagram,
+    pairs: Vec<RipsPair>,
+}
+
+impl FoundRips {
+    /// The whole diagram.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::RipsRequest;
+    /// use coface_topology::Distances;
+    /// let two = Distances::from_lower_triangle(2, vec![3.0])?;
+    /// assert_eq!(RipsRequest::new().found("two", &two)?.diagram().pairs().count(), 2);
+    /// # Ok(()) }
+    /// ```
+    pub fn diagram(&self) -> &RipsDiagram {
+        &self.diagram
+    }
+
+    /// The pairs that are long enough, by degree.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::RipsRequest;
+    /// use coface_topology::Distances;
+    /// let two = Distances::from_lower_triangle(2, vec![3.0])?;
+    /// assert_eq!(RipsRequest::new().found("two", &two)?.pairs().len(), 2);
+    /// # Ok(()) }
+    /// ```
+    pub fn pairs(&self) -> &[RipsPair] {
+        &self.pairs
+    }
+
+    /// The same without the pairs whose persistence is not greater.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::RipsRequest;
+    /// use coface_topology::Distances;
+    /// let two = Distances::from_lower_triangle(2, vec![3.0])?;
+    /// assert_eq!(RipsRequest::new().found("two", &two)?.longer_than(3.0).pairs().len(), 1);
+    /// # Ok(()) }
+    /// ```
+    pub fn longer_than(&self, least: f64) -> Self {
+        let pairs = self.pairs.iter().filter(|pair| length(pair) > least).cloned().collect();
+        Self { name: self.name.clone(), diagram: self.diagram.clone(), pairs }
+    }
+
+    /// The answer as plain data.
+    ///
+    /// # Examples
+    /// See [`RipsRequest`].
+    pub fn answer(&self) -> PersistenceAnswer {
+        let points = |simplex: &[VertexId]| simplex.iter().map(|point| point.index() as u32).collect();
+        let pair = |pair: &RipsPair| PersistencePairAnswer {
+            degree: pair.degree(),
+            birth: pair.birth(),
+            death: pair.death(),
+            birth_cell: points(pair.birth_simplex()),
+            death_cell: pair.death_simplex().map(points),
+        };
+        PersistenceAnswer {
+            file: self.name.clone(),
+            field: self.diagram.prime(),
+            function: "vietoris-rips".to_owned(),
+            star: None,
+            threshold: Some(self.diagram.threshold()),
+            diagram: self.pairs.iter().map(pair).collect(),
+            betti: self.diagram.betti_numbers(),
+            remarks: Vec::new(),
+        }
+    }
+
+    /// Writes the diagram as [`write_diagram`](crate::write_diagram) does; cells are given by their points, with blanks between them.
+    ///
+    /// # Errors
+    /// [`coface_algebra::ErrorKind::Io`] if the stream cannot be written.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{DiagramFormat, RipsRequest};
+    /// use coface_topology::Distances;
+    /// let two = Distances::from_lower_triangle(2, vec![3.0])?;
+    /// let mut text = Vec::new();
+    /// RipsRequest::new().dimension(0).found("two", &two)?.write(&mut text, DiagramFormat::Gudhi)?;
+    /// assert_eq!(text, b"2 0 0 inf\n2 0 0 3\n");
+    /// # Ok(()) }
+    /// ```
+    pub fn write(&self, out: impl Write, format: DiagramFormat) -> Result<(), Error> {
+        let name = |simplex: &[VertexId]| {
+            let points: Vec<String> = simplex.iter().map(|point| point.index().to_string()).collect();
+            points.join(" ")
+        };
+        let lines = self.pairs.iter().map(|pair| Line {
+            degree: pair.degree(),
+            birth: pair.birth(),
+            death: pair.death(),
+            birth_cell: name(pair.birth_simplex()),
+            death_cell: pair.death_simplex().map(name),
+        });
+        write_lines(self.diagram.prime(), f64::INFINITY, self.diagram.degree_count(), lines, out, format)
+    }
+}

@@ -1,0 +1,169 @@
+//! `coface persistence --rips` as a user runs it.
+
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+
+use crate::program::{argument, coface, coface_in, coface_reading};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// Points of a hexagon of sides 1, in halves and roots of 3.
+fn hexagon() -> Vec<[f64; 2]> {
+    let high = 3f64.sqrt() / 2.0;
+    vec![[1.0, 0.0], [0.5, high], [-0.5, high], [-1.0, 0.0], [-0.5, -high], [0.5, -high]]
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    let squares = (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
+    squares.sqrt()
+}
+
+fn write(folder: &Path, name: &str, rows: impl IntoIterator<Item = Vec<f64>>, between: &str) {
+    let line = |row: Vec<f64>| row.iter().map(f64::to_string).collect::<Vec<_>>().join(between);
+    let text: Vec<String> = rows.into_iter().map(line).collect();
+    std::fs::write(folder.join(name), text.join("\n") + "\n").unwrap();
+}
+
+fn diagram(folder: &Path, arguments: &[&str]) -> Value {
+    let all = [&["persistence"], arguments, &["--rips", "--dimension", "2", "--json"]].concat();
+    coface_in(folder, &all).json()
+}
+
+#[test]
+fn points_and_all_tables_of_distances_have_one_diagram() {
+    let folder = tempfile::tempdir().unwrap();
+    let (place, points) = (folder.path(), hexagon());
+    let row = |i: usize, others: std::ops::Range<usize>| -> Vec<f64> {
+        others.map(|j| distance(points[i], points[j])).collect()
+    };
+    write(place, "a.csv", points.iter().map(|p| p.to_vec()), ",");
+    write(place, "a.txt", points.iter().map(|p| p.to_vec()), " ");
+    write(place, "a.xyz", points.iter().map(|p| vec![p[0], p[1], 0.0]), " ");
+    write(place, "square.csv", (0..6).map(|i| row(i, 0..6)), ",");
+    write(place, "lower.csv", (1..6).map(|i| row(i, 0..i)), ",");
+    write(place, "a.lower_distance_matrix", (1..6).map(|i| row(i, 0..i)), ",");
+    write(place, "upper.csv", (0..5).map(|i| row(i, i + 1..6)), ",");
+    let list = (0..6).flat_map(|i| (0..i).map(move |j| (i, j)));
+    let list = list.map(|(i, j)| vec![i as f64, j as f64, distance(points[i], points[j])]);
+    write(place, "list.txt", list, " ");
+    let first = diagram(place, &["a.csv"]);
+    // Six edges close the hexagon at 1 and triangles of the second distances fill it; at the enclosing radius all is one simplex.
+    let of_degree = |degree: u64| -> Vec<(f64, Option<f64>)> {
+        let pairs =
+            first["diagram"].as_array().unwrap().iter().filter(|pair| pair["degree"] == json!(degree));
+        pairs.map(|pair| (pair["birth"].as_f64().unwrap(), pair["death"].as_f64())).collect()
+    };
+    assert_eq!(of_degree(0).len(), 6);
+    let [(birth, Some(death))] = of_degree(1)[..] else { panic!("{first}") };
+    assert!((birth - 1.0).abs() < 1e-15 && (death - 3f64.sqrt()).abs() < 1e-15, "{birth} {death}");
+    // The octahedron of the two nearer distances, a sphere, is filled by the diagonals.
+    let [(birth, Some(death))] = of_degree(2)[..] else { panic!("{first}") };
+    assert!((birth - 3f64.sqrt()).abs() < 1e-15 && (death - 2.0).abs() < 1e-15, "{birth} {death}");
+    assert_eq!((&first["function"], &first["star"]), (&json!("vietoris-rips"), &json!(null)));
+    let others: [&[&str]; 7] = [
+        &["a.txt"],
+        &["a.xyz"],
+        &["square.csv", "--distances", "square"],
+        &["lower.csv", "--distances", "lower"],
+        &["a.lower_distance_matrix"],
+        &["upper.csv", "--distances", "upper"],
+        &["list.txt", "--distances", "sparse"],
+    ];
+    for other in others {
+        assert_eq!(diagram(place, other)["diagram"], first["diagram"], "{other:?}");
+    }
+    for coefficients in ["3", "f3"] {
+        let other = diagram(place, &["a.csv", "--coefficients", coefficients]);
+        assert_eq!((&other["diagram"], &other["field"]), (&first["diagram"], &json!(3)));
+    }
+    let short = diagram(place, &["a.csv", "--threshold", "1.5"]);
+    assert_eq!((&short["betti"], &short["threshold"]), (&json!([1, 1, 0]), &json!(1.5)));
+    // What is written has the classes too.
+    let run = coface_in(place, &["persistence", "a.csv", "--rips", "-o", "a.pers"]);
+    assert_eq!((run.status, run.stdout.as_str()), (0, ""), "{}", run.stderr);
+    assert_eq!(std::fs::read_to_string(place.join("a.pers")).unwrap().lines().count(), 7);
+}
+
+#[test]
+fn a_table_that_may_be_distances_is_remarked() {
+    let run = coface_reading(&["persistence", "-", "--rips"], b"0 1 2\n1 0 1\n2 1 0\n");
+    assert!(run.status == 0 && run.stderr.contains("--distances square"), "{}", run.stderr);
+}
+
+#[test]
+fn a_series_by_delays() {
+    let folder = tempfile::tempdir().unwrap();
+    let wave = |t: usize| vec![(t as f64 * std::f64::consts::TAU / 24.0).sin()];
+    write(folder.path(), "wave.csv", (0..72).map(wave), ",");
+    let arguments = ["wave.csv", "--delay", "6", "--min-persistence", "0.5"];
+    let object = diagram(folder.path(), &arguments);
+    // The circle of (sin t, cos t).
+    let loops: Vec<&Value> =
+        object["diagram"].as_array().unwrap().iter().filter(|pair| pair["degree"] == json!(1)).collect();
+    assert_eq!(loops.len(), 1, "{object}");
+    let run = coface_in(folder.path(), &["persistence", "wave.csv", "--rips", "--delay", "80"]);
+    assert!(run.fails_with(1).contains("no 2 values that are 80 apart"), "{}", run.stderr);
+}
+
+#[test]
+fn nothing_and_one_point() {
+    let empty = coface_reading(&["persistence", "-", "--rips", "--json"], b"").json();
+    assert_eq!((&empty["diagram"], &empty["betti"]), (&json!([]), &json!([0, 0])));
+    let one = coface_reading(&["persistence", "-", "--rips", "--json"], b"1 2 3\n").json();
+    assert_eq!(one["betti"], json!([1, 0]));
+    // Points that are equal are joined at once.
+    let twice = coface_reading(&["persistence", "-", "--rips", "--json"], b"1 2 3\n1 2 3\n").json();
+    assert_eq!(twice["diagram"].as_array().unwrap().len(), 1);
+}
+
+#[test]
+fn wrong_tables_are_named_by_their_lines() {
+    let folder = tempfile::tempdir().unwrap();
+    let message = |text: &str, options: &[&str]| {
+        let path = folder.path().join("a.csv");
+        std::fs::write(&path, text).unwrap();
+        let all = [&["persistence", argument(&path), "--rips"], options].concat();
+        coface(&all).fails_with(1).to_owned()
+    };
+    for (text, options, said) in [
+        ("0 0\n1\n", &[][..], "a.csv:2: point 1 has 1 coordinate, and point 0 has 2"),
+        ("0 0\n1 nan\n", &[], "a.csv:2: "),
+        ("0 0\n1 x\n", &[], "a.csv:2: "),
+        ("0 1\n2 0\n", &["--distances", "square"], "row 1 says that point 0 is at 2, row 0 says 1"),
+        ("1 2\n", &["--distances", "lower"], "3 points have 3 pairs"),
+        ("0 1 -2\n", &["--distances", "sparse"], "-2"),
+        ("0 1.5 2\n", &["--distances", "sparse"], "1.5 is no point"),
+        ("0 0\n1 0\n", &["--coefficients", "4"], "no prime field of 4 elements"),
+    ] {
+        let all = match options {
+            ["--coefficients", _] => {
+                let path = folder.path().join("a.csv");
+                coface(&[&["persistence", argument(&path), "--rips"], options].concat())
+                    .fails_with(2)
+                    .to_owned()
+            }
+            _ => message(text, options),
+        };
+        assert!(all.contains(said), "{text:?} {options:?}: {all}");
+    }
+    let path = folder.path().join("a.csv");
+    coface(&["persistence", argument(&path), "--rips", "--function", "x"]).fails_with(2);
+    coface(&["persistence", argument(&path), "--dimension", "2"]).fails_with(2);
+}
+
+#[test]
+fn memory_is_foretold_with_a_threshold_that_fits() {
+    let folder = tempfile::tempdir().unwrap();
+    let point = |i: usize| vec![((i * 37) % 101) as f64, ((i * 53) % 103) as f64, ((i * 71) % 107) as f64];
+    write(folder.path(), "many.csv", (0..400).map(point), ",");
+    let ask = |more: &[&str]| {
+        let all =
+            [&["persistence", "many.csv", "--rips", "--dimension", "3", "--memory", "64M"], more].concat();
+        coface_in(folder.path(), &all)
+    };
+    let run = ask(&[]);
+    let said = run.fails_with(1);
+    assert!(said.contains("400 + ") && said.contains("of memory"), "{said}");
+    let threshold = said.split("(--threshold ").nth(1).and_then(|rest| rest.split(')').next()).unwrap();
+    let run = ask(&["--threshold", threshold]);
+    assert_eq!(run.status, 0, "{}", run.stderr);
+}

@@ -1,0 +1,218 @@
+//! Tables of numbers: points of any dimension, distances.
+
+use crate::counted_stream::{name_of, reading};
+use crate::files::open_regular;
+use crate::scanner::{Scanner, parse_coordinate};
+use crate::volume::NPY_MAGIC;
+use crate::{Format, VolumeStream};
+use coface_algebra::Error;
+use std::io::Read;
+use std::path::Path;
+
+/// Rows of numbers, which may have different lengths, and the line of each.
+///
+/// # Examples
+/// ```
+/// use coface_io::NumberTable;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let table = NumberTable::read(&b"# a triangle\n0,0\n1;0\n0 1\n"[..])?;
+/// assert_eq!(table.row_count(), 3);
+/// assert_eq!(table.row(1), [1.0, 0.0]);
+/// assert_eq!(table.line(0), Some(2));
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct NumberTable {
+    numbers: Vec<f64>,
+    starts: Vec<usize>,
+    /// Empty where there are no lines.
+    lines: Vec<u64>,
+}
+
+impl NumberTable {
+    /// The table of a file: a NumPy array of one or two axes, or text as [`Self::read`] reads it.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) where the file cannot be read,
+    /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) for a damaged one, and
+    /// [`ErrorKind::Shape`](coface_algebra::ErrorKind::Shape) for an array of more than two axes. All name the file.
+    pub fn read_path(path: impl AsRef<Path>) -> Result<Self, Error> {
+        let path = path.as_ref();
+        let named = |error: Error| error.in_file(path.display().to_string());
+        let file = open_regular(path).map_err(named)?;
+        let size = file.metadata().map_or(0, |metadata| metadata.len());
+        Self::read(reading(&name_of(path), file, size)).map_err(named)
+    }
+
+    /// The table of a stream: a NumPy array of one or two axes, or text. A row is a line of numbers with blanks, commas or semicolons between
+    /// them. Empty lines and lines that begin with `#` or `//` are passed over, and so is a first line of words.
+    ///
+    /// # Errors
+    /// As of [`Self::read_path`], without the name.
+    ///
+    /// # Complexity
+    /// Linear.
+    ///
+    /// # Examples
+    /// See [`NumberTable`].
+    pub fn read(mut input: impl Read) -> Result<Self, Error> {
+        let mut start = Vec::new();
+        input.by_ref().take(NPY_MAGIC.len() as u64).read_to_end(&mut start)?;
+        let is_array = start == NPY_MAGIC;
+        let whole = std::io::Cursor::new(start).chain(input);
+        if is_array { Self::of_array(VolumeStream::new(whole, Format::Npy)?) } else { Self::of_text(whole) }
+    }
+
+    fn of_array(stream: VolumeStream<'_>) -> Result<Self, Error> {
+        let shape: Vec<usize> = stream.shape().iter().map(|&length| length as usize).collect();
+        let (rows, columns) = match shape[..] {
+            [columns] => (1, columns),
+            [rows, columns] => (rows, columns),
+            _ => {
+                return Err(Error::new(
+                    coface_algebra::ErrorKind::Shape,
+                    format!("an array of shape {shape:?} is no table of points or distances"),
+                )
+                .with_cure("write an array of shape (points, coordinates)"));
+            }
+        };
+        let is_transposed = shape.len() == 2 && stream.fastest_axis() == 0;
+        let (mut numbers, _) = stream.numbers()?;
+        if is_transposed {
+            let place = |at: usize| (at % columns) * rows + at / columns;
+            numbers = (0..numbers.len()).map(|at| numbers[place(at)]).collect();
+        }
+        Ok(Self { numbers, starts: (0..=rows).map(|row| row * columns).collect(), lines: Vec::new() })
+    }
+
+    fn of_text(input: impl Read) -> Result<Self, Error> {
+        let mut scanner = Scanner::new(input);
+        let mut table = Self { starts: vec![0], ..Self::default() };
+        let mut has_names = false;
+        while let Some(line) = scanner.next_line()? {
+            let line = line.trim_ascii();
+            if line.starts_with(b"#") || line.starts_with(b"//") {
+                continue;
+            }
+            let is_separator = |byte: &u8| matches!(byte, b' ' | b'\t' | b',' | b';');
+            let words = line.split(is_separator).filter(|word| !word.is_empty());
+            let numbers: Result<Vec<f64>, Error> =
+                words.clone().map(|word| parse_coordinate(word, "each entry of a table")).collect();
+            let is_first = table.numbers.is_empty() && !has_names;
+            match numbers {
+                Ok(numbers) if numbers.is_empty() => {}
+                Ok(numbers) => {
+                    table.numbers.extend(numbers);
+                    table.starts.push(table.numbers.len());
+                    table.lines.push(scanner.line_number());
+                }
+                Err(_) if is_first && words.clone().all(|word| parse_coordinate(word, "").is_err()) => {
+                    has_names = true;
+                }
+                Err(error) => {
+                    return Err(error
+                        .at_line(scanner.line_number())
+                        .with_cure("write numbers with blanks or commas between them"));
+                }
+            }
+        }
+        Ok(table)
+    }
+
+    /// The table with these rows.
+    ///
+    /// # Examples
+    /// ```
+    /// let table = coface_io::NumberTable::from_rows([[1.0, 2.0], [3.0, 4.0]]);
+    /// assert_eq!((table.row_count(), table.row(1)), (2, &[3.0, 4.0][..]));
+    /// ```
+    pub fn from_rows(rows: impl IntoIterator<Item = impl AsRef<[f64]>>) -> Self {
+        let mut table = Self { starts: vec![0], ..Self::default() };
+        for row in rows {
+            table.numbers.extend_from_slice(row.as_ref());
+            table.starts.push(table.numbers.len());
+        }
+        table
+    }
+
+    /// The points of a time series: the numbers of row i, of row i + delay, and so on, `dimension` rows in all, one after the other.
+    ///
+    /// The shape of their Vietoris-Rips filtration is that of the dynamics (F. Takens, *Detecting strange attractors in turbulence*, 1981).
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a delay or a dimension of 0, and where the series is too short
+    /// for a point.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::NumberTable;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let series = NumberTable::from_rows([[1.0], [2.0], [3.0], [4.0]]);
+    /// assert_eq!(series.delayed(2, 2)?, NumberTable::from_rows([[1.0, 3.0], [2.0, 4.0]]));
+    /// # Ok(()) }
+    /// ```
+    pub fn delayed(&self, delay: usize, dimension: usize) -> Result<Self, Error> {
+        // A file of one line is a series too.
+        if self.row_count() == 1 && self.numbers.len() > 1 {
+            return Self::from_rows(self.numbers.chunks(1)).delayed(delay, dimension);
+        }
+        let (1.., 1..) = (delay, dimension) else {
+            return Err(Error::invalid(format!(
+                "a delay of {delay} and {dimension} values a point make no points"
+            ))
+            .with_cure("give numbers from 1 on"));
+        };
+        let spread = delay.checked_mul(dimension - 1);
+        let Some(count) = spread.and_then(|spread| self.row_count().checked_sub(spread)).filter(|&n| n > 0)
+        else {
+            return Err(Error::invalid(format!(
+                "a series of {} has no {dimension} values that are {delay} apart",
+                self.row_count()
+            ))
+            .with_cure("give a shorter delay, fewer values a point, or a longer series"));
+        };
+        let point = |i: usize| -> Vec<f64> {
+            (0..dimension).flat_map(|step| self.row(i + step * delay)).copied().collect()
+        };
+        Ok(Self::from_rows((0..count).map(point)))
+    }
+
+    /// The number of rows that have numbers.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_io::NumberTable::read(&b"x y\n\n1 2\n"[..]).expect("a table").row_count(), 1);
+    /// ```
+    pub fn row_count(&self) -> usize {
+        self.starts.len().saturating_sub(1)
+    }
+
+    /// The numbers of a row.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    ///
+    /// # Examples
+    /// See [`NumberTable`].
+    pub fn row(&self, row: usize) -> &[f64] {
+        &self.numbers[self.starts[row]..self.starts[row + 1]]
+    }
+
+    /// All numbers, one row after the other.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_io::NumberTable::read(&b"1\n2,3\n"[..]).expect("a table").numbers(), [1.0, 2.0, 3.0]);
+    /// ```
+    pub fn numbers(&self) -> &[f64] {
+        &self.numbers
+    }
+
+    /// The line of a row, from 1; `None` for an array.
+    ///
+    /// # Examples
+    /// See [`NumberTable`].
+    pub fn line(&self, row: usize) -> Option<u64> {
+        self.lines.get(row).copied()
+    }
+}

@@ -1,0 +1,64 @@
+"""Diagrams of points and distances."""
+
+from __future__ import annotations
+
+import pickle
+
+import numpy as np
+import pytest
+from scipy.sparse import coo_array
+
+import coface
+
+ANGLES = np.arange(20) * (2 * np.pi / 20)
+CIRCLE = np.column_stack([np.cos(ANGLES), np.sin(ANGLES)])
+DISTANCES = np.sqrt(((CIRCLE[:, None] - CIRCLE[None]) ** 2).sum(axis=2))
+
+
+def test_a_circle() -> None:
+    found = coface.rips(CIRCLE, dimension=2)
+    ((birth, death),) = found.diagram(1)
+    assert birth == pytest.approx(2 * np.sin(np.pi / 20))
+    # The first triangle with the middle inside has corners 7, 7 and 6 steps apart.
+    assert death == pytest.approx(2 * np.sin(7 * np.pi / 20))
+    assert len(found.diagram(0)) == 20
+    assert found.threshold == pytest.approx(2)
+    ((edge, triangle),) = found.simplices(1)
+    assert DISTANCES[edge[0], edge[1]] == pytest.approx(birth)
+    assert triangle is not None and len(triangle) == 3
+    assert [len(found.longer_than(0.5).diagram(degree)) for degree in (0, 1)] == [1, 1]
+    assert found.to_gudhi()[0] == (0, (0.0, np.inf))
+    assert b"persistence intervals in dim 1" in found.to_bytes("ripser")
+    assert found.to_svg().startswith("<svg")
+
+
+@pytest.mark.parametrize("coefficients", ["f2", 3])
+def test_distances_of_all_forms(coefficients: str | int) -> None:
+    plain = coface.rips(CIRCLE, coefficients=coefficients)
+    lower = [row[:i].tolist() for i, row in enumerate(DISTANCES)]
+    rows, columns = np.nonzero(np.tril(DISTANCES))
+    sparse = coo_array((DISTANCES[rows, columns], (rows, columns)), shape=DISTANCES.shape)
+    others = [
+        coface.rips(DISTANCES, distances="square", coefficients=coefficients),
+        coface.rips(lower[1:], distances="lower", coefficients=coefficients),
+        coface.rips(sparse, coefficients=coefficients, threshold=plain.threshold),
+        coface.rips(np.column_stack([rows, columns, DISTANCES[rows, columns]]), distances="sparse", coefficients=coefficients),
+    ]
+    for other in others:
+        for degree in (0, 1):
+            np.testing.assert_allclose(other.diagram(degree), plain.diagram(degree), atol=1e-12)
+    again = pickle.loads(pickle.dumps(plain))
+    np.testing.assert_array_equal(again.diagram(1), plain.diagram(1))
+
+
+def test_wrong_tables() -> None:
+    with pytest.raises(coface.InvalidInputError, match="distances=\"lower\""):
+        coface.rips([[1.0], [2.0, 3.0]], distances="points")  # type: ignore[arg-type]
+    with pytest.raises(coface.InvalidInputError, match="shape"):
+        coface.rips(np.zeros(3))
+    with pytest.raises(coface.Error, match="no form of distances"):
+        coface.rips([[1.0]], distances="lowest")  # type: ignore[arg-type]
+    with pytest.raises(coface.InvalidInputError, match="says 1"):
+        coface.rips([[0, 1], [2, 0]], distances="square")
+    with pytest.raises(coface.InvalidInputError, match="numbers"):
+        coface.rips(CIRCLE).pairs(1)
