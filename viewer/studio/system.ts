@@ -424,6 +424,15 @@ class System {
         target.folder.entries.set(target.name, old.node);
         return OK;
       },
+      // Calls of a library of C that was made without threads: starting one fails as what does not exist, so that all work is done by the first.
+      pthread_create: () => NO_SYSTEM_CALL,
+      pthread_attr_init: () => OK,
+      pthread_attr_setstacksize: () => OK,
+      pthread_attr_destroy: () => OK,
+      pthread_detach: () => OK,
+      pthread_join: () => OK,
+      // Files have no modes.
+      fchmod: () => OK,
       // There are no links of either kind.
       path_readlink: () => INVALID,
       path_filestat_set_times: () => OK,

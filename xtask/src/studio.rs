@@ -143,14 +143,14 @@ fn debian(words: &[&str]) -> Result<Command, Box<dyn Error>> {
     Ok(command)
 }
 
-/// The linker of LLVM, told where the start file and the library of C are.
+/// The linker of LLVM, told where the start file and the library of C are. What Debian's library of C lacks, threads, the page answers: there are none.
 const LINKER: &str = r#"#!/bin/sh
 for word do
     shift
     case $word in crt1-command.o) word=LIBRARY/crt1-command.o ;; esac
     set -- "$@" "$word"
 done
-exec wasm-ld-19 "$@" "-LLIBRARY"
+exec wasm-ld-19 "$@" "-LLIBRARY" --import-undefined
 "#;
 
 #[cfg(unix)]
