@@ -1,7 +1,7 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 22] = [
+const PHRASES: [(&str, &str); 23] = [
     ("coface convert VOLUME -o boundary.obj", "volume.to_model(surface=True)"),
     (
         "coface homology --parts N",
@@ -22,6 +22,7 @@ const PHRASES: [(&str, &str); 22] = [
     ("coface reduce ", "call coface.shards.homology of the folder of "),
     ("coface shard", "coface.shards.shard"),
     ("coface reduce", "coface.shards.homology"),
+    ("coface yin compare A B", "a.compare(b)"),
     ("coface yin", "coface.YinSet"),
     ("--order 2 --flatten LENGTH", "order=2, flatten=LENGTH"),
     ("(--all lists", "(limit= lists"),

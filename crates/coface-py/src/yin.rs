@@ -25,7 +25,7 @@ use coface::pictures::{SetPicture, set_picture};
 use coface::yin;
 use coface::yin::{
     CartesianGrid, Coverage, CutCells as Cells, EndCondition, Flow, KnotIndex, Order, RungeKutta,
-    SetLocation, TrackingOptions, Verification,
+    SetLocation, TrackingOptions, VelocityExpression, Verification,
 };
 use coface::{Error, VertexId};
 use numpy::{PyArray1, PyArrayMethods};
@@ -699,7 +699,8 @@ answer! { YinSet {
     /// Parameters
     /// ----------
     /// flow : str or callable
-    ///     ``"vortex"``, ``"deformation"``, ``"rotation"``, ``"translation"``, or a function of (x, y, t) that gives a velocity.
+    ///     ``"vortex"``, ``"deformation"``, ``"rotation"``, ``"translation"``, two expressions of x, y, t and T (the period) as in
+    ///     ``"-y*cos(pi*t/T); x*cos(pi*t/T)"``, or a function of (x, y, t) that gives a velocity.
     /// end : float, optional
     ///     The time at the end; the period, or 1.
     /// step : float, optional
@@ -760,14 +761,21 @@ answer! { YinSet {
         keep_small: bool,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Self, Bound<'py, PyAny>)> {
+        let mut written = None;
         let (named, usual) = match flow.cast::<PyString>() {
             Ok(word) => match word.to_str()? {
+                text if text.contains(';') => {
+                    let found = VelocityExpression::parse(text, period).or_raise(py)?;
+                    let usual = if found.has_period() { period } else { 1.0 };
+                    written = Some(found);
+                    (None, usual)
+                }
                 "vortex" => (Some(Flow::Vortex { period }), period),
                 "deformation" => (Some(Flow::Deformation { period, vortices }), period),
                 "rotation" => (Some(Flow::Rotation { center, speed }), 1.0),
                 "translation" => (Some(Flow::Translation { velocity }), 1.0),
                 other => {
-                    let cure = "give \"vortex\", \"deformation\", \"rotation\", \"translation\" or a function";
+                    let cure = "give \"vortex\", \"deformation\", \"rotation\", \"translation\", two expressions as in \"-y; x\", or a function";
                     return Err(invalid(py, format!("the flow is {other:?}"), cure));
                 }
             },
@@ -790,11 +798,14 @@ answer! { YinSet {
         ];
         options = options.scheme(scheme.map(|word| choice(py, "scheme", word, &schemes)).transpose()?);
         options = options.least_ratio(least_ratio).most_turn(turn.map(f64::to_radians)).keep_small(keep_small);
-        let moved = match named {
-            Some(flow) => run(py, progress, || {
+        let moved = match (named, written) {
+            (Some(flow), _) => run(py, progress, || {
                 self.inner().advected(|point, time| flow.velocity(point, time), &options)
             })?,
-            None => {
+            (None, Some(flow)) => run(py, progress, || {
+                self.inner().advected(|point, time| flow.velocity(point, time), &options)
+            })?,
+            (None, None) => {
                 // The function of the user is called with the lock of the interpreter; its first fault is raised at the end.
                 let fault: std::sync::Mutex<Option<PyErr>> = std::sync::Mutex::new(None);
                 let function = flow.clone().unbind();

@@ -36,5 +36,5 @@ pub use set::{
 };
 pub use tracking::{
     Flow, InterfaceRepair, Repair, RungeKutta, TrackedGraph, TrackedSet, TrackingCounts, TrackingOptions,
-    VanishedCurve, Verification,
+    VanishedCurve, VelocityExpression, Verification,
 };

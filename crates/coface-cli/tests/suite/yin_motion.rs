@@ -219,3 +219,31 @@ fn options_without_meaning_are_refused() {
     assert!(said.contains("way-001.wkt") && said.contains("--flatten"), "{said}");
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
 }
+
+/// The vortex by its name and by its expressions, there and at the middle of its period; a turn by "-y; x" keeps the area.
+#[test]
+fn velocities_are_expressions() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = disk(&folder, 4);
+    let text = "sin(pi*x)^2*sin(2*pi*y)*cos(pi*t/T); -sin(pi*y)^2*sin(2*pi*x)*cos(pi*t/T)";
+    let common = ["advect", argument(&path), "--spacing", "0.01", "--step", "0.05", "--period", "2"];
+    let named = yin(&[&common[..], &["--flow", "vortex", "--time", "1"]].concat());
+    let written = yin(&[&common[..], &["--velocity", text, "--time", "1"]].concat());
+    for key in ["area", "perimeter"] {
+        assert!((number(&named, key) - number(&written, key)).abs() < 1e-9, "{key}");
+    }
+    // With T the motion ends after a period, without it at time 1.
+    assert_eq!(yin(&[&common[..], &["--velocity", text]].concat())["time"], json!(2.0));
+    let turned = yin(&[&common[..], &["--velocity", "-(y - 0.5); x - 0.5"]].concat());
+    assert_eq!(turned["time"], json!(1.0));
+    assert!((number(&turned, "area") - number(&turned, "area_before")).abs() < 1e-6);
+    for (text, said) in [
+        ("x^2", "--velocity: there is one expression"),
+        ("x; 2*z", "--velocity: column 6: \"z\" is not known"),
+        ("1/(x - x); 0", "leads to no finite point"),
+        ("x; y); 1", "there are 3 expressions"),
+    ] {
+        let error = fails(&[&common[..], &["--velocity", text]].concat());
+        assert!(error.contains(said), "{text}: {error}");
+    }
+}

@@ -3367,7 +3367,8 @@ class YinSet:
         Parameters
         ----------
         flow : str or callable
-            ``"vortex"``, ``"deformation"``, ``"rotation"``, ``"translation"``, or a function of (x, y, t) that gives a velocity.
+            ``"vortex"``, ``"deformation"``, ``"rotation"``, ``"translation"``, two expressions of x, y, t and T (the period) as in
+            ``"-y*cos(pi*t/T); x*cos(pi*t/T)"``, or a function of (x, y, t) that gives a velocity.
         end : float, optional
             The time at the end; the period, or 1.
         step : float, optional

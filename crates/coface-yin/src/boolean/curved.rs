@@ -28,10 +28,28 @@ pub(super) enum Regions {
     Rings,
 }
 
+/// What measures how far two sets are apart where how their curves cross cannot be decided.
+const COMPARISON_CURE: &str =
+    "coface yin compare A B measures how far two sets are apart without such decisions";
+
 /// The set of the faces whose winding numbers satisfy a condition. Orders are raised to the highest.
 ///
 /// A set that is not made of certified decisions alone is checked.
 pub(super) fn combine_curved(
+    sets: &[&YinSet],
+    regions: Regions,
+    condition: impl Fn(&[(u32, i32)]) -> bool,
+) -> Result<Combination, Error> {
+    combine_closely(sets, regions, condition).map_err(|error| match error.cure() {
+        Some(cure) if sets.len() == 2 && regions == Regions::Sets && cure == NEARNESS_CURE => {
+            let cure = format!("{cure}; {COMPARISON_CURE}");
+            Error::new(error.kind(), error.message()).with_cure(cure)
+        }
+        _ => error,
+    })
+}
+
+fn combine_closely(
     sets: &[&YinSet],
     regions: Regions,
     condition: impl Fn(&[(u32, i32)]) -> bool,

@@ -11,6 +11,7 @@
 //! Q. Zhang, *Fourth- and higher-order interface tracking via mapping and adjusting regular semianalytic sets represented by cubic
 //! splines* (2018); Y. Tan, Y. Qian, Z. Li, Q. Zhang, on multiphase cubic MARS (2025).
 
+mod expression;
 mod flow;
 mod fronts;
 mod graphs;
@@ -19,6 +20,7 @@ mod options;
 mod runge_kutta;
 mod sets;
 
+pub use expression::VelocityExpression;
 pub use flow::Flow;
 pub use graphs::{InterfaceRepair, TrackedGraph};
 pub use markers::TrackingCounts;

@@ -12,7 +12,7 @@ use clap::{Args, ValueEnum};
 use coface::answers::text;
 use coface::answers::{MotionRequest, PlanarSet};
 use coface::io::StagedFiles;
-use coface::yin::{Flow, RungeKutta, Verification};
+use coface::yin::{Flow, RungeKutta, VelocityExpression, Verification};
 use std::path::{Path, PathBuf};
 
 /// Move a set with a velocity field: its knots are mapped, and splines fitted anew (MARS).
@@ -32,10 +32,10 @@ pub(super) struct Advect {
     input: PathBuf,
     #[command(flatten)]
     options: SetOptions,
-    /// The velocity field
-    #[arg(long, value_name = "FLOW")]
-    flow: Field,
-    /// The time at the end [default: the period of a vortex or deformation, else 1]
+    /// The velocity field, if --velocity does not give it
+    #[arg(long, value_name = "FLOW", required_unless_present = "velocity")]
+    flow: Option<Field>,
+    /// The time at the end [default: the period of a vortex or deformation, or of expressions with T; else 1]
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     time: Option<f64>,
     /// The longest step of time [default: a hundredth of the time]
@@ -50,15 +50,16 @@ pub(super) struct Advect {
     /// Add knots where the polygon through them turns by more degrees, as far as the least distance allows
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
     turn: Option<f64>,
-    /// The period of a vortex or deformation
+    /// The period of a vortex or deformation, and T of expressions
     #[arg(long, value_name = "TIME", default_value = "4", allow_hyphen_values = true)]
     period: f64,
     /// The number of vortices of a deformation in each direction of the unit square
     #[arg(long, value_name = "N", default_value = "4", value_parser = clap::value_parser!(u32).range(1..=1000))]
     vortices: u32,
-    /// The velocity of a translation: X,Y
-    #[arg(long, value_name = "VECTOR", default_value = "1,0", value_parser = pair, allow_hyphen_values = true)]
-    velocity: [f64; 2],
+    /// The velocity: X,Y of a translation [default: 1,0], or two expressions of x, y, t and T as in "-y*cos(pi*t/T); x*cos(pi*t/T)": powers
+    /// are ^, and there are sin, cos, tan, asin, acos, atan, atan2, sinh, cosh, tanh, exp, log, sqrt, abs, floor, hypot, min and max
+    #[arg(long, value_name = "VELOCITY", allow_hyphen_values = true)]
+    velocity: Option<String>,
     /// The center of a rotation: X,Y
     #[arg(long, value_name = "POINT", default_value = "0,0", value_parser = pair, allow_hyphen_values = true)]
     center: [f64; 2],
@@ -123,10 +124,7 @@ impl Advect {
         let flow = self.flow()?;
         let progress = Progress::start(common.quiet);
         let planar = self.options.read(&self.input, common, false, &progress)?;
-        let end = self.time.unwrap_or(match self.flow {
-            Field::Vortex | Field::Deformation => self.period,
-            Field::Rotation | Field::Translation => 1.0,
-        });
+        let end = self.time.unwrap_or(if flow.is_periodic() { self.period } else { 1.0 });
         if !end.is_finite() {
             return Err(Failure::new(format!("--time {end}: there is no such time; give a finite one")));
         }
@@ -199,8 +197,26 @@ impl Advect {
         })
     }
 
-    fn flow(&self) -> Result<Flow, Failure> {
-        let is_periodic = matches!(self.flow, Field::Vortex | Field::Deformation);
+    /// The velocity of a translation, or by expressions.
+    fn given_velocity(&self) -> Result<Motion, Failure> {
+        let Some(text) = &self.velocity else {
+            return Ok(Motion::Named(Flow::Translation { velocity: [1.0, 0.0] }));
+        };
+        if let Ok(velocity) = pair(text) {
+            return Ok(Motion::Named(Flow::Translation { velocity }));
+        }
+        let read = VelocityExpression::parse(text, self.period);
+        read.map(Motion::Written).map_err(|error| Failure::new(format!("--velocity: {error}")))
+    }
+
+    fn flow(&self) -> Result<Motion, Failure> {
+        let Some(field) = self.flow else { return self.given_velocity() };
+        if let (Some(velocity), false) = (&self.velocity, matches!(field, Field::Translation)) {
+            return Err(Failure::new(format!(
+                "--velocity {velocity} stands beside --flow, which says how points move already; leave one of them out"
+            )));
+        }
+        let is_periodic = matches!(field, Field::Vortex | Field::Deformation);
         if is_periodic && !(self.period.is_finite() && self.period != 0.0) {
             return Err(Failure::new(format!(
                 "--period {}: a flow cannot come back after that; give a finite time other than 0",
@@ -213,12 +229,35 @@ impl Advect {
                 "--speed {speed}: nothing turns so; give a finite number of radians per time"
             )));
         }
-        Ok(match self.flow {
+        Ok(Motion::Named(match field {
             Field::Vortex => Flow::Vortex { period: self.period },
             Field::Deformation => Flow::Deformation { period: self.period, vortices: self.vortices },
             Field::Rotation => Flow::Rotation { center: self.center, speed: self.speed },
-            Field::Translation => Flow::Translation { velocity: self.velocity },
-        })
+            Field::Translation => return self.given_velocity(),
+        }))
+    }
+}
+
+/// How points move.
+enum Motion {
+    Named(Flow),
+    Written(VelocityExpression),
+}
+
+impl Motion {
+    /// Whether it ends after a period unless a time is said.
+    fn is_periodic(&self) -> bool {
+        match self {
+            Self::Named(flow) => matches!(flow, Flow::Vortex { .. } | Flow::Deformation { .. }),
+            Self::Written(flow) => flow.has_period(),
+        }
+    }
+
+    fn velocity(&self, point: [f64; 2], time: f64) -> [f64; 2] {
+        match self {
+            Self::Named(flow) => flow.velocity(point, time),
+            Self::Written(flow) => flow.velocity(point, time),
+        }
     }
 }
 

@@ -146,6 +146,21 @@ pub(super) const CASES: &[Case] = &[
         .files(ARCS)
         .refused("coface yin meet a.svg b.svg")
         .cured(&[&["coface yin meet a.svg b.svg --order 2 --flatten 1e-3"]]),
+    Case::new("commands/yin/advect.rs", "which says how points move already; leave one of them out")
+        .files(DISK)
+        .refused("coface yin advect disk.svg --flow vortex --velocity 1,0 -o out.json")
+        .cured(&[
+            &["coface yin advect disk.svg --velocity 1,0 -o out.json"],
+            &["coface yin advect disk.svg --flow vortex -o out.json"],
+        ]),
+    Case::new("commands/yin/advect.rs", "--velocity: {error}")
+        .files(DISK)
+        .refused("coface yin advect disk.svg --velocity x^2 -o out.json")
+        .cured(&[&["coface yin advect disk.svg --velocity '-y; x' -o out.json"]]),
+    Case::new("boolean/curved.rs", "coface yin compare A B measures how far two sets are apart")
+        .files(ARCS)
+        .refused("coface yin xor a.svg b.svg")
+        .cured(&[&["coface yin compare a.svg b.svg"]]),
     Case::new("yin/interface.rs", "--picture draws a set, not an interface: write the phases with --sets")
         .files(DISK)
         .refused("coface yin interface disk.svg --picture kinks -o a.svg")
