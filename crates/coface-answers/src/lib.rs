@@ -59,7 +59,7 @@ pub use planar::{
 pub use producer::{CellNames, OrderedSimplices, Pair, Producer, Term};
 pub use repair::{
     RepairRequest, SurfaceRepair, SurfaceRepairRequest, dual_graph_model, dual_model, halfedge_model,
-    polygon_model, repaired, repaired_surface, triangulated,
+    polygon_model, repaired, repaired_surface, triangulated, truncated,
 };
 pub use simplices::{model_of_simplices, simplicial_complex};
 pub use spatial::{

@@ -51,6 +51,9 @@ pub(crate) struct Common {
     /// Read this level of detail of CityJSON, such as 1.2 [default: the highest of each object]
     #[arg(long, value_name = "L", global = true, help_heading = "Common options", value_parser = number)]
     pub(crate) lod: Option<f64>,
+    /// Take the ideal vertices of a triangulation of a 3-manifold as points, instead of cutting them off
+    #[arg(long, global = true, help_heading = "Common options")]
+    pub(crate) pseudomanifold: bool,
     #[command(flatten)]
     pub(crate) voxels: VoxelArguments,
 }
@@ -164,6 +167,7 @@ impl Common {
             .partial(self.partial)
             .allow_outside(self.allow_outside)
             .lod(self.lod)
+            .pseudomanifold(self.pseudomanifold)
     }
 }
 

@@ -154,7 +154,8 @@ const WITHOUT_VOLUMES: [&str; 12] = [
 const WITHOUT_INPUTS: [&str; 3] = ["check", "completions", "man"];
 
 /// The options that say how a model is read.
-const OF_INPUTS: [&str; 6] = ["format", "flatten", "strict", "partial", "allow_outside", "lod"];
+const OF_INPUTS: [&str; 7] =
+    ["format", "flatten", "strict", "partial", "allow_outside", "lod", "pseudomanifold"];
 
 const AFTER_HELP: &str = "\
 Vertices are numbered from 0 in the order of the file, whatever the format does.

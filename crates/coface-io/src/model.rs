@@ -43,6 +43,8 @@ pub struct Model {
     pub(crate) features: FeatureTable,
     pub(crate) reference: Option<ReferenceSystem>,
     pub(crate) remarks: Vec<Remark>,
+    /// Whether ideal vertices are points of the space.
+    pub(crate) is_pseudomanifold: bool,
 }
 
 /// Everything that a [`Model`] is made of but the features of a map, for the crates that build one piece by piece.
@@ -62,6 +64,7 @@ pub struct ModelParts {
     pub data: Vec<CellData>,
     pub structure: Option<Structure>,
     pub remarks: Vec<Remark>,
+    pub is_pseudomanifold: bool,
 }
 
 impl ModelParts {
@@ -81,6 +84,7 @@ impl ModelParts {
             data,
             structure,
             remarks,
+            is_pseudomanifold,
         } = self;
         Model {
             format,
@@ -100,6 +104,7 @@ impl ModelParts {
             exact: None,
             features: FeatureTable::default(),
             reference: None,
+            is_pseudomanifold,
         }
     }
 }
@@ -333,6 +338,32 @@ impl Model {
         Self { structure: Some(structure), ..Self::default() }
     }
 
+    /// The same model, with the ideal vertices of a gluing table as points of its space, which is a pseudomanifold then. Otherwise questions
+    /// are about the manifold with boundary that is left when they are cut off. Files do not keep this.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::isosig;
+    /// let knot = isosig::read(&b"cPcbbbiht"[..])?;
+    /// assert!(!knot.is_pseudomanifold() && knot.as_pseudomanifold(true).is_pseudomanifold());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    #[must_use]
+    pub fn as_pseudomanifold(mut self, is_pseudomanifold: bool) -> Self {
+        self.is_pseudomanifold = is_pseudomanifold;
+        self
+    }
+
+    /// Whether the ideal vertices of a gluing table are points of its space: see [`Self::as_pseudomanifold`].
+    ///
+    /// # Examples
+    /// ```
+    /// assert!(!coface_io::Model::default().is_pseudomanifold());
+    /// ```
+    pub fn is_pseudomanifold(&self) -> bool {
+        self.is_pseudomanifold
+    }
+
     /// A chain complex whose cells of degree 0 are at these positions.
     ///
     /// # Errors
@@ -533,6 +564,7 @@ impl Model {
             features: _,
             reference: _,
             remarks,
+            is_pseudomanifold,
         } = self;
         ModelParts {
             format,
@@ -548,6 +580,7 @@ impl Model {
             data,
             structure,
             remarks,
+            is_pseudomanifold,
         }
     }
 

@@ -68,6 +68,7 @@ pub struct ReadOptions {
     pub(crate) partial: bool,
     pub(crate) allow_outside: bool,
     pub(crate) lod: Option<f64>,
+    pub(crate) pseudomanifold: bool,
 }
 
 impl ReadOptions {
@@ -131,6 +132,20 @@ impl ReadOptions {
     #[must_use]
     pub fn lod(mut self, level: impl Into<Option<f64>>) -> Self {
         self.lod = level.into();
+        self
+    }
+
+    /// Takes the ideal vertices of a gluing table as points: see [`Model::as_pseudomanifold`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{ReadOptions, read_with};
+    /// assert!(read_with(&b"cPcbbbiht"[..], &ReadOptions::new().pseudomanifold(true))?.is_pseudomanifold());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    #[must_use]
+    pub fn pseudomanifold(mut self, is_pseudomanifold: bool) -> Self {
+        self.pseudomanifold = is_pseudomanifold;
         self
     }
 
@@ -289,6 +304,7 @@ pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<M
         let model: Result<Model, Error> = read();
         return model
             .and_then(|model| options.accept(model.remarks()).map(|()| model))
+            .map(|model| model.as_pseudomanifold(options.pseudomanifold))
             .map_err(|error| error.in_file(file.display().to_string()));
     }
     let read = || {
@@ -835,7 +851,7 @@ fn read_format(
         model.remarks.extend(input.remark());
     }
     options.accept(model.remarks())?;
-    Ok(model.with_format(format))
+    Ok(model.with_format(format).as_pseudomanifold(options.pseudomanifold))
 }
 
 /// Reads what is no volume.

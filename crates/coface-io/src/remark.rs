@@ -242,6 +242,8 @@ pub enum RemarkCode {
     NegativeVolume,
     /// The homology is that of the barycentric subdivision, because face classes are identified with themselves.
     SubdivisionCounted,
+    /// Ideal vertices of a gluing table are cut off: the answer is about the manifold with boundary that is left.
+    IdealVerticesCut,
     /// The format that was written does not keep something of the result.
     FormatKeepsLess,
     /// A step that makes the result shorter or nicer was left out because the input is large.

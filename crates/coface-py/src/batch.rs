@@ -58,8 +58,16 @@ impl Options {
         let mut batch = Batch::new(files);
         let volume = reading_of(py, &self.voxels)?;
         let Self { flatten, strict, partial, all_places, allow_outside, .. } = *self;
-        batch.reading =
-            Reading { format, flatten, volume, strict, partial, all_places, allow_outside, lod: None };
+        batch.reading = Reading {
+            format,
+            flatten,
+            volume,
+            strict,
+            partial,
+            all_places,
+            allow_outside,
+            ..Reading::default()
+        };
         (batch.timings, batch.restart) = (self.timings, self.restart);
         Ok(batch)
     }

@@ -2,6 +2,7 @@
 
 /// What the program does by a command, and Python by a function.
 const PHRASES: [(&str, &str); 23] = [
+const PHRASES: [(&str, &str); 24] = [
     ("coface convert VOLUME -o boundary.obj", "volume.to_model(surface=True)"),
     (
         "coface homology --parts N",
@@ -29,6 +30,11 @@ const PHRASES: [(&str, &str); 23] = [
     ("--non-planar split", "split=True"),
     ("--force", "replace=True"),
     ("convert the model without --triangulate", "take it as it is: only the others need model.subdivided()"),
+    ("convert the model without --truncate", "take it as it is"),
+    (
+        ", which coface convert --truncate writes; --pseudomanifold takes",
+        "; coface.read(path, pseudomanifold=True) takes",
+    ),
     ("print the set with --json", "take its simplices(k)"),
     (
         "give the JSON of homology --generators, cut, cover, pi1, cocycles, arrange, persistence, star, link, ...",

@@ -248,7 +248,7 @@ impl Report {
 /// The report on cells whose faces are identified.
 fn report_of(producer: Producer, kind: Kind, request: &ReportRequest) -> Result<Report, Error> {
     let exponents = &request.moments[..];
-    let Producer { cells, labels, positions, partial_positions, .. } = producer;
+    let Producer { cells, labels, positions, partial_positions, remarks } = producer;
     let has_partial_positions = partial_positions.is_some();
     let mut report = match cells {
         Cells::Polygons(mesh) => polygons::report(mesh, positions, &labels, kind, request.parts())?,
@@ -265,6 +265,7 @@ fn report_of(producer: Producer, kind: Kind, request: &ReportRequest) -> Result<
         Cells::Chains(complex) => chains::report(&complex),
         Cells::Voxels(cells) => volume::report(cells.volume())?,
     };
+    report.remarks.splice(0..0, remarks);
     if has_partial_positions && report.geometry.is_none() {
         report.geometry = Some(GeometryFacts::Unchecked(GeometryUnchecked::NotFinite));
     }

@@ -12,7 +12,7 @@ pub use found::FoundGroups;
 pub(crate) use surface::roles_of_edges;
 
 use crate::Producer;
-use crate::answer::{GroupCounts, HomomorphismAnswer, SubgroupCount, TreesAnswer};
+use crate::answer::{GroupCounts, HomomorphismAnswer, Remark, RemarkCode, SubgroupCount, TreesAnswer};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::progress::stage;
 use coface_algebra::{CellId, Error, VertexId, Word};
@@ -285,6 +285,8 @@ impl GroupsRequest {
             shown
         });
         let mut found = FoundGroups::new(self, shown.collect(), producer);
+        let cut = |said: &&Remark| said.code == RemarkCode::IdealVerticesCut;
+        found.remarks.extend(producer.remarks().iter().filter(cut).cloned());
         found.trees = small.map(|(vertices, ends)| trees_of(&groups, vertices, &ends, number));
         Ok(found)
     }

@@ -13,7 +13,7 @@ mod maps;
 mod products;
 mod sequence;
 
-use crate::answer::HomologyAnswer;
+use crate::answer::{HomologyAnswer, Remark, RemarkCode};
 use crate::{CellNames, Pair, Producer, Term, homology_of_volume};
 use coface_algebra::chains::{Chain, ChainComplex};
 use coface_algebra::progress::stage;
@@ -381,6 +381,8 @@ impl HomologyRequest {
         drop(steps);
         let groups = self.groups(&integral);
         let mut object = answer(&groups);
+        let cut = |said: &&Remark| said.code == RemarkCode::IdealVerticesCut;
+        object.remarks.extend(producer.remarks().iter().filter(cut).cloned());
         let mut chains = Vec::new();
         if let Some(basis) = basis.as_ref().filter(|_| self.has_generators) {
             let _steps = stage("finding generators", 0);

@@ -6,6 +6,7 @@
 //! * A [`Pair`] is the complex relative to a subcomplex.
 //! * [`OrderedSimplices`] is the model as a delta complex, for products of cochains.
 
+mod bounded;
 mod cycles;
 mod labels;
 mod lookup;
@@ -13,6 +14,7 @@ mod names;
 mod ordered_simplices;
 mod pair;
 
+use bounded::bounded;
 pub use cycles::Term;
 pub(crate) use labels::Labels;
 pub use names::CellNames;
@@ -78,7 +80,8 @@ pub(crate) enum Cells {
 }
 
 impl Producer {
-    /// Identifies the cells of a model.
+    /// Identifies the cells of a model. The ideal vertices of a gluing table are cut off first, and a remark says so, unless the model is
+    /// [taken as a pseudomanifold](Model::as_pseudomanifold).
     ///
     /// # Errors
     /// Those of the structure that fits the model: [`coface_algebra::ErrorKind::InvalidInput`] naming a cell that is none,
@@ -103,7 +106,8 @@ impl Producer {
             cells,
             lines,
             structure,
-            remarks,
+            mut remarks,
+            is_pseudomanifold,
             ..
         } = model.into_parts();
         let (cells, labels) = match structure {
@@ -119,6 +123,17 @@ impl Producer {
                 (Cells::Halfedges(permutations.mesh()?), Labels::default())
             }
             Some(Structure::Gluings(table)) => {
+                let made = match is_pseudomanifold {
+                    true => None,
+                    false => bounded(&table)?,
+                };
+                let table = match made {
+                    Some((bounded, remark)) => {
+                        remarks.push(remark);
+                        bounded
+                    }
+                    None => table,
+                };
                 let faces = table.faces()?;
                 (Cells::Gluings(Box::new((table, faces))), Labels::default())
             }

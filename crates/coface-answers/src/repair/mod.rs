@@ -10,4 +10,4 @@ mod triangulation;
 pub use halfedges::{dual_graph_model, dual_model, halfedge_model, polygon_model};
 pub use splitting::{RepairRequest, repaired};
 pub use surface::{SurfaceRepair, SurfaceRepairRequest, repaired_surface};
-pub use triangulation::triangulated;
+pub use triangulation::{triangulated, truncated};

@@ -47,3 +47,33 @@ pub fn triangulated(model: &Model) -> Result<(Model, Vec<Carrier>), Error> {
     let carriers = carriers.iter().copied().collect();
     Ok((Model::from_structure(Structure::Facets(RaggedArray::from_lists(facets))), carriers))
 }
+
+/// A gluing table of tetrahedra with its ideal vertices cut off: a manifold with boundary where all other links are spheres or disks.
+///
+/// # Errors
+/// [`ErrorKind::UnsupportedFormat`] for other models; [`ErrorKind::InvalidInput`] where no vertex is ideal; those of
+/// [`coface_complexes::gluing::GluingTable::truncated`].
+///
+/// # Examples
+/// The complement of the figure-eight knot.
+/// ```
+/// use coface_answers::{Report, truncated};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let knot = coface_io::isosig::read(&b"cPcbbbiht"[..])?;
+/// let report = Report::of(truncated(&knot)?)?;
+/// assert_eq!(report.homology()[1].to_string(), "Z");
+/// assert_eq!(report.skin().and_then(|skin| skin.name().map(str::to_owned)).as_deref(), Some("torus"));
+/// # Ok(()) }
+/// ```
+pub fn truncated(model: &Model) -> Result<Model, Error> {
+    match model.structure() {
+        Some(Structure::Gluings(table)) => {
+            Ok(Model::from_structure(Structure::Gluings(table.truncated_at_ideals()?)))
+        }
+        _ => Err(Error::new(
+            ErrorKind::UnsupportedFormat,
+            "only gluing tables and isomorphism signatures have ideal vertices",
+        )
+        .with_cure("convert the model without --truncate")),
+    }
+}

@@ -292,7 +292,8 @@ proptest! {
         let faces = table.faces().unwrap();
         let (chains, dimension) = (faces.chain_complex().unwrap(), table.dimension());
         let over_two = |chains: &ChainComplex| homology_with(chains, Coefficients::Modulo(2)).betti_numbers();
-        let producer = Producer::of(Model::from_structure(Structure::Gluings(table.clone()))).unwrap();
+        let model = Model::from_structure(Structure::Gluings(table.clone())).as_pseudomanifold(true);
+        let producer = Producer::of(model).unwrap();
         let pair = Pair::with_boundary(&producer, &chains).unwrap();
         let relative = over_two(pair.chains());
         if table.manifold_verdict(&faces).unwrap().to_bool() == Some(true) && table.simplex_count() > 0 {
@@ -436,6 +437,40 @@ fn the_figure_eight_knot() {
     assert_eq!(table.orientation().is_orientable(), Some(true));
     // The torus is coned off, which kills the meridian and with it the first homology.
     assert_eq!(shown(&faces.chain_complex().unwrap()), "Z, 0, Z, Z");
+}
+
+/// Truncated, ideal triangulations are manifolds whose boundary has the links of the ideal vertices, and half of whose Euler
+/// characteristic is that of the manifold.
+#[test]
+fn ideal_vertices_are_cut_off() {
+    // The first homology and the numbers of boundary components are those that Regina says: figure eight, its sister, the Gieseking
+    // manifold (which is not orientable), and others of two and four tetrahedra.
+    for (signature, first, is_orientable) in [
+        ("cPcbbbiht", "Z", true),
+        ("cPcbbbdxm", "Z + Z/5", true),
+        ("cPcbbbadu", "Z", true),
+        ("bkaaid", "Z", false),
+        ("eLPkbcddddcwjb", "Z", true),
+        ("eLPkbdcddhgggb", "Z^2", true),
+    ] {
+        let table = GluingTable::from_isomorphism_signature(signature, 3).unwrap();
+        let faces = table.faces().unwrap();
+        let ideal = table.ideal_vertices(&faces).unwrap();
+        let bounded = table.truncated(&faces).unwrap();
+        let new_faces = bounded.faces().unwrap();
+        assert_eq!(bounded.manifold_verdict(&new_faces).unwrap().as_str(), "yes", "{signature}");
+        assert_eq!(bounded.orientation().is_orientable(), Some(is_orientable), "{signature}");
+        if ideal.is_empty() {
+            assert_eq!(bounded, table);
+            continue;
+        }
+        let boundary = bounded.boundary_table().unwrap().0;
+        assert_eq!(boundary.components().count(), ideal.len(), "{signature}");
+        assert_eq!(2 * new_faces.alternating_count(), boundary.faces().unwrap().alternating_count());
+        let report = Report::of(Model::from_structure(Structure::Gluings(table))).unwrap();
+        assert_eq!(report.homology()[1].to_string(), first, "{signature}");
+        assert_eq!(report.f_vector(), new_faces.class_counts());
+    }
 }
 
 /// An edge identified with its own reverse: homology is that of the quotient, where half of the edge is left.

@@ -95,6 +95,7 @@ impl Batch {
             partial: common.partial,
             allow_outside: common.allow_outside,
             lod: common.lod,
+            pseudomanifold: common.pseudomanifold,
             all_places: self.all,
         };
         (batch.timings, batch.restart) = (!self.no_timings, self.restart);

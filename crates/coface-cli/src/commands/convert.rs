@@ -16,7 +16,7 @@ use coface::answers::answer::{
 use coface::answers::{
     MapResult, MapTask, PlanarSet, RepairMethod, RepairRequest, SetRequest, SurfaceRepairRequest,
     dual_graph_model, dual_model, halfedge_model, polygon_model, reference_loss, repaired, repaired_surface,
-    triangulated,
+    triangulated, truncated,
 };
 use coface::complexes::surface::FacesAtEdge;
 use coface::io;
@@ -48,6 +48,9 @@ pub(crate) struct Convert {
     /// Make a gluing table, or halfedge permutations, a facet list: the first barycentric subdivision, or the second where that is needed
     #[arg(long)]
     triangulate: bool,
+    /// Cut the ideal vertices of a triangulation of a 3-manifold off: the gluing table of the manifold with boundary that is left
+    #[arg(long)]
+    truncate: bool,
     /// With --triangulate: for each new vertex the cell [degree, number] of the table that it lies in, as JSON
     #[arg(long, value_name = "FILE", requires = "triangulate")]
     labels: Option<PathBuf>,
@@ -157,6 +160,10 @@ impl Convert {
             return self.write_set(&set, format, common, progress);
         }
         let mut loaded = input::read(&self.input, common.reading(), &progress)?;
+        if self.truncate {
+            progress.stage("cutting ideal vertices off");
+            loaded.model = truncated(&loaded.model).map_err(|error| error.in_file(loaded.name.clone()))?;
+        }
         if self.triangulate {
             progress.stage("subdividing");
             let (model, carriers) =
@@ -275,6 +282,7 @@ impl Convert {
         let keeps_curves = matches!(format, Format::Json | Format::Dat | Format::Svg);
         let is_plain = self.color_by.is_none()
             && !self.triangulate
+            && !self.truncate
             && self.request().is_none()
             && self.repair.is_none()
             && common.flatten.is_none();

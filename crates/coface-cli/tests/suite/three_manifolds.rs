@@ -77,7 +77,8 @@ fn signatures_are_chosen_by_their_place() {
     assert_eq!(coface(&["info", "--json", argument(&path)]).json()["manifold"]["verdict"], "yes");
     let message = coface(&["info", "--strict", argument(&path)]).fails_with(1).to_owned();
     assert!(message.contains("2 signatures") && message.contains("FILE#2"), "{message}");
-    let report = coface(&["info", "--json", &format!("{}#2", argument(&path))]).json();
+    let second = format!("{}#2", argument(&path));
+    let report = coface(&["info", "--json", "--pseudomanifold", &second]).json();
     assert_eq!(report["manifold"]["witness"]["kind"], "link_not_a_sphere");
     assert_eq!(report["manifold"]["witness"]["cells"], json!([[0]]));
     assert!(
@@ -136,4 +137,49 @@ fn tables_become_simplicial_complexes() {
     assert_eq!(carriers.iter().filter(|carrier| carrier[0] == 0).count(), 1);
     let mesh = coface(&["convert", argument(&facets), "--triangulate", "--to", "json"]);
     assert!(mesh.fails_with(1).contains("gluing tables"), "{}", mesh.stderr);
+}
+
+/// The complement of the figure-eight knot: what is asked is about the manifold with boundary, unless the point at infinity is kept.
+#[test]
+fn ideal_vertices_are_cut_off() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("knot.sig");
+    std::fs::write(&path, "cPcbbbiht\n").unwrap();
+    let knot = argument(&path);
+    let has_remark = |answer: &Value| {
+        let remarks = answer["remarks"].as_array().unwrap();
+        remarks.iter().any(|said| {
+            said["code"] == "ideal-vertices-cut"
+                && said["message"].as_str().unwrap().contains("--pseudomanifold")
+        })
+    };
+    let first = |answer: &Value| answer["homology"][1]["betti"].clone();
+    for verb in ["info", "homology"] {
+        let run = coface(&[verb, knot]);
+        assert!((run.stdout.clone() + &run.stderr).contains("--pseudomanifold"), "{verb}: {}", run.stderr);
+        let answer = coface(&[verb, "--json", knot]).json();
+        assert_eq!((first(&answer), has_remark(&answer)), (json!(1), true), "{verb}");
+        let answer = coface(&[verb, "--json", "--pseudomanifold", knot]).json();
+        assert_eq!((first(&answer), has_remark(&answer)), (json!(0), false), "{verb}");
+        assert_eq!(coface(&[verb, "--json", "--strict", knot]).status, 0, "{verb}");
+    }
+    let report = coface(&["info", "--json", knot]).json();
+    assert_eq!(report["manifold"]["verdict"], "yes");
+    assert_eq!(report["manifold"]["closed"], false);
+    let group = coface(&["pi1", "--json", "--simplify", knot]).json();
+    assert!(has_remark(&group));
+    assert_eq!(group["components"][0]["name"], Value::Null, "neither trivial nor Z");
+    assert_eq!(group["components"][0]["generators"], 2);
+    let group = coface(&["pi1", "--json", "--pseudomanifold", knot]).json();
+    assert_eq!((&group["components"][0]["name"], has_remark(&group)), (&json!("trivial"), false));
+
+    let bounded = folder.path().join("bounded.json");
+    let run = coface(&["convert", "--truncate", knot, "-o", argument(&bounded)]);
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    let again = coface(&["info", "--json", argument(&bounded)]).json();
+    assert_eq!((&again["f_vector"], first(&again)), (&report["f_vector"], json!(1)));
+    assert!(!has_remark(&again));
+    let message =
+        coface(&["convert", "--truncate", argument(&bounded), "--to", "json"]).fails_with(1).to_owned();
+    assert!(message.contains("no vertex is ideal") && message.contains("without --truncate"), "{message}");
 }

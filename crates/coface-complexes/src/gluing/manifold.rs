@@ -227,7 +227,7 @@ impl GluingTable {
 
 /// The Euler characteristic of the link of each vertex class, if no class is folded: a k-class with a corner at the vertex
 /// is a (k-1)-simplex of the link.
-fn link_euler_characteristics(faces: &FaceClasses) -> Vec<i64> {
+pub(super) fn link_euler_characteristics(faces: &FaceClasses) -> Vec<i64> {
     let counts = faces.class_counts();
     let mut found = vec![0; counts.first().copied().unwrap_or(0)];
     for (degree, &count) in counts.iter().enumerate().skip(1) {

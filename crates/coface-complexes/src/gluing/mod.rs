@@ -15,6 +15,7 @@ mod links;
 mod manifold;
 mod orientation;
 mod table;
+mod truncation;
 
 pub use faces::FaceClasses;
 pub use isomorphism::GluingIsomorphism;

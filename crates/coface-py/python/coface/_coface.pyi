@@ -3738,7 +3738,7 @@ def entries(path: str | os.PathLike[str], format: str | None = None) -> list[str
         Their names, or their places from 1: what :func:`read` takes behind a ``#``. Empty for a file of one model.
     """
     ...
-def read(path: str | os.PathLike[str], format: str | None = None, *, flatten: float | None = None, lod: float | None = None, strict: bool = False, partial: bool = False, allow_outside: bool = False, progress: _Progress = ...) -> Model:
+def read(path: str | os.PathLike[str], format: str | None = None, *, flatten: float | None = None, lod: float | None = None, strict: bool = False, partial: bool = False, allow_outside: bool = False, pseudomanifold: bool = False, progress: _Progress = ...) -> Model:
     """Reads a model from a file; its content and its name decide the format.
 
     Parameters
@@ -3757,6 +3757,8 @@ def read(path: str | os.PathLike[str], format: str | None = None, *, flatten: fl
         Whether a damaged file is read up to its first fault.
     allow_outside : bool
         Whether other files that the file names may lie outside of its folder: allow it for files that you trust.
+    pseudomanifold : bool
+        Whether ideal vertices of a triangulation of a 3-manifold are points; otherwise they are cut off, which leaves a manifold with boundary.
     progress : bool or callable, optional
         ``True`` shows a bar; a function is called with (stage, done, total).
 

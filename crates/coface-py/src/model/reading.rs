@@ -95,6 +95,8 @@ pub(crate) fn entries(py: Python<'_>, path: PathBuf, format: Option<&str>) -> Py
 ///     Whether a damaged file is read up to its first fault.
 /// allow_outside : bool
 ///     Whether other files that the file names may lie outside of its folder: allow it for files that you trust.
+/// pseudomanifold : bool
+///     Whether ideal vertices of a triangulation of a 3-manifold are points; otherwise they are cut off, which leaves a manifold with boundary.
 /// progress : bool or callable, optional
 ///     ``True`` shows a bar; a function is called with (stage, done, total).
 ///
@@ -118,7 +120,7 @@ pub(crate) fn entries(py: Python<'_>, path: PathBuf, format: Option<&str>) -> Py
 /// >>> coface.read(path)
 /// Model(3 vertices, 1 face)
 #[pyfunction]
-#[pyo3(signature = (path, format=None, *, flatten=None, lod=None, strict=false, partial=false, allow_outside=false, progress=None))]
+#[pyo3(signature = (path, format=None, *, flatten=None, lod=None, strict=false, partial=false, allow_outside=false, pseudomanifold=false, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn read(
     py: Python<'_>,
@@ -129,8 +131,10 @@ pub(crate) fn read(
     strict: bool,
     partial: bool,
     allow_outside: bool,
+    pseudomanifold: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Model> {
     let options = read_options(py, format, flatten, (strict, partial, allow_outside))?.lod(lod);
+    let options = options.pseudomanifold(pseudomanifold);
     warned(py, run(py, progress, || io::read_path_with(&path, &options))?)
 }

@@ -48,6 +48,8 @@ pub struct Reading {
     pub allow_outside: bool,
     /// The level of detail of CityJSON that is read, instead of the highest.
     pub lod: Option<f64>,
+    /// Whether ideal vertices are points, and are not cut off.
+    pub pseudomanifold: bool,
 }
 
 /// How many places of a problem are reported when not all are asked for.
@@ -56,7 +58,12 @@ const PLACES: usize = 100;
 impl Reading {
     pub(crate) fn options(self) -> ReadOptions {
         let options = ReadOptions::new().format(self.format).flatten(self.flatten).volume(self.volume);
-        options.strict(self.strict).partial(self.partial).allow_outside(self.allow_outside).lod(self.lod)
+        options
+            .strict(self.strict)
+            .partial(self.partial)
+            .allow_outside(self.allow_outside)
+            .lod(self.lod)
+            .pseudomanifold(self.pseudomanifold)
     }
 }
 
@@ -132,6 +139,8 @@ pub(crate) struct ReadingText {
     allow_outside: bool,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     lod: Option<f64>,
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pseudomanifold: bool,
 }
 
 impl ReadingText {
@@ -145,6 +154,7 @@ impl ReadingText {
             all_places: reading.all_places,
             allow_outside: reading.allow_outside,
             lod: reading.lod,
+            pseudomanifold: reading.pseudomanifold,
         }
     }
 
@@ -158,6 +168,7 @@ impl ReadingText {
             all_places: self.all_places,
             allow_outside: self.allow_outside,
             lod: self.lod,
+            pseudomanifold: self.pseudomanifold,
         })
     }
 }
@@ -351,6 +362,7 @@ mod tests {
                 all_places: true,
                 allow_outside: true,
                 lod: Some(1.25),
+                pseudomanifold: true,
             };
             let line = request.to_line();
             assert!(!line.contains('\n'));

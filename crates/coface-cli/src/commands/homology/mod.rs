@@ -10,6 +10,7 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::{give, write_file, write_json};
 use crate::progress::Progress;
+use crate::remarks::say_remarks;
 use clap::Args;
 use coface::answers::answer::GeneratorsFile;
 use coface::answers::text;
@@ -115,6 +116,7 @@ impl Homology {
         }
         let answer = found.answer();
         drop(progress);
+        say_remarks(&answer.remarks, common);
         let page = self.page(&answer.file, found.groups())
             + &page::details(answer, found.cell_names(), &self.cycle, self.decompose.as_deref());
         give(common, answer, &page)

@@ -159,6 +159,8 @@ struct ShardTask {
     strict: bool,
     partial: bool,
     allow_outside: bool,
+    #[serde(default)]
+    pseudomanifold: bool,
     voxels: VoxelArguments,
     grid: Option<Vec<u32>>,
     simplicial: bool,
@@ -241,6 +243,7 @@ impl<'a> Runner<'a> {
             strict: common.strict,
             partial: common.partial,
             allow_outside: common.allow_outside,
+            pseudomanifold: common.pseudomanifold,
             voxels: common.voxels.clone(),
             grid: self.options.grid.grid.clone(),
             simplicial: self.options.grid.simplicial,
@@ -441,6 +444,7 @@ fn shard(task: &ShardTask) -> Result<Reply, Failure> {
         partial: task.partial,
         allow_outside: task.allow_outside,
         lod: None,
+        pseudomanifold: task.pseudomanifold,
         voxels: task.voxels.clone(),
     };
     let progress = Progress::start(true);

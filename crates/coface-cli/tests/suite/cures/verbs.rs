@@ -29,6 +29,21 @@ pub(super) const CASES: &[Case] = &[
         .files(TRIANGLE)
         .refused("coface convert triangle.off --triangulate -o a.obj")
         .cured(&[&["coface convert triangle.off -o a.obj"]]),
+    Case::new("producer/bounded.rs", "--pseudomanifold takes ideal vertices as points")
+        .files(&[("knot.sig", "cPcbbbiht\n")])
+        .answered("coface homology knot.sig")
+        .cured(&[
+            &["coface homology knot.sig --pseudomanifold"],
+            &["coface convert --truncate knot.sig -o bounded.json", "coface homology bounded.json"],
+        ]),
+    Case::new("repair/triangulation.rs", "convert the model without --truncate")
+        .files(TRIANGLE)
+        .refused("coface convert triangle.off --truncate -o a.obj")
+        .cured(&[&["coface convert triangle.off -o a.obj"]]),
+    Case::new("gluing/truncation.rs", "convert the model without --truncate")
+        .files(&[("lens.sig", "cMcabbgqw\n")])
+        .refused("coface convert lens.sig --truncate -o a.json")
+        .cured(&[&["coface convert lens.sig -o a.json"]]),
     Case::new("commands/convert.rs", "or say it with --to")
         .files(TRIANGLE)
         .refused("coface convert triangle.off -o a.model")
