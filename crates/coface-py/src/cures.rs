@@ -1,8 +1,7 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 23] = [
-const PHRASES: [(&str, &str); 24] = [
+const PHRASES: [(&str, &str); 25] = [
     ("coface convert VOLUME -o boundary.obj", "volume.to_model(surface=True)"),
     (
         "coface homology --parts N",
