@@ -4,6 +4,7 @@
 mod advisories;
 mod answers;
 mod api;
+mod book;
 mod clipping;
 mod fuzz;
 #[cfg(test)]
@@ -44,6 +45,9 @@ const USAGE: &str = "usage:
                               chains of Booleans of solids, random scenes against voxels, rooms at many angles
   cargo xtask advisories [DIR]
                               says which packages have known faults, by the snapshot in xtask/advisories.txt; DIR makes it anew
+  cargo xtask book [--check | --write] [--program PATH] [--only CHAPTER]
+                              follows the links of docs/book and writes docs/book.html; --check runs its commands and compares
+                              what they print and draw, --write keeps that and generates the reference
   cargo xtask api [--write]   says what has changed of what each crate offers, as listed in docs/api; writes the lists
   cargo xtask types [--write] says whether the viewer has the types of docs/answers.schema.json; writes them
   cargo xtask fuzz --minutes N [--target NAME] [--jobs N]
@@ -70,6 +74,7 @@ fn main() -> ExitCode {
         Some("wild") => wild::wild(&words[1..]),
         Some("ogc") => ogc::ogc(&words[1..]),
         Some("clipping") => clipping::clipping(&words[1..]),
+        Some("book") => book::book(&words[1..]),
         Some("api") => api::api(&words[1..]),
         Some("types") => typescript::types(&words[1..]),
         Some("fuzz") => fuzz::fuzz(&words[1..]),

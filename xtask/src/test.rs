@@ -25,6 +25,7 @@ pub(crate) fn run() -> ExitCode {
         run_counted(&mut tally, "tests", cargo(&all));
         guide(&mut tally);
         readme(&mut tally);
+        crate::book::check(&mut tally);
         python(&mut tally);
         browser(&mut tally);
         tally
