@@ -431,6 +431,8 @@ class System {
       pthread_attr_destroy: () => OK,
       pthread_detach: () => OK,
       pthread_join: () => OK,
+      // No name is found for a path: the path is taken as it is.
+      realpath: () => 0,
       // Files have no modes.
       fchmod: () => OK,
       // There are no links of either kind.

@@ -62,7 +62,7 @@ export const HALFEDGES: Table = {
           seen.add(key);
           const [[x1, y1], [x2, y2]] = [vertices[from], vertices[to]];
           const line = drawn("line", { x1, y1, x2, y2, stroke: "var(--accent)", "stroke-width": 0.06 });
-          const wide = drawn("line", { x1, y1, x2, y2, stroke: "transparent", "stroke-width": 0.4, tabindex: 0, role: "button", "aria-label": `edge ${from} ${to}`, style: "cursor: pointer" });
+          const wide = drawn("line", { x1, y1, x2, y2, stroke: "transparent", "stroke-width": 0.4, tabindex: 0, role: "button", "aria-label": `edge ${key}`, style: "cursor: pointer" });
           wide.addEventListener("click", () => void apply(from, to));
           wide.addEventListener("keydown", (event) => {
             if (event.key === "Enter") void apply(from, to);

@@ -44,7 +44,7 @@ export const COVER: Table = {
     const frame = element("iframe", { title: "the cover" });
     const compute = latest(async () => {
       const made = await hands.run([...surfaces[choice.value], "-o", "surface.json"], []);
-      const cover = await hands.run(["cover", "surface.json", "--copies", copies.value, "-o", "cover.json", "-q"], made.files);
+      const cover = await hands.run(["cover", "surface.json", "--copies", copies.value, "-o", "cover.json"], made.files);
       facts.textContent = cover.status === 0 ? text(cover) : cover.stderr || made.stderr;
       if (cover.status === 0) show(frame, facts, await hands.run(["view", "surface.json", "--with", "cover.json", "-o", "page.html"], cover.files));
     });

@@ -128,7 +128,7 @@ test("an edge is flipped by the keyboard, and the permutations follow", async ()
 test("levels: three dips are three pieces before they meet", async () => {
   await page.getByRole("button", { name: "levels and persistence" }).click();
   const facts = page.locator("#table .facts");
-  await page.getByLabel("level").fill("-0.8");
+  await page.getByRole("slider", { name: "level" }).fill("-0.8");
   await expect.poll(() => facts.textContent()).toContain("3 pieces, 0 holes");
 });
 
