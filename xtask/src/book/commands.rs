@@ -79,10 +79,10 @@ fn replayed(chapter: &Chapter, program: &Path, folder: &Path, faults: &mut Vec<S
             }
             body.push(line);
         }
-        if let Some(name) = words.iter().find_map(|word| word.strip_prefix("file=")) {
-            if let Err(error) = fs::write(folder.join(name), body.join("\n") + "\n") {
-                faults.push(format!("{}.md:{}: {name}: {error}", chapter.name, i + 1));
-            }
+        if let Some(name) = words.iter().find_map(|word| word.strip_prefix("file="))
+            && let Err(error) = fs::write(folder.join(name), body.join("\n") + "\n")
+        {
+            faults.push(format!("{}.md:{}: {name}: {error}", chapter.name, i + 1));
         }
         if words[0] == "console" {
             let shown = words.iter().find_map(|word| word.strip_prefix("lines="));

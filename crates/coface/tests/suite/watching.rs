@@ -132,13 +132,35 @@ fn all_work_ends_when_it_is_asked_to() {
     }
 }
 
-/// Another thread looks all the time: steps never are more than there are, and stages come in the order of the work.
+/// Another thread looks all the time: steps never are more than there are, and stages come in the order of the work. On a busy machine it may
+/// look only now and then: it looks at the work again until it has seen more than two stages.
 #[test]
 fn stages_come_in_order() {
     let bytes = file(150);
+    let order = [
+        "reading the input",
+        "sorting cells by their vertices",
+        "identifying edges",
+        "multiplying boundaries",
+        "matching cells",
+        "spanning vertices",
+        "cancelling pairs",
+    ];
+    let is_enough = (0..100).any(|_| {
+        let seen = stages_of_homology(&bytes);
+        let places: Vec<usize> =
+            seen.iter().filter_map(|name| order.iter().position(|known| known == name)).collect();
+        assert!(places.is_sorted(), "{seen:?}");
+        places.len() > 2
+    });
+    assert!(is_enough, "a hundred runs, and never more than two stages");
+}
+
+/// The stages that another thread sees while the homology of the surface is found.
+fn stages_of_homology(bytes: &[u8]) -> Vec<String> {
     let watch = Arc::new(Watch::new());
     let is_done = AtomicBool::new(false);
-    let seen = std::thread::scope(|scope| {
+    std::thread::scope(|scope| {
         let looking = scope.spawn(|| {
             let mut seen: Vec<String> = Vec::new();
             while !is_done.load(Ordering::Relaxed) {
@@ -153,7 +175,7 @@ fn stages_come_in_order() {
             seen
         });
         let euler = watch.run(|| {
-            let model = io::read(&bytes[..], Format::Off).unwrap();
+            let model = io::read(bytes, Format::Off).unwrap();
             let mesh = PolygonMesh::new(model.vertex_count(), model.polygons().clone(), &[]).unwrap();
             let complex = mesh.into_chain_complex().unwrap();
             MorseComplex::new(&complex).critical_count(1)
@@ -161,19 +183,7 @@ fn stages_come_in_order() {
         is_done.store(true, Ordering::Relaxed);
         assert_eq!(euler, Ok(2));
         looking.join().unwrap()
-    });
-    let order = [
-        "reading the input",
-        "sorting cells by their vertices",
-        "identifying edges",
-        "multiplying boundaries",
-        "matching cells",
-        "spanning vertices",
-        "cancelling pairs",
-    ];
-    let places: Vec<usize> =
-        seen.iter().filter_map(|name| order.iter().position(|known| known == name)).collect();
-    assert!(places.is_sorted() && places.len() > 2, "{seen:?}");
+    })
 }
 
 /// Runs work and stops it as soon as the stage has begun; once more where the work was faster than the look at it.
