@@ -139,7 +139,8 @@ impl FoundGroups {
         };
         let mut remarks = self.remarks.clone();
         let has_loops = self.shown.iter().any(|shown| !shown.loops.is_empty());
-        if self.positions.dimension() == 0 && has_loops && remarks.is_empty() {
+        let is_said = remarks.iter().any(|said| said.code == RemarkCode::UnitLengths);
+        if self.positions.dimension() == 0 && has_loops && !is_said {
             remarks.push(unit_lengths());
         }
         let kind = match self.request.surface_loops {

@@ -4,6 +4,7 @@ use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::output::{give, is_json, write_json};
 use crate::progress::Progress;
+use crate::remarks::say_remarks;
 use clap::Args;
 use coface::algebra::Integer;
 use coface::answers::answer::{
@@ -71,8 +72,7 @@ impl Merge {
         progress.stage("merging");
         let answer = Answer::of(&folder, &self.question, self.force)?;
         drop(progress);
-        answer.save_generators(&self.question)?;
-        give(common, &answer.object, &answer.page)
+        answer.give(&self.question, common)
     }
 }
 
@@ -103,6 +103,7 @@ impl Answer {
         };
         let mut object = HomologyAnswer::of(name, question.coefficients, question.cohomology, groups);
         object.f_vector = Some(summary.cells().to_vec());
+        object.remarks.extend_from_slice(&folder.manifest().source.remarks);
         object.parts = Some(PartsAnswer {
             count: summary.levels()[0].parts(),
             fan_in,
@@ -118,8 +119,15 @@ impl Answer {
         Ok(Self { object, page })
     }
 
+    /// Gives the answer, with its remarks and the file of generators.
+    pub(crate) fn give(&self, question: &Question, common: &Common) -> Result<(), Failure> {
+        self.save_generators(question)?;
+        say_remarks(&self.object.remarks, common);
+        give(common, &self.object, &self.page)
+    }
+
     /// Writes the generators to their file, if one is named.
-    pub(crate) fn save_generators(&self, question: &Question) -> Result<(), Failure> {
+    fn save_generators(&self, question: &Question) -> Result<(), Failure> {
         if let (Some(Some(place)), Some(generators)) = (&question.generators, &self.object.generators) {
             write_json(place, &GeneratorsFile { generators: generators.clone() })?;
         }

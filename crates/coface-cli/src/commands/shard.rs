@@ -136,14 +136,16 @@ pub(crate) fn fingerprint(input: &Path, cut: &Cut, common: &Common) -> String {
         .as_deref()
         .map_or_else(String::new, |how| hash(how).unwrap_or_else(|| how.display().to_string()));
     format!(
-        "{content}, {} by {} {owners} {:?} {:?} {:?} {:?} {}",
+        "{content}, {} by {} {owners} {:?} {:?} {:?} {:?} {} {:?} {}",
         cut.parts,
         cut.fan_in,
         cut.grid.simplicial,
         common.format,
         common.flatten,
         common.voxels,
-        common.partial
+        common.partial,
+        common.lod,
+        common.pseudomanifold
     )
 }
 
@@ -210,7 +212,9 @@ pub(crate) fn cut_input(
             "{name}: --simplicial cuts voxels, and there are none; leave it away"
         )));
     }
-    Ok(shard_model(loaded.model, folder, &request).map_err(|error| error.in_file(name))?)
+    let shards = shard_model(loaded.model, folder, &request).map_err(|error| error.in_file(name.clone()))?;
+    take(&name, &shards.manifest().source.remarks);
+    Ok(shards)
 }
 
 impl Shard {

@@ -8,7 +8,7 @@
 
 use crate::program::{argument, coface, coface_reading};
 use serde_json::{Value, json};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The file of the tables and its entries, if it is there.
 fn census() -> Option<(PathBuf, Vec<Value>)> {
@@ -182,4 +182,46 @@ fn ideal_vertices_are_cut_off() {
     let message =
         coface(&["convert", "--truncate", argument(&bounded), "--to", "json"]).fails_with(1).to_owned();
     assert!(message.contains("no vertex is ideal") && message.contains("without --truncate"), "{message}");
+}
+
+/// What is cut into parts is what is asked about in one piece, and says so too; a folder of another request is not taken for this one.
+#[test]
+fn parts_of_ideal_triangulations() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("knot.sig");
+    std::fs::write(&path, "cPcbbbiht\n").unwrap();
+    let knot = argument(&path);
+    let has_remark = |answer: &Value| {
+        answer["remarks"].as_array().unwrap().iter().any(|remark| remark["code"] == "ideal-vertices-cut")
+    };
+    let [cut, points] = ["cut", "points"].map(|name| folder.path().join(name));
+    let in_parts = |work: &Path, options: &[&str]| {
+        coface(&[&["homology", knot, "--parts", "2", "--work", argument(work), "--json"], options].concat())
+    };
+    for (options, work, expected) in [(&[][..], &cut, true), (&["--pseudomanifold"][..], &points, false)] {
+        let whole = coface(&[&["homology", "--json", knot], options].concat()).json();
+        // The second time from what the first has left.
+        for _ in 0..2 {
+            let run = in_parts(work, options);
+            let answer = run.json();
+            assert_eq!(answer["homology"], whole["homology"], "{options:?}");
+            assert_eq!(has_remark(&answer), expected, "{options:?}");
+            assert_eq!(run.stderr.matches("is ideal").count(), usize::from(expected), "{}", run.stderr);
+        }
+    }
+    assert!(in_parts(&cut, &["--pseudomanifold"]).fails_with(1).contains("shards of another complex"));
+    let shards = folder.path().join("shards");
+    let run = coface(&["shard", knot, "--parts", "2", "-o", argument(&shards)]);
+    assert!(run.stderr.contains("vertex 0 is ideal"), "{}", run.stderr);
+    assert_eq!(coface(&["reduce", argument(&shards)]).status, 0);
+    assert!(has_remark(&coface(&["merge", argument(&shards), "--json"]).json()));
+}
+
+/// That edges have no lengths is said beside that vertices are cut.
+#[test]
+fn loops_of_ideal_triangulations() {
+    let answer = coface_reading(&["loops", "--json", "--format", "isosig", "-"], b"cPcbbbiht\n").json();
+    let codes: Vec<&str> =
+        answer["remarks"].as_array().unwrap().iter().map(|remark| remark["code"].as_str().unwrap()).collect();
+    assert_eq!(codes, ["ideal-vertices-cut", "unit-lengths"]);
 }

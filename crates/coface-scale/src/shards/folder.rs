@@ -269,7 +269,7 @@ impl ShardFolder {
             if !replaces && !other.as_ref().is_ok_and(is_same) {
                 return Err(in_file(path)(
                     Error::invalid("the folder has the shards of another complex, or cut in another way")
-                        .with_cure("name an empty folder, or replace them by --force"),
+                        .with_cure("name an empty folder, or replace them by coface shard --force"),
                 ));
             }
             // While shards are replaced they must not be merged.

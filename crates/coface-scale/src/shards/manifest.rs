@@ -1,10 +1,11 @@
 //! What a folder says about its shards.
 
 use coface_algebra::{Error, ErrorKind};
+use coface_io::Remark;
 use serde::{Deserialize, Serialize};
 
 /// What the shards of a folder are, as stated in its file `shards.json`.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ShardManifest {
     /// The number that all shards have, see [`ShardPlace::complex`](super::ShardPlace::complex).
@@ -18,7 +19,7 @@ pub struct ShardManifest {
 }
 
 /// What shards were made from, for people and for programs that go on with what they find.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ShardSource {
     /// The name of a file or a grid.
     #[serde(default)]
@@ -29,6 +30,9 @@ pub struct ShardSource {
     /// Something that is the same when the file and the request are: its length, the time of its change, how it was cut. May be empty.
     #[serde(default)]
     pub fingerprint: String,
+    /// What was assumed when it was read, and when its cells were identified.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub remarks: Vec<Remark>,
 }
 
 const VERSION: u64 = 1;
@@ -120,10 +124,16 @@ impl ShardManifest {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use coface_io::RemarkCode;
 
     #[test]
     fn manifests_are_read_as_they_were_written() {
-        let source = ShardSource { name: "b".into(), kind: "grid".into(), fingerprint: "1".into() };
+        let source = ShardSource {
+            name: "b".into(),
+            kind: "grid".into(),
+            fingerprint: "1".into(),
+            remarks: vec![Remark::new(RemarkCode::IsolatedVertex, "1 vertex is in no cell").at(1, [])],
+        };
         let manifest = ShardManifest::new(0xab, 3, 8, source);
         let text = manifest.to_json();
         let keys = ["coface_shards", "complex", "fan_in", "parts", "source", "fingerprint", "kind", "name"];

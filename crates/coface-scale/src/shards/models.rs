@@ -56,7 +56,7 @@ impl ShardRequest {
     /// assert_eq!((request.part_count, request.fan_in, request.replaces), (3, 8, false));
     /// ```
     pub fn new(name: impl Into<String>, part_count: u32) -> Self {
-        let source = ShardSource { name: name.into(), kind: "model".to_owned(), fingerprint: String::new() };
+        let source = ShardSource { name: name.into(), kind: "model".to_owned(), ..ShardSource::default() };
         Self {
             source,
             part_count,
@@ -150,7 +150,9 @@ pub fn shard_model(model: Model, folder: &Path, request: &ShardRequest) -> Resul
     let are_named = producer.names_cells_by_vertices();
     let names = |degree: usize, cell: usize| producer.cell_vertices(degree, CellId::new(cell));
     let complex_number = number_of(&complex, &partition, place);
-    let manifest = ShardManifest::new(complex_number, part_count, request.fan_in, request.source.clone());
+    let mut source = request.source.clone();
+    source.remarks.extend_from_slice(producer.remarks());
+    let manifest = ShardManifest::new(complex_number, part_count, request.fan_in, source);
     ShardFolder::create(folder, manifest, request.replaces)?.finished(|folder| {
         let steps = progress::stage("writing shards", part_count as usize);
         for number in 0..part_count {

@@ -6,7 +6,6 @@ use crate::arguments::{Common, Limit, VoxelArguments, memory_limit};
 use crate::commands::merge::{Answer, Question};
 use crate::commands::shard::{Cut, CutRequest, GridArguments, cut_input, fingerprint};
 use crate::failure::Failure;
-use crate::output::give;
 use crate::progress::Progress;
 use crate::workers::{Task, core_count, pool};
 use clap::Args;
@@ -80,8 +79,7 @@ impl PartsOptions {
         let answer = runner.answer(question)?;
         drop(progress);
         drop(work);
-        answer.save_generators(question)?;
-        give(common, &answer.object, &answer.page)
+        answer.give(question, common)
     }
 }
 
@@ -159,7 +157,7 @@ struct ShardTask {
     strict: bool,
     partial: bool,
     allow_outside: bool,
-    #[serde(default)]
+    lod: Option<f64>,
     pseudomanifold: bool,
     voxels: VoxelArguments,
     grid: Option<Vec<u32>>,
@@ -243,6 +241,7 @@ impl<'a> Runner<'a> {
             strict: common.strict,
             partial: common.partial,
             allow_outside: common.allow_outside,
+            lod: common.lod,
             pseudomanifold: common.pseudomanifold,
             voxels: common.voxels.clone(),
             grid: self.options.grid.grid.clone(),
@@ -443,7 +442,7 @@ fn shard(task: &ShardTask) -> Result<Reply, Failure> {
         strict: task.strict,
         partial: task.partial,
         allow_outside: task.allow_outside,
-        lod: None,
+        lod: task.lod,
         pseudomanifold: task.pseudomanifold,
         voxels: task.voxels.clone(),
     };

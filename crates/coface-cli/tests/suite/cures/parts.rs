@@ -47,7 +47,18 @@ pub(super) const CASES: &[Case] = &[
         .files(BOOK)
         .refused("coface reduce book.json")
         .cured(&[&[SHARDED, "coface reduce parts"]]),
-    Case::new(FOLDER, "name an empty folder, or replace them by --force")
+    Case::new(FOLDER, "name an empty folder, or replace them by coface shard --force")
+        .files(TWO)
+        .before(&["coface homology book.json --parts 2 --work parts"])
+        .refused("coface homology other.json --parts 2 --work parts")
+        .cured(&[
+            &["coface homology other.json --parts 2 --work empty"],
+            &[
+                "coface shard other.json --parts 2 -o parts --force",
+                "coface homology other.json --parts 2 --work parts",
+            ],
+        ]),
+    Case::new(FOLDER, "name an empty folder, or replace them by coface shard --force")
         .files(TWO)
         .before(&[SHARDED])
         .refused("coface shard other.json --parts 2 -o parts")
