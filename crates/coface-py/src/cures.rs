@@ -1,7 +1,8 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 25] = [
+const PHRASES: [(&str, &str); 26] = [
+    ("by coface shard --force", "by replace=True"),
     ("coface convert VOLUME -o boundary.obj", "volume.to_model(surface=True)"),
     (
         "coface homology --parts N",
@@ -43,7 +44,7 @@ const PHRASES: [(&str, &str); 25] = [
 
 /// The options whose values are words, and those words. No words stand for any.
 const WORDS: [(&str, &[&str]); 6] = [
-    ("distances", &["lower", "upper", "square", "sparse"]),
+    ("distances", &["points", "lower", "upper", "square", "sparse"]),
     ("rule", &["nonzero", "evenodd", "positive"]),
     ("inputs", &["files", "features", "objects", "groups", "components"]),
     ("open", &["refuse", "close"]),

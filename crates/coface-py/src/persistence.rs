@@ -2,7 +2,7 @@
 
 use crate::arrays;
 use crate::chain_complex::{ChainComplex, ring};
-use crate::errors::{invalid, whole};
+use crate::errors::{OrRaise, invalid, warn, whole};
 use crate::source::Naming;
 use crate::work::run;
 use coface::algebra::Integer;
@@ -133,8 +133,9 @@ pub(crate) fn persistence(
 /// ----------
 /// table : array_like of float
 ///     Rows of numbers.
-/// form : {"points", "lower", "upper", "square", "sparse"}
-///     What the rows are: coordinates, distances to the points before or behind or to all, or two points and their distance.
+/// form : {"points", "lower", "upper", "square", "sparse"}, optional
+///     What the rows are: coordinates, distances to the points before or behind or to all, or two points and their distance; by default what they
+///     look like.
 /// dimension : int
 ///     The highest degree of classes.
 /// threshold : float, optional
@@ -151,12 +152,12 @@ pub(crate) fn persistence(
 /// Persistence
 ///     The diagram.
 #[pyfunction]
-#[pyo3(signature = (table, *, form="points", dimension=None, threshold=None, coefficients=None, least=0.0, progress=None), text_signature = "(table, *, form='points', dimension=1, threshold=None, coefficients='f2', least=0.0, progress=False)")]
+#[pyo3(signature = (table, *, form=None, dimension=None, threshold=None, coefficients=None, least=0.0, progress=None), text_signature = "(table, *, form=None, dimension=1, threshold=None, coefficients='f2', least=0.0, progress=False)")]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn rips(
     py: Python<'_>,
     table: &Bound<'_, PyAny>,
-    form: &str,
+    form: Option<&str>,
     dimension: Option<&Bound<'_, PyAny>>,
     threshold: Option<f64>,
     coefficients: Option<&Bound<'_, PyAny>>,
@@ -167,10 +168,17 @@ pub(crate) fn rips(
         table.try_iter()?.map(|row| arrays::real_list(&row?, "table")).collect::<PyResult<_>>()?;
     let field = coefficients.map_or(Ok(Coefficients::Modulo(2)), ring)?;
     let dimension = dimension.map_or(Ok(1), whole)?;
+    let table = NumberTable::from_rows(rows);
+    let (form, said) = match form {
+        Some(form) => (TableForm::from_name(form).or_raise(py)?, None),
+        None => TableForm::of(&table),
+    };
+    if let Some(remark) = said {
+        warn(py, &remark.message)?;
+    }
     let found = run(py, progress, || {
-        let (distances, _) = TableForm::from_name(form)?.distances(&NumberTable::from_rows(rows))?;
         let request = RipsRequest::new().coefficients(field).dimension(dimension);
-        request.threshold(threshold).min_persistence(least).found("points", &distances)
+        request.threshold(threshold).min_persistence(least).found("points", &form.distances(&table)?)
     })?;
     Ok(Persistence { diagram: Diagram::Points(found) })
 }

@@ -51,6 +51,20 @@ def test_distances_of_all_forms(coefficients: str | int) -> None:
     np.testing.assert_array_equal(again.diagram(1), plain.diagram(1))
 
 
+def test_a_table_that_looks_like_distances() -> None:
+    line = np.abs(np.subtract.outer(np.arange(3.0), np.arange(3.0)))
+    with pytest.warns(UserWarning, match='distances="points"'):
+        found = coface.rips(line)
+    np.testing.assert_array_equal(found.diagram(0), [[0, np.inf], [0, 1], [0, 1]])
+    assert coface.rips(line, distances="points").diagram(0)[1, 1] == pytest.approx(np.sqrt(3))
+
+
+def test_points_without_stored_distances() -> None:
+    found = coface.rips(coo_array(([2.0], ([1], [0])), shape=(4, 4)))
+    assert sorted(found.diagram(0)[:, 1]) == [2, np.inf, np.inf, np.inf]
+    assert len(coface.rips(coo_array((3, 3))).diagram(0)) == 3
+
+
 def test_wrong_tables() -> None:
     with pytest.raises(coface.InvalidInputError, match="distances=\"lower\""):
         coface.rips([[1.0], [2.0, 3.0]], distances="points")  # type: ignore[arg-type]

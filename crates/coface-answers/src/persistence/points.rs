@@ -50,7 +50,30 @@ impl TableForm {
         })
     }
 
-    /// The distances that a table holds, or those of its points. Points have the Euclidean distance. Gives remarks too.
+    /// The form that a table has by its looks: a square one with zeros on its diagonal that is symmetric and has no negative number holds
+    /// distances, and a remark says so; all others hold points.
+    ///
+    /// # Complexity
+    /// Linear.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::TableForm;
+    /// use coface_io::NumberTable;
+    /// let form = |rows: [[f64; 3]; 3]| TableForm::of(&NumberTable::from_rows(rows)).0;
+    /// assert_eq!(form([[0.0, 3.0, 5.0], [3.0, 0.0, 4.0], [5.0, 4.0, 0.0]]), TableForm::Square);
+    /// assert_eq!(form([[0.0, 3.0, 5.0], [3.0, 0.0, 4.0], [5.0, 1.0, 0.0]]), TableForm::Points);
+    /// ```
+    pub fn of(table: &NumberTable) -> (Self, Option<Remark>) {
+        if !is_square_of_distances(table) {
+            return (Self::Points, None);
+        }
+        let message = "the table is symmetric with zeros on its diagonal: its numbers were taken for distances; --distances points takes \
+                       its rows as points";
+        (Self::Square, Some(Remark::new(RemarkCode::InputReading, message)))
+    }
+
+    /// The distances that a table holds, or those of its points. Points have the Euclidean distance.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) or
@@ -64,35 +87,25 @@ impl TableForm {
     /// let points = NumberTable::read(&b"0 0\n3 0\n3 4\n"[..])?;
     /// let lower = NumberTable::read(&b"3\n5 4\n"[..])?;
     /// let square = NumberTable::read(&b"0 3 5\n3 0 4\n5 4 0\n"[..])?;
-    /// let (distances, _) = TableForm::Points.distances(&points)?;
-    /// assert_eq!(TableForm::Lower.distances(&lower)?.0, distances);
-    /// assert_eq!(TableForm::Square.distances(&square)?.0, distances);
+    /// let distances = TableForm::Points.distances(&points)?;
+    /// assert_eq!(TableForm::Lower.distances(&lower)?, distances);
+    /// assert_eq!(TableForm::Square.distances(&square)?, distances);
     /// # Ok(()) }
     /// ```
-    pub fn distances(self, table: &NumberTable) -> Result<(Distances, Vec<Remark>), Error> {
-        let mut remarks = Vec::new();
-        let distances = match self {
-            Self::Points => {
-                if is_square_of_distances(table) {
-                    remarks.push(Remark::new(
-                        RemarkCode::InputReading,
-                        "the table is symmetric with zeros on its diagonal and was read as points; if its numbers are distances, say so by --distances square",
-                    ));
-                }
-                of_points(table)?
-            }
-            Self::Lower => of_lower(table)?,
+    pub fn distances(self, table: &NumberTable) -> Result<Distances, Error> {
+        match self {
+            Self::Points => of_points(table),
+            Self::Lower => of_lower(table),
             Self::Upper => {
                 let count = point_count(table.numbers().len())?;
                 let row = |i: usize| i * (2 * count - i - 1) / 2;
                 let at = |i: usize, j: usize| table.numbers()[row(j) + i - j - 1];
                 let lower = (0..count).flat_map(|i| (0..i).map(move |j| at(i, j)));
-                Distances::from_lower_triangle(count, lower.collect())?
+                Distances::from_lower_triangle(count, lower.collect())
             }
-            Self::Square => of_square(table)?,
-            Self::Sparse => of_list(table)?,
-        };
-        Ok((distances, remarks))
+            Self::Square => of_square(table),
+            Self::Sparse => of_list(table),
+        }
     }
 }
 
@@ -244,7 +257,7 @@ fn is_square_of_distances(table: &NumberTable) -> bool {
     let count = table.row_count();
     count > 2
         && (0..count).all(|i| table.row(i).len() == count && table.row(i)[i] == 0.0)
-        && (0..count).all(|i| (0..i).all(|j| table.row(i)[j] == table.row(j)[i]))
+        && (0..count).all(|i| (0..i).all(|j| table.row(i)[j] >= 0.0 && table.row(i)[j] == table.row(j)[i]))
 }
 
 /// Asks for persistent homology of the Vietoris-Rips filtration of points.
@@ -255,7 +268,7 @@ fn is_square_of_distances(table: &NumberTable) -> bool {
 /// use coface_io::NumberTable;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let square = NumberTable::read(&b"0 0\n1 0\n1 1\n0 1\n"[..])?;
-/// let (distances, _) = TableForm::Points.distances(&square)?;
+/// let distances = TableForm::Points.distances(&square)?;
 /// let answer = RipsRequest::new().found("square.csv", &distances)?.answer();
 /// let hole = answer.diagram.last().expect("four points and a hole");
 /// assert_eq!((hole.degree, hole.birth, hole.death), (1, 1.0, Some(2f64.sqrt())));

@@ -59,10 +59,11 @@ fn points_and_all_tables_of_distances_have_one_diagram() {
     let [(birth, Some(death))] = of_degree(2)[..] else { panic!("{first}") };
     assert!((birth - 3f64.sqrt()).abs() < 1e-15 && (death - 2.0).abs() < 1e-15, "{birth} {death}");
     assert_eq!((&first["function"], &first["star"]), (&json!("vietoris-rips"), &json!(null)));
-    let others: [&[&str]; 7] = [
+    let others: [&[&str]; 8] = [
         &["a.txt"],
         &["a.xyz"],
         &["square.csv", "--distances", "square"],
+        &["square.csv"],
         &["lower.csv", "--distances", "lower"],
         &["a.lower_distance_matrix"],
         &["upper.csv", "--distances", "upper"],
@@ -83,10 +84,21 @@ fn points_and_all_tables_of_distances_have_one_diagram() {
     assert_eq!(std::fs::read_to_string(place.join("a.pers")).unwrap().lines().count(), 7);
 }
 
+/// Points at 0, 1 and 2 by their distances, which nobody has to say; or three points in space.
 #[test]
-fn a_table_that_may_be_distances_is_remarked() {
-    let run = coface_reading(&["persistence", "-", "--rips"], b"0 1 2\n1 0 1\n2 1 0\n");
-    assert!(run.status == 0 && run.stderr.contains("--distances square"), "{}", run.stderr);
+fn a_table_that_looks_like_distances_has_distances() {
+    let table = b"0 1 2\n1 0 1\n2 1 0\n";
+    let deaths = |options: &[&str]| {
+        let run = coface_reading(&[&["persistence", "-", "--rips", "--json"], options].concat(), table);
+        let deaths: Vec<Option<f64>> =
+            run.json()["diagram"].as_array().unwrap().iter().map(|pair| pair["death"].as_f64()).collect();
+        (deaths, run.stderr.contains("--distances points"))
+    };
+    assert_eq!(deaths(&[]), (vec![None, Some(1.0), Some(1.0)], true));
+    assert_eq!(deaths(&["--distances", "square"]), (vec![None, Some(1.0), Some(1.0)], false));
+    let [side, long] = [3f64.sqrt(), 8f64.sqrt()];
+    assert!(side < long);
+    assert_eq!(deaths(&["--distances", "points"]), (vec![None, Some(side), Some(side)], false));
 }
 
 #[test]

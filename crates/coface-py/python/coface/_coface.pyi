@@ -3804,15 +3804,16 @@ def persistence(complex: ChainComplex, *, vertex_values: ArrayLike | None = None
         The diagram.
     """
     ...
-def rips(table: Any, *, form: str = "points", dimension: int = ..., threshold: float | None = None, coefficients: str | int = ..., least: float = 0.0, progress: _Progress = ...) -> Persistence:
+def rips(table: Any, *, form: str | None = None, dimension: int = ..., threshold: float | None = None, coefficients: str | int = ..., least: float = 0.0, progress: _Progress = ...) -> Persistence:
     """Persistent homology of the Vietoris-Rips filtration of points or distances.
 
     Parameters
     ----------
     table : array_like of float
         Rows of numbers.
-    form : {"points", "lower", "upper", "square", "sparse"}
-        What the rows are: coordinates, distances to the points before or behind or to all, or two points and their distance.
+    form : {"points", "lower", "upper", "square", "sparse"}, optional
+        What the rows are: coordinates, distances to the points before or behind or to all, or two points and their distance; by default what they
+        look like.
     dimension : int
         The highest degree of classes.
     threshold : float, optional

@@ -898,7 +898,7 @@ def rips(
     *,
     dimension: int = 1,
     threshold: float | None = None,
-    distances: Literal["lower", "upper", "square", "sparse"] | None = None,
+    distances: Literal["points", "lower", "upper", "square", "sparse"] | None = None,
     coefficients: str | int = "f2",
     least: float = 0.0,
     progress: Any = False,
@@ -915,8 +915,9 @@ def rips(
     threshold
         The largest diameter of simplices; the enclosing radius if not given, behind which nothing changes.
     distances
-        What `x` has if not points: ``"square"``, the distances of all points to all; ``"lower"`` or ``"upper"``, those of each point to the points
-        before it or behind it; ``"sparse"``, rows of two points, from 0 on, and their distance.
+        What `x` has: ``"square"``, the distances of all points to all; ``"lower"`` or ``"upper"``, those of each point to the points before it or
+        behind it; ``"sparse"``, rows of two points, from 0 on, and their distance; or ``"points"``. If not given, a symmetric array of numbers from 0
+        on with zeros on its diagonal has distances, with a warning, and any other has points.
     coefficients
         A prime field: ``"f2"``, ``"f3"``, ...
     least
@@ -951,9 +952,9 @@ def rips(
             pair = (max(i, j), min(i, j))
             if stored.setdefault(pair, float(distance)) != float(distance):
                 raise_invalid(f"the distance of the points {pair[1]} and {pair[0]} is {stored[pair]} and {distance}", "give one")
-        if not stored or max(i for i, _ in stored) + 1 < entries.shape[0]:
-            raise_invalid("the last point is at no stored distance to another", "leave it out, or store a distance to it")
-        x, distances = [[i, j, distance] for (i, j), distance in stored.items()], "sparse"
+        # The last point may be at no stored distance to another: it is at 0 to itself.
+        last = entries.shape[0] - 1
+        x, distances = [[i, j, distance] for (i, j), distance in stored.items()] + [[last, last, 0.0]], "sparse"
     elif distances is None or distances in ("square", "sparse"):
         x = numbers(x, "x")
         if x.ndim != 2:
@@ -961,7 +962,7 @@ def rips(
     found: Persistence = asked(
         "rips",
         x,
-        form=distances or "points",
+        form=distances,
         dimension=dimension,
         threshold=threshold,
         coefficients=coefficients,

@@ -25,7 +25,8 @@ pub(super) struct PointArguments {
           value_parser = clap::value_parser!(u8).range(..=15))]
     dimension: Option<u8>,
     /// The table has distances: lower or upper (those of a triangle, one row after the other), square, or sparse (rows
-    /// i j distance, points from 0 on; all others are infinitely far apart)
+    /// i j distance, points from 0 on; all others are infinitely far apart); or points, which is meant without this option
+    /// unless the table is symmetric with zeros on its diagonal
     #[arg(long, value_name = "FORM", requires = "rips", help_heading = "Points", value_parser = form)]
     distances: Option<TableForm>,
     /// The table is a time series, a row for each time: a point is the rows at times t, t + D, t + 2D, .. one after the other
@@ -55,7 +56,7 @@ impl PointArguments {
     ) -> Result<FoundRips, Failure> {
         let name = input::name(path);
         let (distances, said) = self.read(path, common, progress)?;
-        remarks::take(&name, &said);
+        remarks::take(&name, said.as_slice());
         let request = RipsRequest::new()
             .coefficients(coefficients)
             .dimension(self.dimension.unwrap_or(1).into())
@@ -69,38 +70,43 @@ impl PointArguments {
         path: &Path,
         common: &Common,
         progress: &Progress,
-    ) -> Result<(Distances, Vec<Remark>), Failure> {
+    ) -> Result<(Distances, Option<Remark>), Failure> {
         let name = input::name(path);
         let in_file = |error: coface::Error| Failure::from(error.in_file(name.clone()));
-        let form = self.distances.unwrap_or_else(|| form_of_extension(path));
-        if form == TableForm::Points && self.delay.is_none() && is_model(path, common) {
+        let form = self.distances.or_else(|| form_of_extension(path));
+        if matches!(form, None | Some(TableForm::Points)) && self.delay.is_none() && is_model(path, common) {
             let (_, producer) = input::produce(path, common.reading(), progress)?;
             producer.require_finite().map_err(in_file)?;
             let positions = producer.positions();
             let table = NumberTable::from_rows(positions.as_flat().chunks(positions.dimension().max(1)));
-            return form.distances(&table).map_err(in_file);
+            return Ok((TableForm::Points.distances(&table).map_err(in_file)?, None));
         }
         let table = match Source::of(path)? {
             Source::File(path) => NumberTable::read_path(path)?,
             Source::Bytes(bytes) => NumberTable::read(&bytes[..]).map_err(in_file)?,
         };
-        let table = match self.delay {
-            Some(delay) => {
-                table.delayed(delay as usize, self.embedding.unwrap_or(2) as usize).map_err(in_file)?
+        let (table, (form, said)) = match (self.delay, form) {
+            (Some(delay), _) => {
+                let embedding = self.embedding.unwrap_or(2) as usize;
+                (table.delayed(delay as usize, embedding).map_err(in_file)?, (TableForm::Points, None))
             }
-            None => table,
+            (None, Some(form)) => (table, (form, None)),
+            (None, None) => {
+                let found = TableForm::of(&table);
+                (table, found)
+            }
         };
-        form.distances(&table).map_err(in_file)
+        Ok((form.distances(&table).map_err(in_file)?, said))
     }
 }
 
 /// Files of Ripser are named by what they hold.
-fn form_of_extension(path: &Path) -> TableForm {
+fn form_of_extension(path: &Path) -> Option<TableForm> {
     match path.extension().and_then(|extension| extension.to_str()) {
-        Some("lower_distance_matrix") => TableForm::Lower,
-        Some("upper_distance_matrix") => TableForm::Upper,
-        Some("distance_matrix") => TableForm::Square,
-        _ => TableForm::Points,
+        Some("lower_distance_matrix") => Some(TableForm::Lower),
+        Some("upper_distance_matrix") => Some(TableForm::Upper),
+        Some("distance_matrix") => Some(TableForm::Square),
+        _ => None,
     }
 }
 

@@ -21,10 +21,10 @@ pub(super) const CASES: &[Case] = &[
     .files(&[("a.csv", "0 1 2\n1 2 1\n0 2 2\n")])
     .refused("coface persistence a.csv --rips --distances lower --threshold 5")
     .cured(&[&["coface persistence a.csv --rips --distances sparse"]]),
-    Case::new("persistence/points.rs", "if its numbers are distances, say so by --distances square")
+    Case::new("persistence/points.rs", "--distances points takes its rows as points")
         .files(&[("a.csv", "0 1 2\n1 0 1\n2 1 0\n")])
         .answered("coface persistence a.csv --rips")
-        .cured(&[&["coface persistence a.csv --rips --distances square"]]),
+        .cured(&[&["coface persistence a.csv --rips --distances points"]]),
     Case::new("repair/triangulation.rs", "convert the model without --triangulate")
         .files(TRIANGLE)
         .refused("coface convert triangle.off --triangulate -o a.obj")
@@ -40,7 +40,7 @@ pub(super) const CASES: &[Case] = &[
         .files(TRIANGLE)
         .refused("coface convert triangle.off --truncate -o a.obj")
         .cured(&[&["coface convert triangle.off -o a.obj"]]),
-    Case::new("gluing/truncation.rs", "convert the model without --truncate")
+    Case::new("repair/triangulation.rs", "convert the model without --truncate")
         .files(&[("lens.sig", "cMcabbgqw\n")])
         .refused("coface convert lens.sig --truncate -o a.json")
         .cured(&[&["coface convert lens.sig -o a.json"]]),
