@@ -13,16 +13,17 @@ pub(super) fn bounded(table: &GluingTable) -> Result<Option<(GluingTable, Remark
     let ideal = table.ideal_vertices(&faces)?;
     let Some(first) = ideal.first() else { return Ok(None) };
     let bounded = table.truncated(&faces)?;
-    let which = match ideal.len() {
-        1 => format!("vertex {} is ideal: its link is", first.index()),
-        count => format!("{count} vertices are ideal, the first is {}: their links are", first.index()),
+    let (which, cut) = match ideal.len() {
+        1 => (format!("vertex {} is ideal: its link is", first.index()), "it is"),
+        count => (
+            format!("{count} vertices are ideal, the first is {}: their links are", first.index()),
+            "they are",
+        ),
     };
     let message = format!(
-        "{which} no sphere; the answer is about the manifold with boundary that is left when it is cut off, of {} tetrahedra, which \
+        "{which} no sphere; the answer is about the manifold with boundary that is left when {cut} cut off, of {} tetrahedra, which \
          coface convert --truncate writes; --pseudomanifold takes ideal vertices as points",
         bounded.simplex_count()
     );
-    let message =
-        if ideal.len() == 1 { message } else { message.replace("when it is cut", "when they are cut") };
     Ok(Some((bounded, Remark::new(RemarkCode::IdealVerticesCut, message).at(ideal.len(), []))))
 }

@@ -54,6 +54,9 @@ pub fn triangulated(model: &Model) -> Result<(Model, Vec<Carrier>), Error> {
 /// [`ErrorKind::UnsupportedFormat`] for other models; [`ErrorKind::InvalidInput`] where no vertex is ideal; those of
 /// [`coface_complexes::gluing::GluingTable::truncated`].
 ///
+/// # Complexity
+/// Linear.
+///
 /// # Examples
 /// The complement of the figure-eight knot.
 /// ```
@@ -66,14 +69,20 @@ pub fn triangulated(model: &Model) -> Result<(Model, Vec<Carrier>), Error> {
 /// # Ok(()) }
 /// ```
 pub fn truncated(model: &Model) -> Result<Model, Error> {
-    match model.structure() {
-        Some(Structure::Gluings(table)) => {
-            Ok(Model::from_structure(Structure::Gluings(table.truncated_at_ideals()?)))
-        }
-        _ => Err(Error::new(
+    let refused =
+        |kind, message| Err(Error::new(kind, message).with_cure("convert the model without --truncate"));
+    let Some(Structure::Gluings(table)) = model.structure() else {
+        return refused(
             ErrorKind::UnsupportedFormat,
             "only gluing tables and isomorphism signatures have ideal vertices",
-        )
-        .with_cure("convert the model without --truncate")),
+        );
+    };
+    let faces = table.faces()?;
+    if table.ideal_vertices(&faces)?.is_empty() {
+        return refused(
+            ErrorKind::InvalidInput,
+            "no vertex is ideal: the link of each is a sphere, or meets the boundary",
+        );
     }
+    Ok(Model::from_structure(Structure::Gluings(table.truncated(&faces)?)))
 }

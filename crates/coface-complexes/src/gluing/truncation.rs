@@ -3,7 +3,7 @@
 use crate::gluing::faces::FaceClasses;
 use crate::gluing::manifold::link_euler_characteristics;
 use crate::gluing::table::GluingTable;
-use coface_algebra::{CellId, Error, ErrorKind};
+use coface_algebra::{CellId, Error};
 
 /// The vertices of a tetrahedron.
 const CORNERS: usize = 4;
@@ -260,22 +260,5 @@ impl GluingTable {
             }
         }
         Ok(table)
-    }
-
-    /// The table with its ideal vertices cut off, refused where there are none.
-    ///
-    /// # Errors
-    /// [`ErrorKind::InvalidInput`] without ideal vertices; otherwise those of [`Self::truncated`].
-    #[doc(hidden)]
-    pub fn truncated_at_ideals(&self) -> Result<Self, Error> {
-        let faces = self.faces()?;
-        if self.ideal_vertices(&faces)?.is_empty() {
-            return Err(Error::new(
-                ErrorKind::InvalidInput,
-                "no vertex is ideal: the link of each is a sphere, or meets the boundary",
-            )
-            .with_cure("convert the model without --truncate"));
-        }
-        self.truncated(&faces)
     }
 }
