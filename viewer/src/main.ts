@@ -22,6 +22,9 @@ import { svgText } from "./view/svg";
 
 const AXES = ["x", "y", "z"];
 
+/** Whether there can be a link to the page: within another page it has no address of its own. */
+const HAS_ADDRESS = location.protocol !== "about:";
+
 /** So many texts are written into the window at most. */
 const MOST_LABELS = 400;
 
@@ -114,7 +117,7 @@ class Page {
       isFlat ? "" : up,
       button("PNG", "save the picture as PNG (P)", () => void this.savePng()),
       button("SVG", "save the picture as SVG (S)", () => this.saveSvg()),
-      button("share", "copy a link to this view (L)", () => this.share()),
+      HAS_ADDRESS ? button("share", "copy a link to this view (L)", () => this.share()) : "",
       button("?", "what keys do (?)", showHelp),
     );
     const told = element(
@@ -384,6 +387,7 @@ class Page {
   }
 
   private share(): void {
+    if (!HAS_ADDRESS) return;
     history.replaceState(null, "", `#${toFragment(this.state())}`);
     const copied = navigator.clipboard?.writeText(location.href) ?? Promise.reject(new Error("no clipboard"));
     copied.then(

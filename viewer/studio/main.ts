@@ -212,7 +212,7 @@ class Studio {
     this.cancel.disabled = true;
     const seconds = ((performance.now() - begin) / 1000).toFixed(2);
     this.status.textContent = outcome.status === 0 ? `${seconds} s` : outcome.status === ENDED ? "ended" : `exit status ${outcome.status}`;
-    const step: Step = { words, about, status: outcome.status, text: new TextDecoder().decode(outcome.stdout), remarks: outcome.stderr, before: [], layer: null };
+    const step: Step = { words, question: question?.title ?? null, about, status: outcome.status, text: new TextDecoder().decode(outcome.stdout), remarks: outcome.stderr, before: [], layer: null };
     if (outcome.status === 0) this.keepFiles(step, outcome, isShown);
     if (isLayer && outcome.status === 0) {
       step.layer = this.session.freeName(`${words[0]}.answer.json`);
@@ -265,7 +265,7 @@ class Studio {
 
   private stepElement(step: Step): HTMLElement {
     const found = element("article", { class: step.status === 0 ? "step" : "step failed" }, element("code", { class: "command" }, commandOf(step.words)));
-    const question = QUESTIONS.find(({ words }) => words("", "")[0] === step.words[0] && words("", "").length === step.words.length && (step.words[0] !== "boolean" || words("", "")[1] === step.words[1]));
+    const question = QUESTIONS.find(({ title }) => title === step.question);
     const python = question && step.about !== null ? pythonOf(question, step.words.filter((word) => this.session.files.has(word)).slice(0, question.models)) : null;
     const copy = (text: string, what: string) => void navigator.clipboard?.writeText(text).then(() => this.say(`${what} was copied`), () => this.say(text));
     found.append(

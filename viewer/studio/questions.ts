@@ -45,7 +45,7 @@ export const QUESTIONS: Question[] = [
     about: "closed paths on the edges",
     models: 1,
     words: (x) => ["loops", x],
-    python: "print(coface.as_surface(x).loops())",
+    python: "print([group.loops for group in coface.pi1(x)])",
     isLayer: true,
   },
   {

@@ -3,6 +3,8 @@
 /** One run of the program. */
 export interface Step {
   words: string[];
+  /** The title of the question, if it was one of those in the page. */
+  question: string | null;
   /** The model that was asked about. */
   about: string | null;
   status: number;
@@ -74,9 +76,9 @@ export class Session {
   toText(): string {
     const files = [...this.files].map(([name, bytes]): Saved["files"][number] => {
       try {
-        return [name, new TextDecoder("utf-8", { fatal: true }).decode(bytes), "text"];
+        return [name, new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes), "text"];
       } catch {
-        return [name, Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""), "base64"].map((part, i) => (i === 1 ? btoa(part) : part)) as Saved["files"][number];
+        return [name, btoa(charactersOf(bytes)), "base64"];
       }
     });
     const steps = this.steps.map(({ before: _, ...step }) => step);
@@ -100,12 +102,16 @@ export class Session {
   }
 }
 
+/** Bytes as characters, as functions for base64 want them. */
+function charactersOf(bytes: Uint8Array): string {
+  return Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
+}
+
 /** A text as part of a link: packed by gzip, as base64 of addresses. */
 export async function toFragment(text: string): Promise<string> {
   const packed = new Blob([text]).stream().pipeThrough(new CompressionStream("gzip"));
   const bytes = new Uint8Array(await new Response(packed).arrayBuffer());
-  const characters = Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
-  return btoa(characters).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+  return btoa(charactersOf(bytes)).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
 }
 
 export async function fromFragment(fragment: string): Promise<string> {

@@ -43,7 +43,7 @@ describe("sessions", () => {
   test("undo brings back what a step replaced", () => {
     const session = new Session();
     session.add("a.off", bytes("old"));
-    session.steps.push({ words: [], about: "a.off", status: 0, text: "", remarks: "", before: [["a.off", bytes("old")], ["b.off", null]], layer: null });
+    session.steps.push({ words: [], question: null, about: "a.off", status: 0, text: "", remarks: "", before: [["a.off", bytes("old")], ["b.off", null]], layer: null });
     session.files.set("a.off", bytes("new"));
     session.add("b.off", bytes("made"));
     session.undo();

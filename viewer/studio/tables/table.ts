@@ -35,7 +35,7 @@ export function pointOf(svg: SVGSVGElement, event: PointerEvent): Point {
 
 /** A point that can be dragged, and moved by the arrow keys. */
 export function handle(svg: SVGSVGElement, [x, y]: Point, name: string, radius: number, onMove: (point: Point) => void, onClick: () => void = () => {}): SVGElement {
-  const found = drawn("circle", { cx: x, cy: y, r: radius, tabindex: 0, role: "button", "aria-label": name, class: "handle", fill: "var(--accent)" });
+  const found = drawn("circle", { cx: x, cy: y, r: radius, tabindex: 0, role: "button", "aria-label": name, class: "handle", fill: "var(--accent)", stroke: "var(--text)", "stroke-width": 0.03 });
   let at: Point = [x, y];
   let moved = false;
   const move = (point: Point) => {
