@@ -180,7 +180,7 @@ impl GluingTable {
     /// dimensions, and those with a folded edge, have none. `faces` are the face classes of the table.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] for the face classes of another table.
+    /// [`ErrorKind::Shape`](coface_algebra::ErrorKind::Shape) for the face classes of another table.
     ///
     /// # Complexity
     /// Linear.
@@ -214,7 +214,7 @@ impl GluingTable {
     /// cones from theirs, and over the triangles of the cuts.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] for the face classes of another table; [`ErrorKind::TooLarge`] as [`Self::unglued`].
+    /// [`ErrorKind::Shape`](coface_algebra::ErrorKind::Shape) for the face classes of another table; [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) as [`Self::unglued`].
     ///
     /// # Complexity
     /// Linear.
