@@ -87,7 +87,23 @@ def test_signatures_are_told() -> None:
     assert missing == []
 
 
-PAGE = Path(__file__).resolve().parents[3] / "docs" / "python.md"
+DOCS = Path(__file__).resolve().parents[3] / "docs"
+PAGE = DOCS / "python.md"
+SNIPPETS = [
+    (f"{page.name}-{i}", snippet)
+    for page in sorted((DOCS / "book" / "src").glob("*.md"))
+    for i, snippet in enumerate(re.findall(r"^```python\n(.*?)^```$", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE))
+]
+
+
+@pytest.mark.parametrize("snippet", [text for _, text in SNIPPETS], ids=[name for name, _ in SNIPPETS])
+def test_the_book_has_python_that_runs(snippet: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    exec(compile(snippet, "<book>", "exec"), {})
+
+
+def test_the_book_has_python() -> None:
+    assert len(SNIPPETS) >= 4
 
 
 def test_the_page_of_names_has_names_that_exist() -> None:
@@ -118,3 +134,22 @@ def test_the_example_of_the_page_of_names_runs(tmp_path, monkeypatch) -> None:
     exec(block, names)
     assert repr(names["found"]) == "Homology(Z, Z^2, Z)" and (tmp_path / "torus.html").is_file()
     assert getattr(names["loop"], "order") is None and len(getattr(names["loop"], "loop")) > 3
+
+
+STUDIO = DOCS.parent / "viewer" / "studio" / "questions.ts"
+QUESTIONS = re.findall(r"python: [\"`](.*)[\"`],$", STUDIO.read_text(encoding="utf-8"), re.MULTILINE)
+OPERATIONS = ["union", "intersection", "difference", "xor"]
+
+
+@pytest.mark.parametrize("question", QUESTIONS)
+def test_the_studio_copies_python_that_runs(question: str, tmp_path: Path) -> None:
+    curve = tmp_path / "blob.json"
+    curve.write_text('{"order":4,"curves":[{"points":[[4,2],[2,3],[1,1],[3,-0.4]]}]}', encoding="utf-8")
+    spaces = {"coface": coface, "x": coface.generate("torus"), "y": coface.generate("sphere")}
+    for operation in OPERATIONS if "${operation}" in question else [""]:
+        text = question.replace("${operation}", operation).replace("\\", "").replace("path", repr(str(curve)))
+        exec(compile(text, "<studio>", "exec"), dict(spaces))
+
+
+def test_the_studio_has_questions() -> None:
+    assert len(QUESTIONS) >= 10
