@@ -3,10 +3,13 @@
 use crate::json::{field, index, list};
 use crate::{Fault, polygons, simplices};
 use serde_json::{Map, Value};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// A column: rows with their entries, rising.
 pub(crate) type Column = Vec<(u32, i64)>;
+
+/// For each degree the cells by their vertices: rising those of a simplex, around those of a polygon.
+pub(crate) type Names = Vec<Vec<Vec<u32>>>;
 
 /// A chain complex over the integers: for each degree the number of cells and their boundaries.
 ///
@@ -18,7 +21,8 @@ pub struct Complex {
     /// For each degree from 1 on, where the column of each cell starts, and all entries.
     starts: Vec<Vec<usize>>,
     entries: Vec<Column>,
-    is_augmented: bool,
+    /// None where cells have numbers alone.
+    names: Option<Names>,
 }
 
 impl Complex {
@@ -99,13 +103,13 @@ impl Complex {
         if counts.is_empty() {
             return Err(Fault::new(step, "there is no boundary matrix"));
         }
-        let complex = Self::new(counts, columns, false);
+        let complex = Self::new(counts, columns, None);
         complex.check_squares()?;
         Ok(complex)
     }
 
-    /// From the boundaries of the cells of degrees 1, 2, ... It is augmented if each edge has two ends, so that a reduced group makes sense.
-    pub(crate) fn new(counts: Vec<usize>, columns: Vec<Vec<Column>>, is_augmented: bool) -> Self {
+    /// From the boundaries of the cells of degrees 1, 2, ...
+    pub(crate) fn new(counts: Vec<usize>, columns: Vec<Vec<Column>>, names: Option<Names>) -> Self {
         let mut starts = Vec::new();
         let mut entries = Vec::new();
         for degree in columns {
@@ -118,7 +122,7 @@ impl Complex {
             starts.push(start);
             entries.push(all);
         }
-        Self { counts, starts, entries, is_augmented }
+        Self { counts, starts, entries, names }
     }
 
     fn check_squares(&self) -> Result<(), Fault> {
@@ -165,8 +169,141 @@ impl Complex {
         &self.entries[degree - 1][starts[cell]..starts[cell + 1]]
     }
 
-    pub(crate) fn is_augmented(&self) -> bool {
-        self.is_augmented
+    /// The cells by their vertices, where they have such names.
+    pub(crate) fn names(&self) -> Option<&Names> {
+        self.names.as_ref()
+    }
+
+    /// For each cell of a degree the cells above it, with their incidences.
+    pub(crate) fn cofaces(&self, degree: usize) -> Vec<Column> {
+        let mut above = vec![Column::new(); self.counts[degree]];
+        for cell in 0..self.counts.get(degree + 1).copied().unwrap_or(0) {
+            for (face, incidence) in self.boundary(degree + 1, cell) {
+                above[*face as usize].push((cell as u32, *incidence));
+            }
+        }
+        above
+    }
+
+    /// The complex modulo a subcomplex: the faces that lie in one cell of the highest degree alone, or the cells of another file, with
+    /// all their faces. What is left keeps its order.
+    ///
+    /// # Errors
+    /// A [`Fault`] if the other file is no facet list or surface, or has a cell that is not here.
+    ///
+    /// # Examples
+    /// ```
+    /// let triangle = coface_check::Complex::read(b"[[0, 1, 2]]").expect("a facet list");
+    /// assert_eq!(triangle.relative(None).expect("its boundary").counts(), [0, 0, 1]);
+    /// assert_eq!(triangle.relative(Some(b"[[1]]")).expect("a vertex").counts(), [2, 3, 1]);
+    /// ```
+    pub fn relative(&self, part: Option<&[u8]>) -> Result<Self, Fault> {
+        let mut is_in: Vec<Vec<bool>> = self.counts.iter().map(|count| vec![false; *count]).collect();
+        let top = self.counts.len() - 1;
+        match part {
+            None if top > 0 => {
+                let cofaces = self.cofaces(top - 1);
+                is_in[top - 1].iter_mut().zip(&cofaces).for_each(|(is_in, cells)| *is_in = cells.len() == 1);
+            }
+            None => (),
+            Some(bytes) => {
+                let finder = Finder::of(self, None);
+                for cell in cells_of(bytes)? {
+                    let (degree, cell) = finder.cell(&cell, "relative")?;
+                    is_in[degree][cell as usize] = true;
+                }
+            }
+        }
+        for degree in (1..=top).rev() {
+            for cell in (0..self.counts[degree]).filter(|cell| is_in[degree][*cell]).collect::<Vec<_>>() {
+                self.boundary(degree, cell).iter().for_each(|(face, _)| is_in[degree - 1][*face as usize] = true);
+            }
+        }
+        let kept = |degree: usize| (0..self.counts[degree]).filter(|cell| !is_in[degree][*cell]).collect();
+        Ok(self.restricted(&(0..=top).map(kept).collect::<Vec<_>>()))
+    }
+
+    /// The cells that are kept, in their order, with what is kept of their boundaries.
+    fn restricted(&self, kept: &[Vec<usize>]) -> Self {
+        let column = |degree: usize, cell: usize| -> Column {
+            let place = |(face, incidence): &(u32, i64)| {
+                let place = kept[degree - 1].binary_search(&(*face as usize)).ok()?;
+                Some((place as u32, *incidence))
+            };
+            self.boundary(degree, cell).iter().filter_map(place).collect()
+        };
+        let columns = (1..kept.len()).map(|k| kept[k].iter().map(|&cell| column(k, cell)).collect()).collect();
+        let names = self.names.as_ref().map(|names| {
+            let of = |(names, kept): (&Vec<Vec<u32>>, &Vec<usize>)| {
+                kept.iter().map(|&cell| names[cell].clone()).collect()
+            };
+            names.iter().zip(kept).map(of).collect()
+        });
+        Self::new(kept.iter().map(Vec::len).collect(), columns, names)
+    }
+}
+
+/// Finds cells by their vertices in any order, or by their numbers where they have no vertices.
+pub(crate) struct Finder<'a> {
+    complex: &'a Complex,
+    by_vertices: HashMap<Vec<u32>, (usize, u32)>,
+}
+
+impl<'a> Finder<'a> {
+    /// Finds cells of one degree, or of all.
+    pub(crate) fn of(complex: &'a Complex, degree: Option<usize>) -> Self {
+        let mut by_vertices = HashMap::new();
+        for (k, names) in complex.names.iter().flatten().enumerate().filter(|(k, _)| degree.is_none_or(|d| d == *k)) {
+            by_vertices.extend(names.iter().zip(0..).map(|(name, cell)| (sorted(name), (k, cell))));
+        }
+        Self { complex, by_vertices }
+    }
+
+    fn cell(&self, vertices: &[u32], step: &str) -> Result<(usize, u32), Fault> {
+        let found = self.by_vertices.get(&sorted(vertices)).copied();
+        found.ok_or_else(|| Fault::new(step, format!("there is no cell {vertices:?}")))
+    }
+
+    /// A cell of a degree, and 1 or -1: whether the order of its vertices is that of the complex.
+    pub(crate) fn oriented(&self, degree: usize, listed: &[u32], step: &str) -> Result<(u32, i64), Fault> {
+        let Some(names) = &self.complex.names else {
+            return match *listed {
+                [cell] if self.complex.counts.get(degree).is_some_and(|count| (cell as usize) < *count) => Ok((cell, 1)),
+                _ => Err(Fault::new(step, format!("there is no cell {listed:?} of degree {degree}"))),
+            };
+        };
+        let cell = self.cell(listed, step)?.1;
+        let name = &names[degree][cell as usize];
+        if name.len() == degree + 1 {
+            let pairs = (0..listed.len()).flat_map(|j| (0..j).map(move |i| (listed[i], listed[j])));
+            let place = |vertex| name.iter().position(|other| *other == vertex);
+            let swaps = pairs.filter(|(a, b)| place(*a) > place(*b)).count();
+            return Ok((cell, if swaps % 2 == 0 { 1 } else { -1 }));
+        }
+        let mut around = listed.to_vec();
+        around.rotate_left(listed.iter().position(|vertex| *vertex == name[0]).unwrap_or(0));
+        if around == *name {
+            return Ok((cell, 1));
+        }
+        around[1..].reverse();
+        match around == *name {
+            true => Ok((cell, -1)),
+            false => Err(Fault::new(step, format!("{listed:?} does not go around cell {cell}"))),
+        }
+    }
+}
+
+fn sorted(vertices: &[u32]) -> Vec<u32> {
+    let mut sorted = vertices.to_vec();
+    sorted.sort_unstable();
+    sorted
+}
+
+/// The cells that a facet list or a surface names.
+fn cells_of(bytes: &[u8]) -> Result<Vec<Vec<u32>>, Fault> {
+    match serde_json::from_slice::<Value>(bytes) {
+        Ok(value) => facets_of(value.get("facets").unwrap_or(&value)),
+        Err(_) => polygons::cells(bytes),
     }
 }
 
@@ -174,9 +311,8 @@ fn facets_of(value: &Value) -> Result<Vec<Vec<u32>>, Fault> {
     let step = "input";
     let facets = list(value, "the facet list", step)?.iter().enumerate().map(|(i, facet)| {
         let vertices = list(facet, &format!("facet {i}"), step)?;
-        let mut vertices =
-            vertices.iter().map(|vertex| index(vertex, "a vertex", step)).collect::<Result<Vec<u32>, _>>()?;
-        vertices.sort_unstable();
+        let vertices = vertices.iter().map(|vertex| index(vertex, "a vertex", step));
+        let vertices = sorted(&vertices.collect::<Result<Vec<u32>, _>>()?);
         match vertices.is_empty() || vertices.windows(2).any(|pair| pair[0] == pair[1]) {
             true => Err(Fault::new(step, format!("facet {i} is empty or repeats a vertex"))),
             false => Ok(vertices),

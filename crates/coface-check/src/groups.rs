@@ -53,6 +53,14 @@ impl Ring {
         integral.iter().enumerate().map(group).collect()
     }
 
+    /// n for Z/n, and 0 for Z and Q.
+    pub(crate) fn modulus(&self) -> IBig {
+        match self {
+            Self::Modulo(n) => n.clone(),
+            Self::Integers | Self::Rationals => IBig::ZERO,
+        }
+    }
+
     fn summand(&self) -> String {
         match self {
             Self::Integers => "Z".to_owned(),

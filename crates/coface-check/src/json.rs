@@ -9,6 +9,11 @@ pub(crate) fn field<'a>(value: &'a Value, key: &str, step: &str) -> Result<&'a V
     value.get(key).ok_or_else(|| Fault::new(step, format!("the key {key:?} is missing")))
 }
 
+/// The value under a key, unless it is null or not there.
+pub(crate) fn optional<'a>(value: &'a Value, key: &str) -> Option<&'a Value> {
+    value.get(key).filter(|value| !value.is_null())
+}
+
 pub(crate) fn text<'a>(value: &'a Value, what: &str, step: &str) -> Result<&'a str, Fault> {
     value.as_str().ok_or_else(|| Fault::new(step, format!("{what} is {}, not text", short(value))))
 }

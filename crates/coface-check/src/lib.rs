@@ -7,6 +7,7 @@
 
 mod complex;
 mod fault;
+mod generators;
 mod groups;
 mod homology;
 mod json;
@@ -20,7 +21,7 @@ pub use complex::Complex;
 pub use fault::Fault;
 pub use sha256::sha256;
 
-use json::{field, text};
+use json::{field, list, text};
 use serde_json::Value;
 
 /// The number of the form of certificates that this checker reads.
@@ -37,6 +38,14 @@ pub struct Verdict {
 }
 
 impl Verdict {
+    /// What was proved, and the keys of an answer that say something else.
+    fn of(proved: Vec<String>, answer: &Value, known: &[&str]) -> Self {
+        let says = |value: &Value| !matches!(value, Value::Null) && *value != Value::Array(vec![]);
+        let others = answer.as_object().into_iter().flatten();
+        let others = others.filter(|(key, value)| !known.contains(&key.as_str()) && says(value));
+        Self { proved, unchecked: others.map(|(key, _)| key.clone()).collect() }
+    }
+
     /// The claims that were derived from the input and agree with the answer, one a line.
     ///
     /// # Examples
@@ -54,13 +63,13 @@ impl Verdict {
     }
 }
 
-/// Checks a certificate against the bytes of its input.
+/// Checks a certificate against the bytes of its inputs, in the order in which [`input_names`] gives them.
 ///
 /// # Errors
 /// A [`Fault`] with the first step that fails.
 ///
 /// # Complexity
-/// Memory is linear in the sizes of the two files. Time is that of eliminating the pairs for each critical cell, and of the sparse
+/// Memory is linear in the sizes of the files. Time is that of eliminating the pairs for each critical cell, and of the sparse
 /// products of the transforms.
 ///
 /// # Examples
@@ -69,16 +78,16 @@ impl Verdict {
 /// let input = br#"[[0]]"#;
 /// let hash = coface_check::sha256(input);
 /// let certificate = format!(
-///     r#"{{"coface_certificate":1,"kind":"homology","input":{{"sha256":"{hash}"}},"reduced":false,
+///     r#"{{"coface_certificate":1,"kind":"homology","inputs":[{{"name":"point.json","sha256":"{hash}"}}],"reduced":false,
 ///         "answer":{{"file":"point.json","coefficients":"Z","cohomology":false,
 ///                   "homology":[{{"degree":0,"betti":1,"torsion":[]}}],"remarks":[]}},
 ///         "proof":{{"cells":[1],"pairs":[],"smith":[]}}}}"#
 /// );
-/// let verdict = coface_check::check(certificate.as_bytes(), input).expect("a point is connected");
+/// let verdict = coface_check::check(certificate.as_bytes(), &[input]).expect("a point is connected");
 /// assert_eq!(verdict.proved(), ["H_0 = Z"]);
-/// assert!(coface_check::check(certificate.as_bytes(), b"[[1]]").is_err());
+/// assert!(coface_check::check(certificate.as_bytes(), &[b"[[1]]"]).is_err());
 /// ```
-pub fn check(certificate: &[u8], input: &[u8]) -> Result<Verdict, Fault> {
+pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     let step = "certificate";
     let whole: Value = serde_json::from_slice(certificate)
         .map_err(|error| Fault::new(step, format!("this is no JSON: {error}")))?;
@@ -89,31 +98,39 @@ pub fn check(certificate: &[u8], input: &[u8]) -> Result<Verdict, Fault> {
             format!("form {version} is not known; this checker reads form {VERSION}"),
         ));
     }
-    let hash = text(field(field(&whole, "input", step)?, "sha256", step)?, "\"sha256\"", step)?;
-    let found = sha256(input);
-    if hash != found {
-        return Err(Fault::new(
-            "input",
-            format!("the certificate is of an input with SHA-256 {hash}, and this input has {found}"),
-        ));
+    let hashes = list(field(&whole, "inputs", step)?, "\"inputs\"", step)?;
+    if hashes.len() != inputs.len() || inputs.is_empty() {
+        let message = format!("the certificate is of {} inputs, and {} are given", hashes.len(), inputs.len());
+        return Err(Fault::new("input", message));
     }
-    let complex = Complex::read(input)?;
+    for (input, of) in inputs.iter().zip(hashes) {
+        let hash = text(field(of, "sha256", step)?, "\"sha256\"", step)?;
+        let found = sha256(input);
+        if hash != found {
+            return Err(Fault::new(
+                "input",
+                format!("the certificate is of an input with SHA-256 {hash}, and this input has {found}"),
+            ));
+        }
+    }
     match text(field(&whole, "kind", step)?, "\"kind\"", step)? {
-        "homology" => homology::check(&whole, &complex),
+        "homology" => homology::check(&whole, inputs),
         other => {
             Err(Fault::new(step, format!("{other:?} is no kind of certificate that this checker knows")))
         }
     }
 }
 
-/// The name of the input as the answer of a certificate has it; `None` where there is none.
+/// The names of the inputs of a certificate; none where they are not there.
 ///
 /// # Examples
 /// ```
-/// assert_eq!(coface_check::input_name(br#"{"answer":{"file":"a.off"}}"#), Some("a.off".to_owned()));
-/// assert_eq!(coface_check::input_name(b"[]"), None);
+/// let certificate = br#"{"inputs":[{"name":"a.off","sha256":""}]}"#;
+/// assert_eq!(coface_check::input_names(certificate), ["a.off"]);
+/// assert!(coface_check::input_names(b"[]").is_empty());
 /// ```
-pub fn input_name(certificate: &[u8]) -> Option<String> {
-    let whole: Value = serde_json::from_slice(certificate).ok()?;
-    Some(whole.get("answer")?.get("file")?.as_str()?.to_owned())
+pub fn input_names(certificate: &[u8]) -> Vec<String> {
+    let whole: Value = serde_json::from_slice(certificate).unwrap_or_default();
+    let inputs = whole.get("inputs").and_then(Value::as_array).into_iter().flatten();
+    inputs.filter_map(|input| Some(input.get("name")?.as_str()?.to_owned())).collect()
 }

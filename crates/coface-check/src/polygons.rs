@@ -14,13 +14,22 @@ struct Surface {
 }
 
 pub(crate) fn read(bytes: &[u8]) -> Result<Complex, Fault> {
+    surface(bytes)?.complex(bytes.len())
+}
+
+/// The polygons and the edges that a file lists.
+pub(crate) fn cells(bytes: &[u8]) -> Result<Vec<Vec<u32>>, Fault> {
+    let surface = surface(bytes)?;
+    Ok(surface.polygons.into_iter().chain(surface.edges.into_iter().map(|edge| edge.to_vec())).collect())
+}
+
+fn surface(bytes: &[u8]) -> Result<Surface, Fault> {
     let text =
         std::str::from_utf8(bytes).map_err(|_| Fault::new(STEP, "the checker reads text, not this"))?;
-    let surface = match text.split_whitespace().next() {
-        Some("OFF") => off(text)?,
-        _ => obj(text)?,
-    };
-    surface.complex(bytes.len())
+    match text.split_whitespace().next() {
+        Some("OFF") => off(text),
+        _ => obj(text),
+    }
 }
 
 fn off(text: &str) -> Result<Surface, Fault> {
@@ -151,6 +160,8 @@ impl Surface {
             })
             .collect();
         let counts = vec![self.vertex_count, numbers.len(), faces.len()];
-        Ok(Complex::new(counts, vec![edges, faces], true))
+        let vertices = (0..self.vertex_count as u32).map(|vertex| vec![vertex]).collect();
+        let names = vec![vertices, numbers.keys().map(|edge| edge.to_vec()).collect(), self.polygons];
+        Ok(Complex::new(counts, vec![edges, faces], Some(names)))
     }
 }
