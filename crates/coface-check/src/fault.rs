@@ -6,7 +6,7 @@ use std::fmt;
 ///
 /// # Examples
 /// ```
-/// let fault = coface_check::check(b"{", b"[[0]]").expect_err("half an object");
+/// let fault = coface_check::check(b"{", &[b"[[0]]"]).expect_err("half an object");
 /// assert_eq!(fault.step(), "certificate");
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]

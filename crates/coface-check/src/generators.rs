@@ -40,8 +40,8 @@ impl Generators<'_> {
     fn check_degree(&self, degree: usize, group: &Group, claimed: &Value, duals: &Value) -> Result<(), Fault> {
         let step = format!("generators of degree {degree}");
         let (claimed, duals) = (list(claimed, "\"generators\"", &step)?, list(duals, "\"duals\"", &step)?);
-        let free = std::iter::repeat_n(&IBig::ZERO, group.betti);
-        let orders: Vec<&IBig> = group.torsion.iter().chain(free).collect();
+        let orders = [&group.torsion[..], &vec![IBig::ZERO; group.betti]].concat();
+        let orders: Vec<&IBig> = orders.iter().collect();
         if claimed.len() != orders.len() || duals.len() != orders.len() {
             return Err(Fault::new(step, format!("the group has {} summands, the proof others", orders.len())));
         }
@@ -113,7 +113,7 @@ impl Generators<'_> {
 }
 
 /// A list of coefficients and cells.
-fn chain(finder: &Finder, degree: usize, terms: &Value, step: &str) -> Result<Chain, Fault> {
+fn chain(finder: &Finder<'_>, degree: usize, terms: &Value, step: &str) -> Result<Chain, Fault> {
     let mut chain = Chain::new();
     for term in list(terms, "a chain", step)? {
         let [coefficient, vertices] = list(term, "a term", step)? else {

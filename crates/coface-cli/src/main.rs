@@ -4,6 +4,7 @@
 //! goes wrong comes back as a [`failure::Failure`] and is said here, once.
 
 mod arguments;
+mod certified;
 mod chains;
 mod classes;
 mod commands;

@@ -9,8 +9,8 @@ use serde::{Deserialize, Serialize};
 pub struct CheckAnswer {
     /// The name of the certificate.
     pub certificate: String,
-    /// The name of the input.
-    pub file: String,
+    /// The names of the inputs.
+    pub files: Vec<String>,
     /// Whether all steps of the proof hold; always true.
     pub verified: bool,
     /// The claims that were derived from the input and agree with the answer.

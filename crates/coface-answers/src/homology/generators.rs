@@ -1,7 +1,7 @@
 //! Generators of homology and cohomology.
 
 use crate::CellNames;
-use crate::answer::{GeneratorAnswer, WholeNumber};
+use crate::answer::{ChainTerm, GeneratorAnswer, WholeNumber};
 use coface_algebra::chains::{Chain, ChainComplex};
 use coface_algebra::{CellId, Error, Integer};
 use coface_topology::{Coefficients, HomologyBasis};
@@ -70,6 +70,24 @@ pub(super) fn answer(found: &[Vec<Found>], naming: &CellNames<'_>) -> Vec<Vec<Ge
         bounding: found.bounding.as_ref().map(|chain| naming.terms(chain.degree(), chain.terms())),
     };
     found.iter().map(|list| list.iter().map(generator).collect()).collect()
+}
+
+/// For each generator what tells it from the others: a cochain for a cycle, a chain for a cocycle.
+pub(super) fn duals(
+    basis: &HomologyBasis<'_>,
+    naming: &CellNames<'_>,
+    coefficients: Coefficients,
+    is_cohomology: bool,
+) -> Vec<Vec<Vec<ChainTerm>>> {
+    let of_degree = |degree| -> Vec<Vec<ChainTerm>> {
+        if is_cohomology {
+            let duals = basis.cocycle_duals(degree, coefficients);
+            return duals.iter().map(|chain| naming.terms(degree, chain.terms())).collect();
+        }
+        let duals = basis.generator_duals(degree, coefficients);
+        duals.iter().map(|cochain| naming.terms(degree, cochain.terms())).collect()
+    };
+    (naming.shift()..basis.complex().degree_count()).map(of_degree).collect()
 }
 
 /// The generators on the cells of the model, with names for groups of cells.

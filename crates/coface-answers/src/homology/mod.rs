@@ -5,7 +5,7 @@
 //! * A chain, a cochain or a map of vertices that the user writes is a [`GivenChain`], a [`GivenRealCochain`] or a
 //!   [`GivenVertexMap`].
 
-mod certificate;
+pub(crate) mod certificate;
 mod classes;
 mod generators;
 mod harmonic;
@@ -13,7 +13,7 @@ mod maps;
 mod products;
 mod sequence;
 
-use crate::answer::{HomologyAnswer, Remark, RemarkCode};
+use crate::answer::{ChainTerm, HomologyAnswer, Remark, RemarkCode};
 use crate::{CellNames, Pair, Producer, Term, homology_of_volume};
 use coface_algebra::chains::{Chain, ChainComplex};
 use coface_algebra::progress::stage;
@@ -48,6 +48,7 @@ pub struct HomologyRequest {
     has_harmonic: bool,
     decomposed: Option<GivenRealCochain>,
     map: Option<GivenVertexMap>,
+    is_certified: bool,
 }
 
 /// What homology is relative to.
@@ -114,6 +115,7 @@ impl Default for HomologyRequest {
             has_harmonic: false,
             decomposed: None,
             map: None,
+            is_certified: false,
         }
     }
 }
@@ -299,6 +301,23 @@ impl HomologyRequest {
         self
     }
 
+    /// Whether a certificate is wanted, so that what proves the generators is found too.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::HomologyRequest;
+    /// let bytes = &b"[[0,1],[1,2],[0,2]]"[..];
+    /// let rim = coface_io::read(bytes, coface_io::Format::Json)?;
+    /// let found = HomologyRequest::new().generators(true).certified(true).found("rim.json", rim)?;
+    /// assert!(found.certificate(&[("rim.json", bytes)])?.contains("duals"));
+    /// # Ok(()) }
+    /// ```
+    pub fn certified(mut self, is_certified: bool) -> Self {
+        self.is_certified = is_certified;
+        self
+    }
+
     /// Whether nothing but groups is asked for, of the whole.
     fn is_groups_alone(&self) -> bool {
         self.relative.is_none()
@@ -361,8 +380,9 @@ impl HomologyRequest {
                 groups,
                 producer: None,
                 chains: Vec::new(),
+                duals: None,
                 is_reduced: self.is_reduced,
-                is_relative: false,
+                relative: None,
             });
         }
         let steps = stage("identifying cells", 0);
@@ -383,12 +403,14 @@ impl HomologyRequest {
         let mut object = answer(&groups);
         let cut = |said: &&Remark| said.code == RemarkCode::IdealVerticesCut;
         object.remarks.extend(producer.remarks().iter().filter(cut).cloned());
-        let mut chains = Vec::new();
+        let (mut chains, mut duals) = (Vec::new(), None);
         if let Some(basis) = basis.as_ref().filter(|_| self.has_generators) {
             let _steps = stage("finding generators", 0);
             let found = generators::find(basis, &names, self.coefficients, self.is_cohomology);
             object.generators = Some(generators::answer(&found, &names));
             chains = generators::named(&found, &names, &whole)?;
+            let proved = || generators::duals(basis, &names, self.coefficients, self.is_cohomology);
+            duals = self.is_certified.then(proved);
         }
         if let Some(basis) = basis.as_ref().filter(|_| !self.cycles.is_empty()) {
             let _steps = stage("finding classes", 0);
@@ -426,8 +448,12 @@ impl HomologyRequest {
             groups,
             producer: Some(producer),
             chains,
+            duals,
             is_reduced: self.is_reduced,
-            is_relative: self.relative.is_some(),
+            relative: self.relative.as_ref().map(|part| match part {
+                RelativeTo::Boundary => "boundary",
+                RelativeTo::Part { .. } => "file",
+            }),
         })
     }
 }
@@ -441,8 +467,11 @@ pub struct FoundHomology {
     producer: Option<Producer>,
     /// The generators on the cells of the model, each with a name.
     chains: Vec<(String, Chain<Integer>)>,
+    /// What tells the generators apart, if a certificate is wanted.
+    duals: Option<Vec<Vec<Vec<ChainTerm>>>>,
     is_reduced: bool,
-    is_relative: bool,
+    /// Relative to the boundary or to a file.
+    relative: Option<&'static str>,
 }
 
 impl FoundHomology {

@@ -17,29 +17,32 @@ pub(crate) struct Check {
     /// What --certificate wrote
     #[arg(value_name = "CERTIFICATE")]
     certificate: PathBuf,
-    /// The input of that run; the file that the certificate names if it is left out
+    /// The inputs of that run in their order; the files that the certificate names if they are left out
     #[arg(value_name = "INPUT")]
-    input: Option<PathBuf>,
+    inputs: Vec<PathBuf>,
 }
 
 impl Check {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let certificate = bytes(&self.certificate)?;
-        let input = match &self.input {
-            Some(input) => input.clone(),
-            None => coface_check::input_name(&certificate).map(PathBuf::from).ok_or_else(|| {
-                let place = self.certificate.display();
-                Failure::new(format!(
-                    "{place}: no input is named there; name it: coface check CERTIFICATE INPUT"
-                ))
-            })?,
-        };
-        let verdict = coface_check::check(&certificate, &bytes(&input)?).map_err(|fault| {
+        let mut inputs = self.inputs.clone();
+        if inputs.is_empty() {
+            inputs = coface_check::input_names(&certificate).into_iter().map(PathBuf::from).collect();
+        }
+        if inputs.is_empty() {
+            let place = self.certificate.display();
+            return Err(Failure::new(format!(
+                "{place}: no input is named there; name it: coface check CERTIFICATE INPUT"
+            )));
+        }
+        let read = inputs.iter().map(|input| bytes(input)).collect::<Result<Vec<_>, _>>()?;
+        let read: Vec<&[u8]> = read.iter().map(Vec::as_slice).collect();
+        let verdict = coface_check::check(&certificate, &read).map_err(|fault| {
             Failure::new(format!("{}: not verified: {fault}", self.certificate.display()))
         })?;
         let answer = CheckAnswer {
             certificate: self.certificate.display().to_string(),
-            file: input.display().to_string(),
+            files: inputs.iter().map(|input| input.display().to_string()).collect(),
             verified: true,
             proved: verdict.proved().to_vec(),
             unchecked: verdict.unchecked().to_vec(),
@@ -59,7 +62,7 @@ fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
 }
 
 fn page(answer: &CheckAnswer) -> String {
-    let mut page = format!("verified: {}\n", answer.file);
+    let mut page = format!("verified: {}\n", answer.files.join(", "));
     for claim in &answer.proved {
         let _ = writeln!(page, "  proved     {claim}");
     }

@@ -37,6 +37,7 @@ mod coefficients;
 mod computation;
 mod cup;
 mod cup_table;
+mod duals;
 mod fundamental_cycle;
 mod generators;
 mod induced_maps;

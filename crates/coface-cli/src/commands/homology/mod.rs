@@ -4,11 +4,12 @@ mod page;
 pub(crate) mod parts;
 
 use crate::arguments::{Common, ring};
+use crate::certified;
 use crate::chains::{read_chain, read_terms};
 use crate::commands::merge::Question;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{give, write_file, write_json};
+use crate::output::{give, write_json};
 use crate::progress::Progress;
 use crate::remarks::say_remarks;
 use clap::Args;
@@ -75,9 +76,9 @@ pub(crate) struct Homology {
     /// The target of --map
     #[arg(long, value_name = "MODEL", requires = "map")]
     target: Option<PathBuf>,
-    /// A certificate of the groups, which coface check verifies against the input; of a facet list, a chain complex, or a surface as plain
-    /// OFF or OBJ
-    #[arg(long, value_name = "OUT", conflicts_with = "relative")]
+    /// A certificate of the groups and the generators, which coface check verifies against the input; of a facet list, a chain complex, or a
+    /// surface as plain OFF or OBJ
+    #[arg(long, value_name = "OUT")]
     certificate: Option<PathBuf>,
     #[command(flatten)]
     in_parts: PartsOptions,
@@ -95,11 +96,7 @@ impl Homology {
         if let Some(place) = &self.certificate {
             // Before the work, not after it.
             check_output(place)?;
-            if self.input.as_deref() == Some(Path::new("-")) {
-                return Err(Failure::new(
-                    "standard input: a certificate is of a file; write the input to a file first, or leave --certificate out",
-                ));
-            }
+            certified::refuse_standard_input(self.input.as_slice())?;
         }
         let progress = Progress::start(common.quiet);
         let input = self.input.as_deref().ok_or_else(|| Failure::new("no model is named"))?;
@@ -112,7 +109,9 @@ impl Homology {
         }
         if let Some(place) = &self.certificate {
             progress.stage(format!("proving {}", place.display()));
-            save_certificate(place, input, &found)?;
+            let part = self.relative.iter().filter(|part| part.as_os_str() != "boundary");
+            let files: Vec<PathBuf> = self.input.iter().chain(part).cloned().collect();
+            certified::save(place, &files, |inputs| found.certificate(inputs))?;
         }
         let answer = found.answer();
         drop(progress);
@@ -165,7 +164,8 @@ impl Homology {
             .intersection_form(self.intersection_form)
             .harmonic(self.harmonic)
             .decomposed(decomposed.transpose()?)
-            .map(map.transpose()?))
+            .map(map.transpose()?)
+            .certified(self.certificate.is_some()))
     }
 
     /// What is asked of a complex in parts, if parts answer all of it.
@@ -204,16 +204,6 @@ impl Homology {
         let title = format!("{what} of {name} over {}{pair}", self.coefficients);
         text::groups(&title, groups, symbol, self.coefficients)
     }
-}
-
-/// Writes a certificate of the groups of a file.
-fn save_certificate(place: &Path, input: &Path, found: &FoundHomology) -> Result<(), Failure> {
-    let name = input::name(input);
-    let bytes = std::fs::read(input).map_err(|error| {
-        Failure::new(format!("{name}: cannot be read again for the certificate: {error}"))
-    })?;
-    let certificate = found.certificate(&bytes).map_err(|error| error.in_file(name))?;
-    write_file(place, certificate.as_bytes())
 }
 
 /// Writes generators as JSON, or as a picture in the format that the name tells.

@@ -1,0 +1,34 @@
+//! `--certificate`: proofs of answers, which are of files.
+
+use crate::failure::Failure;
+use crate::output::write_file;
+use std::path::{Path, PathBuf};
+
+/// A certificate has the hash of a file.
+pub(crate) fn refuse_standard_input(inputs: &[PathBuf]) -> Result<(), Failure> {
+    if inputs.iter().any(|input| input == Path::new("-")) {
+        return Err(Failure::new(
+            "standard input: a certificate is of a file; write the input to a file first, or leave --certificate out",
+        ));
+    }
+    Ok(())
+}
+
+/// Writes the certificate of an answer about these files, from their names and bytes.
+pub(crate) fn save(
+    place: &Path,
+    files: &[PathBuf],
+    certificate: impl FnOnce(&[(&str, &[u8])]) -> Result<String, coface::Error>,
+) -> Result<(), Failure> {
+    let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
+    let read = names.iter().zip(files).map(|(name, file)| {
+        std::fs::read(file).map_err(|error| {
+            Failure::new(format!("{name}: cannot be read again for the certificate: {error}"))
+        })
+    });
+    let read = read.collect::<Result<Vec<_>, _>>()?;
+    let inputs: Vec<(&str, &[u8])> =
+        names.iter().map(String::as_str).zip(read.iter().map(Vec::as_slice)).collect();
+    let certificate = certificate(&inputs).map_err(|error| error.in_file(names[0].clone()))?;
+    write_file(place, certificate.as_bytes())
+}
