@@ -216,7 +216,9 @@ impl Complex {
         }
         for degree in (1..=top).rev() {
             for cell in (0..self.counts[degree]).filter(|cell| is_in[degree][*cell]).collect::<Vec<_>>() {
-                self.boundary(degree, cell).iter().for_each(|(face, _)| is_in[degree - 1][*face as usize] = true);
+                self.boundary(degree, cell)
+                    .iter()
+                    .for_each(|(face, _)| is_in[degree - 1][*face as usize] = true);
             }
         }
         let kept = |degree: usize| (0..self.counts[degree]).filter(|cell| !is_in[degree][*cell]).collect();
@@ -232,7 +234,8 @@ impl Complex {
             };
             self.boundary(degree, cell).iter().filter_map(place).collect()
         };
-        let columns = (1..kept.len()).map(|k| kept[k].iter().map(|&cell| column(k, cell)).collect()).collect();
+        let columns =
+            (1..kept.len()).map(|k| kept[k].iter().map(|&cell| column(k, cell)).collect()).collect();
         let names = self.names.as_ref().map(|names| {
             let of = |(names, kept): (&Vec<Vec<u32>>, &Vec<usize>)| {
                 kept.iter().map(|&cell| names[cell].clone()).collect()
@@ -253,7 +256,9 @@ impl<'a> Finder<'a> {
     /// Finds cells of one degree, or of all.
     pub(crate) fn of(complex: &'a Complex, degree: Option<usize>) -> Self {
         let mut by_vertices = HashMap::new();
-        for (k, names) in complex.names.iter().flatten().enumerate().filter(|(k, _)| degree.is_none_or(|d| d == *k)) {
+        for (k, names) in
+            complex.names.iter().flatten().enumerate().filter(|(k, _)| degree.is_none_or(|d| d == *k))
+        {
             by_vertices.extend(names.iter().zip(0..).map(|(name, cell)| (sorted(name), (k, cell))));
         }
         Self { complex, by_vertices }
@@ -268,7 +273,9 @@ impl<'a> Finder<'a> {
     pub(crate) fn oriented(&self, degree: usize, listed: &[u32], step: &str) -> Result<(u32, i64), Fault> {
         let Some(names) = &self.complex.names else {
             return match *listed {
-                [cell] if self.complex.counts.get(degree).is_some_and(|count| (cell as usize) < *count) => Ok((cell, 1)),
+                [cell] if self.complex.counts.get(degree).is_some_and(|count| (cell as usize) < *count) => {
+                    Ok((cell, 1))
+                }
                 _ => Err(Fault::new(step, format!("there is no cell {listed:?} of degree {degree}"))),
             };
         };

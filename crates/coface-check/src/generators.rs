@@ -27,7 +27,8 @@ impl Generators<'_> {
     /// others, modulo N. Over Z/n all N are n, over Z and Q they are the orders, and for the order 0 the value is 1.
     pub(crate) fn check(&self, groups: &[Group], claimed: &Value, duals: &Value) -> Result<(), Fault> {
         let all = |value, what| list(value, what, "generators").map(|all| (all, all.len() == groups.len()));
-        let ((claimed, is_whole), (duals, has_all)) = (all(claimed, "\"generators\"")?, all(duals, "\"duals\"")?);
+        let ((claimed, is_whole), (duals, has_all)) =
+            (all(claimed, "\"generators\"")?, all(duals, "\"duals\"")?);
         if !is_whole || !has_all {
             return Err(Fault::new("generators", "there are not generators and duals of each degree"));
         }
@@ -37,13 +38,22 @@ impl Generators<'_> {
         Ok(())
     }
 
-    fn check_degree(&self, degree: usize, group: &Group, claimed: &Value, duals: &Value) -> Result<(), Fault> {
+    fn check_degree(
+        &self,
+        degree: usize,
+        group: &Group,
+        claimed: &Value,
+        duals: &Value,
+    ) -> Result<(), Fault> {
         let step = format!("generators of degree {degree}");
         let (claimed, duals) = (list(claimed, "\"generators\"", &step)?, list(duals, "\"duals\"", &step)?);
         let orders = [&group.torsion[..], &vec![IBig::ZERO; group.betti]].concat();
         let orders: Vec<&IBig> = orders.iter().collect();
         if claimed.len() != orders.len() || duals.len() != orders.len() {
-            return Err(Fault::new(step, format!("the group has {} summands, the proof others", orders.len())));
+            return Err(Fault::new(
+                step,
+                format!("the group has {} summands, the proof others", orders.len()),
+            ));
         }
         let finder = Finder::of(self.complex, Some(degree));
         let cofaces = self.complex.cofaces(degree);
@@ -65,7 +75,8 @@ impl Generators<'_> {
             }
             chain.into_iter().for_each(|(cell, value)| on_cell.entry(cell).or_default().push((i, value)));
         }
-        let moduli: Vec<&IBig> = orders.iter().map(|order| if whole == IBig::ZERO { *order } else { &whole }).collect();
+        let moduli: Vec<&IBig> =
+            orders.iter().map(|order| if whole == IBig::ZERO { *order } else { &whole }).collect();
         let mut values: BTreeMap<(usize, usize), IBig> = BTreeMap::new();
         for (j, dual) in duals.iter().enumerate() {
             let dual = chain(&finder, degree, dual, &step)?;
@@ -83,7 +94,9 @@ impl Generators<'_> {
             *values.entry((i, i)).or_default() -= unit;
         }
         match values.iter().find(|((_, j), value)| !is_zero(value, moduli[*j])) {
-            Some(((i, j), _)) => Err(Fault::new(step, format!("dual {j} has another value on generator {i}"))),
+            Some(((i, j), _)) => {
+                Err(Fault::new(step, format!("dual {j} has another value on generator {i}")))
+            }
             None => Ok(()),
         }
     }
@@ -99,7 +112,14 @@ impl Generators<'_> {
     }
 
     /// Checks that a chain bounds so many times a cycle as its order says.
-    fn check_bounding(&self, degree: usize, cycle: &Chain, order: &IBig, bounding: &Value, step: &str) -> Result<(), Fault> {
+    fn check_bounding(
+        &self,
+        degree: usize,
+        cycle: &Chain,
+        order: &IBig,
+        bounding: &Value,
+        step: &str,
+    ) -> Result<(), Fault> {
         let is_asked = !self.is_cohomology && matches!(self.ring, Ring::Integers) && *order != IBig::ZERO;
         let above = Finder::of(self.complex, Some(degree + 1));
         let bounding = chain(&above, degree + 1, bounding, step)?;

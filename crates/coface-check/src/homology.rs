@@ -46,7 +46,9 @@ pub(crate) fn check(certificate: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fa
         let generators = Generators { complex: &complex, ring: &ring, is_cohomology, is_reduced };
         generators.check(&groups, claimed, field(proof, "duals", "generators")?)?;
         let what = if is_cohomology { "cocycles" } else { "cycles" };
-        proved.push(format!("the {what} of the answer have the orders that it says, and generate these groups"));
+        proved.push(format!(
+            "the {what} of the answer have the orders that it says, and generate these groups"
+        ));
     }
     Ok(Verdict::of(proved, answer, &PROVED))
 }

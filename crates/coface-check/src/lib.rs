@@ -100,7 +100,8 @@ pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     }
     let hashes = list(field(&whole, "inputs", step)?, "\"inputs\"", step)?;
     if hashes.len() != inputs.len() || inputs.is_empty() {
-        let message = format!("the certificate is of {} inputs, and {} are given", hashes.len(), inputs.len());
+        let message =
+            format!("the certificate is of {} inputs, and {} are given", hashes.len(), inputs.len());
         return Err(Fault::new("input", message));
     }
     for (input, of) in inputs.iter().zip(hashes) {

@@ -81,6 +81,7 @@ pub(crate) fn of_facets(facets: &[Vec<u32>], vertices: Vec<u32>, size: usize) ->
         };
         columns.push(pair[1].vertices.chunks_exact(pair[1].size).map(of_cell).collect::<Result<_, _>>()?);
     }
-    let names = levels.iter().map(|level| level.vertices.chunks_exact(level.size).map(<[u32]>::to_vec).collect());
+    let names =
+        levels.iter().map(|level| level.vertices.chunks_exact(level.size).map(<[u32]>::to_vec).collect());
     Ok(Complex::new(levels.iter().map(Level::len).collect(), columns, Some(names.collect())))
 }

@@ -88,7 +88,8 @@ impl HomologyBasis<'_> {
         let own = own.iter().filter(|one| modulus.is_some() || one.order().is_none());
         chains.extend(own.map(Generator::chain).map(|chain| terms_of(chain.terms())));
         let cocycles = self.cocycles_with(degree, coefficients);
-        let cochains: Vec<_> = cocycles.iter().map(Cocycle::cochain).map(|one| terms_of(one.terms())).collect();
+        let cochains: Vec<_> =
+            cocycles.iter().map(Cocycle::cochain).map(|one| terms_of(one.terms())).collect();
         let corrected = corrected(chains, &cochains, modulus.as_ref()).into_iter();
         corrected.map(|terms| to_chain(self.complex, degree, terms)).collect()
     }
@@ -107,7 +108,11 @@ fn terms_of(terms: &[(CellId, Integer)]) -> SparseVector {
 ///
 /// The values of vector i with other i divide those of vector j with other i, and what is subtracted has no value with a third one: a free
 /// generator may have values with the chain that a multiple of a generator one degree below bounds, but not the other way around.
-fn corrected(vectors: Vec<SparseVector>, others: &[SparseVector], modulus: Option<&Integer>) -> Vec<SparseVector> {
+fn corrected(
+    vectors: Vec<SparseVector>,
+    others: &[SparseVector],
+    modulus: Option<&Integer>,
+) -> Vec<SparseVector> {
     let value = |vector: &SparseVector, other: &SparseVector| {
         let value = inner_product(vector, other);
         modulus.map_or(value.clone(), |n| value.div_rem_floor(n).1)
@@ -118,7 +123,8 @@ fn corrected(vectors: Vec<SparseVector>, others: &[SparseVector], modulus: Optio
             let rest = value(&vectors[j], other);
             if !rest.is_zero() {
                 let unit = value(&vectors[i], other);
-                let times = rest.exact_quotient(&unit).expect("values of one summand are multiples of its own");
+                let times =
+                    rest.exact_quotient(&unit).expect("values of one summand are multiples of its own");
                 corrected = combination(&Integer::ONE, &corrected, &-&times, &vectors[i]);
             }
         }
