@@ -45,6 +45,126 @@ fn groups_are_proved() {
     }
 }
 
+const BAND: &str = "[[0,1,2],[1,2,3],[2,3,4],[3,4,0],[4,0,1]]";
+
+#[test]
+fn generators_are_proved() {
+    let folder = tempfile::tempdir().unwrap();
+    let part = folder.path().join("part.json");
+    fs::write(&part, "[[0,1],[1,2]]").unwrap();
+    let generators = folder.path().join("generators.json");
+    for text in [PLANE, BAND] {
+        for ring in ["z", "q", "f2", "z/4", "z/6"] {
+            for cohomology in [&[][..], &["--cohomology"][..]] {
+                let absolute = [&[][..], &["--reduced"], &["--relative", "boundary"]];
+                for (options, is_pair) in absolute.map(|one| (one, false)).into_iter().chain([(&["--relative", argument(&part)][..], true)]) {
+                    let options = [&["--coefficients", ring, "--generators", argument(&generators)], cohomology, options].concat();
+                    let (input, certificate, _) = certified(folder.path(), "in.json", text, &options);
+                    let mut words = vec!["check", argument(&certificate), argument(&input), "--json"];
+                    if is_pair {
+                        words.insert(3, argument(&part));
+                    }
+                    let verdict = coface(&words).json();
+                    assert!(verdict["unchecked"].as_array().unwrap().is_empty(), "{options:?} {verdict}");
+                    assert!(verdict["proved"].as_array().unwrap().iter().any(|line| line.to_string().contains("generate")));
+                }
+            }
+        }
+    }
+}
+
+/// All places of a value, as JSON pointers.
+fn places(value: &Value, here: &str, found: &mut Vec<String>) {
+    found.push(here.to_owned());
+    match value {
+        Value::Array(items) => {
+            items.iter().enumerate().for_each(|(i, item)| places(item, &format!("{here}/{i}"), found));
+        }
+        Value::Object(items) => {
+            items.iter().for_each(|(key, item)| places(item, &format!("{here}/{key}"), found));
+        }
+        _ => (),
+    }
+}
+
+fn changed(value: &Value, kind: usize, at: usize) -> Value {
+    match value {
+        Value::Number(n) => match (kind % 4, n.as_i64()) {
+            (0, Some(n)) => (n + 1).into(),
+            (1, Some(n)) => (n - 1).into(),
+            (2, Some(n)) => (-n).into(),
+            (0, None) => json!(n.as_f64().unwrap() * 1.001 + 0.01),
+            (1, None) => json!(-n.as_f64().unwrap()),
+            _ => Value::Null,
+        },
+        Value::Bool(b) => (!b).into(),
+        Value::String(s) => match kind % 4 {
+            0 => format!("{s}0").into(),
+            1 => format!("-{s}").into(),
+            2 => "no".into(),
+            _ => "Q".into(),
+        },
+        Value::Array(items) if !items.is_empty() => {
+            let (mut items, at) = (items.clone(), at % items.len());
+            match kind % 4 {
+                0 => drop(items.remove(at)),
+                1 => items.insert(at, items[at].clone()),
+                2 => items.swap(at, 0),
+                _ => items[at] = Value::Null,
+            }
+            items.into()
+        }
+        Value::Object(items) => {
+            let at = at % items.len().max(1);
+            items.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, (key, item))| (key.clone(), item.clone())).collect()
+        }
+        other => json!([other]),
+    }
+}
+
+/// Changes a certificate in 10,000 ways: each is refused, or proves nothing that the true one does not.
+fn lie_about(certificate: &Path, inputs: &[&Path]) {
+    let honest: Value = serde_json::from_slice(&fs::read(certificate).unwrap()).unwrap();
+    let inputs: Vec<Vec<u8>> = inputs.iter().map(|input| fs::read(input).unwrap()).collect();
+    let inputs: Vec<&[u8]> = inputs.iter().map(Vec::as_slice).collect();
+    let verdict = |value: &Value| coface_check::check(value.to_string().as_bytes(), &inputs);
+    let truth = verdict(&honest).expect("the program wrote it");
+    let mut all = Vec::new();
+    places(&honest, "", &mut all);
+    let mut state = 29u64;
+    let mut random = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize
+    };
+    let mut refused = 0;
+    for _ in 0..10_000 {
+        let place = &all[random() % all.len()];
+        let mut lie = honest.clone();
+        let at = lie.pointer_mut(place).unwrap();
+        *at = changed(at, random(), random());
+        match verdict(&lie) {
+            Ok(found) => assert!(found.proved().iter().all(|line| truth.proved().contains(line)), "{place}: {:?}", found.proved()),
+            Err(_) => refused += 1,
+        }
+    }
+    assert!(refused > 4_000, "{refused} of 10,000 changes are refused");
+}
+
+#[test]
+fn changed_certificates_are_refused_or_prove_the_same() {
+    let folder = tempfile::tempdir().unwrap();
+    let generators = folder.path().join("generators.json");
+    for (text, options) in [
+        (PLANE, &["--coefficients", "z"][..]),
+        (PLANE, &["--coefficients", "z/4", "--cohomology"]),
+        (BAND, &["--relative", "boundary"]),
+    ] {
+        let options = [&["--generators", argument(&generators)], options].concat();
+        let (input, certificate, _) = certified(folder.path(), "in.json", text, &options);
+        lie_about(&certificate, &[&input]);
+    }
+}
+
 #[test]
 fn shapes_of_the_program_are_proved() {
     let folder = tempfile::tempdir().unwrap();
@@ -83,7 +203,7 @@ fn lies_are_found() {
     lie(&|value| value["answer"]["homology"][1]["torsion"] = json!([]));
     lie(&|value| value["answer"]["coefficients"] = json!("Q"));
     lie(&|value| value["proof"]["pairs"][0] = json!([]));
-    lie(&|value| value["input"]["sha256"] = json!("0"));
+    lie(&|value| value["inputs"][0]["sha256"] = json!("0"));
     // A certificate of another input.
     let other = folder.path().join("other.json");
     fs::write(&other, "[[0,1,2]]").unwrap();
