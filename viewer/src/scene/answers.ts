@@ -118,8 +118,8 @@ export interface CellsOfShape {
 export interface CheckAnswer {
   /** The name of the certificate. */
   certificate: string;
-  /** The name of the input. */
-  file: string;
+  /** The names of the inputs. */
+  files: string[];
   /** The claims that were derived from the input and agree with the answer. */
   proved: string[];
   /** What was assumed or left out. */
