@@ -57,8 +57,17 @@ fn generators_are_proved() {
         for ring in ["z", "q", "f2", "z/4", "z/6"] {
             for cohomology in [&[][..], &["--cohomology"][..]] {
                 let absolute = [&[][..], &["--reduced"], &["--relative", "boundary"]];
-                for (options, is_pair) in absolute.map(|one| (one, false)).into_iter().chain([(&["--relative", argument(&part)][..], true)]) {
-                    let options = [&["--coefficients", ring, "--generators", argument(&generators)], cohomology, options].concat();
+                for (options, is_pair) in absolute
+                    .map(|one| (one, false))
+                    .into_iter()
+                    .chain([(&["--relative", argument(&part)][..], true)])
+                {
+                    let options = [
+                        &["--coefficients", ring, "--generators", argument(&generators)],
+                        cohomology,
+                        options,
+                    ]
+                    .concat();
                     let (input, certificate, _) = certified(folder.path(), "in.json", text, &options);
                     let mut words = vec!["check", argument(&certificate), argument(&input), "--json"];
                     if is_pair {
@@ -66,7 +75,13 @@ fn generators_are_proved() {
                     }
                     let verdict = coface(&words).json();
                     assert!(verdict["unchecked"].as_array().unwrap().is_empty(), "{options:?} {verdict}");
-                    assert!(verdict["proved"].as_array().unwrap().iter().any(|line| line.to_string().contains("generate")));
+                    assert!(
+                        verdict["proved"]
+                            .as_array()
+                            .unwrap()
+                            .iter()
+                            .any(|line| line.to_string().contains("generate"))
+                    );
                 }
             }
         }
@@ -116,7 +131,12 @@ fn changed(value: &Value, kind: usize, at: usize) -> Value {
         }
         Value::Object(items) => {
             let at = at % items.len().max(1);
-            items.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, (key, item))| (key.clone(), item.clone())).collect()
+            items
+                .iter()
+                .enumerate()
+                .filter(|(i, _)| *i != at)
+                .map(|(_, (key, item))| (key.clone(), item.clone()))
+                .collect()
         }
         other => json!([other]),
     }
@@ -143,7 +163,11 @@ fn lie_about(certificate: &Path, inputs: &[&Path]) {
         let at = lie.pointer_mut(place).unwrap();
         *at = changed(at, random(), random());
         match verdict(&lie) {
-            Ok(found) => assert!(found.proved().iter().all(|line| truth.proved().contains(line)), "{place}: {:?}", found.proved()),
+            Ok(found) => assert!(
+                found.proved().iter().all(|line| truth.proved().contains(line)),
+                "{place}: {:?}",
+                found.proved()
+            ),
             Err(_) => refused += 1,
         }
     }
