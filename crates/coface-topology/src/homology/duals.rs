@@ -42,7 +42,7 @@ impl HomologyBasis<'_> {
                 let cochains: Vec<_> = cocycles.iter().map(|one| terms_of(one.cochain().terms())).collect();
                 let generators = self.generators_with(degree, coefficients);
                 let chains: Vec<_> = generators.iter().map(|one| terms_of(one.chain().terms())).collect();
-                let corrected = corrected(cochains, &chains, Some(&n.into())).into_iter();
+                let corrected = corrected(&cochains, &chains, Some(&n.into())).into_iter();
                 return corrected.map(|terms| self.cochain(degree, terms)).collect();
             }
         };
@@ -90,7 +90,7 @@ impl HomologyBasis<'_> {
         let cocycles = self.cocycles_with(degree, coefficients);
         let cochains: Vec<_> =
             cocycles.iter().map(Cocycle::cochain).map(|one| terms_of(one.terms())).collect();
-        let corrected = corrected(chains, &cochains, modulus.as_ref()).into_iter();
+        let corrected = corrected(&chains, &cochains, modulus.as_ref()).into_iter();
         corrected.map(|terms| to_chain(self.complex, degree, terms)).collect()
     }
 
@@ -109,7 +109,7 @@ fn terms_of(terms: &[(CellId, Integer)]) -> SparseVector {
 /// The values of vector i with other i divide those of vector j with other i, and what is subtracted has no value with a third one: a free
 /// generator may have values with the chain that a multiple of a generator one degree below bounds, but not the other way around.
 fn corrected(
-    vectors: Vec<SparseVector>,
+    vectors: &[SparseVector],
     others: &[SparseVector],
     modulus: Option<&Integer>,
 ) -> Vec<SparseVector> {
