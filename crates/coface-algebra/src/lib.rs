@@ -60,6 +60,8 @@ pub mod progress;
 #[cfg(any(test, feature = "samples"))]
 #[doc(hidden)]
 pub mod samples;
+#[doc(hidden)]
+pub mod threads;
 
 pub use error::{Error, ErrorKind, Fault};
 pub use escapes::escaped;

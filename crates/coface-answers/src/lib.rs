@@ -4,7 +4,7 @@
 //! * `producer` makes the chain complex of a model and names its cells; `facts` reports on it; `repair` makes it ready for
 //!   other questions.
 //! * `homology`, `groups`, `cocycles`, `persistence`, `incidence`, `surface_model` (cuts and covers), `simplices`, `planar`, `spatial`,
-//!   `congruence` and `yin` each answer the requests of some verbs.
+//!   `congruence`, `signatures` and `yin` each answer the requests of some verbs.
 //! * `text` lays answers out for people.
 //!
 #![doc = include_str!("../README.md")]
@@ -24,6 +24,7 @@ mod persistence;
 mod planar;
 mod producer;
 mod repair;
+mod signatures;
 mod simplices;
 mod spatial;
 mod surface_model;
@@ -61,6 +62,7 @@ pub use repair::{
     RepairRequest, SurfaceRepair, SurfaceRepairRequest, dual_graph_model, dual_model, halfedge_model,
     polygon_model, repaired, repaired_surface, triangulated, truncated,
 };
+pub use signatures::SignatureRequest;
 pub use simplices::{model_of_simplices, simplicial_complex};
 pub use spatial::{
     InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene,

@@ -95,6 +95,7 @@ pub use files::{
 pub use files::{abandon_files, content_hash, replace_file};
 pub use format::Format;
 pub use group::{Group, GroupKind, GroupRole};
+pub use isosig::{SignatureLine, SignatureLines};
 pub use model::repeated_vertex;
 pub use model::{Model, Structure};
 #[doc(hidden)]

@@ -111,8 +111,8 @@ pub(crate) fn _batch_write(
 
 /// Writes rows in a file of JSON lines as CSV.
 #[pyfunction]
-pub(crate) fn _csv_of_lines(py: Python<'_>, lines: PathBuf, out: PathBuf, timings: bool) -> PyResult<()> {
-    run(py, None, || coface::scale::batch::csv_of_lines(&lines, &out, timings))
+pub(crate) fn _table_of_lines(py: Python<'_>, lines: PathBuf, out: PathBuf, timings: bool) -> PyResult<()> {
+    run(py, None, || coface::scale::batch::table_of_lines(&lines, &out, timings))
 }
 
 /// Calls a function while no other run has the lock of this name in a folder.

@@ -117,7 +117,7 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(volumes::_read_volume, module)?)?;
     module.add_function(wrap_pyfunction!(batch::_batch_lines, module)?)?;
     module.add_function(wrap_pyfunction!(batch::_batch_write, module)?)?;
-    module.add_function(wrap_pyfunction!(batch::_csv_of_lines, module)?)?;
+    module.add_function(wrap_pyfunction!(batch::_table_of_lines, module)?)?;
     module.add_function(wrap_pyfunction!(batch::_locked, module)?)?;
     module.add_function(wrap_pyfunction!(batch::_replace_file, module)?)?;
     module.add_function(wrap_pyfunction!(batch::_copy_file, module)?)?;

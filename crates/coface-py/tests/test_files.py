@@ -82,8 +82,7 @@ def test_outputs_that_may_not_be_written_are_not_replaced(tmp_path: Path) -> Non
     assert sorted(os.listdir(tmp_path)) == sorted([*names, "many"])
 
 
-def test_tables_by_arrow_appear_whole_or_not_at_all(tmp_path: Path) -> None:
-    pytest.importorskip("pyarrow")
+def test_tables_of_parquet_appear_whole_or_not_at_all(tmp_path: Path) -> None:
     (tmp_path / "a.json").write_text(SPHERE)
     path = tmp_path / "rows.parquet"
     path.write_text("precious")
@@ -94,14 +93,13 @@ def test_tables_by_arrow_appear_whole_or_not_at_all(tmp_path: Path) -> None:
     assert sorted(os.listdir(tmp_path)) == ["a.json", "rows.parquet"]
 
 
-def test_two_calls_do_not_write_one_table_by_arrow(tmp_path: Path) -> None:
+def test_two_calls_do_not_write_one_table(tmp_path: Path) -> None:
     import fcntl
 
-    pytest.importorskip("pyarrow")
     (tmp_path / "a.json").write_text(SPHERE)
-    with (tmp_path / ".rows.parquet.lock").open("w") as lock:
+    with (tmp_path / ".rows.parquet.journal").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
-        with pytest.raises(coface.FileError, match="another run works in this folder"):
+        with pytest.raises(coface.FileError, match="another run is writing this output"):
             coface.batch(tmp_path / "a.json", tmp_path / "rows.parquet")
     coface.batch(tmp_path / "a.json", tmp_path / "rows.parquet")
     assert sorted(os.listdir(tmp_path)) == ["a.json", "rows.parquet"]

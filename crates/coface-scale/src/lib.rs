@@ -3,9 +3,12 @@
 //! * [`shards`] cuts a complex that is larger than memory into files, reduces these one by one and merges what is left.
 //! * [`workers`] runs requests in processes with limits of time and memory.
 //! * [`batch`] makes the report on many files by such workers.
+//! * [`signatures`] makes a table of a list of isomorphism signatures, line by line.
 //!
 #![doc = include_str!("../README.md")]
 
 pub mod batch;
 pub mod shards;
+pub mod signatures;
+mod tables;
 pub mod workers;

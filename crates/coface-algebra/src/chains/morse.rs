@@ -6,7 +6,7 @@ use crate::ids::narrow;
 use crate::integers::Integer;
 use crate::matrices::{Entry, SparseVector, WideMatrix, linear_combination};
 use crate::progress::{Steps, stage};
-use rayon::prelude::*;
+use crate::threads;
 use std::borrow::Cow;
 
 /// The Morse complex of a chain complex: one cell for each critical cell, with the integral homology of the whole.
@@ -71,9 +71,10 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
         let flows = |degree: &usize| !matching.has_zero_boundary(*degree);
         let total = (1..complex.degree_count()).filter(flows).map(|k| matching.critical_cells(k).len()).sum();
         let steps = stage("cancelling pairs", total);
-        let boundaries = (1..complex.degree_count())
-            .into_par_iter()
-            .map(|degree| {
+        let cell_count = complex.f_vector().iter().sum();
+        let boundaries =
+            threads::mapped(complex.degree_count().saturating_sub(1), cell_count, |below| {
+                let degree = below + 1;
                 let cells = matching.critical_cells(degree);
                 if cells.is_empty() || matching.has_zero_boundary(degree) {
                     return vec![Vec::new(); cells.len()];
@@ -85,8 +86,7 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
                     boundary
                 };
                 cells.iter().map(boundary).collect()
-            })
-            .collect();
+            });
         Self { complex, matching, boundaries }
     }
 

@@ -6,7 +6,7 @@ use crate::integers::prime_field::{Field, Odd};
 use crate::integers::primes::large_primes;
 use crate::matrices::SparseVector;
 use crate::progress::{Steps, stage};
-use rayon::prelude::*;
+use crate::threads;
 
 /// The rank of a matrix, and a non-zero minor of that size, positive.
 ///
@@ -33,15 +33,14 @@ pub(crate) fn rank_and_minor(rows: &[SparseVector], column_count: usize) -> (usi
             "finding a minor modulo primes",
             primes.len() * (rank + if is_full { 0 } else { column_count }),
         );
-        let residues: Vec<(u32, bool)> = primes
-            .par_iter()
-            .map(|&prime| {
+        let work = primes.len().saturating_mul(rows.len()).saturating_mul(rank * column_count);
+        let residues: Vec<(u32, bool)> = threads::mapped(primes.len(), work, |at| {
+                let prime = primes[at];
                 let determinant = Residues::new(&minor, rank, prime).eliminate(&steps).determinant;
                 let grows = !is_full
                     && Residues::new(rows, column_count, prime).eliminate(&steps).pivots.0.len() > rank;
                 (determinant, grows)
-            })
-            .collect();
+            });
         if let Some(at) = residues.iter().position(|&(_, grows)| grows) {
             first_prime = primes[at];
             continue 'search;

@@ -7,7 +7,7 @@ use crate::matrices::entry::Entry;
 use crate::matrices::integer_matrix::IntegerMatrix;
 use crate::matrices::sparse_matrix::{SparseMatrix, WideMatrix, factor_fault};
 use crate::progress::stage;
-use rayon::prelude::*;
+use crate::threads;
 
 /// Consecutive columns of a matrix: their lengths, rows and entries.
 pub type ColumnBlock = (Vec<u32>, Vec<u32>, Vec<i32>);
@@ -127,9 +127,9 @@ impl<E: Entry> SparseMatrix<E> {
     /// The product in machine integers; `None` when one does not suffice.
     fn narrow_product<F: Entry>(&self, other: &SparseMatrix<F>) -> Option<Result<SparseMatrix, Error>> {
         let steps = stage("multiplying matrices", other.column_count());
-        let blocks: Option<Vec<ColumnBlock>> = (0..other.column_count().div_ceil(BLOCK))
-            .into_par_iter()
-            .map(|block| {
+        let block_count = other.column_count().div_ceil(BLOCK);
+        let blocks: Vec<Option<ColumnBlock>> =
+            threads::mapped(block_count, self.entries().len() + other.entries().len(), |block| {
                 let (mut lengths, mut rows, mut entries) = (Vec::new(), Vec::new(), Vec::new());
                 let mut terms: Vec<(u32, i64)> = Vec::new();
                 let columns = block * BLOCK..((block + 1) * BLOCK).min(other.column_count());
@@ -156,9 +156,8 @@ impl<E: Entry> SparseMatrix<E> {
                     lengths.push(narrow(rows.len() - start));
                 }
                 Some((lengths, rows, entries))
-            })
-            .collect();
-        let blocks = blocks?;
+            });
+        let blocks = blocks.into_iter().collect::<Option<Vec<ColumnBlock>>>()?;
         Some(joined_columns(other.column_count(), blocks).and_then(|(starts, rows, entries)| {
             SparseMatrix::from_parts(self.row_count(), starts, rows, entries)
         }))
@@ -167,9 +166,8 @@ impl<E: Entry> SparseMatrix<E> {
     /// The product in integers of any size.
     fn wide_product<F: Entry>(&self, other: &SparseMatrix<F>) -> Result<WideMatrix, Error> {
         let steps = stage("multiplying matrices of large integers", other.column_count());
-        let columns: Vec<Vec<(u32, Integer)>> = (0..other.column_count())
-            .into_par_iter()
-            .map(|j| {
+        let work = self.entries().len() + other.entries().len();
+        let columns: Vec<Vec<(u32, Integer)>> = threads::mapped(other.column_count(), work, |j| {
                 steps.pass(j);
                 let mut terms = Vec::new();
                 for (k, factor) in other.column(j).terms() {
@@ -179,8 +177,7 @@ impl<E: Entry> SparseMatrix<E> {
                     );
                 }
                 terms
-            })
-            .collect();
+            });
         WideMatrix::from_integer_columns(self.row_count(), columns)
     }
 }

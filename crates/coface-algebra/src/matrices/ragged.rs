@@ -3,6 +3,7 @@
 use crate::error::{Error, ErrorKind};
 use crate::ids::narrow;
 use crate::progress::stage_of_many;
+use crate::threads;
 use rayon::prelude::*;
 
 /// A list of lists of 32-bit numbers, flat: all items in one array and where each list starts.
@@ -318,6 +319,10 @@ impl RaggedArray {
     ) {
         const AT_ONCE: usize = 1 << 10;
         let starts = match &self.starts {
+            Starts::Uniform(width) if !threads::is_enough(self.items.len()) => {
+                let mut scratch = Scratch::default();
+                return self.items.chunks_mut(*width).for_each(|list| change(list, &mut scratch));
+            }
             Starts::Uniform(width) => {
                 let lists = self.items.par_chunks_mut(*width).with_min_len(AT_ONCE);
                 return lists.for_each_init(Scratch::default, |scratch, list| change(list, scratch));
@@ -332,13 +337,18 @@ impl RaggedArray {
             parts.push((own, part));
             rest = after;
         }
-        parts.into_par_iter().for_each_init(Scratch::default, |scratch, (starts, mut rest)| {
+        let change_part = |scratch: &mut Scratch, (starts, mut rest): (&[u32], &mut [u32])| {
             for ends in starts.windows(2) {
                 let (list, after) = std::mem::take(&mut rest).split_at_mut((ends[1] - ends[0]) as usize);
                 change(list, scratch);
                 rest = after;
             }
-        });
+        };
+        if !threads::is_enough(parts.iter().map(|(_, items)| items.len()).sum()) {
+            let mut scratch = Scratch::default();
+            return parts.into_iter().for_each(|part| change_part(&mut scratch, part));
+        }
+        parts.into_par_iter().for_each_init(Scratch::default, change_part);
     }
 
     /// The items of all lists as a vector.

@@ -4,7 +4,7 @@ use crate::error::{Error, ErrorKind, Fault};
 use crate::ids::narrow;
 use crate::integers::Integer;
 use crate::matrices::entry::Entry;
-use rayon::prelude::*;
+use crate::threads;
 use std::fmt;
 
 /// A sparse integer matrix in compressed columns: 32-bit row numbers, and entries of 32 bits or of any size.
@@ -377,7 +377,7 @@ impl<E: Entry> SparseMatrix<E> {
             return Err(Error::new(ErrorKind::Shape, message)
                 .with_fault(Fault::Length { found: entries.len(), expected: rows.len() }));
         }
-        let bad = (0..column_starts.len() - 1).into_par_iter().find_first(|&j| {
+        let bad = threads::first(column_starts.len() - 1, rows.len() + column_starts.len(), |j| {
             let range = column_starts[j] as usize..column_starts[j + 1] as usize;
             let column = &rows[range.clone()];
             column.last().is_some_and(|&last| last >= row_count)
@@ -642,15 +642,13 @@ impl SparseMatrix {
         const BLOCK: usize = 1 << 14;
         let block_count = other.column_count().div_ceil(BLOCK);
         let steps = crate::progress::stage("multiplying boundaries", other.column_count());
-        Ok((0..block_count)
-            .into_par_iter()
-            .filter_map(|block| {
-                let mut sums = Vec::new();
-                let columns = block * BLOCK..((block + 1) * BLOCK).min(other.column_count());
-                steps.advance(columns.len());
-                columns.into_iter().find(|&j| !self.combination_is_zero(other.column(j), &mut sums))
-            })
-            .min())
+        let first_of = |block: usize| {
+            let mut sums = Vec::new();
+            let columns = block * BLOCK..((block + 1) * BLOCK).min(other.column_count());
+            steps.advance(columns.len());
+            columns.into_iter().find(|&j| !self.combination_is_zero(other.column(j), &mut sums))
+        };
+        Ok(threads::mapped(block_count, other.rows.len(), first_of).into_iter().flatten().min())
     }
 
     /// Whether the combination of columns of `self` that `coefficients` describes is zero. In a boundary of a boundary

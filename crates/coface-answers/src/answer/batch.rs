@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 pub struct BatchAnswer {
     /// The file that was written.
     pub output: String,
-    /// The number of files, which is that of rows.
+    /// The number of rows: of files, of models in files, or of lines of lists of signatures.
     pub files: usize,
     /// The numbers of rows that are errors, by kind.
     pub errors: BTreeMap<String, usize>,

@@ -33,6 +33,7 @@ mod picture;
 mod remark;
 mod schema;
 mod shards;
+mod signatures;
 mod simplices;
 mod view;
 mod yin;
@@ -82,6 +83,7 @@ pub use info::{
     WitnessAnswer,
 };
 pub use isomorphic::IsomorphicAnswer;
+pub use signatures::{PresentedGroup, SignatureAnswer};
 pub use loops::{
     CyclesAnswer, HomotopicAnswer, HomotopicComponent, LoopsAnswer, LoopsComponent, SubgroupsAnswer,
     SubgroupsComponent, TreesAnswer,

@@ -6,11 +6,13 @@ use crate::output::{print_json, print_text};
 use crate::progress::Progress;
 use crate::remarks::say_remarks;
 use crate::workers::{self, Task};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use coface::algebra::escaped;
+use coface::answers::SignatureRequest;
 use coface::answers::answer::{BatchAnswer, Remark, RemarkCode};
 use coface::io::entry_of;
-use coface::scale::batch::{Batch as Files, Reading, TableFormat, find_files};
+use coface::scale::batch::{Batch as Files, Reading, Summary, TableFormat, find_files};
+use coface::scale::signatures::{SignatureBatch, are_signature_lists};
 use coface::scale::workers::Limits;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -21,7 +23,12 @@ use std::time::Duration;
 /// path a line; or -, the same on standard input. A file of several models, such as JSON lines or a census of isomorphism signatures, has
 /// a row for each, with the path FILE#NAME that chooses it in any verb; an OBJ of several objects or an STL of several solids has one for
 /// the whole and one for each. A row has path, bytes, seconds, error, and everything that coface info --json says. In
-/// JSON lines that is one object; in CSV cells are f_0, f_1, .., homology is betti_0, .., torsion_0, .., and lists are text.
+/// JSON lines that is one object; in CSV and Parquet cells are f_0, f_1, .., homology is betti_0, .., torsion_0, .., and lists are text.
+///
+/// Lists of isomorphism signatures alone, such as census.sig, are read as they come, whatever their length, a row a line: path, line, name,
+/// signature, error, and counts, verdicts and homology of the triangulation; --with pi1 adds the fundamental groups. A line has a signature and
+/// perhaps a name, in either order, with tabs or blanks between them; a bad line is a row with its error. Limits of time and memory and
+/// rows of an earlier run are for models in files.
 ///
 /// Files are read by worker processes: one that crashes, takes too long or needs too much memory costs its row alone, which says so.
 /// Rows are in the order of the paths, the same for any number of jobs. A run that is cut short goes on where it was when it is started again:
@@ -55,6 +62,16 @@ pub(crate) struct Batch {
     /// List every place of every problem, not just the first hundred
     #[arg(long)]
     all: bool,
+    /// Add to the rows of lists of signatures: fundamental groups and their names
+    #[arg(long, value_name = "WHAT", value_enum)]
+    with: Option<Extra>,
+}
+
+/// What rows of signatures have beside the usual.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Extra {
+    /// The fundamental group of each component
+    Pi1,
 }
 
 /// The memory of a worker.
@@ -72,10 +89,22 @@ const LEAST: u64 = 64 << 20;
 impl Batch {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let Some(out) = &common.output else {
-            return Err(Failure::new("the rows go to a file: name it with -o, ending in .jsonl or .csv"));
+            return Err(Failure::new(
+                "the rows go to a file: name it with -o, ending in .jsonl, .csv or .parquet",
+            ));
         };
         let format = TableFormat::of_path(out)?;
         let progress = Progress::start(common.quiet);
+        if are_signature_lists(&self.paths, common.format) {
+            let summary = self.signatures(common).write(out, format)?;
+            drop(progress);
+            return self.say(&summary, out, common);
+        }
+        if self.with.is_some() {
+            return Err(Failure::new(
+                "--with is for lists of isomorphism signatures, and not all paths are such lists; ask coface pi1 about other models",
+            ));
+        }
         progress.stage("finding files");
         let mut files = find_files(&self.paths, self.recursive, std::io::stdin().lock())?;
         // The rows of an earlier run, in a folder of the files.
@@ -104,6 +133,21 @@ impl Batch {
         let pool = workers::pool(Task::Info, jobs, common.threads.map_or(1, usize::from), limits)?;
         let summary = batch.write(&pool, out, format)?;
         drop(progress);
+        self.say(&summary, out, common)
+    }
+
+    /// The lists and what is asked about their lines.
+    fn signatures(&self, common: &Common) -> SignatureBatch {
+        let mut batch = SignatureBatch::new(self.paths.clone());
+        batch.request = SignatureRequest::new()
+            .groups(self.with == Some(Extra::Pi1))
+            .pseudomanifold(common.pseudomanifold);
+        batch.jobs = self.jobs.map_or_else(workers::core_count, usize::from);
+        batch
+    }
+
+    /// Says what came of it.
+    fn say(&self, summary: &Summary, out: &Path, common: &Common) -> Result<(), Failure> {
         let mut answer = BatchAnswer::new(out.display().to_string());
         (answer.files, answer.resumed) = (summary.files(), summary.resumed());
         answer.errors.clone_from(summary.errors());
@@ -113,7 +157,8 @@ impl Batch {
         if common.json {
             print_json(&answer)?;
         } else {
-            print_text(&format!("{}: {}\n", escaped(&answer.output), in_words(&answer)))?;
+            let noun = if are_signature_lists(&self.paths, common.format) { "line" } else { "file" };
+            print_text(&format!("{}: {}\n", escaped(&answer.output), in_words(&answer, noun)))?;
         }
         match answer.error_count() {
             count @ 1.. if self.strict => {
@@ -125,9 +170,9 @@ impl Batch {
 }
 
 /// The summary for people: `12 files, 2 errors (1 parse, 1 time)`.
-fn in_words(answer: &BatchAnswer) -> String {
+fn in_words(answer: &BatchAnswer, noun: &str) -> String {
     let plural = |count: usize, noun: &str| format!("{count} {noun}{}", if count == 1 { "" } else { "s" });
-    let mut text = plural(answer.files, "file");
+    let mut text = plural(answer.files, noun);
     match answer.error_count() {
         0 => text += ", no errors",
         count => {

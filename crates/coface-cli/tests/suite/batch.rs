@@ -198,8 +198,7 @@ fn what_cannot_be_is_refused() {
         assert!(run.fails_with(status).contains(part), "{}", run.stderr);
     };
     fails(&[argument(&torus)], 1, "-o");
-    fails(&[argument(&torus), "-o", "rows.parquet"], 1, "Python");
-    fails(&[argument(&torus), "-o", "rows.off"], 1, ".jsonl");
+    fails(&[argument(&torus), "-o", "rows.off"], 1, ".parquet");
     fails(&[argument(&torus), "-o", argument(&folder.path().join("no/rows.csv"))], 1, "folder");
     let out = folder.path().join("rows.csv");
     fails(&[argument(&folder.path().join("models/more/*.stl")), "-o", argument(&out)], 1, "no file fits");

@@ -31,6 +31,7 @@ mod remarks;
 mod render;
 mod schema;
 mod shards;
+mod signatures;
 mod strangers;
 mod surfaces;
 mod three_manifolds;

@@ -162,7 +162,7 @@ def batch(
         Files, folders (their files of known formats), patterns with ``*``, ``?``, ``[``, ``@list.txt`` with one path a line; URLs of
         files and patterns that fsspec understands. One of them or many.
     out
-        A file to write the rows to instead: ``.jsonl``, ``.csv`` or ``.parquet`` (by pyarrow). It appears whole at the end; a call that was cut
+        A file to write the rows to instead: ``.jsonl``, ``.csv`` or ``.parquet``. It appears whole at the end; a call that was cut
         short goes on where it was. Tables have one value a column, as those of ``coface batch``.
     flat
         Whether rows have one value a column; they are the reports with their lists and dictionaries otherwise.
@@ -210,22 +210,7 @@ def batch(
     target = Path(out)
     # Not the rows of an earlier run, in a folder of the files.
     files = [file for file in files if Path(file.split("#")[0]).resolve() != target.resolve()]
-    if target.suffix.lower() != ".parquet":
-        return _summary(_coface._batch_write(files, target, options, progress))
-    _pyarrow()
-    lines = target.with_name(f".{target.name}.jsonl")
-
-    def write() -> BatchSummary:
-        summary = _summary(_coface._batch_write(files, lines, options, progress))
-        try:
-            write_parquet(lines, target, timings)
-        finally:
-            lines.unlink()
-        return summary
-
-    # The rows have no lock of their own once they are all there.
-    summary: BatchSummary = _coface._locked(target.absolute().parent, f".{target.name}.lock", write)
-    return summary
+    return _summary(_coface._batch_write(files, target, options, progress))
 
 
 def worker_options(*, voxels: Mapping[str, Any] | None, **options: Any) -> dict[str, Any]:
@@ -280,85 +265,13 @@ def write_lines(lines: Iterable[str], out: _Path, timings: bool) -> BatchSummary
                 error = json.loads(line)["error"]
                 if error is not None:
                     errors[error["kind"]] = errors.get(error["kind"], 0) + 1
-        if suffix == ".csv":
-            _coface._csv_of_lines(name, target, timings)
-        elif suffix == ".parquet":
-            write_parquet(Path(name), target, timings)
+        if suffix in {".csv", ".parquet"}:
+            _coface._table_of_lines(name, target, timings)
         else:
             _coface._copy_file(name, target)
     finally:
         Path(name).unlink(missing_ok=True)
     return {"files": count, "errors": dict(sorted(errors.items())), "resumed": 0}
-
-
-def write_parquet(lines: Path, out: Path, timings: bool) -> None:
-    """Write rows in a file of JSON lines as Parquet, one value a column, a block at a time."""
-    arrow, parquet = _pyarrow()
-    schema = arrow.schema([])
-    for table in _tables(arrow, lines, timings):
-        schema = arrow.unify_schemas([schema, table.schema], promote_options="permissive")
-    names = _in_order(schema.names)
-    schema = arrow.schema([_typed(arrow, schema.field(name)) for name in names])
-    handle, name = tempfile.mkstemp(prefix=f".{out.name[:100]}.", suffix=".parquet", dir=out.parent)
-    os.close(handle)
-    hidden = Path(name)
-    try:
-        with parquet.ParquetWriter(hidden, schema) as writer:
-            for table in _tables(arrow, lines, timings):
-                columns = [
-                    table[name].cast(field.type) if name in table.column_names else arrow.nulls(len(table), field.type)
-                    for name, field in zip(names, schema, strict=True)
-                ]
-                writer.write_table(arrow.table(columns, schema=schema))
-        _coface._copy_file(hidden, out)
-    finally:
-        hidden.unlink(missing_ok=True)
-
-
-def _tables(arrow: Any, lines: Path, timings: bool) -> Iterable[Any]:
-    """The rows in blocks, each as a table of Arrow."""
-    block: list[dict[str, Any]] = []
-    with lines.open(encoding="utf-8") as file:
-        for line in file:
-            block.append(dict(json.loads(_coface._flat_line(line, timings))))
-            if len(block) == 4096:
-                yield _table(arrow, block)
-                block = []
-    if block:
-        yield _table(arrow, block)
-
-
-def _table(arrow: Any, rows: list[dict[str, Any]]) -> Any:
-    names = _in_order({name: None for row in rows for name in row})
-    return arrow.table({name: [row.get(name) for row in rows] for name in names})
-
-
-def _in_order(names: Iterable[str]) -> list[str]:
-    """Numbered columns behind each other, all others where they are first."""
-    found = list(names)
-    stems: dict[str, int] = {}
-    for name in found:
-        stems.setdefault(_stem(name)[0], len(stems))
-    return sorted(found, key=lambda name: (stems[_stem(name)[0]], _stem(name)[1]))
-
-
-def _stem(name: str) -> tuple[str, int]:
-    stem, _, number = name.rpartition("_")
-    return (stem, int(number)) if number.isdigit() else (name, 0)
-
-
-def _typed(arrow: Any, field: Any) -> Any:
-    """A column in which no row has a value is one of text."""
-    return arrow.field(field.name, arrow.string()) if arrow.types.is_null(field.type) else field
-
-
-def _pyarrow() -> tuple[Any, Any]:
-    try:
-        import pyarrow
-        import pyarrow.parquet
-    except ImportError as error:
-        raise ImportError("Parquet is written by pyarrow: pip install pyarrow") from error
-    return pyarrow, pyarrow.parquet
 
 
 def _summary(counts: tuple[int, dict[str, int], int]) -> BatchSummary:

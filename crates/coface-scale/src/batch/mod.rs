@@ -12,15 +12,16 @@ mod row;
 mod table;
 
 pub use examination::{Examiner, Reading, ReportRequest};
+pub(crate) use examination::Fault;
 pub use files::find_files;
 pub use flat::flat_line;
+pub use crate::tables::TableFormat;
 pub use row::Row;
-pub use table::{TableFormat, csv_of_lines};
+pub use table::table_of_lines;
 
 use crate::workers::{Outcome, WorkerPool};
 use coface_algebra::Error;
 use examination::ReadingText;
-use flat::Columns;
 use journal::{Journal, Sealer, Stamp};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -63,7 +64,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// The number of files, which is that of rows.
+    /// The number of rows: of files, or of lines of lists of signatures.
     pub fn files(&self) -> usize {
         self.files
     }
@@ -96,10 +97,11 @@ impl Summary {
         self.errors.values().sum()
     }
 
-    fn count(&mut self, row: &Row) {
+    /// Counts a row, which has this kind of error or none.
+    pub(crate) fn count_row(&mut self, error_kind: Option<&str>) {
         self.files += 1;
-        if let Some(kind) = row.error_kind() {
-            *self.errors.entry(kind).or_default() += 1;
+        if let Some(kind) = error_kind {
+            *self.errors.entry(kind.to_owned()).or_default() += 1;
         }
     }
 }
@@ -135,7 +137,7 @@ impl Batch {
             |place| self.request(place),
             |place, outcome| {
                 let row = self.row(place, &Stamp::of(&self.files[place]), outcome);
-                summary.count(&row);
+                summary.count_row(row.error_kind().as_deref());
                 take(place, &row)
             },
         )?;
@@ -186,25 +188,17 @@ impl Batch {
                 journal.add(left[i], &seal, &self.row(left[i], &seal.stamp, outcome))
             },
         )?;
-        let mut columns = Columns::default();
         journal.each(|row| {
-            summary.count(row);
-            match format {
-                TableFormat::JsonLines => Ok(()),
-                TableFormat::Csv => {
-                    columns.see(&row.to_table_row()?);
-                    Ok(())
-                }
-            }
+            summary.count_row(row.error_kind().as_deref());
+            Ok(())
         })?;
-        coface_io::replace_file(out, |file| {
-            if format == TableFormat::Csv {
-                table::write_header(file, &columns, self.timings)?;
-            }
-            journal.each(|row| match format {
-                TableFormat::JsonLines => Ok(writeln!(file, "{}", row.to_line(self.timings))?),
-                TableFormat::Csv => table::write_row(file, &columns, &row.to_table_row()?, self.timings),
-            })
+        if format == TableFormat::JsonLines {
+            return coface_io::replace_file(out, |file| {
+                journal.each(|row| Ok(writeln!(file, "{}", row.to_line(self.timings))?))
+            });
+        }
+        table::write_table(out, format, self.timings, |take| {
+            journal.each(|row| take(&row.to_table_row()?))
         })
     }
 

@@ -25,6 +25,10 @@ pub(super) const CASES: &[Case] = &[
         .files(&[("a.csv", "0 1 2\n1 0 1\n2 1 0\n")])
         .answered("coface persistence a.csv --rips")
         .cured(&[&["coface persistence a.csv --rips --distances points"]]),
+    Case::new("commands/batch.rs", "ask coface pi1 about other models")
+        .files(TRIANGLE)
+        .refused("coface batch triangle.off -o rows.csv --with pi1")
+        .cured(&[&["coface pi1 triangle.off"]]),
     Case::new("repair/triangulation.rs", "convert the model without --triangulate")
         .files(TRIANGLE)
         .refused("coface convert triangle.off --triangulate -o a.obj")
