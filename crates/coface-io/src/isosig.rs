@@ -155,7 +155,7 @@ impl SignatureLine {
     /// # Examples
     /// ```
     /// use coface_io::SignatureLines;
-    /// let numbers: Vec<u64> = SignatureLines::new(&b"# two\n\ncMcabbgqw\n"[..]).flatten().map(|line| line.number()).collect();
+    /// let numbers: Vec<u64> = SignatureLines::new(&b"# two\n\ncMcabbjak\n"[..]).flatten().map(|line| line.number()).collect();
     /// assert_eq!(numbers, [3]);
     /// ```
     pub fn number(&self) -> u64 {
@@ -167,8 +167,8 @@ impl SignatureLine {
     /// # Examples
     /// ```
     /// use coface_io::SignatureLines;
-    /// let line = SignatureLines::new(&b"L(3,1)\tcMcabbgqw\n"[..]).flatten().next();
-    /// assert_eq!(line.map(|line| line.signature().to_owned()).as_deref(), Some("cMcabbgqw"));
+    /// let line = SignatureLines::new(&b"L(3,1)\tcMcabbjak\n"[..]).flatten().next();
+    /// assert_eq!(line.map(|line| line.signature().to_owned()).as_deref(), Some("cMcabbjak"));
     /// ```
     pub fn signature(&self) -> &str {
         &self.signature
@@ -179,7 +179,7 @@ impl SignatureLine {
     /// # Examples
     /// ```
     /// use coface_io::SignatureLines;
-    /// let line = SignatureLines::new(&b"cMcabbgqw L(3,1) : #1\n"[..]).flatten().next();
+    /// let line = SignatureLines::new(&b"cMcabbjak L(3,1) : #1\n"[..]).flatten().next();
     /// assert_eq!(line.as_ref().and_then(|line| line.name()), Some("L(3,1) : #1"));
     /// ```
     pub fn name(&self) -> Option<&str> {
@@ -191,7 +191,7 @@ impl SignatureLine {
     /// # Examples
     /// ```
     /// use coface_io::SignatureLines;
-    /// let lines = SignatureLines::new(&b"cMcabbgqw\nnone\n"[..]).flatten();
+    /// let lines = SignatureLines::new(&b"cMcabbjak\nnone\n"[..]).flatten();
     /// let faults: Vec<Option<u64>> = lines.map(|line| line.table().as_ref().err().and_then(|error| error.line())).collect();
     /// assert_eq!(faults, [None, Some(2)]);
     /// ```
@@ -213,7 +213,7 @@ impl SignatureLine {
 /// ```
 /// use coface_io::SignatureLines;
 /// # fn main() -> Result<(), coface_algebra::Error> {
-/// let list = b"# closed\ncMcabbgqw L(3,1)\nL(8,3)\tcMcabbjak\n";
+/// let list = b"# closed\ncMcabbjak L(3,1)\nL(8,3)\tcMcabbjqs\n";
 /// let names: Vec<Option<String>> =
 ///     SignatureLines::new(&list[..]).map(|line| Ok(line?.name().map(str::to_owned))).collect::<Result<_, coface_algebra::Error>>()?;
 /// assert_eq!(names, [Some("L(3,1)".to_owned()), Some("L(8,3)".to_owned())]);
@@ -238,7 +238,7 @@ impl<R: Read> SignatureLines<R> {
     }
 }
 
-impl SignatureLines<Box<dyn Read + Send>> {
+impl SignatureLines<Box<dyn Read>> {
     /// The lines of a file, which may be compressed.
     ///
     /// # Errors

@@ -4,7 +4,9 @@ use crate::errors::{OrRaise, invalid};
 use crate::model::format_of;
 use crate::volumes::{Voxels, reading_of};
 use crate::work::run;
+use coface::answers::SignatureRequest;
 use coface::scale::batch::{Batch, Reading, TableFormat};
+use coface::scale::signatures::{SignatureBatch, SignatureRows};
 use coface::scale::workers::{Limits, WorkerCommand, WorkerPool};
 use coface::{Error, ErrorKind};
 use pyo3::exceptions::PyMemoryError;
@@ -93,7 +95,7 @@ pub(crate) fn _batch_lines(
     Ok(lines)
 }
 
-/// Writes the rows of files to a file of JSON lines or CSV: the numbers of rows, of errors by kind, and of rows from an earlier run.
+/// Writes the rows of files to a table: the numbers of rows, of errors by kind, and of rows from an earlier run.
 #[pyfunction]
 #[pyo3(signature = (files, out, options, progress=None))]
 pub(crate) fn _batch_write(
@@ -109,17 +111,62 @@ pub(crate) fn _batch_write(
     Ok((summary.files(), summary.errors().clone(), summary.resumed()))
 }
 
-/// Writes rows in a file of JSON lines as CSV.
+/// Writes rows in a file of JSON lines as CSV or Parquet.
 #[pyfunction]
 pub(crate) fn _table_of_lines(py: Python<'_>, lines: PathBuf, out: PathBuf, timings: bool) -> PyResult<()> {
     run(py, None, || coface::scale::batch::table_of_lines(&lines, &out, timings))
 }
 
-/// Calls a function while no other run has the lock of this name in a folder.
+/// The rows of lists of signatures as lines of JSON, as they are asked for.
+#[pyclass(unsendable, module = "coface._coface")]
+pub(crate) struct _SignatureRows {
+    rows: SignatureRows,
+}
+
+#[pymethods]
+impl _SignatureRows {
+    #[new]
+    fn new(files: Vec<PathBuf>, groups: bool, pseudomanifold: bool, jobs: Option<usize>) -> Self {
+        Self { rows: signature_batch(files, groups, pseudomanifold, jobs).rows() }
+    }
+
+    fn __iter__(this: PyRef<'_, Self>) -> PyRef<'_, Self> {
+        this
+    }
+
+    fn __next__(&mut self, py: Python<'_>) -> PyResult<Option<String>> {
+        self.rows.next().transpose().or_raise(py).map(|row| row.map(|row| row.to_line()))
+    }
+}
+
+fn signature_batch(
+    files: Vec<PathBuf>,
+    groups: bool,
+    pseudomanifold: bool,
+    jobs: Option<usize>,
+) -> SignatureBatch {
+    let mut batch = SignatureBatch::new(files);
+    batch.request = SignatureRequest::new().groups(groups).pseudomanifold(pseudomanifold);
+    batch.jobs = jobs.unwrap_or_else(|| available_parallelism().map_or(1, usize::from));
+    batch
+}
+
+/// Writes the rows of lists of signatures to a table: the numbers of rows, and of errors by kind.
 #[pyfunction]
-pub(crate) fn _locked(py: Python<'_>, folder: PathBuf, name: &str, work: Py<PyAny>) -> PyResult<Py<PyAny>> {
-    let _lock = coface::io::FolderLock::take(&folder, name).or_raise(py)?;
-    work.call0(py)
+#[pyo3(signature = (files, out, groups, pseudomanifold, jobs, progress=None))]
+pub(crate) fn _signatures_write(
+    py: Python<'_>,
+    files: Vec<PathBuf>,
+    out: PathBuf,
+    groups: bool,
+    pseudomanifold: bool,
+    jobs: Option<usize>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<(usize, BTreeMap<String, usize>, usize)> {
+    let format = TableFormat::of_path(&out).or_raise(py)?;
+    let batch = signature_batch(files, groups, pseudomanifold, jobs);
+    let summary = run(py, progress, || batch.write(&out, format))?;
+    Ok((summary.files(), summary.errors().clone(), summary.resumed()))
 }
 
 /// Writes a file that appears whole or not at all.

@@ -118,7 +118,8 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(batch::_batch_lines, module)?)?;
     module.add_function(wrap_pyfunction!(batch::_batch_write, module)?)?;
     module.add_function(wrap_pyfunction!(batch::_table_of_lines, module)?)?;
-    module.add_function(wrap_pyfunction!(batch::_locked, module)?)?;
+    module.add_function(wrap_pyfunction!(batch::_signatures_write, module)?)?;
+    module.add_class::<batch::_SignatureRows>()?;
     module.add_function(wrap_pyfunction!(batch::_replace_file, module)?)?;
     module.add_function(wrap_pyfunction!(batch::_copy_file, module)?)?;
     module.add_function(wrap_pyfunction!(batch::_find_files, module)?)?;

@@ -139,3 +139,17 @@ def test_voxels_are_set_as_asked(tmp_path: Path) -> None:
     assert row["f_vector"][3] == 2
     with pytest.raises(coface.InvalidInputError, match="one rule"):
         coface.batch(tmp_path / "x.npy", voxels={"threshold": 1, "below": 2})
+
+
+def test_lists_of_signatures_are_streams(tmp_path: Path) -> None:
+    census = tmp_path / "census.txt"
+    census.write_text("# closed\ncMcabbjak L(3,1)\nL(8,3)\tcMcabbjqs\ncPcbbbiht\nxyz\n")
+    rows = coface.signatures(census, groups=True, jobs=1)
+    assert next(rows)["groups"][0]["name"] == "Z/3"
+    assert [row["line"] for row in rows] == [3, 4, 5]
+    said = coface.signatures([census, tmp_path / "none.sig"], tmp_path / "rows.csv")
+    assert said == {"files": 5, "errors": {"io": 1, "parse": 1}, "resumed": 0}
+    knot = list(coface.signatures(census, pseudomanifold=True))[2]
+    assert (knot["manifold"], knot["homology"][1]["betti"]) == ("no", 0)
+    with pytest.raises(coface.UnsupportedFormatError):
+        coface.signatures(census, tmp_path / "rows.xlsx")

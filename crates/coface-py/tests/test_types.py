@@ -79,7 +79,7 @@ def test_the_stub_has_the_docstrings() -> None:
 
 def test_results_have_types() -> None:
     """No result of the stub is Any, but those of other libraries."""
-    foreign = {"plot", "to_shapely", "__reduce__", "_locked", "from_dict"}
+    foreign = {"plot", "to_shapely", "__reduce__", "from_dict"}
     found = []
     for node in ast.walk(ast.parse((PACKAGE / "_coface.pyi").read_text(encoding="utf-8"))):
         if isinstance(node, ast.FunctionDef) and node.returns is not None and node.name not in foreign:

@@ -73,7 +73,7 @@ from coface._coface import (
     matrix_svg,
     read,
 )
-from coface._batch import BatchRow, BatchSummary, batch
+from coface._batch import BatchRow, BatchSummary, batch, signatures
 from coface._chains import (
     classes,
     cup_products,
@@ -250,6 +250,7 @@ __all__ = [
     "read",
     "render",
     "rips",
+    "signatures",
     "to_geopandas",
     "to_gudhi",
     "to_meshio",

@@ -6,7 +6,7 @@ import json
 import os
 import sys
 import tempfile
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any, Literal, TypedDict, overload
 
@@ -211,6 +211,77 @@ def batch(
     # Not the rows of an earlier run, in a folder of the files.
     files = [file for file in files if Path(file.split("#")[0]).resolve() != target.resolve()]
     return _summary(_coface._batch_write(files, target, options, progress))
+
+
+@overload
+def signatures(
+    paths: _Path | Iterable[_Path],
+    out: None = None,
+    *,
+    groups: bool = ...,
+    pseudomanifold: bool = ...,
+    jobs: int | None = ...,
+    progress: _Progress = ...,
+) -> Iterator[dict[str, Any]]: ...
+@overload
+def signatures(
+    paths: _Path | Iterable[_Path],
+    out: _Path,
+    *,
+    groups: bool = ...,
+    pseudomanifold: bool = ...,
+    jobs: int | None = ...,
+    progress: _Progress = ...,
+) -> BatchSummary: ...
+@in_words
+def signatures(
+    paths: _Path | Iterable[_Path],
+    out: _Path | None = None,
+    *,
+    groups: bool = False,
+    pseudomanifold: bool = False,
+    jobs: int | None = None,
+    progress: _Progress = False,
+) -> Iterator[dict[str, Any]] | BatchSummary:
+    """Homology and verdicts of the 3-manifolds in lists of isomorphism signatures: one row a line, as the lines come.
+
+    A line has a signature and perhaps a name, in either order, with tabs or blanks between them; empty lines and those that begin with ``#`` are
+    passed over. What is wrong with a line is in its row. Memory does not grow with the files.
+
+    Parameters
+    ----------
+    paths
+        Text files, compressed or not. One of them or many.
+    out
+        A file to write the rows to instead: ``.jsonl``, ``.csv`` or ``.parquet``. It appears whole at the end.
+    groups
+        Whether rows have the fundamental groups with their names.
+    pseudomanifold
+        Whether ideal vertices are points, and are not cut off.
+    jobs
+        How many lines are looked at at once; one a core by default.
+    progress
+        ``True`` shows a bar; a function is called with (stage, done, total). With `out` only.
+
+    Returns
+    -------
+    iterator of dict, or BatchSummary
+        Rows with the keys ``path``, ``line``, ``name``, ``signature``, ``error`` (``None``, or ``kind``, ``message`` and ``cure``) and, without an error,
+        ``f_vector``, ``components``, ``closed``, ``ideal_vertices``, ``euler_characteristic``, ``manifold``, ``witness``, ``orientable``, ``homology`` and,
+        if asked for, ``groups``; with `out` the numbers of rows and errors.
+
+    Examples
+    --------
+    >>> import coface, pathlib, tempfile
+    >>> census = pathlib.Path(tempfile.mkdtemp()) / "census.sig"
+    >>> _ = census.write_text("cMcabbjak L(3,1)\\nL(8,3)\\tcMcabbjqs\\nxyz\\n")
+    >>> [(row["name"], row["error"] is None and row["homology"][1]["torsion"]) for row in coface.signatures(census)]
+    [('L(3,1)', [3]), ('L(8,3)', [8]), (None, False)]
+    """
+    files = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
+    if out is not None:
+        return _summary(_coface._signatures_write(files, out, groups, pseudomanifold, jobs, progress))
+    return map(json.loads, _coface._SignatureRows(files, groups, pseudomanifold, jobs))
 
 
 def worker_options(*, voxels: Mapping[str, Any] | None, **options: Any) -> dict[str, Any]:

@@ -99,7 +99,7 @@ mod tests {
 
     #[test]
     fn each_row_has_a_value_a_column() {
-        let list = b"cMcabbgqw\tL(3,1)\ncPcbbbiht\nnone of them\n";
+        let list = b"cMcabbjak\tL(3,1)\ncPcbbbiht\nnone of them\n";
         for request in [SignatureRequest::new(), SignatureRequest::new().groups(true)] {
             let names: Vec<String> = columns(request).into_iter().map(|column| column.name).collect();
             let mut found = Vec::new();

@@ -22,7 +22,7 @@ pub struct SignatureRows {
     pub(super) jobs: usize,
     /// The lists that were not opened yet.
     pub(super) files: std::vec::IntoIter<PathBuf>,
-    pub(super) open: Option<(String, SignatureLines<Box<dyn Read + Send>>)>,
+    pub(super) open: Option<(String, SignatureLines<Box<dyn Read>>)>,
     pub(super) ready: VecDeque<SignatureRow>,
     pub(super) pool: Option<rayon::ThreadPool>,
 }
@@ -35,7 +35,7 @@ impl fmt::Debug for SignatureRows {
 
 impl SignatureRows {
     /// Makes the rows of the next block of lines ready.
-    fn read_on(&mut self, path: String, mut lines: SignatureLines<Box<dyn Read + Send>>) -> Result<(), Error> {
+    fn read_on(&mut self, path: String, mut lines: SignatureLines<Box<dyn Read>>) -> Result<(), Error> {
         let mut block = Vec::with_capacity(BLOCK);
         let mut fault = None;
         let mut is_over = false;
