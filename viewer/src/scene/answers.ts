@@ -18,7 +18,7 @@ export interface AttributeColumn {
 export interface BatchAnswer {
   /** The numbers of rows that are errors, by kind. */
   errors: Record<string, number>;
-  /** The number of files, which is that of rows. */
+  /** The number of rows: of files, of models in files, or of lines of lists of signatures. */
   files: number;
   /** The file that was written. */
   output: string;
@@ -1498,6 +1498,18 @@ export interface PolygonizeAnswer {
   dangles: number;
 }
 
+/** A fundamental group in a row, by a presentation that was simplified. */
+export interface PresentedGroup {
+  /** The abelianization. */
+  abelianization: GroupAnswer;
+  /** The number of generators. */
+  generators: number;
+  /** The group in words; `null` if it is not recognized, which says nothing. */
+  name?: string | null;
+  /** The relators: i is generator i, counted from 1, -i its inverse, and the product of the letters is the unit. */
+  relators: number[][];
+}
+
 /** One sort of fault with its places. */
 export interface ProblemAnswer {
   /** The first cells that have it, each by its vertices. */
@@ -1712,6 +1724,33 @@ export interface ShardAnswer {
   parts: number;
   /** What was assumed or left out. */
   remarks: Remark[];
+}
+
+/**
+ * What is known of the gluing table of a signature. Ideal vertices are cut off unless they are taken as points: manifold, homology
+ * and groups are those of the space with boundary that is left.
+ */
+export interface SignatureAnswer {
+  /** Whether every triangle lies in two tetrahedra. */
+  closed: boolean;
+  /** The number of connected components. */
+  components: number;
+  /** The Euler characteristic of the space. */
+  euler_characteristic: number;
+  /** The numbers of vertices, edges, triangles and tetrahedra of the triangulation. */
+  f_vector: number[];
+  /** The fundamental group of each component; absent unless it is asked for. */
+  groups?: PresentedGroup[] | null;
+  /** The integral homology of degrees 0 to 3. */
+  homology: HomologyGroup[];
+  /** How many vertices have a link that is a closed surface other than the sphere. */
+  ideal_vertices: number;
+  /** Whether the space is a manifold: `yes`, `no` or `unknown`. */
+  manifold: string;
+  /** Whether the tetrahedra can be oriented so that neighbors agree. */
+  orientable: boolean;
+  /** Why it is none; `null` for manifolds. */
+  witness?: string | null;
 }
 
 /** A set of simplices of a complex. */
