@@ -291,6 +291,11 @@ impl Columns {
         let mut words = choices.iter().enumerate().filter(|(_, (word, _))| is_word(word)).map(|(at, _)| at);
         let (at, table) = match (words.next(), words.next()) {
             (None, _) => (0, None),
+            // A first column with a wrong letter is better named than a name that looks like one.
+            (Some(only), None) if only > 0 => match table_of(choices[only].0) {
+                Some(table) => (only, Some(table)),
+                None => (0, None),
+            },
             (Some(only), None) => (only, None),
             _ => choices
                 .iter()
