@@ -72,21 +72,20 @@ impl<'a, E: Entry> MorseComplex<'a, E> {
         let total = (1..complex.degree_count()).filter(flows).map(|k| matching.critical_cells(k).len()).sum();
         let steps = stage("cancelling pairs", total);
         let cell_count = complex.f_vector().iter().sum();
-        let boundaries =
-            threads::mapped(complex.degree_count().saturating_sub(1), cell_count, |below| {
-                let degree = below + 1;
-                let cells = matching.critical_cells(degree);
-                if cells.is_empty() || matching.has_zero_boundary(degree) {
-                    return vec![Vec::new(); cells.len()];
-                }
-                let mut flow = Flow::new(&complex, &matching, degree, &steps);
-                let boundary = |&cell: &u32| {
-                    let boundary = flow.boundary(&[(cell, Integer::ONE)]);
-                    steps.advance(1);
-                    boundary
-                };
-                cells.iter().map(boundary).collect()
-            });
+        let boundaries = threads::mapped(complex.degree_count().saturating_sub(1), cell_count, |below| {
+            let degree = below + 1;
+            let cells = matching.critical_cells(degree);
+            if cells.is_empty() || matching.has_zero_boundary(degree) {
+                return vec![Vec::new(); cells.len()];
+            }
+            let mut flow = Flow::new(&complex, &matching, degree, &steps);
+            let boundary = |&cell: &u32| {
+                let boundary = flow.boundary(&[(cell, Integer::ONE)]);
+                steps.advance(1);
+                boundary
+            };
+            cells.iter().map(boundary).collect()
+        });
         Self { complex, matching, boundaries }
     }
 

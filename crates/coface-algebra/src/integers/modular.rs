@@ -35,12 +35,12 @@ pub(crate) fn rank_and_minor(rows: &[SparseVector], column_count: usize) -> (usi
         );
         let work = primes.len().saturating_mul(rows.len()).saturating_mul(rank * column_count);
         let residues: Vec<(u32, bool)> = threads::mapped(primes.len(), work, |at| {
-                let prime = primes[at];
-                let determinant = Residues::new(&minor, rank, prime).eliminate(&steps).determinant;
-                let grows = !is_full
-                    && Residues::new(rows, column_count, prime).eliminate(&steps).pivots.0.len() > rank;
-                (determinant, grows)
-            });
+            let prime = primes[at];
+            let determinant = Residues::new(&minor, rank, prime).eliminate(&steps).determinant;
+            let grows =
+                !is_full && Residues::new(rows, column_count, prime).eliminate(&steps).pivots.0.len() > rank;
+            (determinant, grows)
+        });
         if let Some(at) = residues.iter().position(|&(_, grows)| grows) {
             first_prime = primes[at];
             continue 'search;

@@ -168,16 +168,16 @@ impl<E: Entry> SparseMatrix<E> {
         let steps = stage("multiplying matrices of large integers", other.column_count());
         let work = self.entries().len() + other.entries().len();
         let columns: Vec<Vec<(u32, Integer)>> = threads::mapped(other.column_count(), work, |j| {
-                steps.pass(j);
-                let mut terms = Vec::new();
-                for (k, factor) in other.column(j).terms() {
-                    let factor = factor.to_integer();
-                    terms.extend(
-                        self.column(k).terms().map(|(i, entry)| (narrow(i), &entry.to_integer() * &factor)),
-                    );
-                }
-                terms
-            });
+            steps.pass(j);
+            let mut terms = Vec::new();
+            for (k, factor) in other.column(j).terms() {
+                let factor = factor.to_integer();
+                terms.extend(
+                    self.column(k).terms().map(|(i, entry)| (narrow(i), &entry.to_integer() * &factor)),
+                );
+            }
+            terms
+        });
         WideMatrix::from_integer_columns(self.row_count(), columns)
     }
 }

@@ -83,7 +83,6 @@ pub use info::{
     WitnessAnswer,
 };
 pub use isomorphic::IsomorphicAnswer;
-pub use signatures::{PresentedGroup, SignatureAnswer};
 pub use loops::{
     CyclesAnswer, HomotopicAnswer, HomotopicComponent, LoopsAnswer, LoopsComponent, SubgroupsAnswer,
     SubgroupsComponent, TreesAnswer,
@@ -103,6 +102,7 @@ pub use remark::{Place, Remark, RemarkCode};
 pub use schema::reprinted;
 pub use schema::schema;
 pub use shards::{ReduceAnswer, ReducedShard, ShardAnswer};
+pub use signatures::{PresentedGroup, SignatureAnswer};
 pub use simplices::SimplicesAnswer;
 pub use view::{LayerAnswer, ViewAnswer};
 pub use yin::{

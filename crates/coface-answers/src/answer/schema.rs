@@ -5,10 +5,11 @@ use super::{
     CoverAnswer, CutAnswer, CyclesAnswer, DissolveAnswer, DoubleCoverAnswer, EditAnswer, GenerateAnswer,
     HomologyAnswer, HomotopicAnswer, IncidenceAnswer, InfoAnswer, InfoReports, IsomorphicAnswer, LoopsAnswer,
     MapAnswer, PersistenceAnswer, Pi1Answer, PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer,
-    RenderAnswer, RowAnswer, ShardAnswer, SignatureAnswer, SimplicesAnswer, SolidBooleanAnswer, SpatialArrangementAnswer,
-    SubgroupsAnswer, ViewAnswer, YinAdvectAnswer, YinCombinationAnswer, YinComparisonAnswer,
-    YinCurvatureAnswer, YinCutCellsAnswer, YinInfoAnswer, YinInterfaceAnswer, YinKinksAnswer,
-    YinLocateAnswer, YinNormalizeAnswer, YinSampleAnswer, YinSeriesAnswer, YinSetAnswer, YinValidationAnswer,
+    RenderAnswer, RowAnswer, ShardAnswer, SignatureAnswer, SimplicesAnswer, SolidBooleanAnswer,
+    SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer, YinAdvectAnswer, YinCombinationAnswer,
+    YinComparisonAnswer, YinCurvatureAnswer, YinCutCellsAnswer, YinInfoAnswer, YinInterfaceAnswer,
+    YinKinksAnswer, YinLocateAnswer, YinNormalizeAnswer, YinSampleAnswer, YinSeriesAnswer, YinSetAnswer,
+    YinValidationAnswer,
 };
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};

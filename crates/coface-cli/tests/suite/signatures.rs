@@ -44,7 +44,8 @@ fn every_line_has_a_row_and_bad_ones_stop_nothing() {
     }
     let strict = coface(&["batch", argument(&list), "-o", argument(&out), "--strict"]);
     assert!(strict.fails_with(1).contains("2 of 7 rows are errors"));
-    let whole = coface(&["batch", argument(&list), "-o", argument(&out), "--pseudomanifold", "--json"]).json();
+    let whole =
+        coface(&["batch", argument(&list), "-o", argument(&out), "--pseudomanifold", "--json"]).json();
     assert_eq!(whole["files"], 7);
     assert_eq!(rows(&out)[3]["manifold"], "no");
 }
@@ -62,13 +63,17 @@ fn texts_and_several_lists_are_streams_and_jobs_do_not_matter() {
     fs::write(&second, LIST).unwrap();
     let lists = [argument(&first), argument(&second)];
     for (out, jobs) in [(&one, "1"), (&two, "3")] {
-        let run = coface(&["batch", lists[0], lists[1], "-o", argument(out), "--jobs", jobs, "--with", "pi1"]);
+        let run =
+            coface(&["batch", lists[0], lists[1], "-o", argument(out), "--jobs", jobs, "--with", "pi1"]);
         assert!(run.stdout.ends_with(": 707 lines, 2 errors (2 parse)\n"), "{} {}", run.stdout, run.stderr);
     }
     let table = fs::read_to_string(&one).unwrap();
     assert_eq!(table, fs::read_to_string(&two).unwrap());
     assert_eq!(table.lines().count(), 708);
-    assert!(table.starts_with("path,line,name,signature,error_kind,error_message,error_cure,f_0,"), "{table:.80}");
+    assert!(
+        table.starts_with("path,line,name,signature,error_kind,error_message,error_cure,f_0,"),
+        "{table:.80}"
+    );
     assert!(table.lines().next().unwrap().ends_with(",orientable,group,group_generators,group_relators"));
 }
 

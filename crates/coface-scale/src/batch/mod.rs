@@ -11,11 +11,11 @@ mod journal;
 mod row;
 mod table;
 
-pub use examination::{Examiner, Reading, ReportRequest};
+pub use crate::tables::TableFormat;
 pub(crate) use examination::Fault;
+pub use examination::{Examiner, Reading, ReportRequest};
 pub use files::find_files;
 pub use flat::flat_line;
-pub use crate::tables::TableFormat;
 pub use row::Row;
 pub use table::table_of_lines;
 
@@ -197,9 +197,7 @@ impl Batch {
                 journal.each(|row| Ok(writeln!(file, "{}", row.to_line(self.timings))?))
             });
         }
-        table::write_table(out, format, self.timings, |take| {
-            journal.each(|row| take(&row.to_table_row()?))
-        })
+        table::write_table(out, format, self.timings, |take| journal.each(|row| take(&row.to_table_row()?)))
     }
 
     fn request(&self, place: usize) -> String {

@@ -62,7 +62,9 @@ pub(super) fn values(row: &SignatureRow, request: SignatureRequest) -> Vec<Cell>
     let count = |degree: usize| answer.and_then(|answer| answer.f_vector.get(degree)).copied();
     cells.extend((0..=DIMENSION).map(|degree| Cell::from(count(degree))));
     cells.extend((0..=DIMENSION).map(|degree| Cell::from(group(degree).map(|group| group.betti))));
-    cells.extend((0..=DIMENSION).map(|degree| Cell::from(group(degree).map(|group| joined(&group.torsion, " ")))));
+    cells.extend(
+        (0..=DIMENSION).map(|degree| Cell::from(group(degree).map(|group| joined(&group.torsion, " ")))),
+    );
     let fact = |value: fn(&SignatureAnswer) -> Cell| answer.map_or(Cell::Nothing, value);
     cells.extend([
         fact(|answer| answer.components.into()),

@@ -63,7 +63,8 @@ pub fn are_signature_lists(files: &[PathBuf], format: Option<Format>) -> bool {
         None if path.is_dir() => false,
         None => {
             Format::from_path(path) == Some(Format::Isosig)
-                || path.is_file() && coface_io::format_of_path(path, None).is_ok_and(|found| found == Format::Isosig)
+                || path.is_file()
+                    && coface_io::format_of_path(path, None).is_ok_and(|found| found == Format::Isosig)
         }
     };
     !files.is_empty() && files.iter().all(is_list)

@@ -92,7 +92,8 @@ impl<'a> ParquetWriter<'a> {
         self.end_block()?;
         let footer = self.footer();
         self.out.write_all(&footer)?;
-        let length = u32::try_from(footer.len()).map_err(|_| Error::invalid("the table has too many blocks"))?;
+        let length =
+            u32::try_from(footer.len()).map_err(|_| Error::invalid("the table has too many blocks"))?;
         self.out.write_all(&length.to_le_bytes())?;
         Ok(self.out.write_all(MARK)?)
     }

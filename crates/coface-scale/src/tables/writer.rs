@@ -1,8 +1,8 @@
 //! Rows written one after the other.
 
+use super::Cell;
 use super::csv::field;
 use super::parquet::ParquetWriter;
-use super::Cell;
 use coface_algebra::Error;
 use std::io::Write;
 
@@ -116,9 +116,6 @@ mod tests {
         let text = |text: &str| Cell::from(text);
         Kind::see(&mut kinds, &[Cell::Nothing, 1_u64.into(), 1_u64.into(), true.into()]);
         Kind::see(&mut kinds, &[Cell::Nothing, (-1_i64).into(), 0.5.into(), text("x"), text("y")]);
-        assert_eq!(
-            kinds,
-            [None, Some(Kind::Whole), Some(Kind::Real), Some(Kind::Text), Some(Kind::Text)]
-        );
+        assert_eq!(kinds, [None, Some(Kind::Whole), Some(Kind::Real), Some(Kind::Text), Some(Kind::Text)]);
     }
 }
