@@ -14,7 +14,7 @@ const ENOUGH: usize = 1 << 13;
 /// ```
 pub fn mapped<T: Send>(count: usize, steps: usize, image: impl Fn(usize) -> T + Sync) -> Vec<T> {
     match is_enough(steps) {
-        true => (0..count).into_par_iter().map(|i| image(i)).collect(),
+        true => (0..count).into_par_iter().map(&image).collect(),
         false => (0..count).map(image).collect(),
     }
 }
