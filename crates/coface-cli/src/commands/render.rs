@@ -8,7 +8,7 @@ use crate::input::{self, Source};
 use crate::output::{print_bytes, print_json, write_file};
 use crate::progress::Progress;
 use crate::remarks::say_remarks;
-use clap::Args;
+use clap::{Args, ValueEnum};
 use coface::answers::answer::{Remark, RemarkCode, RenderAnswer};
 use coface::answers::{
     GeometryCheck, Growth, PersistenceRequest, PlanarSet, Report, ReportRequest, SetRequest,
@@ -16,18 +16,19 @@ use coface::answers::{
 use coface::io::Format;
 use coface::pictures::{
     Camera, DiagramPoint, FlatPicture, Pane, Picture, PictureStyle, Scene, SetPicture, diagram_picture,
-    matrix_picture, pane_picture, set_picture,
+    matrix_picture, pane_picture, set_picture, spin_png,
 };
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
-/// Draw a model as PNG or SVG, without a browser.
+/// Draw a model as PNG, SVG or PDF, without a browser.
 ///
 /// The picture is shaded, with edges where there is room for them, and with what --with gives drawn over it: generators, seams, loops, cocycles,
 /// sets of simplices. What is hidden is left out; hidden parts of lines given by --with are thin and faint. Sets of the plane are drawn with
 /// their curves, knots and kinks. --matrix, --diagram and --forest draw other pictures of the input.
 ///
-/// The file named by -o has the format of its extension, .png or .svg; without -o an SVG goes to standard output.
+/// The file named by -o has the format of its extension, .png, .svg or .pdf; without -o an SVG goes to standard output. PDF has vectors: a
+/// pixel is 0.75 points.
 #[derive(Args)]
 pub(crate) struct Render {
     /// The model; - is standard input
@@ -57,6 +58,21 @@ pub(crate) struct Render {
     /// A dark background
     #[arg(long)]
     dark: bool,
+    /// No background: what lies behind the picture shows through
+    #[arg(long, conflicts_with = "spin")]
+    transparent: bool,
+    /// The width of the lines of --with in points; hidden parts are half as wide [default: 2.25]
+    #[arg(long, value_name = "POINTS", value_parser = width)]
+    line_width: Option<f64>,
+    /// The width of edges in points [default: 0.45]
+    #[arg(long, value_name = "POINTS", value_parser = width)]
+    edge_width: Option<f64>,
+    /// Write the numbers of cells beside them: vertices, edges (in the order of their ends), faces; several with commas
+    #[arg(long, value_name = "CELLS", value_delimiter = ',')]
+    label: Vec<Labeled>,
+    /// Let the model turn once about what is up: an animated PNG of so many frames, 24 a second
+    #[arg(long, value_name = "FRAMES", num_args = 0..=1, default_missing_value = "72", require_equals = true)]
+    spin: Option<u32>,
     /// Mark what is wrong: the witness of the report
     #[arg(long)]
     witness: bool,
@@ -81,8 +97,37 @@ pub(crate) struct Render {
 }
 
 /// Options of pictures in space.
-const SCENE_OPTIONS: [&str; 9] =
-    ["with", "from", "up", "perspective", "edges", "no_edges", "dark", "witness", "pane"];
+const SCENE_OPTIONS: [&str; 13] = [
+    "with",
+    "from",
+    "up",
+    "perspective",
+    "edges",
+    "no_edges",
+    "dark",
+    "witness",
+    "pane",
+    "line_width",
+    "edge_width",
+    "label",
+    "spin",
+];
+
+/// Cells whose numbers are written.
+#[derive(Clone, Copy, ValueEnum)]
+enum Labeled {
+    Vertices,
+    Edges,
+    Faces,
+}
+
+/// Points in a pixel: 72 of one and 96 of the other to the inch.
+const POINTS: f64 = 0.75;
+
+fn width(text: &str) -> Result<f64, String> {
+    let width: Option<f64> = text.parse().ok().filter(|&width| width > 0.0 && width <= 700.0);
+    width.ok_or_else(|| "give a width in points above 0, such as 1.5".to_owned())
+}
 
 fn size(text: &str) -> Result<[usize; 2], String> {
     let sides = text.split_once('x').map(|(width, height)| (width.parse(), height.parse()));
@@ -105,6 +150,7 @@ fn direction(text: &str) -> Result<[f64; 3], String> {
 enum PictureFormat {
     Png,
     Svg,
+    Pdf,
 }
 
 /// A picture without a size asked for has this.
@@ -122,10 +168,7 @@ impl Render {
         let bytes = match self.flat(&source, common, &progress)? {
             Some(picture) => {
                 progress.stage("drawing");
-                match format {
-                    PictureFormat::Png => picture.png(self.size.unwrap_or_else(|| usual_size(&picture)))?,
-                    PictureFormat::Svg => picture.svg(self.size)?.into_bytes(),
-                }
+                self.bytes_of(picture, format)?
             }
             None => self.scene(&source, format, common, &progress, &mut remarks)?,
         };
@@ -170,8 +213,16 @@ impl Render {
             let set = self.set(source, common).map_err(|error| error.in_file(name))?;
             return Ok(Some(set_picture(&set, SetPicture::Forest)?));
         }
-        let is_in_space = self.from.is_some() || self.up.is_some() || self.perspective.is_some();
-        let has_marks = !self.with.is_empty() || self.witness || self.dark || self.edges || self.no_edges;
+        let is_in_space =
+            self.from.is_some() || self.up.is_some() || self.perspective.is_some() || self.spin.is_some();
+        let has_widths = self.line_width.is_some() || self.edge_width.is_some();
+        let has_marks = !self.with.is_empty()
+            || self.witness
+            || self.dark
+            || self.edges
+            || self.no_edges
+            || !self.label.is_empty()
+            || has_widths;
         if is_in_space || has_marks || !may_be_a_set(source, common) {
             return Ok(None);
         }
@@ -248,11 +299,7 @@ impl Render {
         }
         if let Some(name) = &self.pane {
             let pane = pane_named(&scene, name)?;
-            let picture = pane_picture(pane);
-            return Ok(match format {
-                PictureFormat::Png => picture.png(self.size.unwrap_or_else(|| usual_size(&picture)))?,
-                PictureFormat::Svg => picture.svg(self.size)?.into_bytes(),
-            });
+            return self.bytes_of(pane_picture(pane), format);
         }
         if !scene.panes().is_empty() {
             let message = format!("not drawn: {}; --pane draws it instead", pane_names(&scene));
@@ -267,10 +314,36 @@ impl Render {
             scene = scene.with_report(&report.answer(100));
             progress.stage("drawing");
         }
-        let picture = Picture::new(&scene, &self.style(&scene))?;
+        for cells in &self.label {
+            let dimension = match cells {
+                Labeled::Vertices => 0,
+                Labeled::Edges => 1,
+                Labeled::Faces => 2,
+            };
+            scene.label_cells(dimension).map_err(in_file)?;
+        }
+        let style = self.style(&scene);
+        if let Some(frames) = self.spin {
+            if format != PictureFormat::Png {
+                return Err(Failure::new("--spin: an animation is a PNG; name the output *.png"));
+            }
+            return Ok(spin_png(&scene, &style, frames, 1000 / 24)?);
+        }
+        let picture = Picture::new(&scene, &style)?;
         Ok(match format {
             PictureFormat::Png => picture.png()?,
             PictureFormat::Svg => picture.svg().into_bytes(),
+            PictureFormat::Pdf => picture.pdf(),
+        })
+    }
+
+    /// A flat picture as a file.
+    fn bytes_of(&self, picture: FlatPicture, format: PictureFormat) -> Result<Vec<u8>, Failure> {
+        let picture = if self.transparent { picture.transparent() } else { picture };
+        Ok(match format {
+            PictureFormat::Png => picture.png(self.size.unwrap_or_else(|| usual_size(&picture)))?,
+            PictureFormat::Svg => picture.svg(self.size)?.into_bytes(),
+            PictureFormat::Pdf => picture.pdf(self.size)?,
         })
     }
 
@@ -278,6 +351,9 @@ impl Render {
         let mut style = PictureStyle::default();
         style.size = self.size.unwrap_or(SIZE);
         style.is_dark = self.dark;
+        style.is_transparent = self.transparent;
+        style.line_width = self.line_width.map_or(style.line_width, |points| points / POINTS);
+        style.edge_width = self.edge_width.map_or(style.edge_width, |points| points / POINTS);
         style.edges = match (self.edges, self.no_edges) {
             (true, _) => Some(true),
             (_, true) => Some(false),
@@ -332,12 +408,13 @@ fn picture_format(output: Option<&Path>) -> Result<PictureFormat, Failure> {
     match path.extension().map(|extension| extension.to_ascii_lowercase()).as_deref() {
         Some(extension) if extension == "png" => Ok(PictureFormat::Png),
         Some(extension) if extension == "svg" => Ok(PictureFormat::Svg),
+        Some(extension) if extension == "pdf" => Ok(PictureFormat::Pdf),
         Some(other) => Err(Failure::new(format!(
-            "{}: no picture has the extension {}; name the output *.png or *.svg",
+            "{}: no picture has the extension {}; name the output *.png, *.svg or *.pdf",
             path.display(),
             other.display()
         ))),
-        None => Err(Failure::new(format!("{}: name the output *.png or *.svg", path.display()))),
+        None => Err(Failure::new(format!("{}: name the output *.png, *.svg or *.pdf", path.display()))),
     }
 }
 

@@ -221,6 +221,113 @@ fn matrices_diagrams_and_forests_are_drawn() {
     assert!(count(&drawn(&folder, &ring, &["--forest"]), WHITE) < 120 * 90 - 500);
 }
 
+/// The chunks of a PNG: their kinds, and how often each comes.
+fn chunks(bytes: &[u8]) -> Vec<String> {
+    let mut rest = &bytes[8..];
+    let mut kinds = Vec::new();
+    while rest.len() >= 12 {
+        let length = u32::from_be_bytes(rest[..4].try_into().unwrap()) as usize;
+        kinds.push(String::from_utf8_lossy(&rest[4..8]).into_owned());
+        rest = &rest[length + 12..];
+    }
+    kinds
+}
+
+#[test]
+fn a_pdf_is_one_page_of_vectors() {
+    let folder = tempfile::tempdir().unwrap();
+    let cube = file(&folder, "cube.obj", CUBE);
+    let out = folder.path().join("cube.pdf");
+    for options in [&["--from", "1,0.8,1.5"][..], &["--matrix"], &["--label", "vertices,faces"]] {
+        let line = [&["render", argument(&cube), "-o", argument(&out)], options].concat();
+        assert_eq!(coface(&line).status, 0);
+        let bytes = std::fs::read(&out).unwrap();
+        assert!(bytes.starts_with(b"%PDF-1.4") && bytes.ends_with(b"%%EOF\n"));
+        let text = String::from_utf8_lossy(&bytes);
+        assert_eq!(text.matches("/Type /Page ").count(), 1);
+        assert!(text.contains("/MediaBox [0 0 "), "{options:?}");
+        assert_eq!(coface(&line).status, 0);
+        assert_eq!(std::fs::read(&out).unwrap(), bytes, "the same bytes each time");
+    }
+}
+
+#[test]
+fn a_transparent_picture_has_the_colors_of_the_other_where_it_is_opaque() {
+    let folder = tempfile::tempdir().unwrap();
+    let cube = file(&folder, "cube.obj", CUBE);
+    let usual = drawn(&folder, &cube, &[]);
+    let out = folder.path().join("bare.png");
+    let line = ["render", argument(&cube), "--size", "120x90", "--transparent", "-o", argument(&out)];
+    assert_eq!(coface(&line).status, 0);
+    let mut reader =
+        png::Decoder::new(std::io::Cursor::new(std::fs::read(&out).unwrap())).read_info().unwrap();
+    let mut buffer = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut buffer).unwrap();
+    assert_eq!(info.color_type, png::ColorType::Rgba);
+    let mut counts = [0; 3];
+    for (bare, usual) in buffer.chunks_exact(4).zip(&usual) {
+        let alpha = u32::from(bare[3]);
+        // Laid on white it is the picture on white.
+        for (&part, &usual) in bare[..3].iter().zip(usual) {
+            let on_white = (u32::from(part) * alpha + 255 * (255 - alpha) + 127) / 255;
+            assert!(on_white.abs_diff(u32::from(usual)) <= 2, "{bare:?} {usual}");
+        }
+        counts[match alpha {
+            0 => 0,
+            255 => 2,
+            _ => 1,
+        }] += 1;
+    }
+    assert!(counts[0] > 3000 && counts[2] > 2000 && counts[1] > 0, "{counts:?}");
+    let svg = drawn_as_svg(&cube, &["--transparent"]);
+    assert!(!svg.contains("H1200V900"));
+}
+
+#[test]
+fn lines_have_the_width_that_is_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let cube = file(&folder, "cube.obj", CUBE);
+    let svg = drawn_as_svg(&cube, &["--edge-width", "1.5"]);
+    assert!(svg.contains("stroke=\"#5c6670\" stroke-width=\"2\""));
+    assert!(coface(&["render", argument(&cube), "--edge-width", "0"]).fails_with(2).contains("above 0"));
+}
+
+#[test]
+fn numbers_stand_at_cells_that_are_seen() {
+    let folder = tempfile::tempdir().unwrap();
+    let cube = file(&folder, "cube.obj", CUBE);
+    let svg = drawn_as_svg(&cube, &["--from", "1,0.8,1.5", "--label", "faces"]);
+    let mut numbers: Vec<&str> = svg
+        .lines()
+        .filter(|line| line.starts_with("<text"))
+        .filter_map(|line| line.strip_suffix("</text>")?.rsplit('>').next())
+        .collect();
+    numbers.sort_unstable();
+    // The faces at z = 1, y = 1 and x = 1.
+    assert_eq!(numbers, ["1", "3", "4"]);
+    let all = drawn_as_svg(&cube, &["--from", "1,0.8,1.5", "--label", "vertices,edges"]);
+    assert_eq!(all.matches("<text").count(), 7 + 9);
+    let lines = file(&folder, "line.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n");
+    let none = coface(&["render", argument(&lines), "--label", "faces"]);
+    assert!(none.fails_with(1).contains("there are no faces to label"));
+}
+
+#[test]
+fn a_spin_has_as_many_frames_as_were_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let cube = file(&folder, "cube.obj", CUBE);
+    let out = folder.path().join("spin.png");
+    let line = ["render", argument(&cube), "--size", "60x45", "--spin=5", "-o", argument(&out)];
+    assert_eq!(coface(&line).status, 0);
+    let kinds = chunks(&std::fs::read(&out).unwrap());
+    assert_eq!(kinds.iter().filter(|kind| *kind == "fcTL").count(), 5);
+    assert!(kinds.contains(&"acTL".to_owned()));
+    let svg = coface(&["render", argument(&cube), "--spin", "-o", argument(&folder.path().join("a.svg"))]);
+    assert!(svg.fails_with(1).contains("name the output *.png"));
+    let none = coface(&["render", argument(&cube), "--spin=0", "-o", argument(&out)]);
+    assert!(none.fails_with(1).contains("give a number above 0"));
+}
+
 #[test]
 fn what_cannot_be_drawn_is_refused() {
     let folder = tempfile::tempdir().unwrap();
@@ -239,8 +346,8 @@ fn what_cannot_be_drawn_is_refused() {
     assert!(fails(&["--perspective=180"], 1).contains("between 1 and 170"));
     assert!(fails(&["--edges", "--no-edges"], 2).contains("cannot be used with"));
     assert!(fails(&["--matrix", "--witness"], 2).contains("cannot be used with"));
-    assert!(fails(&["-o", "a.bmp"], 1).contains("*.png or *.svg"));
-    assert!(fails(&["-o", "a"], 1).contains("*.png or *.svg"));
+    assert!(fails(&["-o", "a.bmp"], 1).contains("*.png, *.svg or *.pdf"));
+    assert!(fails(&["-o", "a"], 1).contains("*.png, *.svg or *.pdf"));
     assert!(fails(&["--forest"], 1).contains("cube.obj"));
     for (text, said) in [
         ("no JSON", "give the JSON that another verb"),

@@ -51,7 +51,12 @@ impl Projection {
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for directions without length, or one that is up.
-    pub(super) fn new(camera: &Camera, points: &[[f64; 3]], size: [usize; 2]) -> Result<Self, Error> {
+    pub(super) fn new(
+        camera: &Camera,
+        turn: Option<f64>,
+        points: &[[f64; 3]],
+        size: [usize; 2],
+    ) -> Result<Self, Error> {
         let towards = unit(camera.from).ok_or_else(|| {
             Error::invalid("the direction to the eye has no length")
                 .with_cure("give three numbers that are not all 0")
@@ -66,7 +71,9 @@ impl Projection {
         let right = right.ok_or_else(|| {
             Error::invalid("up is the direction of the eye").with_cure("give another direction for up")
         })?;
-        let axes = [right, cross(towards, right), towards];
+        // The eye goes around up; what is above and what is beside it go with it.
+        let turned = turn.unwrap_or(0.0).to_radians();
+        let axes = [right, cross(towards, right), towards].map(|axis| rotated(axis, up, turned));
         let corner = |pick: fn(f64, f64) -> f64, start: f64| {
             [0, 1, 2].map(|axis| points.iter().map(|point| point[axis]).fold(start, pick))
         };
@@ -94,6 +101,11 @@ impl Projection {
         }
         if low[0] > high[0] {
             (low, high) = ([-1.0; 2], [1.0; 2]);
+        }
+        if turn.is_some() {
+            // All of a ball around the points is in the picture, wherever the eye is.
+            let half = camera.field_of_view.map_or(0.0, |angle| (0.5 * angle.clamp(1.0, 170.0)).to_radians());
+            (low, high) = ([-radius / half.cos(); 2], [radius / half.cos(); 2]);
         }
         let [width, height] = size.map(|side| side as f64);
         let extent = [0, 1].map(|axis| (high[axis] - low[axis]).max(1e-9 * radius));
@@ -125,6 +137,13 @@ impl Projection {
     }
 }
 
+/// A vector turned about an axis of length 1 (the formula of O. Rodrigues).
+fn rotated(vector: [f64; 3], axis: [f64; 3], angle: f64) -> [f64; 3] {
+    let (sine, cosine) = angle.sin_cos();
+    let (across, along) = (cross(axis, vector), (1.0 - cosine) * dot(axis, vector));
+    [0, 1, 2].map(|i| cosine * vector[i] + sine * across[i] + along * axis[i])
+}
+
 pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
@@ -148,7 +167,7 @@ mod tests {
             (0..8).map(|i| [f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2)]).collect();
         for field_of_view in [None, Some(40.0)] {
             let camera = Camera { from: [1.0; 3], field_of_view, ..Camera::default() };
-            let projection = Projection::new(&camera, &corners, [200, 100]).expect("a camera");
+            let projection = Projection::new(&camera, None, &corners, [200, 100]).expect("a camera");
             let [near, far] = [[1.0; 3], [0.0; 3]].map(|corner| projection.project(corner));
             assert!(near[2] < far[2]);
             assert!((near[0] - 100.0).abs() < 1e-9 && (near[1] - far[1]).abs() < 20.0);
@@ -158,8 +177,25 @@ mod tests {
     }
 
     #[test]
+    fn the_model_keeps_its_size_while_the_eye_goes_around() {
+        let corners: Vec<[f64; 3]> =
+            (0..8).map(|i| [f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2)]).collect();
+        let camera = Camera { from: [0.0, 0.0, 1.0], up: [0.0, 1.0, 0.0], field_of_view: None };
+        let at = |turn: f64, point: [f64; 3]| {
+            let projection = Projection::new(&camera, Some(turn), &corners, [100, 100]).expect("a camera");
+            projection.project(point)
+        };
+        let [front, side] = [0.0, 90.0].map(|turn| at(turn, [1.0, 1.0, 0.0]));
+        // The square seen from the front is that seen from the right; what was at the right and behind is in front and at the right.
+        assert!((front[0] - side[0]).abs() < 1e-9 && (front[1] - side[1]).abs() < 1e-9);
+        assert!(side[2] < front[2]);
+        let [low, high] = [at(45.0, [0.0; 3]), at(45.0, [0.0, 1.0, 0.0])];
+        assert!((low[1] - high[1] - (at(0.0, [0.0; 3])[1] - at(0.0, [0.0, 1.0, 0.0])[1])).abs() < 1e-9);
+    }
+
+    #[test]
     fn a_camera_without_direction_is_refused() {
         let camera = Camera { from: [0.0; 3], ..Camera::default() };
-        assert!(Projection::new(&camera, &[[0.0; 3]], [10, 10]).is_err());
+        assert!(Projection::new(&camera, None, &[[0.0; 3]], [10, 10]).is_err());
     }
 }

@@ -2,14 +2,12 @@
 
 use super::canvas::Canvas;
 use super::letters;
-use super::palette::{Color, hex, packed};
+use super::palette::{Color, packed};
 use super::style::{SAMPLES, check_size};
-use super::svg_text::{escaped, push_point, push_short};
 use coface_algebra::Error;
-use std::fmt::Write;
 
-/// A picture without depth: paths, disks and texts, one painted over the other. It is written as SVG, where texts stay texts, and as PNG,
-/// where they are drawn with strokes and need no font.
+/// A picture without depth: paths, triangles, disks and texts, one painted over the other. It is written as SVG and PDF, where texts stay texts,
+/// and as PNG, where they are drawn with strokes and need no font.
 ///
 /// # Examples
 /// ```
@@ -28,26 +26,56 @@ use std::fmt::Write;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlatPicture {
-    title: String,
-    size: [f64; 2],
-    background: Color,
-    parts: Vec<Part>,
+    pub(super) title: String,
+    pub(super) size: [f64; 2],
+    /// None where what lies behind the picture shows through.
+    pub(super) background: Option<Color>,
+    pub(super) parts: Vec<Part>,
+    /// The names of parts that belong together.
+    pub(super) groups: Vec<String>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-struct Part {
-    form: Form,
-    fill: Option<Color>,
-    stroke: Option<(Color, f64)>,
+pub(super) struct Part {
+    pub(super) form: Form,
+    pub(super) fill: Option<Color>,
+    pub(super) stroke: Option<Stroke>,
     /// Of the fill.
-    opacity: f32,
+    pub(super) opacity: f32,
+    /// The place of its name among the groups.
+    pub(super) group: Option<u32>,
+}
+
+/// How a line is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Stroke {
+    pub(super) color: Color,
+    pub(super) width: f64,
+    pub(super) opacity: f32,
+    pub(super) has_round_ends: bool,
+}
+
+impl From<(Color, f64)> for Stroke {
+    fn from((color, width): (Color, f64)) -> Self {
+        Self { color, width, opacity: 1.0, has_round_ends: false }
+    }
 }
 
 #[derive(Clone, Debug, PartialEq)]
-enum Form {
+pub(super) enum Form {
     Path(Vec<Step>),
-    Disk { center: [f64; 2], radius: f64 },
-    Text { at: [f64; 2], anchor: Anchor, size: f64, text: String },
+    /// Triangles that each have a color of their own, and a thin rim of it that closes the gaps which antialiasing leaves.
+    Triangles(Vec<(Color, [[f64; 2]; 3])>),
+    Disk {
+        center: [f64; 2],
+        radius: f64,
+    },
+    Text {
+        at: [f64; 2],
+        anchor: Anchor,
+        size: f64,
+        text: String,
+    },
 }
 
 /// A step of a path.
@@ -70,30 +98,81 @@ pub(crate) enum Anchor {
 impl FlatPicture {
     /// Nothing on a background.
     pub(crate) fn new(title: &str, size: [f64; 2], background: Color) -> Self {
-        Self { title: title.to_owned(), size, background, parts: Vec::new() }
+        Self {
+            title: title.to_owned(),
+            size,
+            background: Some(background),
+            parts: Vec::new(),
+            groups: Vec::new(),
+        }
+    }
+
+    /// The same picture without its background: what lies behind it shows through.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_pictures::{Layer, Pane, pane_picture};
+    /// let mut layer = Layer::new("graph", "an edge");
+    /// layer.lines.push(&[0, 1]);
+    /// let mut pane = Pane::default();
+    /// pane.positions = vec![[0.0, 0.0], [1.0, 0.0]];
+    /// pane.layers.push(layer);
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let [usual, bare] = [pane_picture(&pane), pane_picture(&pane).transparent()];
+    /// assert!(usual.svg(None)?.contains("<path d=\"M0 0H"));
+    /// assert!(!bare.svg(None)?.contains("<path d=\"M0 0H"));
+    /// # Ok(()) }
+    /// ```
+    #[must_use]
+    pub fn transparent(mut self) -> Self {
+        self.background = None;
+        self
+    }
+
+    /// What is added from here on belongs together, under this name.
+    pub(super) fn begin_group(&mut self, name: &str) {
+        self.groups.push(name.to_owned());
+    }
+
+    fn push(&mut self, form: Form, fill: Option<Color>, stroke: Option<Stroke>, opacity: f32) {
+        let group = (self.groups.len() as u32).checked_sub(1);
+        self.parts.push(Part { form, fill, stroke, opacity, group });
+    }
+
+    /// Fills triangles, each with its own color.
+    pub(super) fn triangles(&mut self, triangles: Vec<(Color, [[f64; 2]; 3])>) {
+        self.push(Form::Triangles(triangles), None, None, 1.0);
+    }
+
+    /// Draws along a path, with round ends.
+    pub(super) fn line(&mut self, path: Vec<Step>, color: Color, width: f64, opacity: f32) {
+        let stroke = Stroke { color, width, opacity, has_round_ends: true };
+        self.push(Form::Path(path), None, Some(stroke), 1.0);
+    }
+
+    /// Draws a disk that lets through what is behind it.
+    pub(super) fn faint_disk(&mut self, center: [f64; 2], radius: f64, color: Color, opacity: f32) {
+        self.push(Form::Disk { center, radius }, Some(color), None, opacity);
     }
 
     /// Fills what lies within an odd number of the closed parts of a path.
     pub(crate) fn fill(&mut self, path: Vec<Step>, color: Color, opacity: f32) {
-        self.parts.push(Part { form: Form::Path(path), fill: Some(color), stroke: None, opacity });
+        self.push(Form::Path(path), Some(color), None, opacity);
     }
 
     /// Draws along a path.
     pub(crate) fn stroke(&mut self, path: Vec<Step>, color: Color, width: f64) {
-        let stroke = Some((color, width));
-        self.parts.push(Part { form: Form::Path(path), fill: None, stroke, opacity: 1.0 });
+        self.push(Form::Path(path), None, Some((color, width).into()), 1.0);
     }
 
     /// Fills a path and draws along it.
     pub(crate) fn shape(&mut self, path: Vec<Step>, fill: Color, stroke: (Color, f64)) {
-        let part = Part { form: Form::Path(path), fill: Some(fill), stroke: Some(stroke), opacity: 1.0 };
-        self.parts.push(part);
+        self.push(Form::Path(path), Some(fill), Some(stroke.into()), 1.0);
     }
 
     /// Draws a disk, with a rim if there is a stroke.
     pub(crate) fn disk(&mut self, center: [f64; 2], radius: f64, fill: Color, stroke: Option<(Color, f64)>) {
-        let form = Form::Disk { center, radius };
-        self.parts.push(Part { form, fill: Some(fill), stroke, opacity: 1.0 });
+        self.push(Form::Disk { center, radius }, Some(fill), stroke.map(Stroke::from), 1.0);
     }
 
     /// Writes a text on a baseline.
@@ -105,8 +184,7 @@ impl FlatPicture {
         color: Color,
         text: impl Into<String>,
     ) {
-        let form = Form::Text { at, anchor, size, text: text.into() };
-        self.parts.push(Part { form, fill: Some(color), stroke: None, opacity: 1.0 });
+        self.push(Form::Text { at, anchor, size, text: text.into() }, Some(color), None, 1.0);
     }
 
     /// Width and height of the picture in its own unit.
@@ -146,26 +224,41 @@ impl FlatPicture {
     /// # Ok(()) }
     /// ```
     pub fn svg(&self, size: Option<[usize; 2]>) -> Result<String, Error> {
-        let [wide, high] = self.size;
-        let [width, height] = match size {
+        Ok(self.svg_of_size(self.sides(size)?))
+    }
+
+    /// Width and height of the picture where a size was or was not asked for.
+    fn sides(&self, size: Option<[usize; 2]>) -> Result<[f64; 2], Error> {
+        match size {
             Some(size) if size.contains(&0) => {
-                return Err(
-                    Error::invalid("a picture without pixels").with_cure("give a width and a height above 0")
-                );
+                Err(Error::invalid("a picture without pixels").with_cure("give a width and a height above 0"))
             }
-            Some(size) => size.map(|side| side as f64),
-            None => self.size,
-        };
-        let mut text = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {wide:.0} {high:.0}\" width=\"{width:.0}\" height=\"{height:.0}\" font-family=\"sans-serif\">\n<title>{}</title>\n<path d=\"M0 0H{wide:.0}V{high:.0}H0Z\" fill=\"{}\"/>\n",
-            escaped(&self.title),
-            hex(self.background)
-        );
-        for part in &self.parts {
-            part.push_svg(&mut text);
+            Some(size) => Ok(size.map(|side| side as f64)),
+            None => Ok(self.size),
         }
-        text += "</svg>\n";
-        Ok(text)
+    }
+
+    /// The picture as PDF, of its own size or scaled to fit one, in pixels of 0.75 points, 96 to the inch. Texts of ASCII are in Helvetica, which
+    /// every reader of PDF has; others are drawn with strokes.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a size of 0.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_pictures::{Layer, Pane, pane_picture};
+    /// let mut layer = Layer::new("graph", "an edge");
+    /// layer.lines.push(&[0, 1]);
+    /// let mut pane = Pane::default();
+    /// pane.positions = vec![[0.0, 0.0], [1.0, 0.0]];
+    /// pane.layers.push(layer);
+    /// let file = pane_picture(&pane).pdf(Some([80, 60]))?;
+    /// assert!(file.starts_with(b"%PDF-1.4"));
+    /// # Ok(()) }
+    /// ```
+    pub fn pdf(&self, size: Option<[usize; 2]>) -> Result<Vec<u8>, Error> {
+        Ok(self.pdf_of_size(self.sides(size)?))
     }
 
     /// The picture as PNG, scaled to fit a size in pixels, antialiased.
@@ -190,11 +283,13 @@ impl FlatPicture {
     pub fn png(&self, size: [usize; 2]) -> Result<Vec<u8>, Error> {
         check_size(size)?;
         let [width, height] = size;
-        let mut canvas = Canvas::new(width * SAMPLES, height * SAMPLES, packed(self.background));
         let scale = (width as f64 / self.size[0]).min(height as f64 / self.size[1]);
         let offset = [0, 1].map(|axis| SAMPLES as f64 * 0.5 * (size[axis] as f64 - scale * self.size[axis]));
-        self.paint(&mut canvas, scale * SAMPLES as f64, offset);
-        canvas.png(SAMPLES)
+        Canvas::png_on(self.background, SAMPLES, |background| {
+            let mut canvas = Canvas::new(width * SAMPLES, height * SAMPLES, background);
+            self.paint(&mut canvas, scale * SAMPLES as f64, offset);
+            canvas
+        })
     }
 
     /// Paints all parts, scaled and moved.
@@ -210,10 +305,15 @@ impl FlatPicture {
                             lines.iter().map(|(line, _)| line.clone()).collect();
                         canvas.fill(&outlines, packed(color), share);
                     }
-                    if let Some((color, width)) = part.stroke {
+                    if let Some(stroke) = part.stroke {
                         for (line, is_closed) in &lines {
-                            paint_line(canvas, line, *is_closed, width * scale, packed(color));
+                            paint_line(canvas, line, *is_closed, stroke.width * scale, packed(stroke.color));
                         }
+                    }
+                }
+                Form::Triangles(triangles) => {
+                    for (color, corners) in triangles {
+                        canvas.fill(&[corners.map(place).to_vec()], packed(*color), share);
                     }
                 }
                 Form::Disk { center, radius } => {
@@ -221,22 +321,15 @@ impl FlatPicture {
                     if let Some(color) = part.fill {
                         canvas.fill(std::slice::from_ref(&circle), packed(color), share);
                     }
-                    if let Some((color, width)) = part.stroke {
-                        paint_line(canvas, &circle, true, width * scale, packed(color));
+                    if let Some(stroke) = part.stroke {
+                        paint_line(canvas, &circle, true, stroke.width * scale, packed(stroke.color));
                     }
                 }
                 Form::Text { at, anchor, size, text } => {
-                    let width = letters::width(text) * size;
-                    let left = match anchor {
-                        Anchor::Start => at[0],
-                        Anchor::Middle => at[0] - 0.5 * width,
-                        Anchor::End => at[0] - width,
-                    };
-                    let color = packed(part.fill.unwrap_or(self.background));
-                    for line in letters::strokes(text) {
-                        let line: Vec<[f64; 2]> =
-                            line.iter().map(|[x, y]| place([left + size * x, at[1] - size * y])).collect();
-                        paint_line(canvas, &line, false, 0.1 * size * scale, color);
+                    let color = packed(part.fill.unwrap_or_default());
+                    for line in text_strokes(*at, *anchor, *size, text) {
+                        let line: Vec<[f64; 2]> = line.into_iter().map(place).collect();
+                        paint_line(canvas, &line, false, STROKE_OF_TEXT * size * scale, color);
                     }
                 }
             }
@@ -244,81 +337,28 @@ impl FlatPicture {
     }
 }
 
-impl Part {
-    fn push_svg(&self, text: &mut String) {
-        let mut style = match self.fill {
-            Some(color) => format!(" fill=\"{}\"", hex(color)),
-            None => " fill=\"none\"".to_owned(),
-        };
-        if self.opacity < 1.0 {
-            let _ = write!(style, " fill-opacity=\"{:.2}\"", self.opacity);
-        }
-        if let Some((color, width)) = self.stroke {
-            let _ = write!(style, " stroke=\"{}\" stroke-width=\"{width}\"", hex(color));
-        }
-        match &self.form {
-            Form::Path(steps) => {
-                text.push_str("<path fill-rule=\"evenodd\"");
-                text.push_str(&style);
-                text.push_str(" d=\"");
-                for step in steps {
-                    match step {
-                        Step::Move(to) => {
-                            text.push('M');
-                            push_fine(text, *to);
-                        }
-                        Step::Line(to) => {
-                            text.push('L');
-                            push_fine(text, *to);
-                        }
-                        Step::Cubic(controls) => {
-                            for (letter, control) in ["C", " ", " "].into_iter().zip(controls) {
-                                text.push_str(letter);
-                                push_fine(text, *control);
-                            }
-                        }
-                        Step::Close => text.push('Z'),
-                    }
-                }
-                text.push_str("\"/>\n");
-            }
-            Form::Disk { center, radius } => {
-                let [x, y] = center;
-                let _ = writeln!(text, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius}\"{style}/>");
-            }
-            Form::Text { at, anchor, size, text: words } => {
-                let anchor = match anchor {
-                    Anchor::Start => "",
-                    Anchor::Middle => " text-anchor=\"middle\"",
-                    Anchor::End => " text-anchor=\"end\"",
-                };
-                let [x, y] = at;
-                let _ = writeln!(
-                    text,
-                    "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"{size}\"{anchor}{style}>{}</text>",
-                    escaped(words)
-                );
-            }
+impl Anchor {
+    /// Where a text of this width begins.
+    pub(super) fn left(self, x: f64, width: f64) -> f64 {
+        match self {
+            Self::Start => x,
+            Self::Middle => x - 0.5 * width,
+            Self::End => x - width,
         }
     }
 }
 
-/// Two numbers; whole ones short, others with two decimals.
-fn push_fine(text: &mut String, [x, y]: [f64; 2]) {
-    if x.fract() == 0.0 && y.fract() == 0.0 {
-        push_point(text, [x, y]);
-        return;
+/// The width of the strokes of a text, for one of size 1.
+pub(super) const STROKE_OF_TEXT: f64 = 0.1;
+
+/// The strokes of a text on a baseline.
+pub(super) fn text_strokes(at: [f64; 2], anchor: Anchor, size: f64, text: &str) -> Vec<Vec<[f64; 2]>> {
+    let left = anchor.left(at[0], letters::width(text) * size);
+    let mut strokes = letters::strokes(text);
+    for [x, y] in strokes.iter_mut().flatten() {
+        (*x, *y) = (left + size * *x, at[1] - size * *y);
     }
-    let number = |text: &mut String, number: f64| {
-        if (10.0 * number).fract() == 0.0 {
-            push_short(text, number);
-        } else {
-            let _ = write!(text, "{number:.2}");
-        }
-    };
-    number(text, x);
-    text.push(' ');
-    number(text, y);
+    strokes
 }
 
 /// The lines of a path, cubics as chords, each with whether it is closed.

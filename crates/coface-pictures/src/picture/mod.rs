@@ -1,4 +1,4 @@
-//! Still pictures, and models for programs that show them: of scenes, as PNG by a depth buffer and as SVG with what is hidden left out; flat ones of boundary matrices,
+//! Still pictures, and models for programs that show them: of scenes, as PNG by a depth buffer, as SVG and PDF with what is hidden left out, and as animations; flat ones of boundary matrices,
 //! persistence diagrams and sets of the plane; scenes as glTF, and colors of vertices.
 //!
 //! # Words and conventions
@@ -13,18 +13,21 @@ mod camera;
 mod canvas;
 mod coloring;
 mod diagram;
+mod drawing;
 mod flat;
+mod flat_svg;
 mod gltf;
 mod letters;
 mod matrix;
 mod painting;
 mod palette;
 mod pane;
+mod pdf;
 mod raster;
 mod scene_picture;
 mod sight;
+mod spin;
 mod style;
-mod svg;
 mod svg_text;
 
 pub use camera::Camera;
@@ -37,5 +40,7 @@ pub use matrix::matrix_picture;
 pub use palette::palette_color;
 pub(super) use palette::{Color, of as color_of};
 pub use pane::pane_picture;
+pub(super) use scene_picture::LABELS;
 pub use scene_picture::Picture;
+pub use spin::spin_png;
 pub use style::PictureStyle;

@@ -9,6 +9,9 @@ const PALETTE: [u32; 6] = [0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0xe69f00, 0x5
 /// For what is wrong.
 pub(super) const ALARM: Color = of(0xd0021b);
 
+/// For numbers of cells, dark and light backgrounds alike.
+pub(super) const NEUTRAL: Color = of(0x8a5a00);
+
 /// The colors of a picture.
 pub(super) struct Theme {
     pub(super) background: Color,

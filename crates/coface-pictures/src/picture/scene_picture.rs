@@ -1,11 +1,12 @@
 //! A scene as a picture.
 
 use super::camera::{Camera, Projection, cross, dot, unit};
+use super::canvas::Canvas;
 use super::flat::{Anchor, FlatPicture};
-use super::palette::{ALARM, Color, Theme, color, packed};
+use super::palette::{ALARM, Color, NEUTRAL, Theme, color, of as color_of, packed};
 use super::raster::{Ink, NOTHING, Raster};
 use super::sight::Sight;
-use super::style::{PictureStyle, SAMPLES, check_size};
+use super::style::{PictureStyle, SAMPLES, check_size, check_widths};
 use crate::{Layer, Scene};
 use coface_algebra::Error;
 use coface_algebra::progress::stage;
@@ -13,14 +14,16 @@ use coface_algebra::progress::stage;
 /// With more triangles than this, edges are not drawn unless that is asked for.
 const EDGES_UP_TO: usize = 30_000;
 
+/// The width of edges that are sides of no polygon, of one that is.
+pub(super) const WIRE_OF_EDGE: f64 = 8.0 / 3.0;
+/// The width of hidden parts of lines, of one that is seen.
+pub(super) const HIDDEN_OF_LINE: f64 = 0.5;
 /// Widths in pixels.
-pub(super) const EDGE_WIDTH: f64 = 0.6;
-pub(super) const WIRE_WIDTH: f64 = 1.6;
-pub(super) const LINE_WIDTH: f64 = 3.0;
-pub(super) const HIDDEN_WIDTH: f64 = 1.5;
 pub(super) const DOT_WIDTH: f64 = 5.0;
 pub(super) const POINT_WIDTH: f64 = 8.0;
 pub(super) const TEXT_SIZE: f64 = 14.0;
+/// The group of layers whose texts are left out where the model hides them.
+pub(crate) const LABELS: &str = "labels";
 /// Of 256, what is seen of hidden lines through what hides them.
 pub(super) const HIDDEN_SHARE: u32 = 96;
 
@@ -56,6 +59,9 @@ pub struct Picture<'a> {
     pub(super) dots: Vec<u32>,
     /// A small depth: by this much lines are in front of what they lie on.
     pub(super) reach: f64,
+    pub(super) is_transparent: bool,
+    pub(super) line_width: f64,
+    pub(super) edge_width: f64,
 }
 
 impl std::fmt::Debug for Picture<'_> {
@@ -96,11 +102,12 @@ impl<'a> Picture<'a> {
     /// ```
     pub fn new(scene: &'a Scene, style: &PictureStyle) -> Result<Self, Error> {
         check_size(style.size)?;
+        check_widths(style)?;
         let usual = if scene.dimension() == 2 { Camera::above() } else { Camera::default() };
         let camera = style.camera.unwrap_or(usual);
         let own = shown(scene).flat_map(|(layer, _)| layer.positions.iter().flatten());
         let points: Vec<[f64; 3]> = scene.positions().iter().chain(own).copied().collect();
-        let projection = Projection::new(&camera, &points, style.size)?;
+        let projection = Projection::new(&camera, style.turn, &points, style.size)?;
         let depths = points.iter().map(|&point| projection.project(point)[2]);
         let (low, high) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| (l.min(d), h.max(d)));
         let (edges, wires, dots) = lines_of(scene);
@@ -115,6 +122,9 @@ impl<'a> Picture<'a> {
             wires,
             dots,
             reach: if low < high { 2e-3 * (high - low) } else { 1e-3 },
+            is_transparent: style.is_transparent,
+            line_width: style.line_width,
+            edge_width: style.edge_width,
         };
         picture.add_facets();
         Ok(picture)
@@ -176,7 +186,13 @@ impl<'a> Picture<'a> {
     /// # Ok(()) }
     /// ```
     pub fn png(&self) -> Result<Vec<u8>, Error> {
-        let mut raster = self.raster(SAMPLES);
+        let background = (!self.is_transparent).then_some(self.theme.background);
+        Canvas::png_on(background, SAMPLES, |background| self.canvas(background))
+    }
+
+    /// The picture on a background, in pixels that are [`SAMPLES`] times as fine.
+    pub(super) fn canvas(&self, background: u32) -> Canvas {
+        let mut raster = self.raster(SAMPLES, color_of(background));
         let factor = SAMPLES as f64;
         let scaled =
             |[x, y, depth]: [f64; 3], forward: f64| [factor * x, factor * y, depth - forward * self.reach];
@@ -184,11 +200,14 @@ impl<'a> Picture<'a> {
         let hidden = self.hidden_lines(&raster);
         for ([a, b], color, number) in hidden {
             let ink = Ink { color: packed(color), number };
-            raster.faint_line([scaled(a, 0.0), scaled(b, 0.0)], HIDDEN_WIDTH * factor, ink, HIDDEN_SHARE);
+            let width = HIDDEN_OF_LINE * self.line_width * factor;
+            raster.faint_line([scaled(a, 0.0), scaled(b, 0.0)], width, ink, HIDDEN_SHARE);
         }
-        for (edges, width, color, forward) in
-            [(&self.edges, EDGE_WIDTH, self.theme.edge, 1.0), (&self.wires, WIRE_WIDTH, self.theme.ink, 1.5)]
-        {
+        let wire_width = WIRE_OF_EDGE * self.edge_width;
+        for (edges, width, color, forward) in [
+            (&self.edges, self.edge_width, self.theme.edge, 1.0),
+            (&self.wires, wire_width, self.theme.ink, 1.5),
+        ] {
             let steps = stage("drawing edges", edges.len());
             for edge in steps.each(edges) {
                 let ends = edge.map(|vertex| scaled(self.place(vertex), forward));
@@ -201,7 +220,7 @@ impl<'a> Picture<'a> {
         for (layer, color) in shown(self.scene) {
             for pair in layer.lines.iter().flat_map(|line| line.windows(2)) {
                 let ends = [pair[0], pair[1]].map(|point| scaled(self.place_in(layer, point), 2.0));
-                raster.line(ends, LINE_WIDTH * factor, ink(color));
+                raster.line(ends, self.line_width * factor, ink(color));
             }
             for corners in self.arrowheads(layer) {
                 raster.triangle(corners.map(|corner| scaled(corner, 2.5)), ink(color));
@@ -211,20 +230,25 @@ impl<'a> Picture<'a> {
             }
         }
         let mut labels = FlatPicture::new("", self.size.map(|side| side as f64), self.theme.background);
+        let sight = Sight { raster: &raster, factor, slack: 1.5 * self.reach };
         for (layer, color) in shown(self.scene) {
             for (point, text) in &layer.labels {
-                let [x, y, _] = self.place_in(layer, *point);
+                let place = self.place_in(layer, *point);
+                if layer.group == LABELS && !sight.is_seen(place) {
+                    continue;
+                }
+                let [x, y, _] = place;
                 labels.text([x + 6.0, y - 6.0], Anchor::Start, TEXT_SIZE, color, text.clone());
             }
         }
         labels.paint(&mut raster.canvas, factor, [0.0, 0.0]);
-        raster.canvas.png(SAMPLES)
+        raster.canvas
     }
 
     /// The facets in pixels, `factor` by `factor` for each of the picture; what is seen is the number of a facet.
-    pub(super) fn raster(&self, factor: usize) -> Raster {
+    pub(super) fn raster(&self, factor: usize, background: Color) -> Raster {
         let [width, height] = self.size.map(|side| side * factor);
-        let mut raster = Raster::new(width, height, packed(self.theme.background));
+        let mut raster = Raster::new(width, height, packed(background));
         let steps = stage("drawing triangles", self.facets.len());
         for (number, facet) in steps.each((0..).zip(&self.facets)) {
             let corners = facet.corners.map(|corner| super::sight::finer(corner, factor));
@@ -318,8 +342,10 @@ pub(super) fn shown(scene: &Scene) -> impl Iterator<Item = (&Layer, Color)> {
         .layers()
         .iter()
         .map(move |layer| {
-            if matches!(layer.group.as_str(), "witness" | "boundary") {
-                return (layer, ALARM);
+            match layer.group.as_str() {
+                "witness" | "boundary" => return (layer, ALARM),
+                LABELS => return (layer, NEUTRAL),
+                _ => {}
             }
             let place = layer.color.map_or(next, |place| place as usize);
             next += usize::from(layer.color.is_none());

@@ -16,11 +16,29 @@ pub struct PictureStyle {
     pub edges: Option<bool>,
     /// A dark background.
     pub is_dark: bool,
+    /// No background: what lies behind the picture shows through.
+    pub is_transparent: bool,
+    /// The width of the lines of layers in pixels, hidden parts half as wide; 3 is usual.
+    pub line_width: f64,
+    /// The width of edges in pixels; 0.6 is usual. Edges that are sides of no polygon are wider.
+    pub edge_width: f64,
+    /// The degrees by which the eye has gone around the model, about what is up, to the left of its place; with them the model has one size in
+    /// the picture wherever the eye is, as frames of an animation need it.
+    pub turn: Option<f64>,
 }
 
 impl Default for PictureStyle {
     fn default() -> Self {
-        Self { size: [1200, 900], camera: None, edges: None, is_dark: false }
+        Self {
+            size: [1200, 900],
+            camera: None,
+            edges: None,
+            is_dark: false,
+            is_transparent: false,
+            line_width: 3.0,
+            edge_width: 0.6,
+            turn: None,
+        }
     }
 }
 
@@ -28,6 +46,17 @@ impl PictureStyle {
     pub(super) fn theme(&self) -> &'static Theme {
         if self.is_dark { &DARK } else { &LIGHT }
     }
+}
+
+/// Refuses lines without a width.
+///
+/// # Errors
+/// [`ErrorKind::InvalidInput`] for a width that is not above 0, or above 1000 pixels.
+pub(super) fn check_widths(style: &PictureStyle) -> Result<(), Error> {
+    if [style.line_width, style.edge_width].iter().all(|&width| width > 0.0 && width <= 1000.0) {
+        return Ok(());
+    }
+    Err(Error::invalid("a line without a width").with_cure("give a width above 0, and at most 1000 pixels"))
 }
 
 /// How often a pixel is looked at in each direction.

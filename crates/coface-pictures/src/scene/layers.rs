@@ -92,7 +92,7 @@ impl Layer {
     /// assert!(!layer.is_empty());
     /// ```
     pub fn is_empty(&self) -> bool {
-        self.lines.is_empty() && self.points.is_empty() && self.triangles.is_empty()
+        self.lines.is_empty() && self.points.is_empty() && self.triangles.is_empty() && self.labels.is_empty()
     }
 
     /// The highest point that is used.

@@ -17,6 +17,7 @@ mod domain;
 mod forest;
 mod geodesics;
 mod hidden;
+mod labels;
 mod layers;
 mod layout;
 mod model;

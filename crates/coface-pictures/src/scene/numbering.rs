@@ -35,6 +35,11 @@ impl Numbering {
         self.numbers.binary_search(&vertex).map_or(u32::MAX, |position| position as u32)
     }
 
+    /// The number in the model of a vertex of the scene.
+    pub(super) fn of_model(&self, vertex: u32) -> u32 {
+        self.numbers.get(vertex as usize).copied().unwrap_or(vertex)
+    }
+
     fn of_list(&self, list: &[u32]) -> Vec<u32> {
         list.iter().map(|&vertex| self.of(vertex)).collect()
     }

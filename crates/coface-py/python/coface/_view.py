@@ -110,6 +110,11 @@ def render(
     perspective: float | None = None,
     edges: bool | None = None,
     dark: bool = False,
+    transparent: bool = False,
+    line_width: float | None = None,
+    edge_width: float | None = None,
+    label: Sequence[str] | str = (),
+    spin: int | None = None,
     witness: bool = False,
     title: str = "model",
     progress: Any = False,
@@ -122,7 +127,7 @@ def render(
         A model, an answer, or a list of a model and answers, as in :func:`page`. Persistence alone is a diagram, a chain complex without a
         model its matrices.
     format
-        ``"svg"`` or ``"png"``.
+        ``"svg"``, ``"png"`` or ``"pdf"``; PDF has vectors, a pixel is 0.75 points.
     results
         More answers to be shown over it, or dictionaries as ``to_dict()`` gives them.
     size
@@ -135,6 +140,14 @@ def render(
         Whether edges are drawn; if left out, where they can be distinguished.
     dark
         Whether the background is dark.
+    transparent
+        Whether what lies behind the picture shows through, in place of a background.
+    line_width, edge_width
+        The widths of the lines of answers and of edges, in points; 2.25 and 0.45 if left out.
+    label
+        ``"vertices"``, ``"edges"`` or ``"faces"``, or several of them: the numbers of these cells are written beside them.
+    spin
+        So many frames, in which the model turns once about what is up: an animated PNG, 24 frames a second.
     witness
         Whether what is wrong is marked.
     title
@@ -153,7 +166,7 @@ def render(
     >>> coface.render(coface.cocycles(coface.generate("torus"))).startswith(b"<svg")
     True
     """
-    alone = not results and format == "svg"
+    alone = not results and format == "svg" and not transparent
     if alone and isinstance(x, Persistence):
         return x.to_svg(title if title != "model" else "persistence diagram").encode()
     if alone and isinstance(x, YinSet):
@@ -176,6 +189,11 @@ def render(
         perspective=perspective,
         edges=edges,
         dark=dark,
+        transparent=transparent,
+        line_width=line_width,
+        edge_width=edge_width,
+        label=[label] if isinstance(label, str) else list(label),
+        spin=spin,
         witness=witness,
         title=title,
         progress=progress,

@@ -1,0 +1,136 @@
+//! Flat pictures as SVG.
+
+use super::flat::{Anchor, FlatPicture, Form, Part, Step};
+use super::palette::{Color, hex, packed};
+use super::svg_text::{escaped, push_point, push_short};
+use std::fmt::Write;
+
+impl FlatPicture {
+    /// The picture as SVG, scaled to fit a width and a height in pixels.
+    pub(super) fn svg_of_size(&self, [width, height]: [f64; 2]) -> String {
+        let [wide, high] = self.size;
+        let mut text = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {wide:.0} {high:.0}\" width=\"{width:.0}\" height=\"{height:.0}\" font-family=\"sans-serif\">\n<title>{}</title>\n",
+            escaped(&self.title)
+        );
+        if let Some(background) = self.background {
+            let _ = writeln!(text, "<path d=\"M0 0H{wide:.0}V{high:.0}H0Z\" fill=\"{}\"/>", hex(background));
+        }
+        for parts in self.parts.chunk_by(|a, b| a.group == b.group) {
+            let name = parts[0].group.map(|group| &self.groups[group as usize]);
+            if let Some(name) = name {
+                let _ = writeln!(text, "<g>\n<title>{}</title>", escaped(name));
+            }
+            parts.iter().for_each(|part| part.push_svg(&mut text));
+            if name.is_some() {
+                text += "</g>\n";
+            }
+        }
+        text += "</svg>\n";
+        text
+    }
+}
+
+/// Triangles; those of one color that come after each other are one path.
+fn push_triangles(triangles: &[(Color, [[f64; 2]; 3])], text: &mut String) {
+    text.push_str(
+        "<g fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"0.5\" stroke-linejoin=\"round\">\n",
+    );
+    for run in triangles.chunk_by(|a, b| packed(a.0) == packed(b.0)) {
+        let _ = write!(text, "<path color=\"{}\" d=\"", hex(run[0].0));
+        for (_, corners) in run {
+            for (letter, corner) in ['M', 'L', 'L'].into_iter().zip(corners) {
+                text.push(letter);
+                push_point(text, *corner);
+            }
+            text.push('Z');
+        }
+        text.push_str("\"/>\n");
+    }
+    text.push_str("</g>\n");
+}
+
+impl Part {
+    fn push_svg(&self, text: &mut String) {
+        let mut style = match self.fill {
+            Some(color) => format!(" fill=\"{}\"", hex(color)),
+            None => " fill=\"none\"".to_owned(),
+        };
+        if self.opacity < 1.0 {
+            let _ = write!(style, " fill-opacity=\"{:.2}\"", self.opacity);
+        }
+        if let Some(stroke) = self.stroke {
+            let _ = write!(style, " stroke=\"{}\" stroke-width=\"{}\"", hex(stroke.color), stroke.width);
+            if stroke.opacity < 1.0 {
+                let _ = write!(style, " stroke-opacity=\"{}\"", stroke.opacity);
+            }
+            if stroke.has_round_ends {
+                style.push_str(" stroke-linecap=\"round\"");
+            }
+        }
+        match &self.form {
+            Form::Path(steps) => {
+                let rule = if self.fill.is_some() { "<path fill-rule=\"evenodd\"" } else { "<path" };
+                text.push_str(rule);
+                text.push_str(&style);
+                text.push_str(" d=\"");
+                for step in steps {
+                    match step {
+                        Step::Move(to) => {
+                            text.push('M');
+                            push_fine(text, *to);
+                        }
+                        Step::Line(to) => {
+                            text.push('L');
+                            push_fine(text, *to);
+                        }
+                        Step::Cubic(controls) => {
+                            for (letter, control) in ["C", " ", " "].into_iter().zip(controls) {
+                                text.push_str(letter);
+                                push_fine(text, *control);
+                            }
+                        }
+                        Step::Close => text.push('Z'),
+                    }
+                }
+                text.push_str("\"/>\n");
+            }
+            Form::Triangles(triangles) => push_triangles(triangles, text),
+            Form::Disk { center, radius } => {
+                let [x, y] = center;
+                let _ = writeln!(text, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius}\"{style}/>");
+            }
+            Form::Text { at, anchor, size, text: words } => {
+                let anchor = match anchor {
+                    Anchor::Start => "",
+                    Anchor::Middle => " text-anchor=\"middle\"",
+                    Anchor::End => " text-anchor=\"end\"",
+                };
+                let [x, y] = at;
+                let _ = writeln!(
+                    text,
+                    "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"{size}\"{anchor}{style}>{}</text>",
+                    escaped(words)
+                );
+            }
+        }
+    }
+}
+
+/// Two numbers; whole ones short, others with two decimals.
+fn push_fine(text: &mut String, [x, y]: [f64; 2]) {
+    if x.fract() == 0.0 && y.fract() == 0.0 {
+        push_point(text, [x, y]);
+        return;
+    }
+    let number = |text: &mut String, number: f64| {
+        if (10.0 * number - (10.0 * number).round()).abs() < 1e-9 {
+            push_short(text, number);
+        } else {
+            let _ = write!(text, "{number:.2}");
+        }
+    };
+    number(text, x);
+    text.push(' ');
+    number(text, y);
+}
