@@ -40,7 +40,10 @@ impl Arguments {
         let matches = Self::shaped().try_get_matches_from(&words).or_else(|error| match file_alone(&error) {
             Some(true) => Self::shaped().try_get_matches_from(with_info(&words)),
             Some(false) => Err(no_such_file(&error)),
-            None => Err(error),
+            None => match with_input_first(&error, &words) {
+                Some(words) => Self::shaped().try_get_matches_from(words),
+                None => Err(error),
+            },
         });
         matches.and_then(|matches| Self::from_arg_matches(&matches)).unwrap_or_else(|error| end_with(&error))
     }
@@ -120,6 +123,24 @@ fn word_that_is_no_verb(error: &clap::Error) -> Option<&str> {
         ContextValue::String(word) => Some(word),
         _ => None,
     }
+}
+
+/// Options whose value may be left out.
+const WITH_OR_WITHOUT_VALUE: [&str; 3] = ["--generators", "--repair", "--reset"];
+
+/// The command line with the input before an option that took it for its value, as in `coface homology --generators FILE`.
+fn with_input_first(error: &clap::Error, words: &[OsString]) -> Option<Vec<OsString>> {
+    let is_missing = matches!(
+        error.kind(),
+        ErrorKind::MissingRequiredArgument | ErrorKind::InvalidValue | ErrorKind::ValueValidation
+    );
+    let takes_file = |pair: &[OsString]| {
+        WITH_OR_WITHOUT_VALUE.iter().any(|option| pair[0] == *option) && Path::new(&pair[1]).is_file()
+    };
+    let at = words.windows(2).position(takes_file).filter(|_| is_missing)?;
+    let mut words = words.to_vec();
+    words.swap(at, at + 1);
+    Some(words)
 }
 
 fn no_such_file(error: &clap::Error) -> clap::Error {

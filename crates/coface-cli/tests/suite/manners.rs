@@ -11,6 +11,20 @@ const TORUS: &[u8] = b"[[0,1,3],[1,2,4],[2,3,5],[3,4,6],[4,5,0],[5,6,1],[6,0,2],
     [0,3,2],[1,4,3],[2,5,4],[3,6,5],[4,0,6],[5,1,0],[6,2,1]]";
 
 #[test]
+fn an_option_that_needs_no_value_leaves_the_input_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("circle.json");
+    std::fs::write(&path, "[[0,1],[1,2],[0,2]]").unwrap();
+    let input = path.to_str().unwrap();
+    let usual = coface(&["homology", input, "--generators", "--json"]);
+    let swallowed = coface(&["homology", "--generators", input, "--json"]);
+    assert_eq!((swallowed.status, &swallowed.stdout), (0, &usual.stdout));
+    // A file that is no input of the line stays a value.
+    let missing = coface(&["homology", "--generators", "no-such-file.json"]);
+    assert!(missing.fails_with(2).contains("<INPUT>"));
+}
+
+#[test]
 fn a_file_alone_is_reported_on() {
     let folder = tempfile::tempdir().unwrap();
     let [first, second] = ["a.json", "b.json"].map(|name| folder.path().join(name));

@@ -304,7 +304,7 @@ fn numbers_stand_at_cells_that_are_seen() {
         .collect();
     numbers.sort_unstable();
     // The faces at z = 1, y = 1 and x = 1.
-    assert_eq!(numbers, ["1", "3", "4"]);
+    assert_eq!(numbers, ["f1", "f3", "f4"]);
     let all = drawn_as_svg(&cube, &["--from", "1,0.8,1.5", "--label", "vertices,edges"]);
     assert_eq!(all.matches("<text").count(), 7 + 9);
     let lines = file(&folder, "line.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n");

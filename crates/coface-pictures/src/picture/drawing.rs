@@ -5,7 +5,7 @@ use super::flat::{Anchor, FlatPicture, Step};
 use super::painting::painting_order;
 use super::palette::Color;
 use super::scene_picture::{
-    DOT_WIDTH, HIDDEN_OF_LINE, HIDDEN_SHARE, LABELS, POINT_WIDTH, TEXT_SIZE, WIRE_OF_EDGE, shown,
+    DOT_WIDTH, HIDDEN_OF_LINE, HIDDEN_SHARE, LABELS, POINT_WIDTH, TEXT_SIZE, WIRE_OF_EDGE, beside, shown,
 };
 use super::sight::Sight;
 use coface_algebra::progress::stage;
@@ -115,8 +115,7 @@ impl Picture<'_> {
                 if layer.group == LABELS && !sight.is_seen(place) {
                     continue;
                 }
-                let [x, y, _] = place;
-                drawing.text(rounded([x + 6.0, y - 6.0]), Anchor::Start, TEXT_SIZE, color, label.clone());
+                drawing.text(rounded(beside(place)), Anchor::Start, TEXT_SIZE, color, label.clone());
             }
         }
         drawing

@@ -237,8 +237,7 @@ impl<'a> Picture<'a> {
                 if layer.group == LABELS && !sight.is_seen(place) {
                     continue;
                 }
-                let [x, y, _] = place;
-                labels.text([x + 6.0, y - 6.0], Anchor::Start, TEXT_SIZE, color, text.clone());
+                labels.text(beside(place), Anchor::Start, TEXT_SIZE, color, text.clone());
             }
         }
         labels.paint(&mut raster.canvas, factor, [0.0, 0.0]);
@@ -333,6 +332,11 @@ pub(super) fn lines_of(scene: &Scene) -> (Vec<[u32; 2]>, Vec<[u32; 2]>, Vec<u32>
         }
     }
     (sides, wires, dots)
+}
+
+/// Where a text beside a place begins: above it and to the right, within the picture.
+pub(super) fn beside([x, y, _]: [f64; 3]) -> [f64; 2] {
+    [x + 6.0, (y - 6.0).max(TEXT_SIZE)]
 }
 
 /// The layers that are shown, with their colors.

@@ -8,7 +8,7 @@ const MOST_LABELS: usize = 2000;
 
 impl Scene {
     /// Writes the numbers of the cells of a dimension beside them: of vertices as the model has them, of edges in the order of their ends, of
-    /// polygons as they stand in the file. Texts at places that the model hides are left out of pictures.
+    /// polygons as they stand in the file, with the letters v, e and f before them. Texts at places that the model hides are left out of pictures.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] for a dimension above 2, and if there is no such cell; [`ErrorKind::TooLarge`] for more than 2000 of them.
@@ -21,17 +21,17 @@ impl Scene {
     /// let square = coface_io::read(square, coface_io::Format::Obj)?;
     /// let mut scene = Scene::of("square", &square)?;
     /// scene.label_cells(0)?;
-    /// assert!(Picture::new(&scene, &PictureStyle::default())?.svg().contains(">3</text>"));
+    /// assert!(Picture::new(&scene, &PictureStyle::default())?.svg().contains(">v3</text>"));
     /// # Ok(()) }
     /// ```
     pub fn label_cells(&mut self, dimension: usize) -> Result<(), Error> {
-        let (name, cells): (_, Vec<Vec<u32>>) = match dimension {
+        let (name, letter, cells): (_, _, Vec<Vec<u32>>) = match dimension {
             0 => {
                 let seen = (0..self.positions.len() as u32).filter(|&vertex| !self.is_hidden(vertex));
-                ("vertices", seen.map(|vertex| vec![vertex]).collect())
+                ("vertices", 'v', seen.map(|vertex| vec![vertex]).collect())
             }
-            1 => ("edges", self.edges().iter().map(|ends| ends.to_vec()).collect()),
-            2 => ("faces", self.polygons().iter().map(<[u32]>::to_vec).collect()),
+            1 => ("edges", 'e', self.edges().iter().map(|ends| ends.to_vec()).collect()),
+            2 => ("faces", 'f', self.polygons().iter().map(<[u32]>::to_vec).collect()),
             _ => {
                 return Err(Error::invalid(format!("cells of dimension {dimension} have no texts"))
                     .with_cure("label vertices, edges or faces"));
@@ -61,7 +61,7 @@ impl Scene {
             .zip(&cells)
             .map(|(place, cell)| {
                 let number = if dimension == 0 { self.numbering.of_model(cell[0]) } else { place };
-                (place, number.to_string())
+                (place, format!("{letter}{number}"))
             })
             .collect();
         self.add_layer(layer);

@@ -86,6 +86,17 @@ fn no_boundary() -> Failure {
     Failure::new("the model has no boundary: every facet lies in two cells; leave --boundary out")
 }
 
+/// A format of surfaces takes the boundary of a solid.
+fn or_its_boundary(error: coface::Error) -> coface::Error {
+    match error.cure() {
+        Some(cure @ "write MEDIT, MSH or VTK") => {
+            let cure = format!("{cure}, or the surface of it with --boundary");
+            error.with_cure(cure)
+        }
+        _ => error,
+    }
+}
+
 fn no_parts(what: &str) -> Failure {
     Failure::new(format!(
         "the {what} of such a model is not taken here; write it with -o and use the verb {what}"
@@ -125,7 +136,7 @@ impl Generate {
         match (target, format) {
             (Some(path), Some(format)) => {
                 progress.stage(format!("writing {}", path.display()));
-                io::write_path(&model, path, Some(format))?;
+                io::write_path(&model, path, Some(format)).map_err(or_its_boundary)?;
                 losses = losses_of(&model, format);
                 say_remarks(&losses, common);
                 if !common.json {
@@ -135,7 +146,7 @@ impl Generate {
             (None, Some(format)) => {
                 // Made in memory first: a model that the format cannot hold leaves nothing on standard output.
                 let mut bytes = Vec::new();
-                io::write(&model, &mut bytes, format)?;
+                io::write(&model, &mut bytes, format).map_err(or_its_boundary)?;
                 drop(progress);
                 say_remarks(&losses_of(&model, format), common);
                 return print_bytes(|out| out.write_all(&bytes));

@@ -32,7 +32,7 @@ pub(super) enum Operation {
 #[derive(Args)]
 pub(super) struct Formula {
     /// The formula
-    #[arg(value_name = "FORMULA", allow_hyphen_values = true)]
+    #[arg(value_name = "FORMULA")]
     formula: String,
     #[command(flatten)]
     sets: Several,

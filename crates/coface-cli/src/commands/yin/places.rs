@@ -133,7 +133,11 @@ impl Locate {
         check_output(&self.options, common, true)?;
         let progress = Progress::start(common.quiet);
         let mut points = self.point.clone();
-        if let Some(path) = &self.points {
+        // One point in the place of a file of points.
+        let as_point = |path: &PathBuf| pair(path.to_str()?).ok().filter(|_| !path.exists());
+        if let Some(point) = self.points.as_ref().and_then(as_point) {
+            points.push(point);
+        } else if let Some(path) = &self.points {
             let loaded = input::read(path, common.reading(), &progress)?;
             let positions = loaded.model.positions();
             if positions.dimension() < 2 && !positions.is_empty() {

@@ -62,6 +62,9 @@ pub(super) const CASES: &[Case] = &[
         &["coface boolean union square.wkt -o union.wkt"],
         &["coface boolean union square.wkt -o union.wkt", "coface yin info union.wkt -o union.dat"],
     ]),
+    Case::new("commands/generate/mod.rs", "or the surface of it with --boundary")
+        .refused("coface generate box -o box.off")
+        .cured(&[&["coface generate box --boundary -o box.off"], &["coface generate box -o box.mesh"]]),
     Case::new("yin/boundary.rs", "ask coface yin, which knows unbounded sets")
         .files(&[("plane.json", "{\"plane\":true}")])
         .refused("coface arrange plane.json")
