@@ -18,9 +18,8 @@ pub(crate) type Names = Vec<Vec<Vec<u32>>>;
 #[derive(Clone, Debug)]
 pub struct Complex {
     counts: Vec<usize>,
-    /// For each degree from 1 on, where the column of each cell starts, and all entries.
-    starts: Vec<Vec<usize>>,
-    entries: Vec<Column>,
+    /// For each degree from 1 on the boundary of each cell.
+    columns: Vec<Vec<Column>>,
     /// None where cells have numbers alone.
     names: Option<Names>,
 }
@@ -110,19 +109,7 @@ impl Complex {
 
     /// From the boundaries of the cells of degrees 1, 2, ...
     pub(crate) fn new(counts: Vec<usize>, columns: Vec<Vec<Column>>, names: Option<Names>) -> Self {
-        let mut starts = Vec::new();
-        let mut entries = Vec::new();
-        for degree in columns {
-            let mut start = vec![0];
-            let mut all = Vec::with_capacity(degree.iter().map(Vec::len).sum());
-            for column in degree {
-                all.extend(column);
-                start.push(all.len());
-            }
-            starts.push(start);
-            entries.push(all);
-        }
-        Self { counts, starts, entries, names }
+        Self { counts, columns, names }
     }
 
     fn check_squares(&self) -> Result<(), Fault> {
@@ -165,8 +152,7 @@ impl Complex {
     /// # Examples
     /// See [`Complex::read`].
     pub fn boundary(&self, degree: usize, cell: usize) -> &[(u32, i64)] {
-        let starts = &self.starts[degree - 1];
-        &self.entries[degree - 1][starts[cell]..starts[cell + 1]]
+        &self.columns[degree - 1][cell]
     }
 
     /// The cells by their vertices, where they have such names.

@@ -10,6 +10,7 @@ mod fault;
 mod generators;
 mod groups;
 mod homology;
+mod info;
 mod json;
 mod matching;
 mod polygons;
@@ -116,6 +117,7 @@ pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     }
     match text(field(&whole, "kind", step)?, "\"kind\"", step)? {
         "homology" => homology::check(&whole, inputs),
+        "info" => info::check(&whole, inputs),
         other => {
             Err(Fault::new(step, format!("{other:?} is no kind of certificate that this checker knows")))
         }

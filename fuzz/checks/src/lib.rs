@@ -7,6 +7,7 @@
 #![allow(clippy::missing_panics_doc, reason = "a check panics where a promise is broken")]
 
 mod arrangements;
+mod certificates;
 mod containers;
 mod gluings;
 mod models;
@@ -18,6 +19,7 @@ mod surfaces;
 mod words;
 
 pub use arrangements::{arrange_plane, arrange_space, boolean_plane, boolean_space};
+pub use certificates::check_certificate;
 pub use containers::{read_chains, read_container, read_manifest, read_reduced_shard, read_shard};
 pub use gluings::glue_simplices;
 pub use packed::{read_compressed, read_three_mf, read_vtk_appended};
@@ -44,6 +46,7 @@ pub const CHECKS: &[(&str, Check)] = &[
     ("boolean_plane", boolean_plane),
     ("boolean_space", boolean_space),
     ("boolean_yin", boolean_yin),
+    ("check_certificate", check_certificate),
     ("edit_halfedges", edit_halfedges),
     ("glue_simplices", glue_simplices),
     ("parse_words", parse_words),

@@ -10,6 +10,7 @@
 //!   and `chains` each report on one kind.
 
 mod cells;
+mod certificate;
 mod chains;
 mod drawn;
 mod examination;

@@ -2,18 +2,19 @@
 
 use super::map::{Method, repair_facts};
 use crate::arguments::Common;
+use crate::certified;
 use crate::failure::Failure;
 use crate::input;
 use crate::output::{give, is_json, print_json, write_file};
 use crate::progress::Progress;
 use crate::remarks::{accept, are_on_the_page};
-use clap::{Args, ValueEnum};
+use clap::{Args, ValueEnum, error::ErrorKind};
 use coface::answers::answer::{
     FailedInput, InfoAnswer, InfoEntry, InfoReports, MapRepairAnswer, to_pretty_json,
 };
 use coface::answers::text;
 use coface::answers::{GeometryCheck, MapResult, MapTask, Producer, Report, ReportRequest};
-use coface::io::{Format, Model};
+use coface::io::{Format, Model, check_output};
 use coface::pictures::pages::html::{self, Figure, Section};
 use coface::pictures::{Scene, matrix_picture};
 use serde::Serialize;
@@ -56,6 +57,10 @@ pub(crate) struct Info {
     /// writes it
     #[arg(long, value_name = "METHOD", num_args = 0..=1, default_missing_value = "structure")]
     repair: Option<Method>,
+    /// A certificate of the report on one input, which coface check verifies: counts, components, manifold up to dimension 3, orientability,
+    /// boundary loops, genus, homology; of a facet list, or a surface as plain OFF or OBJ
+    #[arg(long, value_name = "OUT")]
+    certificate: Option<PathBuf>,
 }
 
 /// What is checked beside the cells.
@@ -97,6 +102,15 @@ const PLACES_IN_JSON: usize = 100;
 
 impl Info {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        if let Some(place) = &self.certificate {
+            // Before the work, not after it.
+            check_output(place)?;
+            certified::refuse_standard_input(&self.inputs)?;
+            if self.inputs.len() > 1 {
+                let message = "--certificate is for one input: name one, or run the command once for each";
+                return Err(Failure::Usage(ErrorKind::ArgumentConflict, message.to_owned()));
+            }
+        }
         let progress = Progress::start(common.quiet);
         let as_json = common.json || common.output.as_deref().is_some_and(is_json);
         let page_file = common.output.as_deref().filter(|path| is_html(path));
@@ -133,6 +147,11 @@ impl Info {
                     continue;
                 }
             };
+            if let Some(place) = &self.certificate {
+                progress.stage(format!("proving {}", place.display()));
+                let answer = self.answer(&report);
+                certified::save(place, &self.inputs, |inputs| answer.certificate(inputs))?;
+            }
             if as_json {
                 entries.push(InfoEntry::Report(Box::new(self.answer(&report))));
             }

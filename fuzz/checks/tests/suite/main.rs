@@ -90,6 +90,7 @@ corpora! {
     boolean_plane
     boolean_space
     boolean_yin
+    check_certificate
     edit_halfedges
     glue_simplices
     parse_words

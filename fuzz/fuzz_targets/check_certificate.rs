@@ -1,0 +1,3 @@
+#![no_main]
+
+coface_fuzz::target!(check_certificate);
