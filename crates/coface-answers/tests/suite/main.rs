@@ -1,5 +1,6 @@
 //! Tests of `coface-answers`, in one program: each test program links everything anew.
 
+mod certificates;
 mod covering;
 mod exact_chains;
 mod fundamental_groups;

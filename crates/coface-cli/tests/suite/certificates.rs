@@ -189,6 +189,64 @@ fn changed_certificates_are_refused_or_prove_the_same() {
     }
 }
 
+/// The certificate of a report, and what it proves.
+fn reported(folder: &Path, name: &str, text: &str) -> (PathBuf, PathBuf, Vec<String>) {
+    let (input, certificate) = (folder.join(name), folder.join(format!("{name}.cert")));
+    fs::write(&input, text).unwrap();
+    coface(&["info", argument(&input), "--certificate", argument(&certificate), "--json"]).json();
+    let verdict = checked(&certificate, &input);
+    let proved = verdict["proved"].as_array().unwrap();
+    (input, certificate, proved.iter().map(|line| line.as_str().unwrap().to_owned()).collect())
+}
+
+#[test]
+fn reports_are_proved() {
+    let folder = tempfile::tempdir().unwrap();
+    // The torus of 7 vertices, and a cone over it, whose tip has the torus as its link.
+    let torus: Vec<[u32; 3]> =
+        (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 2) % 7, (i + 3) % 7]]).collect();
+    let cone: Vec<[u32; 4]> = torus.iter().map(|[a, b, c]| [*a, *b, *c, 7]).collect();
+    let sphere: Vec<Vec<u32>> = (0..5).map(|i| (0..5).filter(|j| *j != i).collect()).collect();
+    let plane_cone: Vec<Value> = serde_json::from_str::<Vec<Vec<u32>>>(PLANE)
+        .unwrap()
+        .iter()
+        .map(|f| json!([f[0], f[1], f[2], 6]))
+        .collect();
+    let cases = [
+        (
+            json!(torus).to_string(),
+            &["genus = 1", "manifold = [\"yes\",true]", "orientable = true", "boundary_loops = 0"][..],
+        ),
+        (PLANE.to_owned(), &["genus = 1", "orientable = false", "H_1 = Z/2"]),
+        (
+            BAND.to_owned(),
+            &["genus = 1", "orientable = false", "manifold = [\"yes\",false]", "boundary_loops = 1"],
+        ),
+        ("[[0,1,2],[2,3,4]]".to_owned(), &["manifold = [\"no\",false]", "components = 1"]),
+        ("[[0,1,2],[0,1,3],[0,1,4]]".to_owned(), &["manifold = [\"no\",false]", "orientable = null"]),
+        ("[[0,1,2],[2,3]]".to_owned(), &["pure = false", "manifold = [\"no\",false]"]),
+        ("[[0,1],[1,2],[3,4]]".to_owned(), &["manifold = [\"yes\",false]", "components = 2"]),
+        (json!(cone).to_string(), &["manifold = [\"no\",false]", "euler_characteristic = 1"]),
+        (json!(plane_cone).to_string(), &["manifold = [\"no\",false]", "orientable = false"]),
+        (json!(sphere).to_string(), &["manifold = [\"yes\",true]", "orientable = true", "H_3 = Z"]),
+        ("[[0,1,2],[5]]".to_owned(), &["components = 2", "pure = false"]),
+        (
+            "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n2 1 0\n4 0 1 2 3\n4 1 4 5 2\n".to_owned(),
+            &["genus = 0", "boundary_loops = 1"],
+        ),
+    ];
+    for (text, expected) in cases {
+        let (input, certificate, proved) =
+            reported(folder.path(), if text.starts_with("OFF") { "in.off" } else { "in.json" }, &text);
+        for line in expected {
+            assert!(proved.iter().any(|found| found == line), "{text}: {line} is not in {proved:?}");
+        }
+        if text == PLANE || text.len() < 20 {
+            lie_about(&certificate, &[&input]);
+        }
+    }
+}
+
 #[test]
 fn shapes_of_the_program_are_proved() {
     let folder = tempfile::tempdir().unwrap();

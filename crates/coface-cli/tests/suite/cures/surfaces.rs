@@ -208,6 +208,15 @@ pub(super) const CASES: &[Case] = &[
                 "coface check boundary.cert boundary.off",
             ],
         ]),
+    Case::new("commands/info.rs", "name one, or run the command once for each")
+        .files(BOOK)
+        .with(&[("edge.json", "[[0,1]]")])
+        .refused("coface info book.json edge.json --certificate both.cert")
+        .cured(&[&[
+            "coface info book.json --certificate book.cert",
+            "coface info edge.json --certificate edge.cert",
+            "coface check edge.cert",
+        ]]),
     Case::new("commands/check.rs", "name it: coface check CERTIFICATE INPUT")
         .files(BOOK)
         .with(&[("lone.cert", "{}")])
