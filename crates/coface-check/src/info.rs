@@ -44,12 +44,13 @@ fn facts(complex: &Complex) -> Result<Vec<(&'static str, Value)>, Fault> {
         pieces.unite(edge[0].0, edge[1].0, false);
     }
     let loose: Vec<bool> = (0..top).map(|k| complex.cofaces(k).iter().any(Vec::is_empty)).collect();
+    let is_pure = !loose.contains(&true);
     let mut facts = vec![
         ("dimension", json!(top)),
         ("f_vector", json!(counts)),
         ("euler_characteristic", json!(euler)),
         ("components", json!(pieces.count)),
-        ("pure", json!(!loose.contains(&true))),
+        ("pure", json!(is_pure)),
     ];
     // Whether vertices without cells count, the file does not say.
     if top == 0 || loose[0] {
@@ -76,13 +77,15 @@ fn facts(complex: &Complex) -> Result<Vec<(&'static str, Value)>, Fault> {
     }
     // The vertices off the boundary are classes of their own.
     let loop_count = on_rim.len() + loops.count - counts[0];
-    facts.push(("orientable", json!(is_orientable)));
+    if is_pure {
+        facts.push(("orientable", json!(is_orientable)));
+    }
     if top == 2 {
         facts.push(("boundary_loops", json!(loop_count)));
     }
     if top <= 3 {
-        let is_manifold = !loose.contains(&true)
-            && links(&names[top], top).values().all(|link| is_ball_or_sphere(link, top - 1));
+        let is_manifold =
+            is_pure && links(&names[top], top).values().all(|link| is_ball_or_sphere(link, top - 1));
         facts.push(("manifold", json!([if is_manifold { "yes" } else { "no" }, rim.is_empty()])));
         if let (true, 2, 1, Some(orientable)) = (is_manifold, top, pieces.count, is_orientable) {
             let twice = 2 - euler - loop_count as i64;
