@@ -8,7 +8,7 @@ use crate::input;
 use crate::output::{give, is_json, print_json, write_file};
 use crate::progress::Progress;
 use crate::remarks::{accept, are_on_the_page};
-use clap::{Args, ValueEnum, error::ErrorKind};
+use clap::{Args, ValueEnum};
 use coface::answers::answer::{
     FailedInput, InfoAnswer, InfoEntry, InfoReports, MapRepairAnswer, to_pretty_json,
 };
@@ -107,8 +107,9 @@ impl Info {
             check_output(place)?;
             certified::refuse_standard_input(&self.inputs)?;
             if self.inputs.len() > 1 {
-                let message = "--certificate is for one input: name one, or run the command once for each";
-                return Err(Failure::Usage(ErrorKind::ArgumentConflict, message.to_owned()));
+                return Err(Failure::new(
+                    "--certificate is for one input: name one, or run the command once for each",
+                ));
             }
         }
         let progress = Progress::start(common.quiet);
