@@ -63,7 +63,7 @@ fn facts(complex: &Complex) -> Result<Vec<(&'static str, Value)>, Fault> {
         match pair[..] {
             // Neighbors agree if the ridge has opposite incidences in them.
             [(a, x), (b, y)] => {
-                is_orientable = is_orientable.map(|so_far| sides.unite(a, b, x == y) && so_far)
+                is_orientable = is_orientable.map(|so_far| sides.unite(a, b, x == y) && so_far);
             }
             _ => is_orientable = None,
         }
