@@ -213,7 +213,7 @@ impl Page {
         let mut file = b"%PDF-1.4\n%\xE2\xE3\xCF\xD3\n".to_vec();
         let mut places = String::new();
         for (number, object) in (1..).zip(&objects) {
-            let _ = write!(places, "{:010} 00000 n \n", file.len());
+            let _ = writeln!(places, "{:010} 00000 n ", file.len());
             file.extend(format!("{number} 0 obj\n").into_bytes());
             file.extend(object);
             file.extend(b"\nendobj\n");
