@@ -3,7 +3,7 @@
 use crate::answer::IsomorphicAnswer;
 use coface_algebra::{Error, ErrorKind, RaggedArray};
 use coface_complexes::cell_mesh::CellShape;
-use coface_complexes::gluing::GluingTable;
+use coface_complexes::gluing::{FaceClasses, GluingTable};
 use coface_io::{Model, Structure};
 
 /// The signatures of larger tables are not looked for.
@@ -39,6 +39,7 @@ pub fn isomorphic(names: [&str; 2], models: [&Model; 2]) -> Result<IsomorphicAns
     Ok(IsomorphicAnswer {
         files: names.map(str::to_owned),
         isomorphic: found.is_some(),
+        difference: if found.is_some() { None } else { Some(difference(&a, &b)?) },
         simplices: found.as_ref().map(|found| found.simplices().images().to_vec()),
         vertices: found
             .as_ref()
@@ -48,8 +49,54 @@ pub fn isomorphic(names: [&str; 2], models: [&Model; 2]) -> Result<IsomorphicAns
     })
 }
 
+/// The first thing in which two triangulations differ that are not the same: what names do not change.
+fn difference(a: &GluingTable, b: &GluingTable) -> Result<String, Error> {
+    let numbers = |what: &str, a: usize, b: usize| (a != b).then(|| format!("{a} and {b} {what}"));
+    if a.dimension() != b.dimension() {
+        return Ok(format!("dimensions {} and {}", a.dimension(), b.dimension()));
+    }
+    let (faces_a, faces_b) = (a.faces()?, b.faces()?);
+    let counts = numbers("simplices", a.simplex_count(), b.simplex_count())
+        .or_else(|| numbers("components", a.components().count(), b.components().count()))
+        .or_else(|| numbers("facets in the boundary", a.boundary_facets().count(), b.boundary_facets().count()))
+        .or_else(|| {
+            let mut pairs = faces_a.class_counts().into_iter().zip(faces_b.class_counts()).enumerate();
+            pairs.find_map(|(degree, (a, b))| numbers(&format!("faces of degree {degree}"), a, b))
+        })
+        .or_else(|| {
+            let is_orientable = |table: &GluingTable| table.orientation().odd_cycle().is_none();
+            (is_orientable(a) != is_orientable(b)).then(|| "one can be oriented, the other cannot".to_owned())
+        })
+        .or_else(|| {
+            (0..a.dimension().saturating_sub(1)).find_map(|degree| {
+                let (a, b) = (degrees(a, &faces_a, degree), degrees(b, &faces_b, degree));
+                let (x, y) = a.iter().zip(&b).find(|(x, y)| x != y)?;
+                Some(format!(
+                    "in how many simplices the faces of degree {degree} lie, from the fewest: first {x} and {y}"
+                ))
+            })
+        });
+    Ok(counts.unwrap_or_else(|| {
+        "no image of the first simplex of a component can be continued, with any order of its vertices"
+            .to_owned()
+    }))
+}
+
+/// In how many simplices each face of a degree lies, counted with its copies, rising.
+fn degrees(table: &GluingTable, faces: &FaceClasses, degree: usize) -> Vec<usize> {
+    let mut counts = vec![0; faces.class_counts().get(degree).copied().unwrap_or(0)];
+    for simplex in 0..table.simplex_count() {
+        let sets = 1..1_u32 << (table.dimension() + 1);
+        for set in sets.filter(|set| set.count_ones() as usize == degree + 1) {
+            counts[faces.of_face(simplex, set).0] += 1;
+        }
+    }
+    counts.sort_unstable();
+    counts
+}
+
 /// A triangulation as a gluing table.
-fn table_of(model: &Model) -> Result<GluingTable, Error> {
+pub(crate) fn table_of(model: &Model) -> Result<GluingTable, Error> {
     let lists = match model.structure() {
         Some(Structure::Gluings(table)) => return Ok(table.clone()),
         Some(Structure::Facets(facets)) => facets.clone(),

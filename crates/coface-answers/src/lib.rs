@@ -26,6 +26,7 @@ mod producer;
 mod repair;
 mod signatures;
 mod simplices;
+mod simplification;
 mod spatial;
 mod surface_model;
 pub mod text;
@@ -64,6 +65,7 @@ pub use repair::{
 };
 pub use signatures::SignatureRequest;
 pub use simplices::{model_of_simplices, simplicial_complex};
+pub use simplification::{SimplifiedManifold, gluing_model};
 pub use spatial::{
     InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene,
 };

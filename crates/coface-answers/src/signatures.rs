@@ -1,9 +1,11 @@
 //! What is asked about each gluing table of a census.
 
-use crate::answer::{GroupAnswer, HomologyGroup, PresentedGroup, SignatureAnswer};
+use crate::answer::{GroupAnswer, HomologyGroup, PresentedGroup, SignatureAnswer, SpaceAnswer};
 use coface_algebra::{Error, Word};
 use coface_complexes::gluing::{FaceClasses, GluingTable};
-use coface_topology::{EdgePathGroups, Effort, GroupName, Simplification, gluing_manifold_verdict, homology};
+use coface_topology::{
+    EdgePathGroups, Effort, GroupName, Simplification, gluing_manifold_verdict, homology, named_space,
+};
 
 /// Asks what is known of gluing tables of tetrahedra, one after the other.
 ///
@@ -21,11 +23,15 @@ use coface_topology::{EdgePathGroups, Effort, GroupName, Simplification, gluing_
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SignatureRequest {
     has_groups: bool,
+    has_names: bool,
     is_pseudomanifold: bool,
 }
 
 /// Letters that the search for the name of one group reads or writes: a few milliseconds. It is the same on every machine.
 const STEPS: u64 = 10_000_000;
+
+/// How often moves are tried where a triangulation does not show which space it is.
+const ATTEMPTS: usize = 12;
 
 impl SignatureRequest {
     /// Homology and verdicts.
@@ -65,6 +71,34 @@ impl SignatureRequest {
     /// ```
     pub fn has_groups(&self) -> bool {
         self.has_groups
+    }
+
+    /// Whether the names of the spaces are asked for too.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::SignatureRequest;
+    /// use coface_complexes::gluing::GluingTable;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let lens = GluingTable::from_isomorphism_signature("cMcabbjqs", 3)?;
+    /// let space = SignatureRequest::new().names(true).answer(&lens)?.space.flatten();
+    /// assert_eq!(space.map(|space| space.name).as_deref(), Some("L(8,3)"));
+    /// # Ok(()) }
+    /// ```
+    #[must_use]
+    pub fn names(mut self, has_names: bool) -> Self {
+        self.has_names = has_names;
+        self
+    }
+
+    /// Whether the [names of the spaces](Self::names) are asked for.
+    ///
+    /// # Examples
+    /// ```
+    /// assert!(!coface_answers::SignatureRequest::new().has_names());
+    /// ```
+    pub fn has_names(&self) -> bool {
+        self.has_names
     }
 
     /// Whether ideal vertices are points, and are not cut off.
@@ -134,6 +168,10 @@ impl SignatureRequest {
             witness: verdict.witness().map(|witness| witness.message().to_owned()),
             orientable: table.orientation().odd_cycle().is_none(),
             homology: HomologyGroup::list(groups.groups()),
+            space: match self.has_names {
+                true => Some(named_space(table, faces, ATTEMPTS)?.as_ref().map(SpaceAnswer::of)),
+                false => None,
+            },
             groups: if self.has_groups { Some(presented(faces)?) } else { None },
         })
     }

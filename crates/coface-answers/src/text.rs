@@ -366,7 +366,7 @@ fn summary(report: &Report) -> String {
         sentence.push_str(", with boundary");
     }
     match (report.manifold(), dimension, report.name()) {
-        (Answer::Yes, 2, Some(name)) => {
+        (Answer::Yes, 2 | 3, Some(name)) => {
             let _ = write!(sentence, ": {name}");
         }
         (Answer::Yes, 2, None) => sentence.push_str(": a surface"),

@@ -71,6 +71,12 @@ pub use groups::{
     PermutationGroup, Presentation, Simplification, SubgroupClass, SurfaceGroup, TietzeMove,
 };
 
+mod three_manifolds;
+pub use three_manifolds::{
+    GluingMove, GluingSimplification, NamedSpace, SeifertSpace, SpaceName, SpaceProof, moved, named_space,
+    simplified, simplified_until,
+};
+
 mod recognition;
 pub use recognition::{GroupName, gluing_manifold_verdict, manifold_verdict};
 

@@ -84,8 +84,11 @@ pub struct RowAnswer {
     pub coherently_oriented: Option<bool>,
     /// The genus of a connected surface; of a non-orientable one the number of cross-caps.
     pub genus: Option<usize>,
-    /// The surface in words, such as `torus`; `null` if a component is no surface.
+    /// The surface in words, such as `torus`, or the 3-manifold, such as `L(8,3)`, where it is proved which one it is; else `null`.
     pub name: Option<String>,
+    /// What the name of a 3-manifold rests on: `layered_solid_tori`, `folded_tetrahedron` or `seifert_fibration`; absent without such a name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name_proof: Option<String>,
     /// The components of a model of polygons, isolated vertices left out.
     pub surfaces: Vec<SurfaceAnswer>,
     /// The integral homology of degrees 0, 1, ... up to the dimension.
@@ -147,6 +150,7 @@ impl RowAnswer {
             coherently_oriented,
             genus,
             name,
+            name_proof,
             surfaces,
             homology,
             area,
@@ -182,6 +186,7 @@ impl RowAnswer {
             coherently_oriented,
             genus,
             name,
+            name_proof,
             surfaces,
             homology,
             area,

@@ -43,8 +43,11 @@ pub struct InfoAnswer {
     pub coherently_oriented: Option<bool>,
     /// The genus of a connected surface; of a non-orientable one the number of cross-caps.
     pub genus: Option<usize>,
-    /// The surface in words, such as `torus`; `null` if a component is no surface.
+    /// The surface in words, such as `torus`, or the 3-manifold, such as `L(8,3)`, where it is proved which one it is; else `null`.
     pub name: Option<String>,
+    /// What the name of a 3-manifold rests on: `layered_solid_tori`, `folded_tetrahedron` or `seifert_fibration`; absent without such a name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name_proof: Option<String>,
     /// The components of a model of polygons, isolated vertices left out.
     pub surfaces: Vec<SurfaceAnswer>,
     /// The integral homology of degrees 0, 1, ... up to the dimension.
@@ -490,6 +493,7 @@ impl Report {
             coherently_oriented: self.coherently_oriented,
             genus: self.surface_type.map(|surface| surface.genus()),
             name: self.name.clone(),
+            name_proof: self.name_proof.map(|proof| proof.word().to_owned()),
             surfaces: self.surfaces.iter().map(SurfaceAnswer::of).collect(),
             homology: HomologyGroup::list(&self.homology),
             area: self.area,

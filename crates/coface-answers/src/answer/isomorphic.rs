@@ -11,6 +11,9 @@ pub struct IsomorphicAnswer {
     pub files: [String; 2],
     /// Whether they are.
     pub isomorphic: bool,
+    /// The first thing found in which they differ and that names do not change; `null` if they are the same.
+    #[serde(default)]
+    pub difference: Option<String>,
     /// For each simplex of the first the one of the second that it is; `null` if they are not the same.
     pub simplices: Option<Vec<u32>>,
     /// For each simplex of the first the places of its vertices in the simplex of the second; vertices of facets are in rising order.

@@ -35,6 +35,7 @@ mod schema;
 mod shards;
 mod signatures;
 mod simplices;
+mod simplify;
 mod view;
 mod yin;
 mod yin_interface;
@@ -102,8 +103,9 @@ pub use remark::{Place, Remark, RemarkCode};
 pub use schema::reprinted;
 pub use schema::schema;
 pub use shards::{ReduceAnswer, ReducedShard, ShardAnswer};
-pub use signatures::{PresentedGroup, SignatureAnswer};
+pub use signatures::{PresentedGroup, SignatureAnswer, SpaceAnswer};
 pub use simplices::SimplicesAnswer;
+pub use simplify::SimplifyAnswer;
 pub use view::{LayerAnswer, ViewAnswer};
 pub use yin::{
     CoverageAnswer, CutCellAnswer, GridAnswer, VanishedAnswer, YinAdvectAnswer, YinCombinationAnswer,

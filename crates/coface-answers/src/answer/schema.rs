@@ -5,11 +5,11 @@ use super::{
     CoverAnswer, CutAnswer, CyclesAnswer, DissolveAnswer, DoubleCoverAnswer, EditAnswer, GenerateAnswer,
     HomologyAnswer, HomotopicAnswer, IncidenceAnswer, InfoAnswer, InfoReports, IsomorphicAnswer, LoopsAnswer,
     MapAnswer, PersistenceAnswer, Pi1Answer, PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer,
-    RenderAnswer, RowAnswer, ShardAnswer, SignatureAnswer, SimplicesAnswer, SolidBooleanAnswer,
-    SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer, YinAdvectAnswer, YinCombinationAnswer,
-    YinComparisonAnswer, YinCurvatureAnswer, YinCutCellsAnswer, YinInfoAnswer, YinInterfaceAnswer,
-    YinKinksAnswer, YinLocateAnswer, YinNormalizeAnswer, YinSampleAnswer, YinSeriesAnswer, YinSetAnswer,
-    YinValidationAnswer,
+    RenderAnswer, RowAnswer, ShardAnswer, SignatureAnswer, SimplicesAnswer, SimplifyAnswer,
+    SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer, YinAdvectAnswer,
+    YinCombinationAnswer, YinComparisonAnswer, YinCurvatureAnswer, YinCutCellsAnswer, YinInfoAnswer,
+    YinInterfaceAnswer, YinKinksAnswer, YinLocateAnswer, YinNormalizeAnswer, YinSampleAnswer,
+    YinSeriesAnswer, YinSetAnswer, YinValidationAnswer,
 };
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
@@ -72,6 +72,7 @@ answers! {
     "cut" => CutAnswer,
     "edit" => EditAnswer,
     "isomorphic" => IsomorphicAnswer,
+    "simplify" => SimplifyAnswer,
     "cover" => CoverAnswer,
     "cover --orientation" => DoubleCoverAnswer,
     "cocycles" => CocyclesAnswer,

@@ -1,8 +1,9 @@
 //! What a row of `batch` says of a line in a list of isomorphism signatures.
 
 use super::{GroupAnswer, HomologyGroup};
+use coface_topology::NamedSpace;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// What is known of the gluing table of a signature. Ideal vertices are cut off unless they are taken as points: manifold, homology
 /// and groups are those of the space with boundary that is left.
@@ -27,9 +28,17 @@ pub struct SignatureAnswer {
     pub orientable: bool,
     /// The integral homology of degrees 0 to 3.
     pub homology: Vec<HomologyGroup>,
+    /// Which 3-manifold the space is, `null` where that is not proved; absent unless it is asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "there")]
+    pub space: Option<Option<SpaceAnswer>>,
     /// The fundamental group of each component; absent unless it is asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub groups: Option<Vec<PresentedGroup>>,
+}
+
+/// A key that is there, whatever its value.
+fn there<'de, D: Deserializer<'de>>(value: D) -> Result<Option<Option<SpaceAnswer>>, D::Error> {
+    Option::deserialize(value).map(Some)
 }
 
 /// A fundamental group in a row, by a presentation that was simplified.
@@ -44,4 +53,32 @@ pub struct PresentedGroup {
     pub relators: Vec<Vec<i32>>,
     /// The abelianization.
     pub abelianization: GroupAnswer,
+}
+
+/// Which 3-manifold a space is, up to homeomorphism that may reverse orientation.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct SpaceAnswer {
+    /// The name: `S3`, `RP3`, `L(8,3)`, `S2 x S1`, `SFS [S2: (2,1) (3,1) (5,-4)]`, ...
+    pub name: String,
+    /// What the name rests on: `layered_solid_tori`, `folded_tetrahedron` or `seifert_fibration`.
+    pub proof: String,
+}
+
+impl SpaceAnswer {
+    /// The answer about a space that was named.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::answer::SpaceAnswer;
+    /// use coface_complexes::gluing::GluingTable;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let sphere = GluingTable::from_isomorphism_signature("bkaagj", 3)?;
+    /// let space = coface_topology::named_space(&sphere, &sphere.faces()?, 0)?;
+    /// assert_eq!(space.as_ref().map(|space| SpaceAnswer::of(space).name).as_deref(), Some("S3"));
+    /// # Ok(()) }
+    /// ```
+    pub fn of(space: &NamedSpace) -> Self {
+        Self { name: space.name().to_string(), proof: space.proof().word().to_owned() }
+    }
 }

@@ -9,7 +9,7 @@ use coface_algebra::Error;
 use coface_algebra::RaggedArray;
 use coface_complexes::gluing::{FaceClasses, GluingTable, GluingWitness};
 use coface_complexes::surface::{GeneralizedMap, SurfaceComponent, SurfaceType};
-use coface_topology::{gluing_manifold_verdict, homology};
+use coface_topology::{NamedSpace, gluing_manifold_verdict, homology, named_space};
 
 /// The report on a table with its face classes.
 ///
@@ -39,6 +39,7 @@ pub(crate) fn report(table: &GluingTable, faces: &FaceClasses) -> Result<Report,
         [only] => only.surface(),
         _ => None,
     };
+    let space = space_of(table, faces)?;
     let remarks = match faces.has_folds() {
         true => vec![Remark::new(
             RemarkCode::SubdivisionCounted,
@@ -58,13 +59,28 @@ pub(crate) fn report(table: &GluingTable, faces: &FaceClasses) -> Result<Report,
         skin: if table.dimension() == 3 && !table.is_closed() { Some(skin(table)?) } else { None },
         orientable: orientation.is_orientable().filter(|_| components > 0),
         surface_type: surface,
-        name: SurfaceComponent::names(&surfaces),
+        name: SurfaceComponent::names(&surfaces).or(space.as_ref().map(|space| space.name().to_string())),
+        name_proof: space.as_ref().map(NamedSpace::proof),
         surfaces,
         homology: homology(&chains).groups().to_vec(),
         problems,
         remarks,
         ..Report::of_nothing()
     })
+}
+
+/// Larger tables are not looked at for the name of their 3-manifold.
+const NAMED_SIMPLICES: usize = 500;
+
+/// How often moves are tried where a triangulation does not show what it is.
+const ATTEMPTS: usize = 60;
+
+/// Which 3-manifold a table is, where that is proved.
+///
+/// # Errors
+/// Those of [`named_space`].
+pub(crate) fn space_of(table: &GluingTable, faces: &FaceClasses) -> Result<Option<NamedSpace>, Error> {
+    if table.simplex_count() > NAMED_SIMPLICES { Ok(None) } else { named_space(table, faces, ATTEMPTS) }
 }
 
 fn shapes(table: &GluingTable) -> Vec<(&'static str, usize)> {

@@ -6,7 +6,7 @@ use crate::answer::Remark;
 use coface_complexes::surface::{SurfaceComponent, SurfaceType};
 use coface_geometry::MassProperties;
 use coface_io::{CellData, Group, GroupKind, ReferenceSystem};
-use coface_topology::AbelianGroup;
+use coface_topology::{AbelianGroup, SpaceProof};
 use std::fmt;
 
 /// What sort of thing a model is.
@@ -479,6 +479,7 @@ pub struct Report {
     pub(crate) surface_type: Option<SurfaceType>,
     pub(crate) surfaces: Vec<SurfaceComponent>,
     pub(crate) name: Option<String>,
+    pub(crate) name_proof: Option<SpaceProof>,
     pub(crate) homology: Vec<AbelianGroup>,
     pub(crate) area: Option<f64>,
     pub(crate) signed_volume: Option<f64>,
@@ -519,6 +520,7 @@ impl Report {
             surface_type: None,
             surfaces: Vec::new(),
             name: None,
+            name_proof: None,
             homology: Vec::new(),
             area: None,
             signed_volume: None,
@@ -790,6 +792,20 @@ impl Report {
     /// ```
     pub fn name(&self) -> Option<&str> {
         self.name.as_deref()
+    }
+
+    /// What the name of a 3-manifold rests on.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let report = coface_answers::Report::of(coface_io::isosig::read(&b"cMcabbjqs"[..])?)?;
+    /// assert_eq!(report.name(), Some("L(8,3)"));
+    /// assert_eq!(report.name_proof(), Some(coface_topology::SpaceProof::LayeredSolidTori));
+    /// # Ok(()) }
+    /// ```
+    pub fn name_proof(&self) -> Option<SpaceProof> {
+        self.name_proof
     }
 
     /// The integral homology of degrees 0, 1, ... up to the dimension.

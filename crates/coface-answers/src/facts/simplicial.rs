@@ -6,8 +6,9 @@ use super::{Problem, ProblemKind};
 use coface_algebra::Error;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{RaggedArray, UnionFind};
+use coface_complexes::gluing::GluingTable;
 use coface_complexes::simplicial::{FaultyCells, FrozenComplex, LinkFault, ManifoldWitness, orientability};
-use coface_topology::{homology, manifold_verdict};
+use coface_topology::{NamedSpace, homology, manifold_verdict};
 
 /// The report on a complex of dimension 3 or more.
 ///
@@ -30,6 +31,7 @@ pub(crate) fn report(complex: &FrozenComplex, budget: u64) -> Result<Report, Err
         let cells = RaggedArray::from_lists(facets);
         problems.push(Problem::new(ProblemKind::OneSidedChain, message, cells, RaggedArray::new(), "cell"));
     }
+    let space = if dimension == 3 && manifold == Answer::Yes { space(complex)? } else { None };
     let pure = maximal_dimensions_agree(&chains, dimension);
     if !isolated.is_empty() {
         problems.push(isolated_vertices(&isolated));
@@ -43,10 +45,18 @@ pub(crate) fn report(complex: &FrozenComplex, budget: u64) -> Result<Report, Err
         closed: Some(closed),
         witness,
         orientable: orientation.is_orientable(),
+        name: space.as_ref().map(|space| space.name().to_string()),
+        name_proof: space.as_ref().map(NamedSpace::proof),
         homology: homology(&chains).groups().to_vec(),
         problems,
         ..Report::of_nothing()
     })
+}
+
+/// Which 3-manifold a complex is, where that is proved.
+fn space(complex: &FrozenComplex) -> Result<Option<NamedSpace>, Error> {
+    let table = GluingTable::from_simplices(&RaggedArray::uniform(4, complex.flat(3).to_vec())?)?;
+    super::gluings::space_of(&table, &table.faces()?)
 }
 
 /// The vertices that lie in no edge.

@@ -26,7 +26,7 @@ use std::time::Duration;
 /// JSON lines that is one object; in CSV and Parquet cells are f_0, f_1, .., homology is betti_0, .., torsion_0, .., and lists are text.
 ///
 /// Lists of isomorphism signatures alone, such as census.sig, are read as they come, whatever their length, a row a line: path, line, name,
-/// signature, error, and counts, verdicts and homology of the triangulation; --with pi1 adds the fundamental groups. A line has a signature and
+/// signature, error, and counts, verdicts and homology of the triangulation; --with pi1,names adds fundamental groups and the names of 3-manifolds. A line has a signature and
 /// perhaps a name, in either order, with tabs or blanks between them; a bad line is a row with its error. Limits of time and memory and
 /// rows of an earlier run are for models in files.
 ///
@@ -62,9 +62,9 @@ pub(crate) struct Batch {
     /// List every place of every problem, not just the first hundred
     #[arg(long)]
     all: bool,
-    /// Add to the rows of lists of signatures: fundamental groups and their names
-    #[arg(long, value_name = "WHAT", value_enum)]
-    with: Option<Extra>,
+    /// Add to the rows of lists of signatures: fundamental groups, names of 3-manifolds
+    #[arg(long, value_name = "WHAT", value_enum, value_delimiter = ',')]
+    with: Vec<Extra>,
 }
 
 /// What rows of signatures have beside the usual.
@@ -72,6 +72,8 @@ pub(crate) struct Batch {
 enum Extra {
     /// The fundamental group of each component
     Pi1,
+    /// Which 3-manifold it is, where that is proved, and what the name rests on
+    Names,
 }
 
 /// The memory of a worker.
@@ -100,7 +102,7 @@ impl Batch {
             drop(progress);
             return self.say(&summary, out, common);
         }
-        if self.with.is_some() {
+        if !self.with.is_empty() {
             return Err(Failure::new(
                 "--with is for lists of isomorphism signatures, and not all paths are such lists; ask coface pi1 about other models",
             ));
@@ -140,7 +142,8 @@ impl Batch {
     fn signatures(&self, common: &Common) -> SignatureBatch {
         let mut batch = SignatureBatch::new(self.paths.clone());
         batch.request = SignatureRequest::new()
-            .groups(self.with == Some(Extra::Pi1))
+            .groups(self.with.contains(&Extra::Pi1))
+            .names(self.with.contains(&Extra::Names))
             .pseudomanifold(common.pseudomanifold);
         batch.jobs = self.jobs.map_or_else(workers::core_count, usize::from);
         batch

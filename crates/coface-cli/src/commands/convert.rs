@@ -15,8 +15,8 @@ use coface::answers::answer::{
 };
 use coface::answers::{
     MapResult, MapTask, PlanarSet, RepairMethod, RepairRequest, SetRequest, SurfaceRepairRequest,
-    dual_graph_model, dual_model, halfedge_model, polygon_model, reference_loss, repaired, repaired_surface,
-    triangulated, truncated,
+    dual_graph_model, dual_model, gluing_model, halfedge_model, polygon_model, reference_loss, repaired,
+    repaired_surface, triangulated, truncated,
 };
 use coface::complexes::surface::FacesAtEdge;
 use coface::io;
@@ -361,6 +361,13 @@ impl Convert {
             let remarks = model.remarks().to_vec();
             loaded.model = model;
             return Ok(remarks);
+        }
+        // A signature is of any triangulation with tetrahedra; what is none is said by the writer.
+        if matches!(format, Target::Model(Format::Isosig))
+            && !matches!(loaded.model.structure(), Some(Structure::Gluings(_)))
+            && let Ok(model) = gluing_model(&loaded.model)
+        {
+            loaded.model = model;
         }
         if !is_json && matches!(loaded.model.structure(), Some(Structure::Halfedges { .. })) {
             loaded.model = polygon_model(std::mem::take(&mut loaded.model)).map_err(in_file)?;

@@ -36,6 +36,9 @@ impl Isomorphic {
             true => fact("isomorphic", "yes".to_owned(), "the same but for names"),
             false => fact("isomorphic", "no".to_owned(), "no names make them the same"),
         }];
+        if let Some(difference) = &answer.difference {
+            facts.push(fact("difference", difference.clone(), ""));
+        }
         if let Some(simplices) = &answer.simplices {
             let few: Vec<String> =
                 simplices.iter().enumerate().take(12).map(|(from, to)| format!("{from} to {to}")).collect();

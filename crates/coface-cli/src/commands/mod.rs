@@ -31,6 +31,7 @@ pub(crate) mod pi1;
 pub(crate) mod reduce;
 pub(crate) mod render;
 pub(crate) mod shard;
+pub(crate) mod simplify;
 pub(crate) mod skeleton;
 pub(crate) mod star;
 pub(crate) mod subgroups;

@@ -225,3 +225,53 @@ fn loops_of_ideal_triangulations() {
         answer["remarks"].as_array().unwrap().iter().map(|remark| remark["code"].as_str().unwrap()).collect();
     assert_eq!(codes, ["ideal-vertices-cut", "unit-lengths"]);
 }
+
+/// Names of 3-manifolds rest on the triangulation, or on one that moves lead to.
+#[test]
+fn three_manifolds_have_names_where_they_are_proved() {
+    let folder = tempfile::tempdir().unwrap();
+    let [list, rows, facets] = ["list.sig", "rows.jsonl", "sphere.json"].map(|name| folder.path().join(name));
+    std::fs::write(&list, "bkaagb\ncMcabbjqs\neLAkbccddemkij\ncPcbbbiht\n").unwrap();
+    let run = coface(&["batch", argument(&list), "-o", argument(&rows), "--with", "pi1,names"]);
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    let rows = std::fs::read_to_string(&rows).unwrap();
+    let names: Vec<Value> =
+        rows.lines().map(|row| serde_json::from_str::<Value>(row).unwrap()["space"].clone()).collect();
+    assert_eq!(names[0], json!({"name": "S3", "proof": "folded_tetrahedron"}));
+    assert_eq!(names[1], json!({"name": "L(8,3)", "proof": "layered_solid_tori"}));
+    assert_eq!(names[2], json!({"name": "SFS [S2: (2,1) (2,1) (3,-1)]", "proof": "seifert_fibration"}));
+    assert_eq!(names[3], Value::Null);
+    let report = coface(&["info", "--json", &format!("{}#2", argument(&list))]).json();
+    assert_eq!((&report["name"], &report["name_proof"]), (&json!("L(8,3)"), &json!("layered_solid_tori")));
+    std::fs::write(&facets, "[[0,1,2,3],[0,1,2,4],[0,1,3,4],[0,2,3,4],[1,2,3,4]]").unwrap();
+    assert_eq!(coface(&["info", "--json", argument(&facets)]).json()["name"], "S3");
+    assert!(coface(&["info", argument(&facets)]).stdout.contains(": S3."));
+}
+
+/// Moves make a triangulation smaller; the signature of what is left is that of the file that is written.
+#[test]
+fn manifolds_are_simplified_by_moves() {
+    let folder = tempfile::tempdir().unwrap();
+    let [lens, facets, small] = ["lens.sig", "facets.json", "small.sig"].map(|name| folder.path().join(name));
+    std::fs::write(&lens, "cMcabbjqs\n").unwrap();
+    coface(&["convert", argument(&lens), "--triangulate", "-o", argument(&facets)]);
+    let answer = coface(&["simplify", argument(&facets), "-o", argument(&small), "--json"]).json();
+    let (before, after) = (&answer["f_vector_before"][3], &answer["f_vector"][3]);
+    assert!(after.as_u64().unwrap() * 4 < before.as_u64().unwrap(), "{before} {after}");
+    assert_eq!(answer["homology"][1]["torsion"], json!([8]));
+    assert_eq!(std::fs::read_to_string(&small).unwrap().trim_end(), answer["signature"].as_str().unwrap());
+    let page = coface(&["simplify", argument(&facets), "--log"]);
+    assert!(page.stdout.contains("at edge") && page.stdout.contains("signature"), "{}", page.stdout);
+    // Any triangulation has a signature.
+    let signature = coface(&["convert", argument(&facets), "--to", "isosig"]);
+    assert_eq!(signature.status, 0, "{}", signature.stderr);
+    let same = folder.path().join("same.sig");
+    std::fs::write(&same, &signature.stdout).unwrap();
+    let answer = coface(&["isomorphic", argument(&facets), argument(&same), "--json"]).json();
+    assert_eq!((&answer["isomorphic"], &answer["difference"]), (&json!(true), &Value::Null));
+    let answer = coface(&["isomorphic", argument(&lens), argument(&same), "--json"]).json();
+    assert!(answer["difference"].as_str().unwrap().ends_with(" simplices"), "{answer}");
+    let triangle = folder.path().join("triangle.json");
+    std::fs::write(&triangle, "[[0,1,2]]").unwrap();
+    assert!(coface(&["simplify", argument(&triangle)]).fails_with(1).contains("dimension 3"));
+}

@@ -38,6 +38,9 @@ pub(super) fn columns(request: SignatureRequest) -> Vec<Column> {
         ("orientable", Kind::Flag),
     ];
     columns.extend(facts.map(|(name, kind)| Column::new(name, kind)));
+    if request.has_names() {
+        columns.extend(["space", "space_proof"].map(|name| Column::new(name, Kind::Text)));
+    }
     if request.has_groups() {
         let groups = ["group", "group_generators", "group_relators"];
         columns.extend(groups.map(|name| Column::new(name, Kind::Text)));
@@ -75,6 +78,11 @@ pub(super) fn values(row: &SignatureRow, request: SignatureRequest) -> Vec<Cell>
         fact(|answer| answer.witness.as_deref().into()),
         fact(|answer| answer.orientable.into()),
     ]);
+    if request.has_names() {
+        let space = answer.and_then(|answer| answer.space.as_ref()?.as_ref());
+        cells.push(space.map(|space| space.name.as_str()).into());
+        cells.push(space.map(|space| space.proof.as_str()).into());
+    }
     if request.has_groups() {
         let groups = answer.and_then(|answer| answer.groups.as_deref());
         let listed = |value: fn(&PresentedGroup) -> String| {
@@ -102,7 +110,7 @@ mod tests {
     #[test]
     fn each_row_has_a_value_a_column() {
         let list = b"cMcabbjak\tL(3,1)\ncPcbbbiht\nnone of them\n";
-        for request in [SignatureRequest::new(), SignatureRequest::new().groups(true)] {
+        for request in [SignatureRequest::new(), SignatureRequest::new().groups(true).names(true)] {
             let names: Vec<String> = columns(request).into_iter().map(|column| column.name).collect();
             let mut found = Vec::new();
             for line in SignatureLines::new(&list[..]) {
@@ -119,6 +127,7 @@ mod tests {
             assert_eq!(found[2][at("line")], 3_u64.into());
             if request.has_groups() {
                 assert_eq!(found[0][at("group")], "Z/3".into());
+                assert_eq!(found[0][at("space")], "L(3,1)".into());
             }
         }
     }

@@ -1,0 +1,29 @@
+//! The answer of `simplify`: a 3-manifold with fewer tetrahedra.
+
+use super::{HomologyGroup, Remark};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A triangulated 3-manifold that was simplified by moves.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct SimplifyAnswer {
+    /// The name of the input.
+    pub file: String,
+    /// The numbers of vertices, edges, triangles and tetrahedra before.
+    pub f_vector_before: Vec<usize>,
+    /// The same numbers now.
+    pub f_vector: Vec<usize>,
+    /// The moves in order, each on the triangulation that those before it have made: `3-2 at edge 4`.
+    pub moves: Vec<String>,
+    /// The integral homology, which is that of the input.
+    pub homology: Vec<HomologyGroup>,
+    /// The isomorphism signature of the triangulation now.
+    pub signature: String,
+    /// Which 3-manifold it is, where that is proved.
+    pub name: Option<String>,
+    /// What the name rests on: `layered_solid_tori`, `folded_tetrahedron` or `seifert_fibration`.
+    pub name_proof: Option<String>,
+    /// What was assumed or left out.
+    pub remarks: Vec<Remark>,
+}

@@ -1,0 +1,118 @@
+//! Names of 3-manifolds.
+
+use super::SeifertSpace;
+use std::fmt;
+
+/// Which 3-manifold a space is, up to homeomorphism that may reverse orientation.
+///
+/// # Examples
+/// ```
+/// use coface_topology::SpaceName;
+/// assert_eq!(SpaceName::Lens { p: 5, q: 2 }.to_string(), "L(5,2)");
+/// assert_eq!(SpaceName::Lens { p: 2, q: 1 }.to_string(), "RP3");
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SpaceName {
+    /// The 3-sphere.
+    Sphere,
+    /// The 3-ball.
+    Ball,
+    /// The lens space $L(p, q)$, $p \\ge 2$, with the least q of all that give it: the projective space for p = 2.
+    Lens {
+        /// The order of its fundamental group.
+        p: u64,
+        /// Modulo p.
+        q: u64,
+    },
+    /// A bundle of 2-spheres over the circle: the product, or the twisted one, which is not orientable.
+    SphereBundle {
+        /// Whether it is the product.
+        is_orientable: bool,
+    },
+    /// A Seifert fibered space that is none of the spaces above.
+    Seifert(SeifertSpace),
+}
+
+impl fmt::Display for SpaceName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Sphere => f.write_str("S3"),
+            Self::Ball => f.write_str("B3"),
+            Self::Lens { p: 2, .. } => f.write_str("RP3"),
+            Self::Lens { p, q } => write!(f, "L({p},{q})"),
+            Self::SphereBundle { is_orientable: true } => f.write_str("S2 x S1"),
+            Self::SphereBundle { is_orientable: false } => f.write_str("S2 x~ S1"),
+            Self::Seifert(space) => write!(f, "{space}"),
+        }
+    }
+}
+
+/// What the name of a space rests on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SpaceProof {
+    /// The triangulation, as it is or after moves, is two layered solid tori with one boundary.
+    LayeredSolidTori,
+    /// The triangulation, after moves, is one tetrahedron whose facets are folded onto each other in pairs along the edges in which they meet.
+    FoldedTetrahedron,
+    /// The triangulation, as it is or after moves, is stacks of tetrahedra over triangles, closed by layered solid tori: a Seifert fibration. The
+    /// first homology of its invariants is that of the space.
+    SeifertFibration,
+}
+
+impl SpaceProof {
+    /// The word for programs: `layered_solid_tori`, `folded_tetrahedron` or `seifert_fibration`.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_topology::SpaceProof::LayeredSolidTori.word(), "layered_solid_tori");
+    /// ```
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::LayeredSolidTori => "layered_solid_tori",
+            Self::FoldedTetrahedron => "folded_tetrahedron",
+            Self::SeifertFibration => "seifert_fibration",
+        }
+    }
+}
+
+/// A space with its name and what that rests on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NamedSpace {
+    pub(super) name: SpaceName,
+    pub(super) proof: SpaceProof,
+}
+
+impl NamedSpace {
+    /// The name.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::gluing::GluingTable;
+    /// use coface_topology::{SpaceName, named_space};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let table = GluingTable::from_isomorphism_signature("bkaagj", 3)?;
+    /// assert_eq!(named_space(&table, &table.faces()?, 0)?.map(|space| space.name().clone()), Some(SpaceName::Sphere));
+    /// # Ok(()) }
+    /// ```
+    pub fn name(&self) -> &SpaceName {
+        &self.name
+    }
+
+    /// What it rests on.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::gluing::GluingTable;
+    /// use coface_topology::{SpaceProof, named_space};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let table = GluingTable::from_isomorphism_signature("eLAkbccddemken", 3)?;
+    /// let proof = named_space(&table, &table.faces()?, 0)?.map(|space| space.proof());
+    /// assert_eq!(proof, Some(SpaceProof::SeifertFibration));
+    /// # Ok(()) }
+    /// ```
+    pub fn proof(&self) -> SpaceProof {
+        self.proof
+    }
+}
