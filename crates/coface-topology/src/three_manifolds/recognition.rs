@@ -209,7 +209,7 @@ mod tests {
         ("gvLQQcdefeffncnhchx", "KB/n2 x~ S1"),
         ("gvLQQedfedffrwawrhh", "T x S1"),
         ("hLALAkbcceffggemkbemfr", "SFS [S2: (2,1) (2,1) (2,1) (2,1)]"),
-        ("jLALLAQbcceghgiiiuijjiocatd", "SFS [KB/n2: (2,-1)]"),
+        ("jLALLAQcbceghgiiiuijjiocatd", "SFS [KB/n2: (2,-1)]"),
         ("jLLLLQQbcgfhiihihtsmgwnkbsf", "SFS [T: (2,-3)]"),
         ("jLLLLQQbcgihfihihtsmbwsbbsf", "SFS [T: (2,-1)]"),
         ("jLALALQbcceffhiiiemkbemaenj", "SFS [RP2/n2: (2,1) (2,1) (2,1)]"),

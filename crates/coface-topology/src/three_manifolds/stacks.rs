@@ -72,7 +72,7 @@ impl Stacks {
             order.iter().map(|&tetrahedron| EDGES.map(|ends| class(tetrahedron, ends))).collect();
         let count = faces.class_counts().get(1).copied().unwrap_or(0);
         let mut search = Search { classes: &classes, left: CHOICES, found: Vec::new() };
-        search.choose(0, &mut vec![None; count]);
+        search.choose(0, &vec![None; count]);
         search.found.into_iter().filter_map(|vertical| Self::of(table, &order, &classes, &vertical)).collect()
     }
 
@@ -117,7 +117,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn choose(&mut self, at: usize, known: &mut Vec<Option<bool>>) {
+    fn choose(&mut self, at: usize, known: &[Option<bool>]) {
         if self.left == 0 {
             return;
         }
@@ -130,11 +130,11 @@ impl Search<'_> {
             // Edges i and 5 - i are opposite.
             let is_chosen =
                 |edge: usize| edge == choice || choice > 5 && (edge == choice - 6 || edge == 11 - choice);
-            let mut next = known.clone();
+            let mut next = known.to_vec();
             let fits =
                 (0..6).all(|edge| *next[classes[edge]].get_or_insert(is_chosen(edge)) == is_chosen(edge));
             if fits {
-                self.choose(at + 1, &mut next);
+                self.choose(at + 1, &next);
             }
         }
     }
