@@ -917,8 +917,10 @@ export interface InfoAnswer {
   mass?: MassAnswer | null;
   /** The integrals of monomials that were asked for. */
   moments: MomentAnswer[];
-  /** The surface in words, such as `torus`; `null` if a component is no surface. */
+  /** The surface in words, such as `torus`, or the 3-manifold, such as `L(8,3)`, where it is proved which one it is; else `null`. */
   name?: string | null;
+  /** What the name of a 3-manifold rests on: `layered_solid_tori`, `folded_tetrahedron` or `seifert_fibration`; absent without such a name. */
+  name_proof?: string | null;
   /** Whether the top cells can be oriented so that neighbors agree; `null` where one of their facets lies in three. */
   orientable?: boolean | null;
   /** Whether the polygons with rings of a drawing are valid; `null` for what has none, and where they were not checked. */
@@ -981,6 +983,8 @@ export interface IntersectionFormAnswer {
 
 /** Whether two triangulations are the same under other names. */
 export interface IsomorphicAnswer {
+  /** The first thing found in which they differ and that names do not change; `null` if they are the same. */
+  difference?: string | null;
   /** The names of the two inputs. */
   files: [string, string];
   /** Whether they are. */
@@ -1641,8 +1645,10 @@ export interface RowAnswer {
   mass?: MassAnswer | null;
   /** The integrals of monomials that were asked for. */
   moments: MomentAnswer[];
-  /** The surface in words, such as `torus`; `null` if a component is no surface. */
+  /** The surface in words, such as `torus`, or the 3-manifold, such as `L(8,3)`, where it is proved which one it is; else `null`. */
   name?: string | null;
+  /** What the name of a 3-manifold rests on: `layered_solid_tori`, `folded_tetrahedron` or `seifert_fibration`; absent without such a name. */
+  name_proof?: string | null;
   /** Whether the top cells can be oriented so that neighbors agree; `null` where one of their facets lies in three. */
   orientable?: boolean | null;
   /** Whether the polygons with rings of a drawing are valid; `null` for what has none, and where they were not checked. */
@@ -1749,6 +1755,8 @@ export interface SignatureAnswer {
   manifold: string;
   /** Whether the tetrahedra can be oriented so that neighbors agree. */
   orientable: boolean;
+  /** Which 3-manifold the space is, `null` where that is not proved; absent unless it is asked for. */
+  space?: SpaceAnswer | null;
   /** Why it is none; `null` for manifolds. */
   witness?: string | null;
 }
@@ -1779,6 +1787,28 @@ export interface SimplificationAnswer {
   vertices_added: number;
   /** The number of different vertices of rings and lines before. */
   vertices_before: number;
+}
+
+/** A triangulated 3-manifold that was simplified by moves. */
+export interface SimplifyAnswer {
+  /** The same numbers now. */
+  f_vector: number[];
+  /** The numbers of vertices, edges, triangles and tetrahedra before. */
+  f_vector_before: number[];
+  /** The name of the input. */
+  file: string;
+  /** The integral homology, which is that of the input. */
+  homology: HomologyGroup[];
+  /** The moves in order, each on the triangulation that those before it have made: `3-2 at edge 4`. */
+  moves: string[];
+  /** Which 3-manifold it is, where that is proved. */
+  name?: string | null;
+  /** What the name rests on: `layered_solid_tori`, `folded_tetrahedron` or `seifert_fibration`. */
+  name_proof?: string | null;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The isomorphism signature of the triangulation now. */
+  signature: string;
 }
 
 /** A Boolean combination of solids. */
@@ -1827,6 +1857,14 @@ export interface SolidBooleanAnswer {
   voids: number;
   /** The number of faces between selected cells that are kept. */
   walls: number;
+}
+
+/** Which 3-manifold a space is, up to homeomorphism that may reverse orientation. */
+export interface SpaceAnswer {
+  /** The name: `S3`, `RP3`, `L(8,3)`, `S2 x S1`, `SFS [S2: (2,1) (3,1) (5,-4)]`, ... */
+  name: string;
+  /** What the name rests on: `layered_solid_tori`, `folded_tetrahedron` or `seifert_fibration`. */
+  proof: string;
 }
 
 /** The arrangement of surfaces and solids in space. */

@@ -7,7 +7,7 @@ use crate::output::{print_json, print_text};
 use crate::progress::Progress;
 use clap::Args;
 use coface::answers::{SimplifiedManifold, text};
-use coface::io::{self, Format};
+use coface::io;
 use std::path::PathBuf;
 
 /// A triangulation of a 3-manifold with fewer tetrahedra, by moves that keep the space.
@@ -34,8 +34,7 @@ impl Simplify {
         progress.stage("simplifying");
         let found = SimplifiedManifold::of(&loaded.name, &loaded.model, self.attempts as usize)?;
         if let Some(path) = &common.output {
-            let format = Format::from_path(path).unwrap_or(Format::Json);
-            io::write_path(found.model(), path, format)?;
+            io::write_path(found.model(), path, None)?;
         }
         drop(progress);
         let answer = found.answer();
