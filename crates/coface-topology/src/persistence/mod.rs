@@ -11,6 +11,7 @@
 
 mod diagram;
 mod filtration;
+mod image;
 mod reduction;
 mod rips;
 
@@ -19,5 +20,6 @@ mod tests;
 
 pub use diagram::{PersistenceDiagram, PersistencePair};
 pub use filtration::Filtration;
+pub use image::{ImageConstruction, ImageDiagram, ImageFiltration, ImagePair};
 pub use reduction::persistence;
 pub use rips::{Distances, RipsDiagram, RipsFiltration, RipsPair, RipsSize};

@@ -1,0 +1,160 @@
+//! Matchings of the cells of an image.
+
+use super::grid::{Code, Grid};
+use coface_algebra::progress::stage;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicU8, Ordering};
+
+/// The rank of an absent vertex that has always been there.
+pub(super) const OUTSIDE: u32 = 0;
+
+/// The rank of an absent vertex that never enters.
+pub(super) const NEVER: u32 = u32::MAX;
+
+/// What became of a cell, by its place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Fate {
+    /// There is no such cell.
+    Absent,
+    Critical,
+    /// Matched with the cell that extends beyond it along this axis, on this side of its owner.
+    Up(usize, i8),
+    /// Matched with the facet that it extends beyond, so.
+    Down(usize, i8),
+}
+
+const ABSENT: u8 = u8::MAX;
+const CRITICAL: u8 = 16;
+const DOWN: u8 = 8;
+
+fn encoded((axis, side): (usize, i8)) -> u8 {
+    (axis as u8) << 1 | u8::from(side > 0)
+}
+
+fn decoded(byte: u8) -> Fate {
+    let (axis, side) = ((byte >> 1 & 3) as usize, if byte & 1 == 1 { 1 } else { -1 });
+    match byte {
+        ABSENT => Fate::Absent,
+        CRITICAL => Fate::Critical,
+        _ if byte < DOWN => Fate::Up(axis, side),
+        _ => Fate::Down(axis, side),
+    }
+}
+
+/// A cell by its owner's rank and its code; cells are compared as they enter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(super) struct Cell(u64);
+
+impl Cell {
+    pub(super) fn new(rank: u32, code: Code) -> Self {
+        Self(u64::from(rank) << 8 | u64::from(code))
+    }
+
+    pub(super) fn rank(self) -> u32 {
+        (self.0 >> 8) as u32
+    }
+
+    pub(super) fn code(self) -> Code {
+        (self.0 & 0xff) as Code
+    }
+}
+
+/// An image whose cells are matched in lower stars.
+pub(super) struct Gradient {
+    pub(super) grid: Grid,
+    /// The rank of each vertex.
+    pub(super) ranks: Vec<u32>,
+    /// The vertices by rank, that of rank 1 first.
+    pub(super) vertices: Vec<u32>,
+    fates: Vec<u8>,
+    /// The critical cells of each degree as they enter.
+    pub(super) critical: Vec<Vec<Cell>>,
+}
+
+/// So many vertices are matched between two steps of the progress.
+const BATCH: usize = 1 << 16;
+
+impl Gradient {
+    pub(super) fn new(grid: Grid, ranks: Vec<u32>, vertices: Vec<u32>) -> Self {
+        let fates: Vec<AtomicU8> = (0..grid.cell_count()).map(|_| AtomicU8::new(ABSENT)).collect();
+        let mut critical = vec![Vec::new(); grid.axes() + 1];
+        let steps = stage("matching cells", ranks.len());
+        for start in (0..ranks.len()).step_by(BATCH) {
+            let batch = start..(start + BATCH).min(ranks.len());
+            steps.advance(batch.len());
+            let chunks: Vec<Vec<Cell>> = batch
+                .into_par_iter()
+                .with_min_len(BATCH / 16)
+                .fold(Vec::new, |mut cells, vertex| {
+                    if !matches!(ranks[vertex], OUTSIDE | NEVER) {
+                        match_star(&grid, &ranks, vertex, &fates, &mut cells);
+                    }
+                    cells
+                })
+                .collect();
+            for cell in chunks.into_iter().flatten() {
+                critical[grid.codes.degree(cell.code())].push(cell);
+            }
+        }
+        drop(steps);
+        let _steps = stage("sorting critical cells", 0);
+        for cells in &mut critical {
+            cells.par_sort_unstable();
+        }
+        let fates = fates.into_iter().map(AtomicU8::into_inner).collect();
+        Self { grid, ranks, vertices, fates, critical }
+    }
+
+    pub(super) fn fate(&self, place: usize) -> Fate {
+        decoded(self.fates[place])
+    }
+
+    /// The vertex of a rank that is in the image.
+    pub(super) fn vertex(&self, rank: u32) -> usize {
+        self.vertices[rank as usize - 1] as usize
+    }
+}
+
+/// Matches the cells of a lower star; adds those that are left to a list.
+fn match_star(grid: &Grid, ranks: &[u32], vertex: usize, fates: &[AtomicU8], critical: &mut Vec<Cell>) {
+    let (codes, star, rank) = (&grid.codes, grid.star(vertex), ranks[vertex]);
+    let mut lower = 0u128;
+    for code in 1..codes.count() {
+        let is_lower = ranks[Grid::opposite(star, vertex, code as Code)] < rank;
+        lower |= u128::from(is_lower) << code;
+    }
+    let mut left = 1u128;
+    if lower != 0 {
+        for code in 1..codes.count() {
+            let corners = codes.corners(code);
+            left |= u128::from(lower & corners == corners) << code;
+        }
+    }
+    let set = |code: u32, byte: u8| {
+        fates[grid.place(star, vertex, code as Code)].store(byte, Ordering::Relaxed);
+    };
+    while left != 0 {
+        // Cells with one facet left are matched with it, as long as there are some.
+        let mut is_stuck = true;
+        let mut rest = left & (left - 1);
+        while rest != 0 {
+            let cell = rest.trailing_zeros();
+            rest &= rest - 1;
+            let facets = codes.near_facets(cell as usize) & left;
+            if left >> cell & 1 == 1 && facets.is_power_of_two() {
+                let facet = facets.trailing_zeros();
+                let direction = encoded(codes.direction(facet as Code, cell as Code));
+                set(facet, direction);
+                set(cell, DOWN | direction);
+                left &= !(1 << cell | facets);
+                is_stuck = false;
+            }
+        }
+        if is_stuck {
+            let cell = left.trailing_zeros();
+            left &= left - 1;
+            set(cell, CRITICAL);
+            critical.push(Cell::new(rank, cell as Code));
+        }
+    }
+}
