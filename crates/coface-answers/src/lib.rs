@@ -50,7 +50,7 @@ pub use incidence::{FoundOperator, OperatorKind, OperatorRequest};
 pub use isomorphism::isomorphic;
 pub use parts::RegionSource;
 pub use persistence::{
-    DiagramFormat, FoundDiagram, FoundRips, Growth, PersistenceRequest, RipsRequest, TableForm,
+    DiagramFormat, FoundDiagram, FoundImage, FoundRips, GreyImage, Growth, ImageRequest, PersistenceRequest, RipsRequest, TableForm,
     VertexFunction, write_diagram,
 };
 pub use planar::{

@@ -112,6 +112,17 @@ impl VoxelArguments {
         self.threshold
     }
 
+    /// The option that chooses voxels, if one is given.
+    pub(crate) fn rule_given(&self) -> Option<&'static str> {
+        let given = [
+            ("--threshold", self.threshold.is_some()),
+            ("--below", self.below.is_some()),
+            ("--between", self.between.is_some()),
+            ("--value", self.value.is_some()),
+        ];
+        given.into_iter().find(|&(_, is_given)| is_given).map(|(name, _)| name)
+    }
+
     /// Which axes are periodic.
     pub(crate) fn periodic(&self) -> PeriodicAxes {
         self.periodic.unwrap_or_default()

@@ -104,7 +104,7 @@ pub use number_table::NumberTable;
 pub use parts::parts_of_path;
 pub use readers::{
     ReadOptions, format_of_path, read, read_boundary, read_boundary_path, read_boundary_with, read_named,
-    read_path, read_path_with, read_unknown, read_with, write, write_path,
+    read_path, read_path_with, read_unknown, read_with, volume_of, volume_of_path, write, write_path,
 };
 #[doc(hidden)]
 pub use readers::{entry_of, read_companion, stream_mesh, write_empty_polygon};

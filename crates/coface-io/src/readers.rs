@@ -358,6 +358,73 @@ pub fn format_of_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<
     found().map_err(|error: Error| error.in_file(path.display().to_string()))
 }
 
+/// The volume in a file whose header has been read, and whose numbers have not, with remarks; `None` for a file of another format.
+///
+/// # Errors
+/// Those of [`VolumeStream::open`]; as [`read_path`] where the format is not known.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let path = std::env::temp_dir().join("coface-volume-of-path.json");
+/// std::fs::write(&path, "[[0, 1, 2]]")?;
+/// assert!(io::volume_of_path(&path, &io::ReadOptions::new())?.is_none());
+/// # std::fs::remove_file(&path)?;
+/// # Ok(()) }
+/// ```
+pub fn volume_of_path(
+    path: impl AsRef<Path>,
+    options: &ReadOptions,
+) -> Result<Option<(VolumeStream<'static>, Vec<Remark>)>, Error> {
+    let path = path.as_ref();
+    let find = || {
+        let header = &volume::header_path(path);
+        let opened = opened(counted(header)?, Some(header), options.format)?;
+        if !opened.format.is_volume() || opened.is_unpacked {
+            return volume_started(opened, options);
+        }
+        options.accept(&opened.remarks)?;
+        let stream = VolumeStream::open_with(header, opened.format, options.allow_outside)?;
+        Ok(Some((stream, opened.remarks)))
+    };
+    find().map_err(|error: Error| error.in_file(path.display().to_string()))
+}
+
+/// The volume in a stream, as [`volume_of_path`] gives that of a file.
+///
+/// # Errors
+/// As of [`volume_of_path`], without the name.
+///
+/// # Examples
+/// ```
+/// use coface_io as io;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let text = b"NRRD0004\ntype: double\ndimension: 1\nsizes: 3\nencoding: ascii\n\n1 0.5 -2";
+/// let (stream, _) = io::volume_of(&text[..], &io::ReadOptions::new())?.expect("it is a volume");
+/// assert_eq!(stream.numbers()?.0, [1.0, 0.5, -2.0]);
+/// # Ok(()) }
+/// ```
+pub fn volume_of<'r>(
+    input: impl Read + 'r,
+    options: &ReadOptions,
+) -> Result<Option<(VolumeStream<'r>, Vec<Remark>)>, Error> {
+    volume_started(opened(input, None, options.format)?, options)
+}
+
+fn volume_started<'r>(
+    mut opened: Opened<'r>,
+    options: &ReadOptions,
+) -> Result<Option<(VolumeStream<'r>, Vec<Remark>)>, Error> {
+    let format = opened.format;
+    if !format.is_volume() {
+        return Ok(None);
+    }
+    options.accept(&opened.remarks)?;
+    let remarks = std::mem::take(&mut opened.remarks);
+    Ok(Some((VolumeStream::new(opened.bytes(), format)?, remarks)))
+}
+
 /// The model of a volume.
 fn volume_model(stream: VolumeStream<'_>, options: &ReadOptions, format: Format) -> Result<Model, Error> {
     let (volume, remarks) = stream.read(&options.volume)?;

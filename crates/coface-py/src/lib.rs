@@ -81,6 +81,8 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<yin::CutCells>()?;
     module.add_function(wrap_pyfunction!(persistence::persistence, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::rips, module)?)?;
+    module.add_function(wrap_pyfunction!(persistence::cubical, module)?)?;
+    module.add_function(wrap_pyfunction!(persistence::_values_of_volume, module)?)?;
     module.add_function(wrap_pyfunction!(congruence::congruence, module)?)?;
     module.add_function(wrap_pyfunction!(arrangement::arrange, module)?)?;
     module.add_function(wrap_pyfunction!(arrangement::boolean, module)?)?;

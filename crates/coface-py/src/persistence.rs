@@ -7,15 +7,19 @@ use crate::source::Naming;
 use crate::work::run;
 use coface::algebra::Integer;
 use coface::algebra::chains::ChainComplex as Chains;
-use coface::answers::{DiagramFormat, FoundRips, RipsRequest, TableForm, write_diagram};
-use coface::io::NumberTable;
+use coface::answers::{
+    DiagramFormat, FoundImage, FoundRips, GreyImage, ImageRequest, RipsRequest, TableForm, write_diagram,
+};
+use coface::complexes::cubical::CubicalVolume;
+use coface::io::{NumberTable, ReadOptions, VolumeReading};
 use coface::pictures::{DiagramPoint, diagram_picture};
 use coface::topology;
 use coface::topology::{Coefficients, Filtration, PersistenceDiagram, PersistencePair};
 use coface::{CellId, Error, ErrorKind, VertexId};
-use numpy::{PyArray1, PyArrayMethods};
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyList, PyTuple};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// Births and deaths of homology classes along a filtration, over a prime field.
@@ -36,10 +40,11 @@ pub(crate) struct Persistence {
     diagram: Diagram,
 }
 
-/// The diagram of a complex, whose cells have names, or of points.
+/// The diagram of a complex, whose cells have names, of points, or of an image.
 enum Diagram {
     Complex { diagram: PersistenceDiagram, naming: Arc<Naming>, complex: Arc<Chains> },
     Points(FoundRips),
+    Image(FoundImage),
 }
 
 /// A class: degree, birth and death.
@@ -183,11 +188,114 @@ pub(crate) fn rips(
     Ok(Persistence { diagram: Diagram::Points(found) })
 }
 
+/// Persistent homology of the sublevel or superlevel sets of an image.
+///
+/// Parameters
+/// ----------
+/// values : numpy.ndarray
+///     ``float64`` or ``float32``, contiguous.
+/// construction : {"t", "v"}
+///     Whether voxels are top cells or vertices.
+/// superlevel : bool
+///     Whether superlevel sets grow.
+/// periodic : sequence of int
+///     The axes whose last voxels meet the first.
+/// mask : numpy.ndarray, optional
+///     ``bool``, contiguous: the voxels that are inside.
+/// coefficients : str or int
+///     A prime field: ``"f2"``, ``"f3"``, ...
+/// least : float
+///     Classes that live no longer than this are left out.
+/// progress : bool or callable, optional
+///     ``True`` shows a bar; a function is called with (stage, done, total).
+///
+/// Returns
+/// -------
+/// Persistence
+///     The diagram.
+#[pyfunction]
+#[pyo3(signature = (values, *, construction="t", superlevel=false, periodic=Vec::new(), mask=None, coefficients=None, least=0.0, progress=None), text_signature = "(values, *, construction='t', superlevel=False, periodic=(), mask=None, coefficients='f2', least=0.0, progress=False)")]
+#[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
+pub(crate) fn cubical(
+    py: Python<'_>,
+    values: &Bound<'_, PyAny>,
+    construction: &str,
+    superlevel: bool,
+    periodic: Vec<usize>,
+    mask: Option<PyReadonlyArrayDyn<'_, bool>>,
+    coefficients: Option<&Bound<'_, PyAny>>,
+    least: f64,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Persistence> {
+    let image = match values.extract::<PyReadonlyArrayDyn<'_, f32>>() {
+        Ok(single) => {
+            let numbers = single.as_slice().map_err(|_| not_contiguous(py))?;
+            GreyImage::new(single.shape(), numbers.iter().map(|&number| number.into()))
+        }
+        Err(_) => {
+            let double: PyReadonlyArrayDyn<'_, f64> = values.extract()?;
+            let numbers = double.as_slice().map_err(|_| not_contiguous(py))?;
+            GreyImage::new(double.shape(), numbers.iter().copied())
+        }
+    };
+    let mut image = image.or_raise(py)?;
+    if let Some(mask) = mask {
+        let shape: Vec<u32> = mask.shape().iter().map(|&length| length as u32).collect();
+        let mut inside = mask.as_slice().map_err(|_| not_contiguous(py))?.iter();
+        let volume = CubicalVolume::new(&shape, &vec![false; shape.len()], |_| inside.next() == Some(&true));
+        image = volume.and_then(|volume| image.mask(&volume)).or_raise(py)?;
+    }
+    let field = coefficients.map_or(Ok(Coefficients::Modulo(2)), ring)?;
+    let construction = construction.parse().or_raise(py)?;
+    let mut reading = VolumeReading::default();
+    for axis in periodic {
+        let Some(is_periodic) = reading.periodic.get_mut(axis) else {
+            let message = format!("axis {axis} of an image with {} axes", image.shape().len());
+            return Err(invalid(py, message, "number axes from 0"));
+        };
+        *is_periodic = true;
+    }
+    let found = run(py, progress, || {
+        let request = ImageRequest::new().coefficients(field).construction(construction).superlevel(superlevel);
+        request.periodic(reading).min_persistence(least).found("image", image)
+    })?;
+    Ok(Persistence { diagram: Diagram::Image(found) })
+}
+
+fn not_contiguous(py: Python<'_>) -> PyErr {
+    invalid(py, "the image is not contiguous".to_owned(), "give numpy.ascontiguousarray(x)")
+}
+
+/// The values of a volume file, with its axes; ``None`` for another file.
+#[pyfunction]
+pub(crate) fn _values_of_volume<'py>(py: Python<'py>, path: PathBuf) -> PyResult<Option<Bound<'py, PyAny>>> {
+    let read = run(py, None, || {
+        let Some((stream, mut remarks)) = coface::io::volume_of_path(&path, &ReadOptions::new())? else {
+            return Ok(None);
+        };
+        let shape: Vec<usize> = stream.shape().iter().map(|&length| length as usize).collect();
+        let is_first_fastest = stream.fastest_axis() == 0;
+        let (numbers, said) = stream.numbers().map_err(|error| error.in_file(path.display().to_string()))?;
+        remarks.extend(said);
+        Ok(Some((shape, is_first_fastest, numbers, remarks)))
+    })?;
+    let Some((shape, is_first_fastest, numbers, remarks)) = read else { return Ok(None) };
+    for remark in remarks {
+        warn(py, &remark.message)?;
+    }
+    let order = if is_first_fastest { "F" } else { "C" };
+    let options = pyo3::types::PyDict::new(py);
+    options.set_item("order", order)?;
+    let array = PyArray1::from_vec(py, numbers).into_any();
+    Ok(Some(array.call_method("reshape", (shape,), Some(&options))?))
+}
+
 impl Persistence {
     fn degree_count(&self) -> usize {
         match &self.diagram {
             Diagram::Complex { diagram, .. } => diagram.degree_count(),
             Diagram::Points(found) => found.diagram().degree_count(),
+            Diagram::Image(found) => found.diagram().degree_count(),
         }
     }
 
@@ -198,6 +306,10 @@ impl Persistence {
             }
             Diagram::Points(found) => {
                 found.pairs().iter().map(|pair| (pair.degree(), pair.birth(), pair.death())).collect()
+            }
+            Diagram::Image(found) => {
+                let pairs = found.diagram().pairs().iter();
+                pairs.map(|pair| (pair.degree(), pair.birth(), pair.death())).collect()
             }
         }
     }
@@ -217,7 +329,7 @@ impl Persistence {
         }
     }
 
-    /// Of points, whose simplices have no numbers, nothing.
+    /// Of points and images, whose cells have no numbers, nothing.
     fn require_complex(&self, py: Python<'_>) -> PyResult<()> {
         match &self.diagram {
             Diagram::Complex { .. } => Ok(()),
@@ -226,8 +338,13 @@ impl Persistence {
                 "simplices of points have no numbers".to_owned(),
                 "ask .simplices(degree) for their points",
             )),
+            Diagram::Image(_) => Err(no_cells(py)),
         }
     }
+}
+
+fn no_cells(py: Python<'_>) -> PyErr {
+    invalid(py, "cells of images have no numbers".to_owned(), "ask .voxels(degree) for the voxels whose values they have")
 }
 
 #[pymethods]
@@ -238,6 +355,7 @@ impl Persistence {
         match &self.diagram {
             Diagram::Complex { diagram, .. } => diagram.prime(),
             Diagram::Points(found) => found.diagram().prime(),
+            Diagram::Image(found) => found.diagram().prime(),
         }
     }
 
@@ -245,7 +363,7 @@ impl Persistence {
     #[getter]
     fn threshold(&self) -> Option<f64> {
         match &self.diagram {
-            Diagram::Complex { .. } => None,
+            Diagram::Complex { .. } | Diagram::Image(_) => None,
             Diagram::Points(found) => Some(found.diagram().threshold()),
         }
     }
@@ -253,7 +371,11 @@ impl Persistence {
     /// Whether values fall along the filtration.
     #[getter]
     fn is_falling(&self) -> bool {
-        matches!(&self.diagram, Diagram::Complex { diagram, .. } if diagram.is_falling())
+        match &self.diagram {
+            Diagram::Complex { diagram, .. } => diagram.is_falling(),
+            Diagram::Points(_) => false,
+            Diagram::Image(found) => found.diagram().is_falling(),
+        }
     }
 
     /// The numbers of classes that never die, by degree.
@@ -264,6 +386,7 @@ impl Persistence {
             match &self.diagram {
                 Diagram::Complex { diagram, .. } => diagram.betti_numbers(),
                 Diagram::Points(found) => found.diagram().betti_numbers(),
+                Diagram::Image(found) => found.diagram().betti_numbers(),
             },
         )
     }
@@ -331,8 +454,12 @@ impl Persistence {
     }
 
     /// The vertices of the cells that make and end the classes of a degree: a list of pairs.
-    fn simplices(&self, #[pyo3(from_py_with = whole)] degree: usize) -> Vec<(Vec<u32>, Option<Vec<u32>>)> {
-        match &self.diagram {
+    fn simplices(
+        &self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = whole)] degree: usize,
+    ) -> PyResult<Vec<(Vec<u32>, Option<Vec<u32>>)>> {
+        Ok(match &self.diagram {
             Diagram::Complex { naming, .. } => {
                 let names = |pair: &PersistencePair| {
                     let death = pair.death_cell().map(|cell| naming.vertices(degree + 1, cell.index()));
@@ -348,7 +475,41 @@ impl Persistence {
                     .map(|pair| (points(pair.birth_simplex()), pair.death_simplex().map(points)))
                     .collect()
             }
+            Diagram::Image(_) => return Err(no_cells(py)),
+        })
+    }
+
+    /// The voxels of an image whose values are the births and deaths of the classes of a degree.
+    ///
+    /// Parameters
+    /// ----------
+    /// degree : int
+    ///     The degree.
+    ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray
+    ///     ``int64``, shape (n, 2, axes): for each class the place of the voxel of its birth and of that of its death along each axis, -1 where there is none.
+    fn voxels<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole)] degree: usize,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let Diagram::Image(found) = &self.diagram else {
+            return Err(invalid(py, "the diagram is not of an image".to_owned(), "ask .simplices(degree)"));
+        };
+        let axes = found.diagram().shape().len();
+        let pairs = found.diagram().pairs_of_degree(degree);
+        let mut places: Vec<i64> = Vec::with_capacity(2 * axes * pairs.len());
+        for pair in pairs {
+            let (birth, death) = found.voxels(pair);
+            places.extend(birth.into_iter().map(i64::from));
+            match death {
+                Some(voxel) => places.extend(voxel.into_iter().map(i64::from)),
+                None => places.extend(std::iter::repeat_n(-1, axes)),
+            }
         }
+        Ok(PyArray1::from_vec(py, places).reshape([pairs.len(), 2, axes])?.into_any())
     }
 
     /// The cycle that a death cell fills: its boundary.
@@ -397,6 +558,7 @@ impl Persistence {
                 complex: Arc::clone(complex),
             },
             Diagram::Points(found) => Diagram::Points(found.longer_than(length)),
+            Diagram::Image(found) => Diagram::Image(found.longer_than(length)),
         };
         Self { diagram }
     }
@@ -430,6 +592,7 @@ impl Persistence {
             match &self.diagram {
                 Diagram::Complex { diagram, .. } => write_diagram(diagram, &mut bytes, format)?,
                 Diagram::Points(found) => found.write(&mut bytes, format)?,
+                Diagram::Image(found) => found.write(&mut bytes, format)?,
             }
             Ok(bytes)
         })?;

@@ -11,9 +11,11 @@ pub struct PersistenceAnswer {
     pub file: String,
     /// The characteristic of the field of coefficients.
     pub field: u32,
-    /// The function on the vertices, the file of the values, or `vietoris-rips`.
+    /// The function on the vertices, the file of the values, `vietoris-rips`, or of an image `voxels, v-construction` or
+    /// `voxels, t-construction`.
     pub function: String,
-    /// How cells follow from the function: `lower` or `upper`; `null` for given values.
+    /// How cells follow from the function: `lower` or `upper`; `null` for given values. Of an image, whether sublevel or superlevel
+    /// sets grow.
     pub star: Option<String>,
     /// The largest diameter of the simplices that were looked at; `null` unless the input is points or distances.
     #[serde(default)]
@@ -35,8 +37,8 @@ pub struct PersistencePairAnswer {
     pub birth: f64,
     /// The value at which it dies; `null` if it stays.
     pub death: Option<f64>,
-    /// The cell that gives birth to it, by its vertices.
+    /// The cell that gives birth to it, by its vertices; of an image the voxel whose value the birth is, by its place along each axis.
     pub birth_cell: Vec<u32>,
-    /// The cell by which it dies, by its vertices.
+    /// The cell by which it dies, by its vertices; of an image the voxel whose value the death is.
     pub death_cell: Option<Vec<u32>>,
 }

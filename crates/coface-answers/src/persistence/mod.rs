@@ -3,12 +3,15 @@
 //! * [`PersistenceRequest`] says over which field, and how the model grows: by a [`Growth`].
 //! * [`FoundDiagram`] has the diagram and makes the [`PersistenceAnswer`].
 //! * A [`RipsRequest`] asks for that of points or distances, which a [`TableForm`] reads from a table; [`FoundRips`] has the diagram.
+//! * An [`ImageRequest`] asks for that of a [`GreyImage`], whose numbers are those of an array or a volume file; [`FoundImage`] has the diagram.
 //! * [`write_diagram`] writes a diagram as the text that other programs read.
 
 mod diagram;
+mod image;
 mod points;
 
 pub use diagram::{DiagramFormat, write_diagram};
+pub use image::{FoundImage, GreyImage, ImageRequest};
 pub use points::{FoundRips, RipsRequest, TableForm};
 
 use crate::Producer;

@@ -1,11 +1,12 @@
 //! `coface persistence`: births and deaths of classes along a filtration.
 
+mod image;
 mod points;
 
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::filtration::{read_function, read_values};
-use crate::input;
+use crate::input::{self, Source};
 use crate::output::{is_json, print_json, print_text, write_file, write_json};
 use crate::progress::Progress;
 use clap::Args;
@@ -14,6 +15,7 @@ use coface::answers::answer::{PersistenceAnswer, PersistencePairAnswer};
 use coface::answers::text;
 use coface::answers::{DiagramFormat, Growth, PersistenceRequest, write_diagram};
 use coface::topology::Coefficients;
+use image::ImageArguments;
 use points::PointArguments;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -21,7 +23,9 @@ use std::path::{Path, PathBuf};
 /// Persistent homology: which components, loops and cavities are born and die as a model grows.
 ///
 /// The model grows by sublevel sets of a function on vertices (each cell enters with its highest vertex), or by values
-/// given for cells; points, with --rips, as balls around them meet. Without --function the function is the last coordinate, the height; without positions it is the
+/// given for cells; points, with --rips, as balls around them meet; a volume (.npy, NRRD, NIfTI) by its grey values: each class has the
+/// voxels whose values its birth and death are. A volume whose voxels are chosen (--threshold, --below, --between, --value), or that
+/// has a --function, is the model of its set voxels. Without --function the function is the last coordinate, the height; without positions it is the
 /// vertex number. Pairs of persistence 0 are left out unless --min-persistence says otherwise.
 ///
 /// The file named by -o has the format of its extension: .pers as GUDHI reads, .txt as Ripser prints, .csv, or .json with
@@ -50,6 +54,8 @@ pub(crate) struct Persistence {
     min_persistence: f64,
     #[command(flatten)]
     points: PointArguments,
+    #[command(flatten)]
+    image: ImageArguments,
 }
 
 /// How many pairs of a degree the page for people lists.
@@ -99,7 +105,23 @@ impl Persistence {
                 found.write(bytes, format)
             });
         }
-        let (name, producer) = input::produce(&self.input, common.reading(), &progress)?;
+        let source = Source::of(&self.input)?;
+        if self.is_of_values(common) {
+            let found =
+                self.image.found(&source, common, self.coefficients, self.min_persistence, &progress)?;
+            if let Some(found) = found {
+                return self.give(common, output.as_ref(), progress, &found.answer(), |bytes, format| {
+                    found.write(bytes, format)
+                });
+            }
+        }
+        if let Some(option) = self.image.given() {
+            return Err(Failure::new(format!(
+                "{}: {option} is for the values of a volume; give a volume (.npy, NRRD, NIfTI) without a function and without a choice of voxels",
+                input::name(&self.input)
+            )));
+        }
+        let (name, producer) = input::identify(source.model(common.reading(), &progress)?, &progress)?;
         let growth = match &self.values {
             Some(path) => read_values(path)?,
             None => {
@@ -115,6 +137,12 @@ impl Persistence {
         self.give(common, output.as_ref(), progress, &found.answer(), |bytes, format| {
             write_diagram(found.diagram(), bytes, format)
         })
+    }
+
+    /// Whether a volume grows by its own values: nothing says that it is a model of voxels.
+    fn is_of_values(&self, common: &Common) -> bool {
+        let is_model = self.function.is_some() || self.values.is_some() || self.upper_star;
+        !is_model && common.voxels.rule_given().is_none()
     }
 
     /// Writes the file that was asked for, and prints.

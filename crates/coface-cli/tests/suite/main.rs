@@ -21,6 +21,7 @@ mod mass;
 mod nonfinite;
 mod outputs;
 mod persistence;
+mod persistence_images;
 mod persistence_points;
 mod pi1;
 mod pictures;

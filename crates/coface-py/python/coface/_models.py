@@ -128,7 +128,7 @@ def _of_answer(x: Any) -> Model:
         return _of_curves([x], is_plane=False)
     if isinstance(x, Simplices):
         return x.closure().model()
-    if isinstance(x, Persistence) and "recipe" in x.__dict__:
+    if isinstance(x, Persistence) and x.__dict__.get("recipe", ("",))[0] == "persistence":
         complex: ChainComplex = x.__dict__["recipe"][1][0]
         return complex.source if complex.source is not None else complex.model()
     if isinstance(x, Cocycles) and "recipe" in x.__dict__:

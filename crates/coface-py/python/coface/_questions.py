@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coface import _coface
-from coface._arrays import numbers, ragged, raise_invalid
+from coface._arrays import numbers, plain, ragged, raise_invalid
 from coface._coface import (
     ChainComplex,
     Cocycles,
@@ -29,6 +29,7 @@ from coface._coface import (
 )
 from coface._models import as_chain_complex, as_model, as_surface
 from coface._records import asked
+from coface._volumes import voxel_rule
 from coface._faults import in_words
 
 
@@ -866,7 +867,7 @@ def persistence(
     complex = as_chain_complex(x, progress=progress)
     if vertex_values is None and cell_values is None:
         if not hasattr(x, "get_simplices"):
-            raise_invalid("persistence needs values", "give vertex_values or cell_values")
+            raise_invalid("persistence needs values", "give vertex_values or cell_values; of an image ask coface.cubical(x)")
         from coface.interop import gudhi
 
         cell_values = gudhi.values(x, complex)
@@ -965,6 +966,90 @@ def rips(
         form=distances,
         dimension=dimension,
         threshold=threshold,
+        coefficients=coefficients,
+        least=least,
+        progress=progress,
+    )
+    return found
+
+
+@in_words
+def cubical(
+    x: Any,
+    *,
+    construction: Literal["t", "v"] = "t",
+    superlevel: bool = False,
+    periodic: Sequence[int] = (),
+    mask: Any = None,
+    coefficients: str | int = "f2",
+    least: float = 0.0,
+    progress: Any = False,
+) -> Persistence:
+    """Persistent homology of an image as its sublevel sets grow, or its superlevel sets.
+
+    Parameters
+    ----------
+    x
+        An array of numbers with one to four axes, or a file: ``.npy``, NRRD or NIfTI. A voxel that is NaN never enters, and neither does one at
+        infinity.
+    construction
+        ``"t"``: voxels are top cells, as ``top_dimensional_cells`` of gudhi and ``tcripser``; ``"v"``: voxels are vertices, as ``vertices`` of gudhi
+        and ``cripser``.
+    superlevel
+        Whether superlevel sets grow, from high values to low ones. Births and deaths are values of the image all the same.
+    periodic
+        The axes whose last voxel meets their first.
+    mask
+        Truth values in the shape of `x`: which voxels are inside.
+    coefficients
+        A prime field: ``"f2"``, ``"f3"``, ...
+    least
+        Classes that live no longer than this are left out; those that die at once always are.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    Persistence
+        ``diagram(degree)`` is an array ``(n, 2)`` of births and deaths, ``voxels(degree)`` has the voxels with these values.
+
+    Examples
+    --------
+    A ring of low pixels around a high one:
+
+    >>> import coface
+    >>> found = coface.cubical([[1, 2, 1], [2, 9, 2], [1, 2, 1]])
+    >>> found.diagram(1)
+    array([[2., 9.]])
+    >>> found.voxels(1)[0, 1]
+    array([1, 1])
+    >>> coface.cubical([0, 5, 1, 2], superlevel=True).diagram(0)
+    array([[ 5., inf],
+           [ 2.,  1.]])
+    """
+    if isinstance(x, (str, os.PathLike)):
+        values = _coface._values_of_volume(x)
+        if values is None:
+            raise_invalid(f"{os.fspath(x)!r} is no volume", "give an array, or a file of the format .npy, NRRD or NIfTI")
+        x = values
+    x = np.asarray(plain(x))
+    if x.dtype != np.float32:
+        x = numbers(x, "x")
+    if x.ndim == 0:
+        raise_invalid("an array without axes has no voxels", "give an array with one to four axes")
+    if mask is not None:
+        mask = np.asarray(plain(mask))
+        if mask.dtype.kind not in "biuf":
+            raise_invalid(f"a mask of {mask.dtype} has no truth values", "give truth values")
+        mask = np.ascontiguousarray(mask != 0)
+    _, _, axes = voxel_rule(periodic=periodic)
+    found: Persistence = asked(
+        "cubical",
+        np.ascontiguousarray(x),
+        construction=construction,
+        superlevel=superlevel,
+        periodic=axes,
+        mask=mask,
         coefficients=coefficients,
         least=least,
         progress=progress,

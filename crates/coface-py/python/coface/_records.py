@@ -54,7 +54,7 @@ MAKERS: dict[str, Callable[..., Any]] = {
     "Surface.cut": Surface.cut,
     "YinSet.cut_cells": YinSet.cut_cells,
     **{name: getattr(_coface, name) for name in ("_chains", "_curve", "_group", "_model", "_report", "_surface", "_yin_set")},
-    **{name: getattr(_coface, name) for name in ("arrange", "boolean", "congruence", "persistence", "rips")},
+    **{name: getattr(_coface, name) for name in ("arrange", "boolean", "congruence", "cubical", "persistence", "rips")},
 }
 #: Classes whose answers are asked for again.
 ASKED = (
@@ -173,7 +173,7 @@ def read_back(value: Any) -> Any:
 
 
 #: The makers whose answers remember how they were made.
-RECIPES = ("arrange", "boolean", "congruence", "persistence", "rips", "Surface.cocycles", "Surface.cover", "Surface.cut", "YinSet.cut_cells")
+RECIPES = ("arrange", "boolean", "congruence", "cubical", "persistence", "rips", "Surface.cocycles", "Surface.cover", "Surface.cut", "YinSet.cut_cells")
 #: The methods among them as they are compiled.
 _TOLD: dict[str, Callable[..., Any]] = {name: maker for name, maker in MAKERS.items() if name.startswith(("Surface.", "YinSet."))}
 

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from coface._arrays import raise_invalid
 from coface._faults import in_words
 from coface._models import as_chain_complex
-from coface._questions import persistence
+from coface._questions import cubical, persistence
 from coface._volumes import volume
 from coface.interop import needed
 
@@ -88,6 +88,9 @@ class Diagrams(TransformerMixin, BaseEstimator):  # type: ignore[misc]
         values = image.reshape(-1).astype(np.float64)
         if np.isnan(values).any():
             raise_invalid("an image has voxels that are NaN", "give them a number, such as numpy.inf for the last to come")
+        if image.ndim <= 4 and self.least >= 0.0:
+            answer = cubical(image, superlevel=self.upper, **options)
+            return [answer.diagram(degree) for degree in self.degrees]
         complex = as_chain_complex(volume(np.ones(image.shape, bool)))
         later = [np.full(count, np.nan) for count in complex.f_vector[:-1]]
         answer = persistence(complex, cell_values=[*later, -values if self.upper else values], **options)

@@ -1,0 +1,122 @@
+//! `coface persistence` of volumes as a user runs it.
+
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+
+use crate::program::{Run, coface_in, coface_reading};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// What a run that succeeds prints.
+fn text(run: &Run) -> &str {
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    &run.stdout
+}
+
+/// An image as NRRD text, x fastest.
+fn nrrd(shape: &[usize], numbers: &[f64]) -> String {
+    let words = |list: &[String]| list.join(" ");
+    let sizes: Vec<String> = shape.iter().map(usize::to_string).collect();
+    let numbers: Vec<String> = numbers.iter().map(f64::to_string).collect();
+    format!(
+        "NRRD0004\ntype: double\ndimension: {}\nsizes: {}\nencoding: ascii\n\n{}\n",
+        shape.len(),
+        words(&sizes),
+        words(&numbers)
+    )
+}
+
+/// Four columns, three rows: dark pixels that share a corner, at (0, 0) and (1, 1), and one at (3, 2).
+const CORNERS: [f64; 12] = [0.0, 9.0, 9.0, 9.0, 9.0, 1.0, 9.0, 9.0, 9.0, 9.0, 8.0, 2.0];
+
+fn pairs(folder: &Path, arguments: &[&str]) -> Vec<(u64, f64, Option<f64>, Value)> {
+    let all = [&["persistence"], arguments, &["--json"]].concat();
+    let answer = coface_in(folder, &all).json();
+    let pair = |pair: &Value| {
+        let degree = pair["degree"].as_u64().unwrap();
+        (degree, pair["birth"].as_f64().unwrap(), pair["death"].as_f64(), pair["birth_cell"].clone())
+    };
+    answer["diagram"].as_array().unwrap().iter().map(pair).collect()
+}
+
+#[test]
+fn voxels_are_top_cells_or_vertices() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    std::fs::write(place.join("a.nrrd"), nrrd(&[4, 3], &CORNERS)).unwrap();
+    let t = [(0, 0.0, None, json!([0, 0])), (0, 2.0, Some(8.0), json!([3, 2]))];
+    assert_eq!(pairs(place, &["a.nrrd"]), t);
+    let v = [
+        (0, 0.0, None, json!([0, 0])),
+        (0, 1.0, Some(9.0), json!([1, 1])),
+        (0, 2.0, Some(9.0), json!([3, 2])),
+    ];
+    assert_eq!(pairs(place, &["a.nrrd", "--construction", "v"]), v);
+    let answer = coface_in(place, &["persistence", "a.nrrd", "--superlevel", "--json"]).json();
+    assert_eq!((&answer["function"], &answer["star"]), (&json!("voxels, t-construction"), &json!("upper")));
+    assert_eq!(answer["betti"], json!([1, 0, 0]));
+    assert_eq!(answer["diagram"][0]["birth"], json!(9.0));
+    let run = coface_in(place, &["persistence", "a.nrrd"]);
+    let page = text(&run);
+    assert!(page.contains("function: voxels, t-construction, lower star"), "{page}");
+    let whole = coface_reading(&["persistence", "-", "--json"], nrrd(&[4, 3], &CORNERS).as_bytes()).json();
+    assert_eq!(whole["diagram"], coface_in(place, &["persistence", "a.nrrd", "--json"]).json()["diagram"]);
+}
+
+#[test]
+fn masks_and_periodic_axes() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    std::fs::write(place.join("a.nrrd"), nrrd(&[4, 1], &[0.0, 5.0, 1.0, 7.0])).unwrap();
+    std::fs::write(place.join("mask.nrrd"), nrrd(&[4, 1], &[1.0, 0.0, 1.0, 1.0])).unwrap();
+    let plain = pairs(place, &["a.nrrd"]);
+    assert_eq!(plain.iter().map(|pair| pair.2).collect::<Vec<_>>(), [None, Some(5.0)]);
+    let masked = pairs(place, &["a.nrrd", "--mask", "mask.nrrd"]);
+    assert_eq!(masked.iter().map(|pair| pair.2).collect::<Vec<_>>(), [None, None]);
+    let around = pairs(place, &["a.nrrd", "--periodic", "x"]);
+    assert_eq!(around.iter().map(|pair| (pair.0, pair.1)).collect::<Vec<_>>(), [(0, 0.0), (0, 1.0), (1, 7.0)]);
+    std::fs::write(place.join("other.nrrd"), nrrd(&[1, 4], &[1.0; 4])).unwrap();
+    let message = coface_in(place, &["persistence", "a.nrrd", "--mask", "other.nrrd"]).fails_with(1).to_owned();
+    assert!(message.contains("other.nrrd: the mask has the shape [1, 4], and the image [4, 1]"), "{message}");
+}
+
+#[test]
+fn files_of_diagrams_have_voxels() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    std::fs::write(place.join("a.nrrd"), nrrd(&[4, 3], &CORNERS)).unwrap();
+    text(&coface_in(place, &["persistence", "a.nrrd", "-o", "a.csv"]));
+    let table = std::fs::read_to_string(place.join("a.csv")).unwrap();
+    assert_eq!(table, "degree,birth,death,birth_cell,death_cell\n0,0,inf,0 0,\n0,2,8,3 2,2 2\n");
+    text(&coface_in(place, &["persistence", "a.nrrd", "--superlevel", "-o", "a.pers"]));
+    assert!(std::fs::read_to_string(place.join("a.pers")).unwrap().starts_with("2 0 9 -inf\n"));
+    coface_in(place, &["render", "a.nrrd.json", "--diagram", "-o", "a.svg"]).fails_with(1).to_owned();
+    text(&coface_in(place, &["persistence", "a.nrrd", "-o", "a.json"]));
+    text(&coface_in(place, &["render", "a.json", "--diagram", "-o", "a.svg"]));
+}
+
+/// Where voxels are chosen, or a function is given, the set voxels are the model, as they are for every verb.
+#[test]
+fn chosen_voxels_are_a_model() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    std::fs::write(place.join("a.nrrd"), nrrd(&[4, 3], &CORNERS)).unwrap();
+    for arguments in [&["--threshold", "9"][..], &["--function", "x"]] {
+        let all = [&["persistence", "a.nrrd", "--json"], arguments].concat();
+        let answer = coface_in(place, &all).json();
+        assert!(["x", "y"].contains(&answer["function"].as_str().unwrap()), "{answer}");
+    }
+    let message = coface_in(place, &["persistence", "a.nrrd", "--threshold", "9", "--superlevel"]).fails_with(1).to_owned();
+    assert!(message.contains("a.nrrd: --superlevel is for the values of a volume"), "{message}");
+    std::fs::write(place.join("a.json"), "[[0,1]]").unwrap();
+    let message = coface_in(place, &["persistence", "a.json", "--construction", "v"]).fails_with(1).to_owned();
+    assert!(message.contains("a.json: --construction is for the values of a volume"), "{message}");
+}
+
+#[test]
+fn memory_is_foretold() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    std::fs::write(place.join("a.nrrd"), nrrd(&[64, 64, 64], &vec![1.0; 64 * 64 * 64])).unwrap();
+    let message = coface_in(place, &["persistence", "a.nrrd", "--memory", "4MB"]).fails_with(1).to_owned();
+    assert!(message.contains("memory"), "{message}");
+}
