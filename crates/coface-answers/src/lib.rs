@@ -50,8 +50,8 @@ pub use incidence::{FoundOperator, OperatorKind, OperatorRequest};
 pub use isomorphism::isomorphic;
 pub use parts::RegionSource;
 pub use persistence::{
-    DiagramFormat, FoundDiagram, FoundImage, FoundRips, GreyImage, Growth, ImageRequest, PersistenceRequest, RipsRequest, TableForm,
-    VertexFunction, write_diagram,
+    DiagramFormat, FoundDiagram, FoundImage, FoundRips, GreyImage, Growth, ImageRequest, PersistenceRequest,
+    RipsRequest, TableForm, VertexFunction, write_diagram,
 };
 pub use planar::{
     ArrangementRequest, BooleanRequest, BufferCaps, BufferJoins, BufferOptions, DissolveRequest, Dissolved,

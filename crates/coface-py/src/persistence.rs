@@ -256,7 +256,8 @@ pub(crate) fn cubical(
         *is_periodic = true;
     }
     let found = run(py, progress, || {
-        let request = ImageRequest::new().coefficients(field).construction(construction).superlevel(superlevel);
+        let request =
+            ImageRequest::new().coefficients(field).construction(construction).superlevel(superlevel);
         request.periodic(reading).min_persistence(least).found("image", image)
     })?;
     Ok(Persistence { diagram: Diagram::Image(found) })
@@ -344,7 +345,11 @@ impl Persistence {
 }
 
 fn no_cells(py: Python<'_>) -> PyErr {
-    invalid(py, "cells of images have no numbers".to_owned(), "ask .voxels(degree) for the voxels whose values they have")
+    invalid(
+        py,
+        "cells of images have no numbers".to_owned(),
+        "ask .voxels(degree) for the voxels whose values they have",
+    )
 }
 
 #[pymethods]

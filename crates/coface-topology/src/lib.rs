@@ -52,8 +52,8 @@ pub use hodge::{
     HarmonicCochain, HodgeDecomposition, HodgeSpace, MetricComplex, harmonic_basis, laplacian_matrix,
 };
 pub use persistence::{
-    Distances, Filtration, ImageConstruction, ImageDiagram, ImageFiltration, ImagePair, PersistenceDiagram, PersistencePair,
-    RipsDiagram, RipsFiltration, RipsPair, RipsSize, persistence,
+    Distances, Filtration, ImageConstruction, ImageDiagram, ImageFiltration, ImagePair, PersistenceDiagram,
+    PersistencePair, RipsDiagram, RipsFiltration, RipsPair, RipsSize, persistence,
 };
 
 mod curves;

@@ -11,11 +11,9 @@ pub struct PersistenceAnswer {
     pub file: String,
     /// The characteristic of the field of coefficients.
     pub field: u32,
-    /// The function on the vertices, the file of the values, `vietoris-rips`, or of an image `voxels, v-construction` or
-    /// `voxels, t-construction`.
+    /// The function on the vertices, the file of the values, `vietoris-rips`, or `voxels, v-construction` or `voxels, t-construction` of an image.
     pub function: String,
-    /// How cells follow from the function: `lower` or `upper`; `null` for given values. Of an image, whether sublevel or superlevel
-    /// sets grow.
+    /// How cells follow from the function: `lower` or `upper`; `null` for given values. Of an image sublevel or superlevel sets.
     pub star: Option<String>,
     /// The largest diameter of the simplices that were looked at; `null` unless the input is points or distances.
     #[serde(default)]

@@ -73,9 +73,13 @@ fn masks_and_periodic_axes() {
     let masked = pairs(place, &["a.nrrd", "--mask", "mask.nrrd"]);
     assert_eq!(masked.iter().map(|pair| pair.2).collect::<Vec<_>>(), [None, None]);
     let around = pairs(place, &["a.nrrd", "--periodic", "x"]);
-    assert_eq!(around.iter().map(|pair| (pair.0, pair.1)).collect::<Vec<_>>(), [(0, 0.0), (0, 1.0), (1, 7.0)]);
+    assert_eq!(
+        around.iter().map(|pair| (pair.0, pair.1)).collect::<Vec<_>>(),
+        [(0, 0.0), (0, 1.0), (1, 7.0)]
+    );
     std::fs::write(place.join("other.nrrd"), nrrd(&[1, 4], &[1.0; 4])).unwrap();
-    let message = coface_in(place, &["persistence", "a.nrrd", "--mask", "other.nrrd"]).fails_with(1).to_owned();
+    let message =
+        coface_in(place, &["persistence", "a.nrrd", "--mask", "other.nrrd"]).fails_with(1).to_owned();
     assert!(message.contains("other.nrrd: the mask has the shape [1, 4], and the image [4, 1]"), "{message}");
 }
 
@@ -105,10 +109,13 @@ fn chosen_voxels_are_a_model() {
         let answer = coface_in(place, &all).json();
         assert!(["x", "y"].contains(&answer["function"].as_str().unwrap()), "{answer}");
     }
-    let message = coface_in(place, &["persistence", "a.nrrd", "--threshold", "9", "--superlevel"]).fails_with(1).to_owned();
+    let message = coface_in(place, &["persistence", "a.nrrd", "--threshold", "9", "--superlevel"])
+        .fails_with(1)
+        .to_owned();
     assert!(message.contains("a.nrrd: --superlevel is for the values of a volume"), "{message}");
     std::fs::write(place.join("a.json"), "[[0,1]]").unwrap();
-    let message = coface_in(place, &["persistence", "a.json", "--construction", "v"]).fails_with(1).to_owned();
+    let message =
+        coface_in(place, &["persistence", "a.json", "--construction", "v"]).fails_with(1).to_owned();
     assert!(message.contains("a.json: --construction is for the values of a volume"), "{message}");
 }
 

@@ -188,8 +188,11 @@ impl ImageFiltration {
         }
         let count = Grid::vertex_count_of(shape, &is_periodic);
         if count.is_none_or(|count| count >= u32::MAX as usize) {
-            return Err(Error::new(ErrorKind::TooLarge, format!("an image of shape {shape:?} has too many voxels"))
-                .with_cure("take a part of it, or every second voxel along each axis"));
+            return Err(Error::new(
+                ErrorKind::TooLarge,
+                format!("an image of shape {shape:?} has too many voxels"),
+            )
+            .with_cure("take a part of it, or every second voxel along each axis"));
         }
         let construction = ImageConstruction::default();
         Ok(Self { shape: shape.to_vec(), numbers, construction, is_superlevel: false, is_periodic })
@@ -366,11 +369,16 @@ impl ImageFiltration {
     /// The place of a voxel along each axis.
     fn voxel(&self, place: usize) -> Vec<usize> {
         let mut rest = place;
-        let mut voxel: Vec<usize> = self.shape.iter().rev().map(|&length| {
-            let at = rest % length;
-            rest /= length;
-            at
-        }).collect();
+        let mut voxel: Vec<usize> = self
+            .shape
+            .iter()
+            .rev()
+            .map(|&length| {
+                let at = rest % length;
+                rest /= length;
+                at
+            })
+            .collect();
         voxel.reverse();
         voxel
     }

@@ -69,7 +69,12 @@ pub(super) struct Gradient {
     fates: Vec<u8>,
     /// The critical cells of each degree as they enter.
     pub(super) critical: Vec<Vec<Cell>>,
+    /// For each degree, for each run of [`RUN`] ranks, how many critical cells enter before it.
+    starts: Vec<Vec<u32>>,
 }
+
+/// So many ranks are a run, in which a critical cell is looked for.
+const RUN: usize = 16;
 
 /// So many vertices are matched between two steps of the progress.
 const BATCH: usize = 1 << 16;
@@ -102,7 +107,17 @@ impl Gradient {
             cells.par_sort_unstable();
         }
         let fates = fates.into_iter().map(AtomicU8::into_inner).collect();
-        Self { grid, ranks, vertices, fates, critical }
+        let runs = vertices.len() / RUN + 2;
+        let starts = critical.iter().map(|cells| starts_of_runs(cells, runs)).collect();
+        Self { grid, ranks, vertices, fates, critical, starts }
+    }
+
+    /// The place of a critical cell among those of its degree.
+    pub(super) fn number(&self, degree: usize, cell: Cell) -> usize {
+        let run = cell.rank() as usize / RUN;
+        let [start, end] = [run, run + 1].map(|run| self.starts[degree][run] as usize);
+        let place = self.critical[degree][start..end].binary_search(&cell);
+        start + place.expect("a critical cell is in the list")
     }
 
     pub(super) fn fate(&self, place: usize) -> Fate {
@@ -113,6 +128,17 @@ impl Gradient {
     pub(super) fn vertex(&self, rank: u32) -> usize {
         self.vertices[rank as usize - 1] as usize
     }
+}
+
+fn starts_of_runs(cells: &[Cell], runs: usize) -> Vec<u32> {
+    let mut starts = vec![0; runs + 1];
+    for cell in cells {
+        starts[cell.rank() as usize / RUN + 1] += 1;
+    }
+    for run in 0..runs {
+        starts[run + 1] += starts[run];
+    }
+    starts
 }
 
 /// Matches the cells of a lower star; adds those that are left to a list.

@@ -125,7 +125,8 @@ impl Codes {
             // The boundary is the end behind less the end before, with the sign of the place of the axis.
             let is_before = digits[axis] > 0;
             let is_odd = place % 2 == 1;
-            facets.push(Facet { is_negative: is_before != is_odd, kind: FacetKind::Near(self.number(&flat)) });
+            facets
+                .push(Facet { is_negative: is_before != is_odd, kind: FacetKind::Near(self.number(&flat)) });
             let seen_from = |part: Code| {
                 let at = self.digits[part as usize];
                 let mut code = flat;

@@ -51,15 +51,12 @@ impl<'a, F: Field> Pairing<'a, F> {
         self.classes[degree].push((critical[degree][birth], Some(critical[degree + 1][death])));
     }
 
-    fn number(&self, degree: usize, cell: Cell) -> usize {
-        self.gradient.critical[degree].binary_search(&cell).expect("a critical cell is in the list")
-    }
-
     /// Pairs vertices with edges: an edge that joins two trees ends the younger one.
     fn join_vertices(&mut self) {
         let gradient = self.gradient;
         let grid = &gradient.grid;
-        let other_end = |vertex: usize, code: Code| gradient.ranks[Grid::opposite(grid.star(vertex), vertex, code)];
+        let other_end =
+            |vertex: usize, code: Code| gradient.ranks[Grid::opposite(grid.star(vertex), vertex, code)];
         // Each vertex hangs under the other end of the edge that it is matched with, which is older.
         let parent = |rank: u32| {
             if rank == OUTSIDE {
@@ -81,7 +78,7 @@ impl<'a, F: Field> Pairing<'a, F> {
             if a != b {
                 let (old, young) = (a.min(b), a.max(b));
                 forest.hang(young, old);
-                let birth = self.number(0, Cell::new(young, 0));
+                let birth = gradient.number(0, Cell::new(young, 0));
                 self.pair(0, birth, number);
             }
         }
@@ -128,7 +125,7 @@ impl<'a, F: Field> Pairing<'a, F> {
                 (None, None) => continue,
             };
             forest.hang(young, old);
-            let death = self.number(degree, cell);
+            let death = gradient.number(degree, cell);
             self.pair(degree - 1, number, death);
         }
     }
@@ -250,7 +247,7 @@ impl<F: Field> Sum<'_, '_, F> {
                     self.heap.push((cell, unit));
                     continue;
                 }
-                let number = self.pairing.number(degree, cell);
+                let number = gradient.number(degree, cell);
                 if !is_paired[number] {
                     lead = Some((number, unit));
                 }
@@ -304,7 +301,8 @@ impl<F: Field> Sum<'_, '_, F> {
                 continue;
             };
             let facets = grid.codes.facets(cell);
-            let own = facets.iter().find(|facet| matches!(facet.kind, FacetKind::Near(other) if other == code));
+            let own =
+                facets.iter().find(|facet| matches!(facet.kind, FacetKind::Near(other) if other == code));
             let own = own.expect("a cell is a facet of the one it is matched with");
             let factor = field.eliminator(unit, self.unit(own.is_negative));
             for facet in facets {

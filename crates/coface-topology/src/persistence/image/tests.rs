@@ -53,7 +53,8 @@ fn by_the_whole_complex(image: &Image, is_v: bool, p: u64) -> Points {
         });
         digits.collect()
     };
-    let index = |cell: &[usize]| cell.iter().zip(&lengths).rev().fold(0, |index, (&x, &length)| index * length + x);
+    let index =
+        |cell: &[usize]| cell.iter().zip(&lengths).rev().fold(0, |index, (&x, &length)| index * length + x);
     // The voxels that a cell has to do with, along an axis.
     let beside = |axis: usize, x: usize| -> Vec<usize> {
         let length = image.shape[axis];
@@ -75,7 +76,8 @@ fn by_the_whole_complex(image: &Image, is_v: bool, p: u64) -> Points {
         let mut voxels = vec![0];
         for (axis, &x) in cell.iter().enumerate() {
             let along = beside(axis, x);
-            voxels = voxels.iter().flat_map(|&v| along.iter().map(move |&x| v * image.shape[axis] + x)).collect();
+            voxels =
+                voxels.iter().flat_map(|&v| along.iter().map(move |&x| v * image.shape[axis] + x)).collect();
         }
         let numbers = voxels.iter().map(|&voxel| image.numbers[voxel]);
         let numbers = numbers.map(|x| if x.is_nan() { f64::INFINITY } else { x });
@@ -110,12 +112,17 @@ fn by_the_whole_complex(image: &Image, is_v: bool, p: u64) -> Points {
         SparseMatrix::from_entries(two[0].len(), two[1].len(), entries).unwrap()
     });
     let matrices: Vec<SparseMatrix> = matrices.collect();
-    let complex =
-        if matrices.is_empty() { ChainComplex::of_points(levels[0].len()) } else { ChainComplex::new(matrices).unwrap() };
+    let complex = if matrices.is_empty() {
+        ChainComplex::of_points(levels[0].len())
+    } else {
+        ChainComplex::new(matrices).unwrap()
+    };
     let values = levels.iter().map(|level| level.iter().map(|cell| value(cell)).collect()).collect();
     let filtration = Filtration::new(&complex, values).unwrap();
     let diagram = persistence(&complex, &filtration, Coefficients::Modulo(p)).unwrap().longer_than(0.0);
-    let point = |pair: &crate::persistence::PersistencePair| (pair.degree(), format!("{:?} {:?}", pair.birth(), pair.death()));
+    let point = |pair: &crate::persistence::PersistencePair| {
+        (pair.degree(), format!("{:?} {:?}", pair.birth(), pair.death()))
+    };
     let mut found: Points = diagram.pairs().iter().map(point).collect();
     found.sort();
     found
@@ -132,7 +139,12 @@ fn shapes() -> impl Strategy<Value = Vec<usize>> {
 
 /// Small images with many ties, some voxels outside, some axes periodic.
 fn images() -> impl Strategy<Value = Image> {
-    (shapes(), any::<[bool; 4]>(), prop::sample::select(vec![2i32, 9, 1000]), prop::sample::select(vec![0u8, 30, 120]))
+    (
+        shapes(),
+        any::<[bool; 4]>(),
+        prop::sample::select(vec![2i32, 9, 1000]),
+        prop::sample::select(vec![0u8, 30, 120]),
+    )
         .prop_flat_map(|(shape, periodic, most, missing)| {
             let count: usize = shape.iter().product();
             let is_periodic: Vec<bool> =
