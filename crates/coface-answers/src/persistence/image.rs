@@ -265,8 +265,8 @@ impl ImageRequest {
         let GreyImage { axes, filtration } = image;
         let find = || {
             let is_periodic = self.periodic.periodic_axes(axes.shape.len())?;
-            let lone = axes.shape.iter().zip(&is_periodic);
-            if let Some(axis) = lone.clone().position(|(&length, &is_periodic)| is_periodic && length == 1) {
+            let mut along = axes.shape.iter().zip(&is_periodic);
+            if let Some(axis) = along.position(|(&length, &is_periodic)| is_periodic && length == 1) {
                 return Err(Error::new(
                     ErrorKind::Shape,
                     format!("axis {axis} is periodic and has a single voxel, which would meet itself"),

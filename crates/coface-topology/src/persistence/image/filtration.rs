@@ -86,10 +86,12 @@ impl Numbers {
     }
 
     fn at(&self, place: usize) -> f64 {
-        match self {
+        let number = match self {
             Self::Single(numbers) => numbers[place].into(),
             Self::Double(numbers) => numbers[place],
-        }
+        };
+        // No negative zero is given.
+        number + 0.0
     }
 
     fn remove(&mut self, place: usize) {
