@@ -1277,11 +1277,11 @@ export interface PersistenceAnswer {
   field: number;
   /** The name of the input. */
   file: string;
-  /** The function on the vertices, the file of the values, or `vietoris-rips`. */
+  /** The function on the vertices, the file of the values, `vietoris-rips`, or `voxels, v-construction` or `voxels, t-construction` of an image. */
   function: string;
   /** What was assumed or left out. */
   remarks: Remark[];
-  /** How cells follow from the function: `lower` or `upper`; `null` for given values. */
+  /** How cells follow from the function: `lower` or `upper`; `null` for given values. Of an image sublevel or superlevel sets. */
   star?: string | null;
   /** The largest diameter of the simplices that were looked at; `null` unless the input is points or distances. */
   threshold?: number | null;
@@ -1291,11 +1291,11 @@ export interface PersistenceAnswer {
 export interface PersistencePairAnswer {
   /** The value at which it is born. */
   birth: number;
-  /** The cell that gives birth to it, by its vertices. */
+  /** The cell that gives birth to it, by its vertices; of an image the voxel whose value the birth is, by its place along each axis. */
   birth_cell: number[];
   /** The value at which it dies; `null` if it stays. */
   death?: number | null;
-  /** The cell by which it dies, by its vertices. */
+  /** The cell by which it dies, by its vertices; of an image the voxel whose value the death is. */
   death_cell?: number[] | null;
   /** The degree of the class. */
   degree: number;
