@@ -1973,6 +1973,20 @@ class Persistence:
     def simplices(self, degree: int) -> list[tuple[list[int], list[int] | None]]:
         """The vertices of the cells that make and end the classes of a degree: a list of pairs."""
         ...
+    def voxels(self, degree: int) -> NDArray[np.int64]:
+        """The voxels of an image whose values are the births and deaths of the classes of a degree.
+
+        Parameters
+        ----------
+        degree : int
+            The degree.
+
+        Returns
+        -------
+        numpy.ndarray
+            ``int64``, shape (n, 2, axes): for each class the place of the voxel of its birth and of that of its death along each axis, -1 where there is none.
+        """
+        ...
     def dying_cycle(self, degree: int, place: int) -> Chain | None:
         """The cycle that a death cell fills: its boundary.
 
@@ -3831,6 +3845,35 @@ def rips(table: Any, *, form: str | None = None, dimension: int = ..., threshold
         The diagram.
     """
     ...
+def cubical(values: NDArray[Any], *, construction: str = "t", superlevel: bool = False, periodic: Sequence[int] = ..., mask: NDArray[np.bool_] | None = None, coefficients: str | int = ..., least: float = 0.0, progress: _Progress = ...) -> Persistence:
+    """Persistent homology of the sublevel or superlevel sets of an image.
+
+    Parameters
+    ----------
+    values : numpy.ndarray
+        ``float64`` or ``float32``, contiguous.
+    construction : {"t", "v"}
+        Whether voxels are top cells or vertices.
+    superlevel : bool
+        Whether superlevel sets grow.
+    periodic : sequence of int
+        The axes whose last voxels meet the first.
+    mask : numpy.ndarray, optional
+        ``bool``, contiguous: the voxels that are inside.
+    coefficients : str or int
+        A prime field: ``"f2"``, ``"f3"``, ...
+    least : float
+        Classes that live no longer than this are left out.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    Persistence
+        The diagram.
+    """
+    ...
+def _values_of_volume(path: str | os.PathLike[str]) -> NDArray[np.float64] | None: ...
 def fundamental_groups(model: Any, *, simplify: bool = True, base: int | None = None, time_limit: float | None = None, progress: _Progress = ...) -> list[FundamentalGroup]:
     """The fundamental groups of the components of a complex.
 
