@@ -323,10 +323,13 @@ impl<F: Field> Sum<'_, '_, F> {
         let mut all = std::mem::take(&mut self.heap).into_vec();
         all.sort_unstable();
         for run in all.chunk_by(|a, b| a.0 == b.0) {
-            let total = run[1..].iter().fold(Some(run[0].1), |total, &(_, x)| match total {
-                Some(sum) => self.pairing.field.sum(sum, x),
-                None => Some(x),
-            });
+            let mut total = Some(run[0].1);
+            for &(_, x) in &run[1..] {
+                total = match total {
+                    Some(sum) => self.pairing.field.sum(sum, x),
+                    None => Some(x),
+                };
+            }
             terms.extend(total.map(|total| (run[0].0, total)));
         }
         all.clear();
