@@ -58,7 +58,7 @@ fn by_the_whole_complex(image: &Image, is_v: bool, p: u64) -> Points {
     // The voxels that a cell has to do with, along an axis.
     let beside = |axis: usize, x: usize| -> Vec<usize> {
         let length = image.shape[axis];
-        let voxels: Vec<usize> = match (is_v, x % 2 == 0) {
+        let voxels: Vec<usize> = match (is_v, x.is_multiple_of(2)) {
             (true, true) => vec![x / 2],
             (true, false) => vec![x / 2, x / 2 + 1],
             (false, false) => vec![x / 2],
@@ -85,11 +85,11 @@ fn by_the_whole_complex(image: &Image, is_v: bool, p: u64) -> Points {
     };
     let mut numbers = vec![usize::MAX; total];
     let mut levels: Vec<Vec<Vec<usize>>> = vec![Vec::new(); axes + 1];
-    for place in 0..total {
+    for (place, number) in numbers.iter_mut().enumerate() {
         let cell = at(place);
         if value(&cell).is_finite() {
             let degree = cell.iter().filter(|&&x| x % 2 == 1).count();
-            numbers[place] = levels[degree].len();
+            *number = levels[degree].len();
             levels[degree].push(cell);
         }
     }
