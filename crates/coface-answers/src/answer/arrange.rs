@@ -183,8 +183,24 @@ pub struct SpatialArrangementAnswer {
     pub rounding: SpatialRounding,
     /// What was put together, where that was asked for or needed.
     pub joined: Option<JoinedFeatures>,
+    /// What congruence put together; with `--method congruence` only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub congruence: Option<CongruentSheets>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,
+}
+
+/// What congruence did: polygons, each cut in its own plane, that were stacked and brought together.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct CongruentSheets {
+    /// The distance within which vertices became one, in the unit of the inputs.
+    pub tolerance: f64,
+    /// The numbers of vertices, edges and faces of all polygons, each cut by itself.
+    pub stacked_f_vector: [usize; 3],
+    /// The largest distance of two vertices that became one, in the unit of the inputs: far below the tolerance if that was
+    /// chosen well.
+    pub largest_class_diameter: f64,
 }
 
 /// Polygons that have no area.

@@ -56,7 +56,7 @@ pub use homology::{
 pub use incidence::IncidenceAnswer;
 
 pub use arrange::{
-    AttributeColumn, DegeneratePolygons, DrawingInput, InsideMethod, JoinedFeatures, PlanarArrangementAnswer,
+    AttributeColumn, CongruentSheets, DegeneratePolygons, DrawingInput, InsideMethod, JoinedFeatures, PlanarArrangementAnswer,
     PlanarArrangementProvenance, PlanarRounding, RoundingRepair, SpatialArrangementAnswer,
     SpatialArrangementProvenance, SpatialInput, SpatialRounding, SplitPolygons, VertexOrigin,
 };

@@ -2,6 +2,7 @@
 
 use super::arranged::Arranged;
 use super::{SpatialRequest, SpatialScene};
+use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, VertexId};
 use coface_algebra::{RaggedArray, SparseMatrix};
 use coface_arrange::boolean::{InputRim, InsideRule, WindingNumbers};
@@ -69,8 +70,11 @@ impl Membership {
 
 impl Inputs {
     pub(super) fn new(scene: &SpatialScene, arranged: &Arranged) -> Result<Self, Error> {
-        let complex = arranged.complex();
-        let (count, chains) = (scene.names().len(), arranged.inputs());
+        Self::of_chains(scene.names().len(), arranged.complex(), arranged.inputs())
+    }
+
+    /// So many models as chains of faces: rows are faces, columns models.
+    pub(super) fn of_chains(count: usize, complex: &ChainComplex, chains: &SparseMatrix) -> Result<Self, Error> {
         let mut rims = vec![None; count];
         for rim in InputRim::of_inputs(complex, chains)? {
             let input = rim.input();
@@ -125,6 +129,21 @@ impl Inputs {
         open: OpenInputs,
         request: &SpatialRequest,
     ) -> Result<Membership, Error> {
+        self.membership_or(rule, open, |input, rim| refusal(scene, input, rim, arranged, request))
+    }
+
+    /// The same where models that have no inside contain nothing.
+    pub(super) fn membership_of_closed(&self, rule: InsideRule) -> Membership {
+        let none = |input, _: &InputRim| Error::invalid(format!("input {input} is open"));
+        self.membership_or(rule, OpenInputs::Empty, none).expect("open inputs are empty here")
+    }
+
+    fn membership_or(
+        &self,
+        rule: InsideRule,
+        open: OpenInputs,
+        refused: impl Fn(usize, &InputRim) -> Error,
+    ) -> Result<Membership, Error> {
         let cell_count = self.winding.cell_count();
         // Pairs of a cell and an input that it is inside of.
         let mut pairs: Vec<(u32, u32)> = Vec::new();
@@ -141,7 +160,7 @@ impl Inputs {
                 continue;
             }
             if open == OpenInputs::Refuse {
-                return Err(refusal(scene, input, rim, arranged, request));
+                return Err(refused(input, rim));
             }
         }
         pairs.sort_unstable();

@@ -2,7 +2,9 @@
 
 mod arranged;
 mod boolean;
+mod congruent;
 mod enclosed;
+mod facts;
 mod graph;
 mod inputs;
 mod models;
@@ -12,6 +14,7 @@ mod scene;
 mod scene_arrangement;
 
 pub use boolean::{SolidBoolean, SolidRequest};
+pub use congruent::CongruentScene;
 pub use inputs::{InputState, OpenInputs};
 pub use request::SpatialRequest;
 pub use scene::SpatialScene;

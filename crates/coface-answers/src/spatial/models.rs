@@ -13,7 +13,7 @@ use coface_io::{CellData, Group, GroupKind, GroupRole, Model};
 use std::collections::BTreeMap;
 
 /// Where a face has the exterior, in data on polygons.
-const NO_CELL: i64 = -1;
+pub(super) const NO_CELL: i64 = -1;
 
 impl SceneArrangement {
     /// All faces as a mesh: each polygon with the data `cell_back` and `cell_front`, the cells on its two sides (-1 for the exterior),
@@ -408,7 +408,7 @@ impl SolidBoolean<'_> {
 
 /// Names of groups of the inputs with these names: those that OBJ would not tell apart have the number of the input
 /// behind them.
-fn group_names(names: &[String]) -> Vec<String> {
+pub(super) fn group_names(names: &[String]) -> Vec<String> {
     let word = |name: &str| name.split_whitespace().collect::<Vec<_>>().join("_");
     let mut counts: BTreeMap<String, usize> = BTreeMap::new();
     names.iter().for_each(|name| *counts.entry(word(name)).or_default() += 1);

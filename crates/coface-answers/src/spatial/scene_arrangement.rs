@@ -3,6 +3,7 @@
 use super::arranged::Arranged;
 use super::enclosed::turned_parts;
 use super::inputs::Inputs;
+use super::facts::{component_count, dangling_face_count, input_answers, input_state, products_are_zero, remarks_of_inputs};
 use super::{InputState, OpenInputs, SpatialRequest, SpatialScene};
 use crate::answer::{
     DegeneratePolygons, JoinedFeatures, Place, Remark, RemarkCode, SpatialArrangementAnswer, SpatialInput,
@@ -10,7 +11,6 @@ use crate::answer::{
 };
 use crate::near::ThinCells;
 use crate::text;
-use coface_algebra::UnionFind;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, Sign};
 use coface_arrange::boolean::InsideRule;
@@ -314,10 +314,7 @@ impl SceneArrangement {
     /// # Ok(()) }
     /// ```
     pub fn input_state(&self, input: usize) -> InputState {
-        match self.scene.mouth_edges(input) {
-            Some(edges) => InputState::Open { edges },
-            None => self.inputs.state(input),
-        }
+        input_state(&self.scene, &self.inputs, input)
     }
 
     /// Whether the products of neighboring boundary matrices are zero, found by multiplying.
@@ -337,12 +334,7 @@ impl SceneArrangement {
     /// # Ok(()) }
     /// ```
     pub fn products_are_zero(&self) -> Result<bool, Error> {
-        for pair in self.complex().boundary_matrices().windows(2) {
-            if pair[0].first_nonzero_product_column(&pair[1])?.is_some() {
-                return Ok(false);
-            }
-        }
-        Ok(true)
+        products_are_zero(self.complex())
     }
 
     /// The number of connected components of all faces.
@@ -359,25 +351,7 @@ impl SceneArrangement {
     /// # Ok(()) }
     /// ```
     pub fn component_count(&self) -> usize {
-        let complex = self.complex();
-        let mut vertices = UnionFind::new(complex.cell_count(0));
-        let ends = |edge: u32| complex.boundary_matrix(1).map_or(&[][..], |m| m.column(edge as usize).rows());
-        for edge in 0..complex.cell_count(1) as u32 {
-            if let &[a, b] = ends(edge) {
-                vertices.unite(a, b);
-            }
-        }
-        // Walks around one face are connected by the face.
-        for face in (0..complex.cell_count(2)).map(CellId::new) {
-            let mut first = None;
-            let edges = complex.boundary_matrix(2).map_or(&[][..], |m| m.column(face.index()).rows());
-            for &edge in edges {
-                if let Some(&vertex) = ends(edge).first() {
-                    vertices.unite(*first.get_or_insert(vertex), vertex);
-                }
-            }
-        }
-        vertices.class_count()
+        component_count(self.complex())
     }
 
     /// The arrangement as an answer.
@@ -439,6 +413,7 @@ impl SceneArrangement {
             split_polygons: SplitPolygons { count: split.len(), largest_deviation },
             rounding: self.rounding((0..complex.cell_count(0)).map(CellId::new), crossings, &turned),
             joined: self.joined(),
+            congruence: None,
             remarks,
         })
     }
@@ -473,27 +448,7 @@ impl SceneArrangement {
             let points = turned.iter().map(|point| Place::point(point));
             remarks.push(Remark::new(RemarkCode::RoundedInvalid, message).at(turned.len(), points));
         }
-        for file in files.iter().filter(|file| file.reversed_cells > 0) {
-            let message = format!(
-                "{} is inside out, wholly or in part: it winds less than zero times around cells",
-                file.label()
-            );
-            remarks.push(
-                Remark::new(RemarkCode::ReversedInput, message)
-                    .at(file.reversed_cells, [Place::file(&file.file)]),
-            );
-        }
-        for file in files.iter().filter(|file| rule == InsideRule::Nonzero && file.overlapping_cells > 0) {
-            let message = format!(
-                "{} overlaps itself: it winds more than once around {}; --rule positive counts what winds backward as outside",
-                file.label(),
-                text::count(file.overlapping_cells, "cell")
-            );
-            remarks.push(
-                Remark::new(RemarkCode::OverlappingInput, message)
-                    .at(file.overlapping_cells, [Place::file(&file.file)]),
-            );
-        }
+        remarks.extend(remarks_of_inputs(files, rule));
         remarks
     }
 
@@ -537,11 +492,7 @@ impl SceneArrangement {
     /// # Ok(()) }
     /// ```
     pub fn dangling_faces(&self) -> usize {
-        let mut is_side = vec![false; self.complex().cell_count(2)];
-        if let Some(cells) = self.complex().boundary_matrix(3) {
-            cells.rows().iter().for_each(|&face| is_side[face as usize] = true);
-        }
-        is_side.iter().filter(|is_side| !**is_side).count()
+        dangling_face_count(self.complex())
     }
 
     /// For each face the inputs that have a polygon there, rising.
@@ -572,30 +523,7 @@ impl SceneArrangement {
 
     /// The inputs in their order.
     pub(super) fn input_answers(&self) -> Vec<SpatialInput> {
-        let mut polygons = vec![0usize; self.scene.names().len()];
-        let own = &self.scene.input_of_polygon()[..self.scene.own_polygon_count()];
-        own.iter().for_each(|&input| polygons[input as usize] += 1);
-        let odd_cells = self.inputs.odd_cells();
-        let file = |(input, name): (usize, &String)| {
-            let (closed, coherent, rim_edges) = match self.input_state(input) {
-                InputState::Closed => (true, true, 0),
-                InputState::Incoherent { edges } => (true, false, edges),
-                InputState::Open { edges } => (false, false, edges),
-            };
-            let [reversed_cells, overlapping_cells] = odd_cells[input];
-            SpatialInput {
-                file: self.scene.file_of_input(input).to_owned(),
-                name: self.scene.has_parts().then(|| name.clone()),
-                polygons: polygons[input],
-                closed,
-                coherent,
-                rim_edges,
-                reversed_cells,
-                overlapping_cells,
-                inside_by: None,
-            }
-        };
-        self.scene.names().iter().enumerate().map(file).collect()
+        input_answers(&self.scene, &self.inputs)
     }
 
     /// How many of these vertices have rounded coordinates.

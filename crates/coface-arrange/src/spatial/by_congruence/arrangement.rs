@@ -342,6 +342,7 @@ fn sheets(
             Error::invalid(format!(
                 "polygon {polygon} is not flat: point {point} is {deviation:e} from its plane"
             ))
+            .with_cells([vec![polygon as u32]])
             .with_cure("triangulate it, or choose a larger tolerance")
         })
     };

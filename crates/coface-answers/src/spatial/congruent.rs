@@ -1,0 +1,410 @@
+//! A scene arranged by congruence, within a tolerance.
+
+use super::SpatialScene;
+use super::facts::{
+    component_count, dangling_face_count, input_answers, products_are_zero, remarks_of_inputs,
+};
+use super::inputs::Inputs;
+use super::models::{NO_CELL, group_names};
+use super::scene::closed_walks;
+use crate::answer::{
+    CongruentSheets, DegeneratePolygons, Place, Remark, RemarkCode, SpatialArrangementAnswer,
+    SpatialArrangementProvenance, SpatialRounding, SplitPolygons,
+};
+use crate::text;
+use coface_algebra::chains::ChainComplex;
+use coface_algebra::{CellId, Error, ErrorKind, FaceId};
+use coface_algebra::{RaggedArray, SparseMatrix};
+use coface_arrange::boolean::InsideRule;
+use coface_arrange::spatial::{
+    CongruenceArrangement, Crossings, SpatialPolygons, arrange_by_congruence,
+};
+use coface_geometry::Positions;
+use coface_io::{CellData, Group, GroupKind, Model};
+
+/// So many polygons or places are listed.
+const MOST_LISTED: usize = 100;
+
+/// The cells that the polygons of models cut space into, by congruence: each polygon is cut in its own plane, and what is at
+/// most a tolerance apart becomes one.
+///
+/// Numbers are rounded and the tolerance decides what coincides, so this is the method for polygons that meet only nearly, and
+/// the second method for [`SceneArrangement`](super::SceneArrangement), which is exact.
+///
+/// # Examples
+/// Two tetrahedra whose common face is written twice, a millionth apart:
+/// ```
+/// use coface_answers::{CongruentScene, SpatialScene};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let read = |text: &str| coface_io::read(text.as_bytes(), coface_io::Format::Obj);
+/// let up = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")?;
+/// let down = read("v 0 0 -1e-6\nv 1 0 0\nv 0 1 0\nv 0 0 -12\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n")?;
+/// let scene = SpatialScene::of([("up", &up), ("down", &down)], true)?;
+/// let arranged = CongruentScene::of_scene(scene, 1e-4)?;
+/// assert_eq!(arranged.complex().f_vector(), [5, 9, 7, 2]);
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug)]
+pub struct CongruentScene {
+    scene: SpatialScene,
+    arranged: CongruenceArrangement,
+    complex: ChainComplex,
+    inputs: Inputs,
+    /// The walks around each face, one face after the other, and the face of each.
+    walks: RaggedArray,
+    face_of_walk: Vec<u32>,
+    tolerance: f64,
+}
+
+impl CongruentScene {
+    /// Arranges the polygons of a scene. The tolerance is a length in the unit of the models: well above the rounding of
+    /// coordinates, well below the least distance of features that are different.
+    ///
+    /// # Errors
+    /// Those of [`arrange_by_congruence`], naming the polygon of a file that is not flat within the tolerance.
+    ///
+    /// # Complexity
+    /// That of [`arrange_by_congruence`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("solid", &solid)], true)?;
+    /// let arranged = coface_answers::CongruentScene::of_scene(scene, 1e-9)?;
+    /// assert_eq!(arranged.complex().f_vector(), [4, 6, 4, 1]);
+    /// # Ok(()) }
+    /// ```
+    pub fn of_scene(scene: SpatialScene, tolerance: f64) -> Result<Self, Error> {
+        let positions = scene.positions()?;
+        let arranged = arrange_by_congruence(&positions, &scene.walks, &scene.polygon_of_walk, tolerance)
+            .map_err(|error| named(error, &scene, tolerance))?;
+        let complex = arranged.chain_complex()?;
+        let face_count = complex.cell_count(2);
+        let mut entries = Vec::new();
+        for face in 0..face_count {
+            for (polygon, sign) in arranged.polygons_of_face(FaceId::new(face)) {
+                // Faces between cells of one model cancel in it.
+                if !scene.is_wall(polygon) {
+                    let input = scene.input_of_polygon()[polygon] as usize;
+                    entries.push((face, input, i64::from(sign.to_i32())));
+                }
+            }
+        }
+        let count = scene.names().len();
+        let chains = SparseMatrix::from_entries(face_count, count, entries)?;
+        let inputs = Inputs::of_chains(count, &complex, &chains)?;
+        let (mut walks, mut face_of_walk) = (RaggedArray::new(), Vec::new());
+        for face in 0..face_count {
+            let own = walks_around(&complex, face);
+            own.iter().for_each(|walk| walks.push(walk));
+            face_of_walk.resize(walks.len(), face as u32);
+        }
+        Ok(Self { scene, arranged, complex, inputs, walks, face_of_walk, tolerance })
+    }
+
+    /// The polygons and where they are from.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("solid", &solid)], true)?;
+    /// assert_eq!(coface_answers::CongruentScene::of_scene(scene, 1e-9)?.scene().polygon_count(), 4);
+    /// # Ok(()) }
+    /// ```
+    pub fn scene(&self) -> &SpatialScene {
+        &self.scene
+    }
+
+    /// The vertices, edges, faces and bounded cells; boundaries of cells run outward.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("solid", &solid)], true)?;
+    /// let arranged = coface_answers::CongruentScene::of_scene(scene, 1e-9)?;
+    /// assert_eq!(arranged.complex().cell_count(3), 1);
+    /// # Ok(()) }
+    /// ```
+    pub fn complex(&self) -> &ChainComplex {
+        &self.complex
+    }
+
+    /// Where the vertices are: at corners of polygons where these are.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("solid", &solid)], true)?;
+    /// assert_eq!(coface_answers::CongruentScene::of_scene(scene, 1e-9)?.positions().len(), 4);
+    /// # Ok(()) }
+    /// ```
+    pub fn positions(&self) -> &Positions {
+        self.arranged.positions()
+    }
+
+    /// The volumes of the cells without their voids, rounded, in the cube of the unit of the models.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("solid", &solid)], true)?;
+    /// assert_eq!(coface_answers::CongruentScene::of_scene(scene, 1e-9)?.volumes(), [1.0]);
+    /// # Ok(()) }
+    /// ```
+    pub fn volumes(&self) -> &[f64] {
+        self.arranged.volumes()
+    }
+
+    /// The arrangement as an answer, with what congruence did under `congruence`; `inside` is by the rule, and models that are
+    /// open contain nothing.
+    ///
+    /// # Errors
+    /// [`ErrorKind::TooLarge`] when products of boundary matrices do not fit.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("solid", &solid)], true)?;
+    /// let answer = coface_answers::CongruentScene::of_scene(scene, 1e-9)?.answer(Default::default())?;
+    /// assert_eq!(answer.congruence.map(|done| done.stacked_f_vector[2]), Some(4));
+    /// # Ok(()) }
+    /// ```
+    pub fn answer(&self, rule: InsideRule) -> Result<SpatialArrangementAnswer, Error> {
+        let membership = self.inputs.membership_of_closed(rule);
+        let cells = self.complex.cell_count(3);
+        let dropped = self.arranged.dropped_polygons();
+        let place = |&polygon: &u32| {
+            let polygon = polygon as usize;
+            (self.scene.input_of_polygon()[polygon], self.scene.source_of_polygon()[polygon])
+        };
+        let files = input_answers(&self.scene, &self.inputs);
+        let crossings = self.crossings()?;
+        let mut remarks = self.scene.remarks().to_vec();
+        if crossings.count > 0 {
+            let places = text::count(crossings.count, "place");
+            let message = format!(
+                "faces as they are rounded cross in {places}; a larger --tolerance may join what is so near"
+            );
+            let points = crossings.places.iter().map(|point| Place::point(point));
+            remarks.push(Remark::new(RemarkCode::RoundedInvalid, message).at(crossings.count, points));
+        }
+        remarks.extend(remarks_of_inputs(&files, rule));
+        let parts = self.scene.has_parts();
+        let faces = (0..self.complex.cell_count(2)).map(CellId::new);
+        let mut f_vector = self.complex.f_vector().to_vec();
+        f_vector.resize(4, 0);
+        Ok(SpatialArrangementAnswer {
+            dimension: 3,
+            f_vector,
+            measures: self.volumes().to_vec(),
+            inside: (0..cells).map(|cell| membership.inputs_around(CellId::new(cell))).collect(),
+            regions: if parts { self.scene.names().to_vec() } else { Vec::new() },
+            inputs_of_faces: parts.then(|| faces.map(|face| self.inputs_of_face(face)).collect()),
+            products_zero: products_are_zero(&self.complex)?,
+            holes: self.walks.len().saturating_sub(self.complex.cell_count(2)),
+            voids: self.arranged.void_count(),
+            components: component_count(&self.complex),
+            euler_characteristic: self.complex.euler_characteristic(),
+            dangling_faces: dangling_face_count(&self.complex),
+            files,
+            degenerate_polygons: DegeneratePolygons {
+                count: dropped.len(),
+                listed: dropped.iter().take(MOST_LISTED).map(place).collect(),
+            },
+            split_polygons: SplitPolygons { count: 0, largest_deviation: 0.0 },
+            rounding: SpatialRounding {
+                exact: false,
+                rounded_vertices: self.new_vertex_count()?,
+                rounds: 0,
+                valid: crossings.count == 0,
+                crossings: crossings.count,
+                turned: 0,
+                places: crossings.places,
+            },
+            joined: None,
+            congruence: Some(CongruentSheets {
+                tolerance: self.tolerance,
+                stacked_f_vector: self.arranged.stacked_f_vector(),
+                largest_class_diameter: self.arranged.largest_class_diameter(),
+            }),
+            remarks,
+        })
+    }
+
+    /// For each face its sources: the model, the polygon in it, and 1 or -1 where the polygon runs with the face or against it.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("solid", &solid)], true)?;
+    /// let found = coface_answers::CongruentScene::of_scene(scene, 1e-9)?.provenance();
+    /// assert_eq!(found.faces, [[[0, 0, 1]], [[0, 1, 1]], [[0, 2, 1]], [[0, 3, 1]]]);
+    /// # Ok(()) }
+    /// ```
+    pub fn provenance(&self) -> SpatialArrangementProvenance {
+        let sources = |face: usize| {
+            let own = self.arranged.polygons_of_face(FaceId::new(face)).map(|(polygon, sign)| {
+                let source = [self.scene.input_of_polygon()[polygon], self.scene.source_of_polygon()[polygon]];
+                let [input, number] = source.map(i64::from);
+                [input, number, i64::from(sign.to_i32())]
+            });
+            own.collect()
+        };
+        SpatialArrangementProvenance {
+            files: self.scene.names().to_vec(),
+            faces: (0..self.complex.cell_count(2)).map(sources).collect(),
+        }
+    }
+
+    /// Vertices, edges, faces and bounded cells with positions, each cell once; a remark says so where cells are no balls.
+    ///
+    /// # Errors
+    /// None for arrangements that were made.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("solid", &solid)], true)?;
+    /// let model = coface_answers::CongruentScene::of_scene(scene, 1e-9)?.to_chains()?;
+    /// assert!(model.structure().is_some());
+    /// # Ok(()) }
+    /// ```
+    pub fn to_chains(&self) -> Result<Model, Error> {
+        Ok(Model::from_chains(self.complex.clone(), self.positions().clone())?.with_remark_on_cells())
+    }
+
+    /// The faces as polygons, with the data `cell_back` and `cell_front`, the cells on the two sides of each (-1 for the
+    /// exterior); with `groups` in a group for each cell.
+    ///
+    /// # Errors
+    /// [`ErrorKind::UnsupportedFormat`] where a face has a hole, which no polygon of a mesh has.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("solid", &solid)], true)?;
+    /// let mesh = coface_answers::CongruentScene::of_scene(scene, 1e-9)?.to_mesh(true)?;
+    /// assert_eq!((mesh.polygons().len(), mesh.groups().len()), (4, 1));
+    /// # Ok(()) }
+    /// ```
+    pub fn to_mesh(&self, groups: bool) -> Result<Model, Error> {
+        if let Some(pair) = self.face_of_walk.windows(2).find(|pair| pair[0] == pair[1]) {
+            let message = format!("face {} of the arrangement has a hole, which no polygon of a mesh has", pair[0]);
+            return Err(Error::new(ErrorKind::UnsupportedFormat, message)
+                .with_cure("write .json, which keeps cells as they are"));
+        }
+        let mut model = Model::from_polygons(self.positions().clone(), self.walks.clone())?;
+        let mut sides = vec![[NO_CELL; 2]; self.complex.cell_count(2)];
+        let cells = self.complex.cell_count(3);
+        let mut members = vec![Vec::new(); cells];
+        if let Some(boundaries) = self.complex.boundary_matrix(3) {
+            for (cell, column) in boundaries.columns().enumerate() {
+                for (face, entry) in column.iter() {
+                    sides[face][usize::from(entry < 0)] = cell as i64;
+                    members[cell].push(face as u32);
+                }
+            }
+        }
+        for (side, name) in ["cell_back", "cell_front"].into_iter().enumerate() {
+            let values = sides.iter().map(|own| own[side]).collect();
+            model = model.with_data(CellData::integers(name, GroupKind::Polygons, 1, values)?)?;
+        }
+        if !groups {
+            return Ok(model);
+        }
+        for (cell, members) in members.into_iter().enumerate() {
+            model = model.with_group(Group::new(format!("cell_{cell}"), GroupKind::Polygons, members))?;
+        }
+        if self.scene.has_parts() {
+            let mut members = vec![Vec::new(); self.scene.names().len()];
+            for face in 0..self.complex.cell_count(2) {
+                for input in self.inputs_of_face(CellId::new(face)) {
+                    members[input].push(face as u32);
+                }
+            }
+            for (name, members) in group_names(self.scene.names()).into_iter().zip(members) {
+                model = model.with_group(Group::new(name, GroupKind::Polygons, members))?;
+            }
+        }
+        Ok(model)
+    }
+
+    fn inputs_of_face(&self, face: CellId) -> Vec<usize> {
+        let polygons = self.arranged.polygons_of_face(FaceId::from_u32(face.to_u32()));
+        let mut inputs: Vec<usize> =
+            polygons.map(|(polygon, _)| self.scene.input_of_polygon()[polygon] as usize).collect();
+        inputs.sort_unstable();
+        inputs.dedup();
+        inputs
+    }
+
+    /// Where faces on their rounded positions meet otherwise than in common vertices and edges; decided exactly.
+    fn crossings(&self) -> Result<Crossings, Error> {
+        let polygons =
+            SpatialPolygons::new(self.positions().clone(), self.walks.clone(), self.face_of_walk.clone())?;
+        match polygons.crossings(MOST_LISTED) {
+            // A face whose own sides cross.
+            Err(error) if error.kind() == ErrorKind::InvalidInput => {
+                let mut crossings = Crossings::default();
+                crossings.count = 1;
+                Ok(crossings)
+            }
+            found => found,
+        }
+    }
+
+    /// The number of vertices that are no corners of polygons.
+    fn new_vertex_count(&self) -> Result<usize, Error> {
+        let given = self.scene.positions()?;
+        let bits = |point: &[f64]| [point[0], point[1], point[2]].map(|x| (x + 0.0).to_bits());
+        let mut corners: Vec<[u64; 3]> =
+            given.as_flat().as_chunks::<3>().0.iter().map(|point| bits(point)).collect();
+        corners.sort_unstable();
+        let vertices = self.positions().as_flat().as_chunks::<3>().0.iter();
+        Ok(vertices.filter(|point| corners.binary_search(&bits(&point[..])).is_err()).count())
+    }
+}
+
+/// The walks around a face.
+fn walks_around(complex: &ChainComplex, face: usize) -> RaggedArray {
+    let (Some(faces), Some(edges)) = (complex.boundary_matrix(2), complex.boundary_matrix(1)) else {
+        return RaggedArray::new();
+    };
+    let side = |(edge, sign): (usize, i32)| {
+        let column = edges.column(edge);
+        let (rows, entries) = (column.rows(), column.entries());
+        let [tail, head] = if entries[0] < 0 { [rows[0], rows[1]] } else { [rows[1], rows[0]] };
+        if sign > 0 { [tail, head] } else { [head, tail] }
+    };
+    let mut sides: Vec<[u32; 2]> = faces.column(face).iter().map(side).collect();
+    closed_walks(&mut sides)
+}
+
+/// The fault of a polygon by its number in its own file.
+fn named(error: Error, scene: &SpatialScene, tolerance: f64) -> Error {
+    let Some(&polygon) = error.cells().first().and_then(|cell| cell.first()) else { return error };
+    let input = scene.input_of_polygon()[polygon as usize] as usize;
+    let number = scene.source_of_polygon()[polygon as usize];
+    let message = format!("polygon {number} is not flat within the tolerance {tolerance:e}");
+    Error::invalid(message)
+        .with_cure("give a larger --tolerance, or leave --method out: the exact method splits such polygons")
+        .in_file(scene.label(input))
+}
