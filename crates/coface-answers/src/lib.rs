@@ -60,8 +60,8 @@ pub use planar::{
 };
 pub use producer::{CellNames, OrderedSimplices, Pair, Producer, Term};
 pub use repair::{
-    RepairRequest, SurfaceRepair, SurfaceRepairRequest, dual_graph_model, dual_model, halfedge_model,
-    polygon_model, repaired, repaired_surface, triangulated, truncated,
+    RepairRequest, SurfaceRepair, SurfaceRepairRequest, Weld, dual_graph_model, dual_model, halfedge_model,
+    polygon_model, repaired, repaired_surface, triangulated, truncated, welded,
 };
 pub use signatures::SignatureRequest;
 pub use simplices::{model_of_simplices, simplicial_complex};

@@ -97,6 +97,11 @@ impl ThinCells {
 
 /// A length in one digit that is at least this one, to be named as a tolerance.
 pub(crate) fn in_one_digit(length: f64) -> f64 {
-    let scale = 10f64.powf(length.log10().floor());
+    rounded_up(length, 1)
+}
+
+/// A length in so many digits that is at least this one, to be named.
+pub(crate) fn rounded_up(length: f64, digits: i32) -> f64 {
+    let scale = 10f64.powf(length.log10().floor() + 1.0 - f64::from(digits));
     (length / scale).ceil() * scale
 }

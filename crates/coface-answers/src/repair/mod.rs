@@ -6,8 +6,11 @@ mod polygons_of;
 mod splitting;
 mod surface;
 mod triangulation;
+mod weld;
 
 pub use halfedges::{dual_graph_model, dual_model, halfedge_model, polygon_model};
 pub use splitting::{RepairRequest, repaired};
 pub use surface::{SurfaceRepair, SurfaceRepairRequest, repaired_surface};
 pub use triangulation::{triangulated, truncated};
+pub(crate) use weld::near_vertices;
+pub use weld::{Weld, welded};

@@ -2,8 +2,8 @@
 
 use super::polygons_of::PolygonsOf;
 use super::splitting::{RepairRequest, repaired_polygons_model};
+use super::weld::classes_of;
 use coface_algebra::{Error, ErrorKind, RaggedArray, Sign, VertexId};
-use coface_arrange::congruence::{ClassRule, Representative, vertex_congruence};
 use coface_complexes::surface::{BoundaryLoop, FacesAtEdge, MeshRepair, PolygonMesh};
 use coface_geometry::Positions;
 use coface_io::{CellData, Group, GroupKind, Model, ModelParts, placed};
@@ -38,7 +38,7 @@ impl SurfaceRepairRequest {
         Self::default()
     }
 
-    /// Merges vertices within this distance of each other, in the unit of the positions, by chains.
+    /// Merges vertices within this distance of each other, in the unit of the positions, as [`welded`](crate::welded) does.
     ///
     /// # Examples
     /// ```
@@ -391,31 +391,6 @@ impl Cleaned {
     }
 }
 
-/// For each vertex the lowest one that it is merged with: one with a position within the tolerance, and a chain of such. A vertex with a
-/// coordinate that is not finite is merged with none.
-fn classes_of(model: &Model, tolerance: f64) -> Result<Vec<u32>, Error> {
-    let count = model.vertex_count() as u32;
-    let (vertices, positions): (Vec<u32>, _) = match model.partial_positions() {
-        None => ((0..count).collect(), model.positions().clone()),
-        Some(partial) => {
-            let vertices = (0..count).filter(|&v| partial.point(VertexId::from_u32(v)).is_some()).collect();
-            let points = (0..count).filter_map(|v| partial.point(VertexId::from_u32(v)));
-            let flat = points.flatten().copied().collect();
-            (vertices, Positions::from_flat(partial.dimension(), flat)?)
-        }
-    };
-    let mut class_of: Vec<u32> = (0..count).collect();
-    if !positions.is_empty() {
-        let classes =
-            vertex_congruence(&positions, tolerance, ClassRule::Transitive, Representative::Lowest)?;
-        // Each class by its lowest vertex.
-        for (&vertex, &class) in vertices.iter().zip(classes.class_of()) {
-            class_of[vertex as usize] = vertices[classes.members().list(class as usize)[0] as usize];
-        }
-    }
-    Ok(class_of)
-}
-
 fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
     if a < b { [a, b] } else { [b, a] }
 }
@@ -425,7 +400,7 @@ fn sides_of(corners: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
 }
 
 /// The corners after merging, none twice in a row; `None` if fewer than three are left or the polygon meets itself.
-fn merged_corners(polygon: &[u32], class_of: &[u32]) -> Option<Vec<u32>> {
+pub(super) fn merged_corners(polygon: &[u32], class_of: &[u32]) -> Option<Vec<u32>> {
     let mut corners: Vec<u32> = polygon.iter().map(|&vertex| class_of[vertex as usize]).collect();
     corners.dedup();
     while corners.len() > 1 && corners.first() == corners.last() {

@@ -210,11 +210,14 @@ fn refusal(
     } else {
         (
             format!("the surface is not closed: it is open along {count}; a walk along {edges}: {walk}"),
-            match scene.closing_tolerance(input, request) {
-                Some(tolerance) => format!(
+            match (scene.closing_weld(input), scene.closing_tolerance(input, request)) {
+                (Some(radius), _) => format!(
+                    "merge vertices that nearly coincide (--weld {radius:.2e}), or close its mouths with patches (--open close)"
+                ),
+                (None, Some(tolerance)) => format!(
                     "put together what nearly coincides (--tolerance {tolerance:.0e}), or close its mouths with patches (--open close)"
                 ),
-                None => "close it, or have its mouths closed with patches (--open close)".to_owned(),
+                (None, None) => "close it, or have its mouths closed with patches (--open close)".to_owned(),
             },
         )
     };

@@ -5,7 +5,8 @@ use super::inputs::{InputState, Inputs};
 use super::scene::closed_walks;
 use super::{SpatialRequest, SpatialScene};
 use crate::answer::{Place, Remark, RemarkCode};
-use crate::near::in_one_digit;
+use crate::near::{in_one_digit, rounded_up};
+use crate::repair::near_vertices;
 use crate::text;
 use coface_algebra::{Error, ErrorKind};
 use coface_geometry::predicates::orientation;
@@ -52,7 +53,7 @@ impl SpatialScene {
     /// # Ok(()) }
     /// ```
     pub fn close_mouths(&mut self) -> Result<(), Error> {
-        let rims = self.rims(|_| true);
+        let rims = self.rims(&self.classes_of_points(), |_| true);
         self.first_patch = Some(self.polygon_count());
         self.mouths = vec![None; self.names().len()];
         let mut next_source = vec![0; self.files.len()];
@@ -107,7 +108,7 @@ impl SpatialScene {
         if request.tolerance.is_some() || self.first_patch.is_some() {
             return None;
         }
-        let rim = self.rims(|other| other as usize == input);
+        let rim = self.rims(&self.classes_of_points(), |other| other as usize == input);
         let mut vertices: Vec<u32> = rim.iter().map(|side| side.1[0]).collect();
         vertices.sort_unstable();
         vertices.dedup();
@@ -132,10 +133,56 @@ impl SpatialScene {
         (state == InputState::Closed).then_some(tolerance)
     }
 
+    /// The least radius within which vertices have to be merged, as [`welded`](crate::welded) does, so that an open input is
+    /// closed, to three digits; none if none closes it that is small beside the input.
+    pub(super) fn closing_weld(&self, input: usize) -> Option<f64> {
+        if self.first_patch.is_some() {
+            return None;
+        }
+        let is_own = |other: u32| other as usize == input;
+        let mut vertices: Vec<u32> =
+            self.rims(&self.classes_of_points(), is_own).iter().map(|side| side.1[0]).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        if vertices.len() > MOST_NEAR {
+            return None;
+        }
+        let crack = CRACK_PART * self.extent();
+        let mut gaps: Vec<f64> = Vec::new();
+        for (place, &a) in vertices.iter().enumerate() {
+            let near = vertices[place + 1..].iter().map(|&b| {
+                let way = minus(self.point(a), self.point(b));
+                dot(way, way).sqrt()
+            });
+            gaps.extend(near.filter(|&gap| gap <= crack));
+        }
+        gaps.sort_by(f64::total_cmp);
+        gaps.dedup();
+        let radii: Vec<f64> = gaps.iter().map(|&gap| rounded_up(gap, 3)).collect();
+        let closes = |radius: f64| {
+            self.welded_points(input, radius).is_ok_and(|class| self.rims(&class, is_own).is_empty())
+        };
+        // What closes it at some radius does so at longer ones, unless features vanish.
+        let least = radii.partition_point(|&radius| !closes(radius));
+        radii.get(least).copied().filter(|&radius| closes(radius))
+    }
+
+    /// For each point the one that it is merged with within a radius, in the file of an input.
+    fn welded_points(&self, input: usize, radius: f64) -> Result<Vec<u32>, Error> {
+        let mut class: Vec<u32> = (0..(self.flat.len() / 3) as u32).collect();
+        let file = self.parts[input].0 as usize;
+        let start = self.point_starts[file];
+        let end = self.point_starts.get(file + 1).copied().unwrap_or(class.len() as u32);
+        let point = |vertex: u32| &self.flat[3 * vertex as usize..][..3];
+        for [vertex, first] in near_vertices((start..end).collect(), 3, point, radius)? {
+            class[vertex as usize] = first;
+        }
+        Ok(class)
+    }
+
     /// The sides along which inputs are open, each with its input, as often as polygons have it more in this direction than
     /// in the other one; rising. Points of a file that coincide are one, and sides are divided where others end on them.
-    fn rims(&self, is_asked: impl Fn(u32) -> bool) -> Vec<(u32, [u32; 2])> {
-        let class = self.classes_of_points();
+    fn rims(&self, class: &[u32], is_asked: impl Fn(u32) -> bool) -> Vec<(u32, [u32; 2])> {
         let mut sides: Vec<(u32, [u32; 2], i32)> = Vec::new();
         for (walk, &polygon) in self.walks.iter().zip(&self.polygon_of_walk) {
             let input = self.input_of_polygon[polygon as usize];

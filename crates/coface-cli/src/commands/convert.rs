@@ -16,7 +16,7 @@ use coface::answers::answer::{
 use coface::answers::{
     MapResult, MapTask, PlanarSet, RepairMethod, RepairRequest, SetRequest, SurfaceRepairRequest,
     dual_graph_model, dual_model, gluing_model, halfedge_model, polygon_model, reference_loss, repaired,
-    repaired_surface, triangulated, truncated,
+    repaired_surface, triangulated, truncated, welded,
 };
 use coface::complexes::surface::FacesAtEdge;
 use coface::io;
@@ -78,8 +78,8 @@ pub(crate) struct Convert {
     #[arg(long, value_name = "GOAL", num_args = 0..=1, default_missing_value = "surface",
           conflicts_with_all = ["split_vertices", "split_edges", "orient"])]
     repair: Option<RepairGoal>,
-    /// With --repair: merge vertices within this distance of each other, in the unit of the file
-    #[arg(long, value_name = "LENGTH", requires = "repair", value_parser = weld_length)]
+    /// Merge vertices within this distance of each other, in the unit of the file, before any repair; none moves farther
+    #[arg(long, value_name = "LENGTH", value_parser = weld_length)]
     weld: Option<f64>,
 }
 
@@ -184,6 +184,13 @@ impl Convert {
             loaded.model = Model::from_polygons(positions, squares).map_err(in_file)?;
         }
         let valid = self.valid_map(&mut loaded, &progress)?;
+        if let Some(radius) = self.weld.filter(|_| self.repair.is_none()) {
+            progress.stage("merging vertices");
+            let (model, done) =
+                welded(&loaded.model, radius).map_err(|error| error.in_file(loaded.name.clone()))?;
+            loaded.model = model;
+            reshaped.extend(done.remark());
+        }
         let repair = if valid.is_some() { None } else { self.repaired(&mut loaded, &progress)? };
         let (model, scene) = self.colored(loaded.model, &loaded.name, format)?;
         progress.stage("writing");
@@ -285,6 +292,7 @@ impl Convert {
             && !self.truncate
             && self.request().is_none()
             && self.repair.is_none()
+            && self.weld.is_none()
             && common.flatten.is_none();
         if !keeps_curves || !is_plain || self.input.as_os_str() == "-" {
             return Ok(None);

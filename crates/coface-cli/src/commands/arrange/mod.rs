@@ -11,7 +11,7 @@ use crate::input::{self, Loaded};
 use crate::progress::Progress;
 use crate::target::{Target, unknown_extension};
 use clap::{Args, ValueEnum};
-use coface::answers::{RegionSource, are_planar};
+use coface::answers::{RegionSource, are_planar, welded};
 use coface::arrange::boolean::InsideRule;
 use coface::io::{Format, Model};
 use std::path::{Path, PathBuf};
@@ -47,6 +47,10 @@ use std::path::{Path, PathBuf};
 /// cells it winds less than zero times, or more than once), "degenerate_polygons", "split_polygons", "rounding", "joined". OBJ has a group for each
 /// cell; VTK and PLY have the cells on both sides of each polygon and where it is from.
 ///
+/// With --method congruence in space, polygons are cut in rounded numbers, each in its own plane, and vertices, edges and faces that are
+/// within --tolerance of each other become one: for polygons that meet only nearly. "congruence" says how many cells were stacked, and
+/// the largest distance of two vertices that became one.
+///
 /// With --inputs each object, group or component of a file is an input, so that a building may be one
 /// file: "regions" has their
 /// names, "inputs_of_faces" the inputs of each face in space, and OBJ a group for each.
@@ -69,6 +73,9 @@ pub(crate) struct Arrange {
     /// What an input is, then named in "regions" [default: files]
     #[arg(long = "inputs", value_name = "WHAT")]
     source: Option<Inputs>,
+    /// In space, how cells are found [default: exact]
+    #[arg(long, value_name = "METHOD")]
+    method: Option<Method>,
     /// Leave out edges with one face on both sides: bridges and dangling edges
     #[arg(long)]
     prune: bool,
@@ -106,6 +113,9 @@ pub(crate) struct CellOptions {
     /// Keep the exact cells, also where rounding their coordinates makes edges or faces cross; in space .json keeps exact points too
     #[arg(long, conflicts_with_all = ["snap", "grid"])]
     pub(crate) exact: bool,
+    /// Before anything else, merge vertices of each input that are at most R apart, in the unit of the inputs; none moves farther
+    #[arg(long, value_name = "R", allow_negative_numbers = true, value_parser = length)]
+    pub(crate) weld: Option<f64>,
     /// Put vertices, edges, in space faces and planes too, together that are at most R apart, in the unit of the inputs
     #[arg(long, value_name = "R", conflicts_with = "grid", allow_negative_numbers = true, value_parser = length)]
     pub(crate) tolerance: Option<f64>,
@@ -115,6 +125,23 @@ pub(crate) struct CellOptions {
 }
 
 impl CellOptions {
+    /// The inputs with their names, vertices merged if that was asked for.
+    pub(crate) fn read(
+        &self,
+        inputs: &[PathBuf],
+        common: &Common,
+        progress: &Progress,
+    ) -> Result<Vec<(String, Model)>, Failure> {
+        let mut models = read_all(inputs, common, progress)?;
+        if let Some(radius) = self.weld {
+            for (name, model) in &mut models {
+                let (made, done) = welded(model, radius).map_err(|error| error.in_file(name.clone()))?;
+                *model = made.with_remarks(done.remark());
+            }
+        }
+        Ok(models)
+    }
+
     /// Refuses what is for drawings in the plane.
     pub(crate) fn refuse_planar(&self) -> Result<(), Failure> {
         if self.close {
@@ -129,6 +156,15 @@ impl CellOptions {
             )),
         }
     }
+}
+
+/// How the cells of space are found.
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Method {
+    /// All decisions are exact; --tolerance puts features together before
+    Exact,
+    /// Each polygon is cut in its own plane, and what is within --tolerance of each other becomes one
+    Congruence,
 }
 
 /// What an input is.
@@ -199,7 +235,7 @@ impl Arrange {
             )));
         }
         let progress = Progress::start(common.quiet);
-        let models = read_all(&self.inputs, common, &progress)?;
+        let models = self.cells.read(&self.inputs, common, &progress)?;
         match dimension_of(&models, self.cells.dimension) {
             2 => planar::run(self, common, output, &models, progress),
             _ => {

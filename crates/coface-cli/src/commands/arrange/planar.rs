@@ -26,6 +26,11 @@ pub(super) fn run(
             "--graph is for cells in space, and the inputs lie in the plane: leave it out",
         ));
     }
+    if verb.method.is_some() {
+        return Err(Failure::new(
+            "--method is for cells in space, and the inputs lie in the plane: leave it out",
+        ));
+    }
     progress.stage("arranging");
     let models = models.iter().map(|(name, model)| (name.as_str(), model));
     let source = verb.source.map_or_else(Default::default, super::Inputs::source);

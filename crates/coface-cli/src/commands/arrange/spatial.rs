@@ -1,6 +1,6 @@
 //! `coface arrange` in space.
 
-use super::{Arrange, CellOptions, Inputs, Rule};
+use super::{Arrange, CellOptions, Inputs, Method, Rule};
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, write_json};
@@ -10,7 +10,7 @@ use crate::target::{Seen, Target, write_seen};
 use clap::{Args, ValueEnum};
 use coface::answers::answer::{SpatialArrangementAnswer, SpatialRounding};
 use coface::answers::text;
-use coface::answers::{SceneArrangement, SpatialRequest, SpatialScene};
+use coface::answers::{CongruentScene, SceneArrangement, SpatialRequest, SpatialScene};
 use coface::arrange::spatial::NonPlanar;
 use coface::io;
 use coface::io::{Format, Model};
@@ -139,6 +139,9 @@ pub(super) fn run(
     let output = output.map(in_space).transpose()?;
     progress.stage("arranging");
     let scene = scene_of(verb.source, 1, models, true)?;
+    if verb.method == Some(Method::Congruence) {
+        return by_congruence(verb, common, output, scene, progress);
+    }
     let mut arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells, common))?;
     if !verb.cells.exact && !arrangement.is_valid()? {
         progress.stage("rounding");
@@ -189,6 +192,65 @@ pub(super) fn run(
     print_text(&page(&answer))
 }
 
+/// The arrangement by congruence.
+fn by_congruence(
+    verb: &Arrange,
+    common: &Common,
+    output: Option<(&Path, Target)>,
+    scene: SpatialScene,
+    progress: Progress,
+) -> Result<(), Failure> {
+    let refused = [
+        (verb.cells.snap, "--snap"),
+        (verb.cells.exact, "--exact"),
+        (verb.cells.max_cells.is_some(), "--max-cells"),
+        (verb.space.non_planar.is_some(), "--non-planar"),
+        (verb.space.merge_coplanar, "--merge-coplanar"),
+        (verb.space.triangles, "--triangles"),
+        (verb.graph.is_some(), "--graph"),
+    ];
+    if let Some((_, option)) = refused.into_iter().find(|(is_given, _)| *is_given) {
+        return Err(Failure::new(format!(
+            "{option} is for the exact method, not for --method congruence: leave one of them out"
+        )));
+    }
+    let Some(tolerance) = verb.cells.tolerance else {
+        return Err(Failure::new(
+            "--method congruence needs the distance within which vertices become one: give --tolerance R",
+        ));
+    };
+    let arrangement = CongruentScene::of_scene(scene, tolerance)?;
+    progress.stage("multiplying boundaries");
+    let mut answer = arrangement.answer(verb.cells.rule.map(Rule::inside).unwrap_or_default())?;
+    accept(&answer.remarks, common)?;
+    progress.stage("writing");
+    match output {
+        Some((path, Target::Model(Format::Json))) => {
+            let model = arrangement.to_chains()?;
+            answer.remarks.extend(model.remarks().iter().cloned());
+            io::write_path(&model, path, Some(Format::Json))?;
+        }
+        Some((path, Target::Model(format))) => {
+            let has_groups = matches!(format, Format::Obj | Format::Msh | Format::Medit);
+            io::write_path(&arrangement.to_mesh(has_groups)?, path, Some(format))?;
+        }
+        Some((path, Target::Seen(seen))) => write_seen(path, &arrangement.to_mesh(false)?, seen)?,
+        None => {}
+    }
+    if let Some(path) = &verb.provenance {
+        write_json(path, &arrangement.provenance())?;
+    }
+    drop(progress);
+    say_remarks(&answer.remarks, common);
+    if common.json {
+        return print_json(&answer);
+    }
+    if common.output.is_some() || verb.provenance.is_some() {
+        return Ok(());
+    }
+    print_text(&page(&answer))
+}
+
 /// The fact about rounding that results in space have in common.
 pub(crate) fn rounding(rounding: &SpatialRounding) -> (String, String, String) {
     let (value, gloss) = match rounding.rounded_vertices {
@@ -222,7 +284,17 @@ fn page(answer: &SpatialArrangementAnswer) -> String {
         if answer.products_zero { "of boundaries are zero" } else { "of boundaries are NOT zero" }.to_owned(),
         "found by multiplying the matrices",
     );
-    facts.push(rounding(&answer.rounding));
+    match &answer.congruence {
+        None => facts.push(rounding(&answer.rounding)),
+        Some(done) => {
+            let [vertices, edges, faces] = done.stacked_f_vector.map(text::grouped);
+            let gloss = format!(
+                "vertices, edges and faces of all polygons, put together within {:e}; what became one was at most {:.1e} apart",
+                done.tolerance, done.largest_class_diameter
+            );
+            facts.push(("stacked".to_owned(), format!("{vertices}, {edges}, {faces}"), gloss));
+        }
+    }
     let mut fact = |label: &str, value: String, gloss: &str| {
         facts.push((label.to_owned(), value, gloss.to_owned()));
     };

@@ -4,7 +4,7 @@ mod dissolve;
 mod planar;
 mod spatial;
 
-use super::arrange::{CellOptions, Inputs, SpaceOptions, check_json, dimension_of, output_target, read_all};
+use super::arrange::{CellOptions, Inputs, SpaceOptions, check_json, dimension_of, output_target};
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -119,7 +119,7 @@ impl Boolean {
             check_json(path)?;
         }
         let progress = Progress::start(common.quiet);
-        let models = read_all(inputs, common, &progress)?;
+        let models = self.cells.read(inputs, common, &progress)?;
         match dimension_of(&models, self.cells.dimension) {
             2 => planar::run(self, &task, common, output, &models, progress),
             _ => {
