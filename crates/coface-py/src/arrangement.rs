@@ -14,8 +14,8 @@ use coface::answers::answer::{
     SpatialArrangementAnswer,
 };
 use coface::answers::{
-    ArrangementRequest, BooleanRequest, DrawingArrangement, DrawingOptions, PlanarDrawing, RegionBoolean,
-    RegionSource, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene, are_planar,
+    ArrangementRequest, BooleanRequest, CongruentScene, DrawingArrangement, DrawingOptions, PlanarDrawing, RegionBoolean,
+    RegionSource, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene, are_planar, welded,
 };
 use coface::arrange::boolean::{BooleanFormula, InsideRule};
 use coface::arrange::spatial::NonPlanar;
@@ -95,6 +95,11 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 ///     In the plane, whether lines that end where they begin are rings of polygons.
 /// tolerance : float, optional
 ///     Vertices, edges, in space faces and planes too, at most so far apart are put together, in the unit of the inputs.
+/// weld : float, optional
+///     Before anything else, vertices of each model that are at most so far apart are merged; none moves farther.
+/// method : {"exact", "congruence"}, optional
+///     In space, how cells are found: ``"congruence"`` cuts each polygon in its own plane, in rounded numbers, and what is within
+///     ``tolerance`` of each other becomes one.
 /// max_cells : int, optional
 ///     More cells than this are refused.
 /// split : bool
@@ -121,7 +126,7 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 /// >>> arranged.f_vector, sorted(zip(arranged.measures, arranged.inside))
 /// ([10, 12, 3], [(1.0, [0, 1]), (3.0, [0]), (3.0, [1])])
 #[pyfunction]
-#[pyo3(signature = (models, *, dimension=None, rule=None, features=false, inputs=None, prune=false, snap=false, exact=false, grid=None, close=false, tolerance=None, max_cells=None, split=true, merge_coplanar=true, progress=None))]
+#[pyo3(signature = (models, *, dimension=None, rule=None, features=false, inputs=None, prune=false, snap=false, exact=false, grid=None, close=false, tolerance=None, weld=None, method=None, max_cells=None, split=true, merge_coplanar=true, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn arrange<'py>(
     py: Python<'py>,
@@ -136,15 +141,21 @@ pub(crate) fn arrange<'py>(
     grid: Option<f64>,
     close: bool,
     tolerance: Option<f64>,
+    weld: Option<f64>,
+    method: Option<&str>,
     #[pyo3(from_py_with = whole_or_none)] max_cells: Option<usize>,
     split: bool,
     merge_coplanar: bool,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let models = named_models(models)?;
+    let models = welded_models(py, named_models(models)?, weld)?;
     let inputs = inputs_of(py, inputs, features)?;
     let rule = rule_of(py, rule)?;
+    let method = method.map(|word| choice(py, "method", word, &METHODS)).transpose()?;
     if is_flat(py, &models, dimension)? {
+        if method.is_some() {
+            return Err(invalid(py, "method is for cells in space", "leave it out in the plane"));
+        }
         let mut request = ArrangementRequest::default();
         (request.rule, request.prune, request.snap, request.max_cells) = (rule, prune, snap, max_cells);
         (request.exact, request.grid, request.tolerance) = (exact, grid, tolerance);
@@ -160,6 +171,24 @@ pub(crate) fn arrange<'py>(
         return Err(invalid(py, "prune is for drawings in the plane", "leave it out in space"));
     }
     refuse_planar(py, grid, close)?;
+    if method == Some(true) {
+        if snap || exact || max_cells.is_some() {
+            let message = "snap, exact and max_cells are for the exact method, not for method=\"congruence\"";
+            return Err(invalid(py, message, "leave one of them out"));
+        }
+        let Some(tolerance) = tolerance else {
+            let message = "method=\"congruence\" needs the distance within which vertices become one";
+            return Err(invalid(py, message, "give tolerance="));
+        };
+        let rule = rule.unwrap_or_default();
+        let (arranged, answer) = run(py, progress, || {
+            let arranged = CongruentScene::of_scene(scene_of(&models, inputs, 1, true)?, tolerance)?;
+            let answer = arranged.answer(rule)?;
+            Ok((arranged, answer))
+        })?;
+        let arranged = Arranged::Congruent(Box::new(arranged));
+        return Ok(Bound::new(py, SpatialArrangement { arranged, rule, answer, exact })?.into_any());
+    }
     let request = spatial_request(snap, tolerance, max_cells, split, merge_coplanar);
     let (arranged, answer) = run(py, progress, || {
         let mut arranged = SceneArrangement::of_scene(scene_of(&models, inputs, 1, true)?, &request)?;
@@ -170,6 +199,7 @@ pub(crate) fn arrange<'py>(
         Ok((arranged, answer))
     })?;
     let rule = rule.unwrap_or_default();
+    let arranged = Arranged::Exact(Box::new(arranged));
     Ok(Bound::new(py, SpatialArrangement { arranged, rule, answer, exact })?.into_any())
 }
 
@@ -187,6 +217,22 @@ fn inputs_of(py: Python<'_>, inputs: Option<&str>, features: bool) -> PyResult<O
         Some(inputs) => choice(py, "inputs", inputs, &SOURCES).map(Some),
         None => Ok(features.then_some(RegionSource::Features)),
     }
+}
+
+/// Whether cells are found by congruence.
+const METHODS: [(&str, bool); 2] = [("exact", false), ("congruence", true)];
+
+/// Models whose vertices are merged if they are at most so far apart.
+fn welded_models(py: Python<'_>, models: Named, radius: Option<f64>) -> PyResult<Named> {
+    let Some(radius) = radius else { return Ok(models) };
+    run(py, None, || {
+        let merged = models.into_iter().map(|(name, source)| {
+            let (model, done) =
+                welded(&source.model, radius).map_err(|error| error.in_file(name.clone()))?;
+            Ok((name, Source::new(model.with_remarks(done.remark()))))
+        });
+        merged.collect::<Result<Named, Error>>()
+    })
 }
 
 /// The polygons of the models; if it was not said what an input is, objects are where a formula names more inputs than
@@ -265,6 +311,8 @@ fn spatial_request(
 ///     In the plane, whether lines that end where they begin are rings of polygons.
 /// tolerance : float, optional
 ///     Vertices, edges, in space faces and planes too, at most so far apart are put together, in the unit of the inputs.
+/// weld : float, optional
+///     Before anything else, vertices of each model that are at most so far apart are merged; none moves farther.
 /// max_cells : int, optional
 ///     More cells than this are refused.
 /// split : bool
@@ -298,7 +346,7 @@ fn spatial_request(
 /// >>> coface._coface.boolean("intersection", [cube, moved]).measure
 /// 0.125
 #[pyfunction]
-#[pyo3(signature = (operation, models, *, dimension=None, rule=None, features=false, inputs=None, keep_walls=false, snap=false, exact=false, grid=None, close=false, tolerance=None, max_cells=None, split=true, merge_coplanar=true, triangles=None, open="refuse", split_pinches=false, progress=None))]
+#[pyo3(signature = (operation, models, *, dimension=None, rule=None, features=false, inputs=None, keep_walls=false, snap=false, exact=false, grid=None, close=false, tolerance=None, weld=None, max_cells=None, split=true, merge_coplanar=true, triangles=None, open="refuse", split_pinches=false, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn boolean<'py>(
     py: Python<'py>,
@@ -314,6 +362,7 @@ pub(crate) fn boolean<'py>(
     grid: Option<f64>,
     close: bool,
     tolerance: Option<f64>,
+    weld: Option<f64>,
     #[pyo3(from_py_with = whole_or_none)] max_cells: Option<usize>,
     split: bool,
     merge_coplanar: bool,
@@ -322,7 +371,7 @@ pub(crate) fn boolean<'py>(
     split_pinches: bool,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let models = named_models(models)?;
+    let models = welded_models(py, named_models(models)?, weld)?;
     let inputs = inputs_of(py, inputs, features)?;
     let rule = rule_of(py, rule)?;
     let closes_mouths = choice(py, "open", open, &[("refuse", false), ("close", true), ("winding", true)])?;
@@ -738,12 +787,18 @@ answer! { PlanarBoolean {
     }
 }
 
+/// How the cells of space were found.
+enum Arranged {
+    Exact(Box<SceneArrangement>),
+    Congruent(Box<CongruentScene>),
+}
+
 /// What polygons cut space into: vertices, edges, faces and bounded cells.
 ///
 /// Made by :func:`arrange`.
 #[pyclass(frozen, dict, module = "coface", name = "SpatialArrangement")]
 pub(crate) struct SpatialArrangement {
-    arranged: SceneArrangement,
+    arranged: Arranged,
     rule: InsideRule,
     answer: SpatialArrangementAnswer,
     /// Whether models of it keep exact points.
@@ -781,23 +836,38 @@ answer! { SpatialArrangement {
     joined,
     /// Whether products of boundary matrices are zero, found by multiplying.
     products_zero,
+    /// What congruence put together, with ``method="congruence"``.
+    congruence,
 }
     /// The positions of the vertices: ``float64``, shape (n, 3).
     #[getter]
     fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let positions = self.arranged.positions();
+        let positions = match &self.arranged {
+            Arranged::Exact(own) => own.positions(),
+            Arranged::Congruent(own) => own.positions(),
+        };
         Ok(arrays::grid(py, positions.as_flat().to_vec(), positions.dimension().max(3))?.into_any())
     }
 
     /// Where everything comes from.
     fn provenance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.arranged.provenance())
+        to_python(
+            py,
+            &match &self.arranged {
+                Arranged::Exact(own) => own.provenance(),
+                Arranged::Congruent(own) => own.provenance(),
+            },
+        )
     }
 
     /// The chain complex of vertices, edges, faces and bounded cells, refined until each is a ball: its homology is that of
-    /// the union of all faces and bounded cells.
+    /// the union of all faces and bounded cells. Those found by congruence are as they are.
     fn chain_complex(&self, py: Python<'_>) -> PyResult<ChainComplex> {
-        run(py, None, || self.arranged.chain_complex()).map(ChainComplex::bare)
+        run(py, None, || match &self.arranged {
+            Arranged::Exact(own) => own.chain_complex(),
+            Arranged::Congruent(own) => Ok(own.complex().clone()),
+        })
+        .map(ChainComplex::bare)
     }
 
     /// The graph of the bounded cells: which are adjacent, and across how much area.
@@ -815,7 +885,11 @@ answer! { SpatialArrangement {
     /// >>> [round(edge.area, 6) for edge in graph.edges]
     /// [0.75, 0.75]
     fn graph<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let graph = run(py, None, || self.arranged.graph(self.rule))?;
+        let Arranged::Exact(arranged) = &self.arranged else {
+            let message = "there is no graph of an arrangement by congruence";
+            return Err(invalid(py, message, "leave method out, and give tolerance"));
+        };
+        let graph = run(py, None, || arranged.graph(self.rule))?;
         let class = py.import("coface._buildings")?.getattr("CellGraph")?;
         class.call_method1("from_dict", (to_python(py, &graph)?,))
     }
@@ -834,10 +908,14 @@ answer! { SpatialArrangement {
     #[pyo3(signature = (*, triangles=None))]
     fn model(&self, py: Python<'_>, triangles: Option<bool>) -> PyResult<Model> {
         run(py, None, || {
-            let triangles = triangles.unwrap_or_else(|| self.arranged.scene().is_triangulated());
-            let mesh = self.arranged.to_mesh(triangles, true)?;
+            let arranged = match &self.arranged {
+                Arranged::Exact(arranged) => arranged,
+                Arranged::Congruent(own) => return own.to_mesh(true),
+            };
+            let triangles = triangles.unwrap_or_else(|| arranged.scene().is_triangulated());
+            let mesh = arranged.to_mesh(triangles, true)?;
             Ok(match self.exact {
-                true => mesh.with_exact_polygons(self.arranged.exact_polygons().into()),
+                true => mesh.with_exact_polygons(arranged.exact_polygons().into()),
                 false => mesh,
             })
         })
@@ -845,7 +923,7 @@ answer! { SpatialArrangement {
     }
 
     fn __len__(&self) -> usize {
-        self.arranged.volumes().len()
+        self.answer.measures.len()
     }
 
     fn __repr__(&self) -> String {

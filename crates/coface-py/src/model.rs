@@ -25,7 +25,7 @@ use cells::{
     Parts, facets_of, kind_of, kind_word, model_of_parts, permutations_of, shape_word, structure_word,
 };
 use coface::algebra::RaggedArray;
-use coface::answers::{repaired, simplicial_complex, triangulated};
+use coface::answers::{repaired, simplicial_complex, triangulated, welded};
 use coface::complexes::cell_mesh::CellShape;
 use coface::complexes::gluing::GluingTable;
 use coface::io::{self, CellData, Format, Group, Structure};
@@ -839,6 +839,33 @@ impl Model {
         let (model, repair) = run(py, progress, || repaired(self.model(), request))?;
         let sources = arrays::id_array(py, repair.vertex_sources().iter().map(|vertex| vertex.to_u32()));
         Ok((Self::of(model), sources))
+    }
+
+    /// The model with vertices merged that are at most ``radius`` apart; none moves farther, and the order of vertices does not matter.
+    ///
+    /// Parameters
+    /// ----------
+    /// radius : float
+    ///     A length in the unit of the positions; 0 merges equal positions.
+    ///
+    /// Returns
+    /// -------
+    /// Model
+    ///     Polygons without enough corners are left out; a remark says what was merged.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 0, 1e-9], [0, 1, 0], [1, 1, 0]]
+    /// >>> coface.Model(corners, [[0, 1, 2], [3, 5, 4]]).welded(1e-6)
+    /// Model(4 vertices, 2 faces)
+    #[pyo3(signature = (radius, *, progress=None))]
+    fn welded(&self, py: Python<'_>, radius: f64, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        run(py, progress, || {
+            let (model, done) = welded(self.model(), radius)?;
+            Ok(model.with_remarks(done.remark()))
+        })
+        .map(Self::of)
     }
 
     /// A surface made of the polygons of the model: merged, cleaned, split, turned and, on request, closed.

@@ -2,6 +2,7 @@
 
 mod curve;
 mod cut_cells;
+mod flow;
 mod kinks;
 
 pub(crate) use curve::{_curve, Curve};
@@ -700,7 +701,8 @@ answer! { YinSet {
     /// ----------
     /// flow : str or callable
     ///     ``"vortex"``, ``"deformation"``, ``"rotation"``, ``"translation"``, two expressions of x, y, t and T (the period) as in
-    ///     ``"-y*cos(pi*t/T); x*cos(pi*t/T)"``, or a function of (x, y, t) that gives a velocity.
+    ///     ``"-y*cos(pi*t/T); x*cos(pi*t/T)"``, or a function. One of (points, t) gets an array of shape (n, 2) and gives one of velocities,
+    ///     all at once; one of (x, y, t) gives the velocity of one point, and is called for each. The first call tells which it is.
     /// end : float, optional
     ///     The time at the end; the period, or 1.
     /// step : float, optional
@@ -780,7 +782,7 @@ answer! { YinSet {
                 }
             },
             Err(_) if flow.is_callable() => (None, 1.0),
-            Err(_) => return Err(invalid(py, format!("the flow is {flow}"), "give a name or a function of (x, y, t)")),
+            Err(_) => return Err(invalid(py, format!("the flow is {flow}"), "give a name, or a function of (points, t) or (x, y, t)")),
         };
         let [low, high] = self.set.bounding_box().unwrap_or([[0.0; 2], [1.0; 2]]);
         let end = end.unwrap_or(usual);
@@ -807,23 +809,16 @@ answer! { YinSet {
             })?,
             (None, None) => {
                 // The function of the user is called with the lock of the interpreter; its first fault is raised at the end.
-                let fault: std::sync::Mutex<Option<PyErr>> = std::sync::Mutex::new(None);
-                let function = flow.clone().unbind();
-                let velocity = |[x, y]: [f64; 2], time: f64| {
-                    Python::attach(|py| {
-                        match function.call1(py, (x, y, time)).and_then(|found| found.extract::<[f64; 2]>(py)) {
-                            Ok(velocity) => velocity,
-                            Err(error) => {
-                                if let Ok(mut fault) = fault.lock() {
-                                    fault.get_or_insert(error);
-                                }
-                                [f64::NAN; 2]
-                            }
-                        }
-                    })
+                let function = UserFlow::new(flow)?;
+                let moved = match function.takes_arrays {
+                    true => run(py, progress, || {
+                        self.inner().advected_together(|points, time| function.velocities(points, time), &options)
+                    }),
+                    false => run(py, progress, || {
+                        self.inner().advected(|point, time| function.velocity(point, time), &options)
+                    }),
                 };
-                let moved = run(py, progress, || self.inner().advected(velocity, &options));
-                if let Ok(Some(error)) = fault.into_inner() {
+                if let Some(error) = function.into_fault() {
                     return Err(error);
                 }
                 moved?

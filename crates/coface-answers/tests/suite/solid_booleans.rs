@@ -8,6 +8,7 @@ use coface_algebra::{CellId, ErrorKind};
 use coface_answers::answer::{BoundaryVerdict, InsideMethod, RemarkCode};
 use coface_answers::{
     InputState, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene,
+    welded,
 };
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
 use coface_arrange::spatial::NonPlanar;
@@ -248,9 +249,9 @@ fn mouths_in_a_plane_are_closed_in_it() {
     }
 }
 
-/// A lid that is one unit of the last place above a cube: the refusal names the tolerance that closes the gap.
+/// A lid that is one unit of the last place above a cube: the refusal names the radius that closes the gap.
 #[test]
-fn cracks_are_closed_by_the_tolerance_that_the_refusal_names() {
+fn cracks_are_closed_by_the_radius_that_the_refusal_names() {
     let mut flat = corners([0.0; 3], [1.0; 3]).as_flat().to_vec();
     for [x, y] in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
         flat.extend([x, y, 1.0 + f64::EPSILON]);
@@ -261,7 +262,13 @@ fn cracks_are_closed_by_the_tolerance_that_the_refusal_names() {
     let scene = [Model::from_polygons(positions, RaggedArray::from_lists(squares)).unwrap()];
     let error = SolidBoolean::of(&arranged(&scene), &request("a")).unwrap_err();
     let cure = error.cure().unwrap();
-    assert!(cure.contains("--tolerance 2e-15") && cure.contains("--open close"), "{error}");
+    assert!(cure.contains("--weld 2.23e-16") && cure.contains("--open close"), "{error}");
+    // The next shorter radius does not close it, and this one does.
+    let weld = |radius: f64| vec![welded(&scene[0], radius).unwrap().0];
+    assert!(SolidBoolean::of(&arranged(&weld(2.2e-16)), &request("a")).is_err());
+    let merged = arranged(&weld(2.23e-16));
+    assert_eq!(merged.complex().f_vector(), [8, 12, 6, 1]);
+    assert_eq!(SolidBoolean::of(&merged, &request("a")).unwrap().volume(), Some(1.0));
     let mut within = SpatialRequest::default();
     within.tolerance = Some(2e-15);
     let closed = SceneArrangement::of([("crack", &scene[0])], &within).unwrap();

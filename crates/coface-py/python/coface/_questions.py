@@ -574,6 +574,8 @@ def arrange(
     grid: float | None = None,
     close: bool = False,
     tolerance: float | None = None,
+    weld: float | None = None,
+    method: str | None = None,
     max_cells: int | None = None,
     split: bool = True,
     merge_coplanar: bool = True,
@@ -609,6 +611,11 @@ def arrange(
         In the plane, whether lines that end where they begin are rings of polygons. Else lines of maps bound nothing.
     tolerance
         In space, planes, vertices, edges and faces at most so far apart are put together, in the unit of the inputs.
+    weld
+        Before anything else, vertices of each model that are at most so far apart are merged; none moves farther.
+    method
+        In space, how cells are found: ``"exact"`` or ``"congruence"``, which cuts each polygon in its own plane, in
+        rounded numbers, and makes one what is within ``tolerance`` of each other.
     max_cells
         More cells than this are refused.
     split
@@ -645,6 +652,8 @@ def arrange(
         grid=grid,
         close=close,
         tolerance=tolerance,
+        weld=weld,
+        method=method,
         max_cells=max_cells,
         split=split,
         merge_coplanar=merge_coplanar,
@@ -686,6 +695,7 @@ def boolean(
     grid: float | None = None,
     close: bool = False,
     tolerance: float | None = None,
+    weld: float | None = None,
     max_cells: int | None = None,
     split: bool = True,
     merge_coplanar: bool = True,
@@ -715,7 +725,7 @@ def boolean(
         are models.
     keep_walls
         Whether what lies inside the result is kept.
-    snap, exact, grid, close, tolerance, max_cells, split, merge_coplanar
+    snap, exact, grid, close, tolerance, weld, max_cells, split, merge_coplanar
         As for :func:`arrange`.
     triangles
         In space, whether faces are cut into triangles; if all inputs are triangles, if left out.
@@ -754,6 +764,7 @@ def boolean(
         grid=grid,
         close=close,
         tolerance=tolerance,
+        weld=weld,
         max_cells=max_cells,
         split=split,
         merge_coplanar=merge_coplanar,

@@ -63,7 +63,7 @@ impl Fronts {
     /// Moves all curves by a map. Gives those that vanished, by their numbers at the beginning, with the lengths of their polygons.
     pub(super) fn advance(
         &mut self,
-        map: &(impl Fn([f64; 2]) -> [f64; 2] + Sync),
+        map: &impl Fn(&[[f64; 2]]) -> Vec<[f64; 2]>,
         range: MarkerRange,
         counts: &mut TrackingCounts,
     ) -> Result<Vec<(u32, f64)>, Error> {

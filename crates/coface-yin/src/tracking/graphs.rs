@@ -6,6 +6,7 @@ use super::{TrackingCounts, TrackingOptions};
 use crate::interface::Arcs;
 use crate::kinks::are_surely_apart;
 use crate::{Curve, DirectedEdge, InterfaceFault, InterfaceGraph, InterfaceOptions, Overlaps, YinSet};
+use rayon::prelude::*;
 use coface_algebra::progress::stage;
 use coface_algebra::{EdgeId, Error, VertexId};
 use coface_arrange::boolean::InsideRule;
@@ -188,11 +189,55 @@ impl InterfaceGraph {
         velocity: impl Fn([f64; 2], f64) -> [f64; 2] + Sync,
         options: &TrackingOptions,
     ) -> Result<TrackedGraph, Error> {
+        let scheme = options.scheme_for(self.order());
+        let mapped = |points: &[[f64; 2]], time: f64, step: f64| -> Vec<[f64; 2]> {
+            let map = |&point: &[f64; 2]| scheme.mapped(&velocity, point, time, step);
+            points.par_iter().with_min_len(512).map(map).collect()
+        };
+        self.advected_by(mapped, options)
+    }
+
+    /// The same with velocities of many points at once: `velocities` gets points and a time, and gives a velocity for each of
+    /// the points, in their order. Where a velocity of one point costs little beside a call, this is the faster way.
+    ///
+    /// # Errors
+    /// As [`Self::advected`]; a list that is too short counts as velocities that are not finite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::EdgeId;
+    /// use coface_yin::{DirectedEdge, Flow, InterfaceEdge, InterfaceGraph, Order, TrackingOptions};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let circle = (0..32).map(|i| f64::from(i) * std::f64::consts::PI / 16.0).map(|t| [t.cos(), t.sin()]).collect::<Vec<_>>();
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: circle[1..].to_vec(), phases: [Some(0), Some(1)] };
+    /// let base_point = [DirectedEdge::along(EdgeId::new(0)); 2];
+    /// let graph = InterfaceGraph::new(&circle[..1], &[edge], &[base_point], Order::CUBIC)?;
+    /// let shift = Flow::Translation { velocity: [1.0, 0.0] };
+    /// let moved = graph.advected_together(|points, time| points.iter().map(|&p| shift.velocity(p, time)).collect(), &TrackingOptions::new(2.0, 0.5, 0.2))?;
+    /// assert!((moved.graph().phase_area(0)? - graph.phase_area(0)?).abs() < 1e-12);
+    /// # Ok(()) }
+    /// ```
+    pub fn advected_together(
+        &self,
+        velocities: impl Fn(&[[f64; 2]], f64) -> Vec<[f64; 2]>,
+        options: &TrackingOptions,
+    ) -> Result<TrackedGraph, Error> {
+        let scheme = options.scheme_for(self.order());
+        self.advected_by(
+            |points, time, step| scheme.mapped_together(&velocities, points, time, step),
+            options,
+        )
+    }
+
+    fn advected_by(
+        &self,
+        map: impl Fn(&[[f64; 2]], f64, f64) -> Vec<[f64; 2]>,
+        options: &TrackingOptions,
+    ) -> Result<TrackedGraph, Error> {
         let (steps, step) = options.steps()?;
         let range = options.range();
         let mut graph = self.clone();
         let mut counts = TrackingCounts { steps, ..TrackingCounts::default() };
-        let scheme = options.scheme_for(self.order());
         let (mut vanished, mut repairs) = (Vec::new(), Vec::new());
         let mut numbers: Vec<Option<EdgeId>> = (0..self.edge_count()).map(EdgeId::new).map(Some).collect();
         let steps_done = stage("moving", steps);
@@ -201,7 +246,7 @@ impl InterfaceGraph {
             let time = options.start + at as f64 * step;
             let end_time = time + step;
             let in_step = |error: Error| in_step(&error, at + 1, end_time);
-            let map = |point| scheme.mapped(&velocity, point, time, step);
+            let map = |points: &[[f64; 2]]| map(points, time, step);
             let mut points = Vec::with_capacity(graph.edge_count());
             for edge in 0..graph.edge_count() {
                 let curve = graph.curve(EdgeId::new(edge));
@@ -210,7 +255,8 @@ impl InterfaceGraph {
                     moved_markers(curve, |_| false, &map, own_range, &mut counts).map_err(in_step)?;
                 points.push(own);
             }
-            let mut vertices: Vec<[f64; 2]> = graph.vertices().iter().map(|&vertex| map(vertex)).collect();
+            let mut vertices = map(graph.vertices());
+            vertices.resize(graph.vertices().len(), [f64::NAN; 2]);
             for (edge, own) in points.iter().enumerate() {
                 // Bit for bit what the edges have.
                 let [start, end] = graph.ends(EdgeId::new(edge)).map(VertexId::index);

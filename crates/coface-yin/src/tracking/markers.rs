@@ -3,7 +3,6 @@
 use crate::Curve;
 use crate::curve::{bernstein, distance};
 use coface_algebra::Error;
-use rayon::prelude::*;
 
 /// What tracking did to markers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -75,16 +74,16 @@ const ROUNDS: usize = 12;
 pub(super) fn moved_markers(
     curve: &Curve<'_>,
     fixed: impl Fn(usize) -> bool,
-    map: &(impl Fn([f64; 2]) -> [f64; 2] + Sync),
+    map: &impl Fn(&[[f64; 2]]) -> Vec<[f64; 2]>,
     range: MarkerRange,
     counts: &mut TrackingCounts,
 ) -> Result<MovedMarkers, Error> {
-    let image = |&(piece, s): &(u32, f64)| match s {
-        0.0 => map(curve.knot_point(piece as usize)),
-        s => map(bernstein::value(curve.piece(piece as usize), s)),
+    let point = |&(piece, s): &(u32, f64)| match s {
+        0.0 => curve.knot_point(piece as usize),
+        s => bernstein::value(curve.piece(piece as usize), s),
     };
     let images =
-        |places: &[(u32, f64)]| -> Vec<[f64; 2]> { places.par_iter().with_min_len(512).map(image).collect() };
+        |places: &[(u32, f64)]| -> Vec<[f64; 2]> { map(&places.iter().map(point).collect::<Vec<_>>()) };
     let mut places: Vec<(u32, f64)> = (0..=curve.piece_count() as u32).map(|knot| (knot, 0.0)).collect();
     let mut points = images(&places);
     if curve.is_closed() {

@@ -179,6 +179,34 @@ impl RungeKutta {
         }
         moved(point, step, weights, &slopes)
     }
+
+    /// Where points are after a step, with velocities of all of them at once. A list of velocities that is too short leaves points
+    /// without a finite place.
+    pub(super) fn mapped_together(
+        self,
+        velocities: &impl Fn(&[[f64; 2]], f64) -> Vec<[f64; 2]>,
+        points: &[[f64; 2]],
+        time: f64,
+        step: f64,
+    ) -> Vec<[f64; 2]> {
+        let Tableau { stages, weights } = self.tableau();
+        let mut slopes = vec![[[f64::NAN; 2]; MOST_STAGES]; points.len()];
+        let fill = |slopes: &mut [[[f64; 2]; MOST_STAGES]], number: usize, found: &[[f64; 2]]| {
+            for (own, slope) in slopes.iter_mut().zip(found) {
+                own[number] = *slope;
+            }
+        };
+        fill(&mut slopes, 0, &velocities(points, time));
+        let all = |weights: &[f64], slopes: &[[[f64; 2]; MOST_STAGES]]| -> Vec<[f64; 2]> {
+            points.iter().zip(slopes).map(|(&point, own)| moved(point, step, weights, own)).collect()
+        };
+        for (number, weights) in (1..).zip(*stages) {
+            let at: f64 = weights.iter().sum();
+            let places = all(weights, &slopes);
+            fill(&mut slopes, number, &velocities(&places, time + at * step));
+        }
+        all(weights, &slopes)
+    }
 }
 
 fn moved(point: [f64; 2], step: f64, weights: &[f64], slopes: &[[f64; 2]; MOST_STAGES]) -> [f64; 2] {

@@ -3,6 +3,7 @@
 use super::fronts::Fronts;
 use super::{TrackingCounts, TrackingOptions};
 use crate::{YinFault, YinSet};
+use rayon::prelude::*;
 use coface_algebra::Error;
 use coface_algebra::progress::stage;
 
@@ -192,9 +193,50 @@ impl YinSet {
         velocity: impl Fn([f64; 2], f64) -> [f64; 2] + Sync,
         options: &TrackingOptions,
     ) -> Result<TrackedSet, Error> {
+        let scheme = options.scheme_for(self.order());
+        let mapped = |points: &[[f64; 2]], time: f64, step: f64| -> Vec<[f64; 2]> {
+            let map = |&point: &[f64; 2]| scheme.mapped(&velocity, point, time, step);
+            points.par_iter().with_min_len(512).map(map).collect()
+        };
+        self.advected_by(mapped, options)
+    }
+
+    /// The same with velocities of many points at once: `velocities` gets points and a time, and gives a velocity for each of
+    /// the points, in their order. Where a velocity of one point costs little beside a call, this is the faster way.
+    ///
+    /// # Errors
+    /// As [`Self::advected`]; a list that is too short counts as velocities that are not finite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, EndCondition, Order, TrackingOptions, YinSet};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let square = YinSet::new(&[Curve::fit_closed(&corners, &[], Order::LINEAR, &EndCondition::NotAKnot)?])?;
+    /// let options = TrackingOptions::new(1.0, 0.5, 2.0);
+    /// let moved = square.advected_together(|points, _| vec![[3.0, 0.0]; points.len()], &options)?;
+    /// assert_eq!(moved.set().bounding_box(), Some([[3.0, 0.0], [4.0, 1.0]]));
+    /// # Ok(()) }
+    /// ```
+    pub fn advected_together(
+        &self,
+        velocities: impl Fn(&[[f64; 2]], f64) -> Vec<[f64; 2]>,
+        options: &TrackingOptions,
+    ) -> Result<TrackedSet, Error> {
+        let scheme = options.scheme_for(self.order());
+        self.advected_by(
+            |points, time, step| scheme.mapped_together(&velocities, points, time, step),
+            options,
+        )
+    }
+
+    fn advected_by(
+        &self,
+        map: impl Fn(&[[f64; 2]], f64, f64) -> Vec<[f64; 2]>,
+        options: &TrackingOptions,
+    ) -> Result<TrackedSet, Error> {
         let (steps, step) = options.steps()?;
         let range = options.range();
-        let scheme = options.scheme_for(self.order());
         let mut fronts = Fronts::new(self);
         let mut counts = TrackingCounts { steps, ..TrackingCounts::default() };
         let (mut vanished, mut repairs) = (Vec::new(), Vec::new());
@@ -204,7 +246,7 @@ impl YinSet {
             let time = options.start + at as f64 * step;
             let end_time = time + step;
             let in_step = |error: Error| in_step(&error, at + 1, end_time);
-            let map = |point| scheme.mapped(&velocity, point, time, step);
+            let map = |points: &[[f64; 2]]| map(points, time, step);
             let gone = fronts.advance(&map, range, &mut counts).map_err(in_step)?;
             vanished.extend(gone.into_iter().map(|(curve, length)| VanishedCurve {
                 curve,

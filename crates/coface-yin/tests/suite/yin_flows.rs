@@ -83,3 +83,27 @@ fn the_vortex_with_period_eight_converges_at_order_four() {
     check_order(&misses);
     assert!(misses[2].geometric < 3e-6);
 }
+
+#[test]
+fn velocities_of_all_points_at_once_give_the_same_bits() {
+    let flow = Flow::Vortex { period: 2.0 };
+    let disk = YinSet::new(&[Curve::circle([0.5, 0.75], 0.15, 40, Order::CUBIC).unwrap()]).unwrap();
+    for scheme in [RungeKutta::Midpoint, RungeKutta::Classical, RungeKutta::Verner, RungeKutta::CooperVerner] {
+        let options = TrackingOptions::new(0.5, 0.05, 0.02).scheme(scheme);
+        let single = disk.advected(|p, t| flow.velocity(p, t), &options).unwrap();
+        let mut calls = std::cell::Cell::new(0usize);
+        let together = |points: &[[f64; 2]], t: f64| {
+            calls.set(calls.get() + 1);
+            points.iter().map(|&p| flow.velocity(p, t)).collect()
+        };
+        let all = disk.advected_together(together, &options).unwrap();
+        assert_eq!(all.counts(), single.counts());
+        assert!(all.set() == single.set(), "{scheme:?}");
+        // Not one call a point: stages and rounds of ten steps.
+        assert!(*calls.get_mut() < 2000, "{calls:?}");
+    }
+    // Too few velocities are no velocities.
+    let options = TrackingOptions::new(0.5, 0.05, 0.02);
+    let error = disk.advected_together(|_, _| vec![[0.0; 2]], &options).unwrap_err();
+    assert!(error.to_string().contains("leads to no finite point"), "{error}");
+}

@@ -3,7 +3,10 @@
 
 use crate::spatial_arrangements::{Point, cuboid, moved, sorted, triangles_again, turned};
 use coface::arrange::boolean::InsideRule;
+use coface::answers::{CongruentScene, SceneArrangement, SpatialRequest, SpatialScene, welded};
 use coface::arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+use coface::geometry::Positions;
+use coface::io::Model;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -22,6 +25,62 @@ fn rooms(motion: impl Fn(Point) -> Point) -> SpatialPolygons {
 
 fn within(polygons: &SpatialPolygons, tolerance: f64) -> SpatialArrangement {
     SpatialArrangement::new(polygons, &SpatialOptions::new().tolerance(tolerance)).unwrap()
+}
+
+/// Polygons as a model.
+fn model(polygons: &SpatialPolygons) -> Model {
+    Model::from_polygons(polygons.positions().clone(), polygons.walks().clone()).unwrap()
+}
+
+/// The rooms or boxes of one scene, each a model of its own, by congruence.
+fn by_congruence(models: &[Model], tolerance: f64) -> CongruentScene {
+    let named = models.iter().map(|model| ("room", model));
+    CongruentScene::of_scene(SpatialScene::of(named, true).unwrap(), tolerance).unwrap()
+}
+
+#[test]
+fn bonded_rooms_are_one_cell_each_by_congruence() {
+    let straight = SpatialArrangement::new(&rooms(|p| p), &SpatialOptions::new()).unwrap();
+    for degrees in [0.0, 17.3, 30.0, 45.0, 71.9] {
+        let angle = degrees * TAU / 360.0;
+        let found = by_congruence(&[model(&rooms(|p| turned(2, angle, turned(0, 0.2, p))))], TOLERANCE);
+        assert_eq!(found.complex().f_vector(), straight.f_vector(), "{degrees}");
+        assert!(found.volumes().iter().all(|volume| (volume - 30.0).abs() < 1e-9));
+        let answer = found.answer(InsideRule::Nonzero).unwrap();
+        assert!(answer.products_zero && answer.voids == 0 && answer.holes == 0);
+        assert_eq!((answer.dangling_faces, answer.components), (0, 1));
+        assert!(answer.inside.iter().all(|inputs| inputs == &[0]));
+        let done = answer.congruence.unwrap();
+        assert!(done.largest_class_diameter < 1e-12, "{}", done.largest_class_diameter);
+        // The cells are input again, and the mesh encloses them.
+        let mesh = found.to_mesh(true).unwrap();
+        assert_eq!(mesh.groups().len(), 32);
+        assert!(found.to_chains().unwrap().remarks().is_empty());
+    }
+}
+
+#[test]
+fn a_hole_in_a_face_is_counted_and_no_mesh_has_it() {
+    let [outer, inner] = [[0.0, 4.0], [1.0, 2.0]].map(|[low, high]| {
+        let low_corner = [low, low, if low == 0.0 { 0.0 } else { 4.0 }];
+        model(&cuboid(low_corner, [high, high, low_corner[2] + high - low], |p| p))
+    });
+    let found = by_congruence(&[outer.clone(), inner.clone()], TOLERANCE);
+    let answer = found.answer(InsideRule::Nonzero).unwrap();
+    assert_eq!((&answer.f_vector[..], answer.holes), (&[16, 24, 12, 2][..], 1));
+    assert_eq!(answer.inside, [[0], [1]]);
+    assert!(found.to_mesh(false).unwrap_err().to_string().contains("has a hole"));
+    assert_eq!(found.to_chains().unwrap().remarks().len(), 1);
+    // A tolerance that is none, and a polygon that is not flat, by its number in its own file.
+    let scene = || SpatialScene::of([("a", &outer), ("b", &inner)], true).unwrap();
+    assert!(CongruentScene::of_scene(scene(), -1.0).is_err());
+    assert!(CongruentScene::of_scene(scene(), f64::NAN).is_err());
+    let mut bent = inner.positions().as_flat().to_vec();
+    bent[2] += 0.25;
+    let bent = Model::from_polygons(Positions::from_flat(3, bent).unwrap(), inner.polygons().clone()).unwrap();
+    let scene = SpatialScene::of([("a", &outer), ("bent", &bent)], true).unwrap();
+    let error = CongruentScene::of_scene(scene, TOLERANCE).unwrap_err().to_string();
+    assert!(error.starts_with("bent: polygon ") && error.contains("not flat"), "{error}");
 }
 
 #[test]
@@ -58,6 +117,76 @@ fn offsets_within_the_tolerance_vanish() {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
+
+    /// Boxes at random places have clear features: both methods have the same cells, and the same inputs around them.
+    #[test]
+    fn congruence_has_the_cells_of_the_exact_method(
+        places in prop::collection::vec((prop::array::uniform3(0.0..3.0), prop::array::uniform3(0.4..2.0)), 1..5),
+        angles in prop::collection::vec(0.0..TAU, 4),
+    ) {
+        let models: Vec<Model> = places
+            .iter()
+            .zip(&angles)
+            .map(|(&(low, size), &angle)| {
+                let high = [0, 1, 2].map(|axis| low[axis] + size[axis]);
+                model(&cuboid(low, high, |p| turned(2, angle, turned(1, angle / 2.0, p))))
+            })
+            .collect();
+        let found = by_congruence(&models, 1e-9);
+        let named = models.iter().map(|model| ("room", model));
+        let exact = SceneArrangement::of(named, &SpatialRequest::default()).unwrap();
+        prop_assert_eq!(found.complex().f_vector(), exact.complex().f_vector());
+        let cells = |volumes: &[f64], inside: &[Vec<usize>]| {
+            let mut cells: Vec<(Vec<usize>, i64)> = inside
+                .iter()
+                .zip(volumes)
+                .map(|(inside, volume)| (inside.clone(), (volume * 1e6).round() as i64))
+                .collect();
+            cells.sort();
+            cells
+        };
+        let [by_congruence, exactly] = [found.answer(InsideRule::Nonzero), exact.answer(InsideRule::Nonzero)]
+            .map(|answer| answer.unwrap());
+        prop_assert_eq!(
+            cells(&by_congruence.measures, &by_congruence.inside),
+            cells(&exactly.measures, &exactly.inside)
+        );
+        prop_assert_eq!(by_congruence.holes, exactly.holes);
+    }
+
+    /// Copies of points that are moved by less than the radius become their points again, in any order, and none goes
+    /// farther than the radius.
+    #[test]
+    fn merged_vertices_do_not_depend_on_their_order(
+        noise in prop::collection::vec(prop::array::uniform3(-1.0..1.0), 256),
+        angle in 0.0..TAU,
+    ) {
+        let rooms = rooms(|p| turned(2, angle, p));
+        let flat = rooms.positions().as_flat().iter().zip(noise.as_flattened());
+        let flat: Vec<f64> = flat.map(|(x, noise)| x + noise * 1e-7).collect();
+        let count = flat.len() / 3;
+        let reversed: Vec<f64> = flat.chunks_exact(3).rev().flatten().copied().collect();
+        let lists = rooms.walks().iter().map(|walk| walk.iter().map(|v| count as u32 - 1 - v).collect::<Vec<u32>>());
+        let given = Model::from_polygons(Positions::from_flat(3, flat).unwrap(), rooms.walks().clone()).unwrap();
+        let other = Model::from_polygons(
+            Positions::from_flat(3, reversed).unwrap(),
+            coface::algebra::RaggedArray::from_lists(lists),
+        )
+        .unwrap();
+        let [(first, done), (second, again)] = [welded(&given, 1e-6).unwrap(), welded(&other, 1e-6).unwrap()];
+        prop_assert_eq!(done.merged_count(), again.merged_count());
+        prop_assert_eq!(done.largest_movement(), again.largest_movement());
+        prop_assert!(done.largest_movement() <= 1e-6);
+        let points = |model: &Model| {
+            let mut points = model.positions().as_flat().as_chunks::<3>().0.to_vec();
+            points.sort_by(|x, y| x.partial_cmp(y).unwrap());
+            points
+        };
+        prop_assert_eq!(points(&first), points(&second));
+        // Twice is once.
+        prop_assert_eq!(welded(&first, 1e-6).unwrap().1.merged_count(), 0);
+        prop_assert_eq!(first.polygons().len(), 192);
+    }
 
     #[test]
     fn rooms_at_any_angle_and_offset(angle in 0.0..TAU, tilt in -0.5..0.5, is_far: bool) {

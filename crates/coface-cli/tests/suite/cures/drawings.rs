@@ -41,6 +41,14 @@ const CRACK: Files = &[(
      0 0 1.0000000000000002\n1 0 1.0000000000000002\n1 1 1.0000000000000002\n0 1 1.0000000000000002\n\
      4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n4 8 9 10 11\n",
 )];
+/// A cube whose lid, a pentagon with a vertex on an edge, is 2.2e-16 above it.
+const CORNERLESS_CRACK: Files = &[(
+    "crack.off",
+    "OFF\n13 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n\
+     0 0 1.0000000000000002\n1 0 1.0000000000000002\n1 1 1.0000000000000002\n0 1 1.0000000000000002\n\
+     0.5 0 1.0000000000000002\n\
+     4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n5 8 12 9 10 11\n",
+)];
 /// A cube one face of which is turned inside out.
 const TURNED: Files = &[(
     "turned.off",
@@ -93,7 +101,7 @@ pub(super) const CASES: &[Case] = &[
             &["coface convert turned.off --orient -o solid.off", "coface boolean union solid.off"],
             &["coface boolean union turned.off --rule evenodd"],
         ]),
-    Case::new("spatial/scene_arrangement.rs", "--rule positive counts what winds backward as outside")
+    Case::new("spatial/facts.rs", "--rule positive counts what winds backward as outside")
         .files(OVERLAPPING)
         .answered("coface boolean union twice.off")
         .cured(&[&["coface boolean union twice.off --rule positive"]]),
@@ -102,9 +110,43 @@ pub(super) const CASES: &[Case] = &[
         .refused("coface boolean union open.off")
         .cured(&[&["coface boolean union open.off --open close"]]),
     Case::new("spatial/inputs.rs", "put together what nearly coincides (--tolerance {tolerance:.0e})")
-        .files(CRACK)
+        .files(CORNERLESS_CRACK)
         .refused("coface boolean union crack.off")
         .cured(&[&["coface boolean union crack.off --tolerance 2e-15"]]),
+    Case::new("spatial/inputs.rs", "merge vertices that nearly coincide (--weld {radius:.2e})")
+        .files(CRACK)
+        .refused("coface boolean union crack.off")
+        .cured(&[&["coface boolean union crack.off --weld 2.23e-16"]]),
+    Case::new("commands/arrange/planar.rs", "--method is for cells in space, and the inputs lie in the plane")
+        .with(&[("edge.lines", "0,0,1,0\n")])
+        .refused("coface arrange edge.lines --method exact")
+        .cured(&[&["coface arrange edge.lines"]]),
+    Case::new("arrange/spatial.rs", "is for the exact method, not for --method congruence")
+        .files(CRACK)
+        .refused("coface arrange crack.off --method congruence --tolerance 1e-9 --snap")
+        .cured(&[
+            &["coface arrange crack.off --snap"],
+            &["coface arrange crack.off --method congruence --tolerance 1e-9"],
+        ]),
+    Case::new("arrange/spatial.rs", "within which vertices become one: give --tolerance R")
+        .files(CRACK)
+        .refused("coface arrange crack.off --method congruence")
+        .cured(&[&["coface arrange crack.off --method congruence --tolerance 1e-9"]]),
+    Case::new("spatial/congruent.rs", "or leave --method out: the exact method splits such polygons")
+        .files(WARPED)
+        .refused("coface arrange warped.off --method congruence --tolerance 1e-9")
+        .cured(&[
+            &["coface arrange warped.off --method congruence --tolerance 0.3"],
+            &["coface arrange warped.off"],
+        ]),
+    Case::new("repair/weld.rs", "give a mesh or a drawing, without --weld for the others")
+        .with(&[("three.json", "{\"facets\":[[0,1],[1,2],[0,2]]}")])
+        .refused("coface convert three.json --weld 1 -o out.json")
+        .cured(&[&["coface convert three.json -o out.json"]]),
+    Case::new("repair/weld.rs", "give a shorter --weld")
+        .before(&["coface generate box -o box.mesh"])
+        .refused("coface convert box.mesh --weld 1 -o out.mesh")
+        .cured(&[&["coface convert box.mesh --weld 0.1 -o out.mesh"]]),
     Case::new("spatial/inputs.rs", "or close its mouths with patches (--open close)")
         .files(CRACK)
         .refused("coface boolean union crack.off")

@@ -1,0 +1,47 @@
+"""The arrangement by congruence, and vertices that are merged."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import coface
+
+
+def _turned(model: coface.Model, angle: float) -> coface.Model:
+    turn = np.array([[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
+    return coface.Model(np.asarray(model.vertices) @ turn.T, model.faces)
+
+
+def test_congruence_has_the_cells_of_the_exact_method() -> None:
+    cube = coface.generate("box", boundary=True)
+    models = [_turned(cube, 0.3), _turned(coface.Model(cube.vertices + 0.5, cube.faces), 0.3)]
+    exact = coface.arrange(models)
+    found = coface.arrange(models, method="congruence", tolerance=1e-9)
+    assert found.f_vector == exact.f_vector == [22, 36, 18, 3]
+    assert sorted(found.measures) == pytest.approx(sorted(exact.measures))
+    assert sorted(found.inside) == sorted(exact.inside)
+    assert exact.congruence is None and found.congruence["stacked_f_vector"][2] == 18
+    assert found.chain_complex().f_vector == [22, 36, 18, 3]
+    assert len(found.model().faces) == 18
+    with pytest.raises(coface.InvalidInputError, match="give tolerance="):
+        coface.arrange(models, method="congruence")
+    with pytest.raises(coface.InvalidInputError, match="leave method out"):
+        found.graph()
+
+
+def test_cracks_are_welded() -> None:
+    cube = coface.generate("box", boundary=True)
+    corners = np.vstack([cube.vertices, np.asarray(cube.vertices) + 1e-7])
+    faces = np.array(cube.faces)
+    faces[0] += 8
+    cracked = coface.Model(corners, faces)
+    with pytest.raises(coface.NotACycleError, match="weld=") as fault:
+        coface.boolean("union", cracked)
+    radius = float(str(fault.value).split("weld=")[1].split(")")[0])
+    assert coface.boolean("union", cracked, weld=radius).measure == pytest.approx(1)
+    assert coface.arrange(cracked, weld=radius).f_vector == [8, 12, 6, 1]
+    welded = cracked.welded(1e-6)
+    assert len(welded.vertices) == 8 and welded.surface().closed
+    with pytest.raises(coface.InvalidInputError):
+        cracked.welded(-1.0)
