@@ -79,6 +79,10 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<yin::YinSet>()?;
     module.add_class::<yin::Kinks>()?;
     module.add_class::<yin::CutCells>()?;
+    module.add_class::<yin::Interface>()?;
+    module.add_function(wrap_pyfunction!(yin::_interface, module)?)?;
+    module.add_function(wrap_pyfunction!(yin::_label_sets, module)?)?;
+    module.add_function(wrap_pyfunction!(yin::_feature_sets, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::persistence, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::rips, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::cubical, module)?)?;

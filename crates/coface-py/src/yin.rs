@@ -3,10 +3,12 @@
 mod curve;
 mod cut_cells;
 mod flow;
+mod interface;
 mod kinks;
 
 pub(crate) use curve::{_curve, Curve};
 pub(crate) use cut_cells::CutCells;
+pub(crate) use interface::{_feature_sets, _interface, _label_sets, Interface};
 pub(crate) use kinks::Kinks;
 
 use crate::answer::answer;

@@ -47,6 +47,7 @@ def _answers() -> dict[str, Any]:
         "Congruence": coface.congruence(cube, cube, tolerance=0.1),
         "YinSet": sets[0] - sets[1],
         "CutCells": sets[0].cut_cells((3, 4), spacing=(1.0, 0.5)),
+        "Interface": coface.interface(np.array([[1, 2, 2], [3, 3, 2]])),
         "Curve": coface.Curve.circle([0, 0], 1),
         "Model": odd,
         "volume": coface.volume(np.arange(8).reshape(2, 2, 2), periodic=[1]),

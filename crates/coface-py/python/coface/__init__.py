@@ -38,6 +38,7 @@ from coface._coface import (
     Generator,
     Homology,
     HomologyGroup,
+    Interface,
     InvalidInputError,
     InvalidTypeError,
     Kinks,
@@ -87,6 +88,7 @@ from coface._chains import (
     matching,
     product,
 )
+from coface._interfaces import interface
 from coface._models import as_chain_complex, as_complex, as_model, as_surface
 from coface._models import geo_interface as _geo_interface
 from coface._questions import (
@@ -170,6 +172,7 @@ __all__ = [
     "Generator",
     "Homology",
     "HomologyGroup",
+    "Interface",
     "InvalidInputError",
     "InvalidTypeError",
     "Kinks",
@@ -236,6 +239,7 @@ __all__ = [
     "incidence",
     "induced_map",
     "intersection_form",
+    "interface",
     "invariant_factors",
     "is_exact",
     "laplacian",
@@ -283,6 +287,7 @@ for _shown in (
     Generator,
     Homology,
     HomologyGroup,
+    Interface,
     Model,
     Persistence,
     PlanarArrangement,

@@ -15,6 +15,7 @@ from coface._coface import (
     Cocycles,
     Complex,
     Curve,
+    Interface,
     Model,
     Persistence,
     Simplices,
@@ -38,7 +39,7 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
         One of these:
 
         * a :class:`Model`, :class:`Complex`, :class:`Surface` or :class:`ChainComplex`, or an answer that has a model: an arrangement, a
-          Boolean, a :class:`Domain`, a :class:`Cover`, a :class:`Report`, a :class:`YinSet` or :class:`Curve` (its boundary as lines);
+          Boolean, a :class:`Domain`, a :class:`Cover`, a :class:`Report`, a :class:`YinSet`, :class:`Curve` or :class:`Interface` (its boundary as lines);
         * a dictionary of ``to_dict()``;
         * a path, or a file that is open for reading;
         * ``(vertices, faces)``: an array ``(n, d)`` of coordinates, or ``None``, and polygons as in :class:`Model`;
@@ -126,6 +127,8 @@ def _of_answer(x: Any) -> Model:
         return _of_curves(x.curves, is_plane=x.is_plane)
     if isinstance(x, Curve):
         return _of_curves([x], is_plane=False)
+    if isinstance(x, Interface):
+        return _of_curves([curve for region in x.sets() for curve in region.curves], is_plane=False)
     if isinstance(x, Simplices):
         return x.closure().model()
     if isinstance(x, Persistence) and x.__dict__.get("recipe", ("",))[0] == "persistence":

@@ -51,7 +51,8 @@ def plot(
         * a :class:`ChainComplex` or a sparse matrix: where the entries are, one panel a degree;
         * a :class:`Persistence`, or an array ``(n, 2)`` of births and deaths: a diagram;
         * a :class:`PlanarArrangement` or :class:`PlanarBoolean`: each bounded face in a color of its own;
-        * a :class:`YinSet`: the set filled, positive and negative curves, kinks as dots.
+        * a :class:`YinSet`: the set filled, positive and negative curves, kinks as dots;
+        * an :class:`Interface`: each bounded phase in a color of its own, junctions as dots.
     ax
         The axes to draw in; new ones by default. A chain complex with several matrices takes a list of axes.
     generators
@@ -457,5 +458,34 @@ def _yin_set(axes: Any, region: Any) -> Any:
     return axes
 
 
+def _interface(axes: Any, interface: Any) -> Any:
+    from matplotlib.patches import PathPatch
+
+    every = [np.zeros((0, 2))]
+    for number, region in enumerate(interface.sets()):
+        curves = list(region.curves)
+        if not curves:
+            continue
+        boxes = np.concatenate([np.asarray(curve.bounding_box) for curve in curves])
+        size = float((boxes.max(axis=0) - boxes.min(axis=0)).max())
+        rings = [np.asarray(curve.flattened(size / 2000)) for curve in curves]
+        every.extend(rings)
+        if region.is_bounded:
+            axes.add_patch(PathPatch(_region(rings), facecolor=color(number), alpha=0.45, edgecolor="none"))
+        for ring in rings:
+            axes.plot(*np.concatenate([ring, ring[:1]]).T, color=INK, linewidth=1.0)
+    points = np.array([junction["point"] for junction in interface.junctions])
+    if len(points):
+        axes.plot(*points.T, "o", markersize=4, color=INK, linestyle="none")
+    _frame(axes, np.concatenate(every) if len(every) > 1 else np.array([[0.0, 0.0], [1.0, 1.0]]), True, (0.0, 0.0))
+    return axes
+
+
 #: How classes are drawn that are no models.
-FLAT = {"Persistence": _diagram, "PlanarArrangement": _arrangement, "PlanarBoolean": _boolean, "YinSet": _yin_set}
+FLAT = {
+    "Interface": _interface,
+    "Persistence": _diagram,
+    "PlanarArrangement": _arrangement,
+    "PlanarBoolean": _boolean,
+    "YinSet": _yin_set,
+}

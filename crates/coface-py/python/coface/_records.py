@@ -28,6 +28,7 @@ from coface._coface import (
     Domain,
     FundamentalGroup,
     LarModel,
+    Interface,
     Model,
     Persistence,
     PlanarArrangement,
@@ -53,8 +54,8 @@ MAKERS: dict[str, Callable[..., Any]] = {
     "Surface.cover": Surface.cover,
     "Surface.cut": Surface.cut,
     "YinSet.cut_cells": YinSet.cut_cells,
-    **{name: getattr(_coface, name) for name in ("_chains", "_curve", "_group", "_model", "_report", "_surface", "_yin_set")},
-    **{name: getattr(_coface, name) for name in ("arrange", "boolean", "congruence", "cubical", "persistence", "rips")},
+    **{name: getattr(_coface, name) for name in ("_chains", "_curve", "_group", "_interface", "_model", "_report", "_surface", "_yin_set")},
+    **{name: getattr(_coface, name) for name in ("arrange", "boolean", "congruence", "persistence", "rips")},
 }
 #: Classes whose answers are asked for again.
 ASKED = (
@@ -63,6 +64,7 @@ ASKED = (
     Cover,
     CutCells,
     Domain,
+    Interface,
     Persistence,
     PlanarArrangement,
     PlanarBoolean,

@@ -1,0 +1,70 @@
+"""Interfaces: sets as phases that share the arcs between them."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+import coface
+
+
+def _square(x: float, y: float, side: float = 1.0) -> coface.YinSet:
+    return coface.YinSet.from_rings([[[x, y], [x + side, y], [x + side, y + side], [x, y + side]]])
+
+
+def test_named_sets_are_phases() -> None:
+    found = coface.interface({"left": _square(0, 0), "right": _square(1, 0), "top": _square(0, 1, 2)})
+    assert found.names == ["left", "right", "top"]
+    assert found.areas == [1.0, 1.0, 4.0]
+    assert found.neighbors == [(0, 1, 1.0), (0, 2, 1.0), (1, 2, 1.0)]
+    assert sum(found.lengths) == pytest.approx(found.length) == pytest.approx(2 * 2 + 1 + 2 + 6)
+    # Three meet below the top, two and the outside at its lower corners.
+    assert sorted(junction["point"] for junction in found.junctions) == [[0.0, 1.0], [1.0, 0.0], [1.0, 1.0], [2.0, 1.0]]
+    assert len(found) == 3 and "3 phases" in repr(found)
+    # The sets give the same interface again.
+    again = coface.interface(dict(zip(found.names, found.sets())))
+    assert again.to_dict() == found.to_dict()
+    assert [region.area for region in again.sets()] == found.areas
+
+
+def test_images_of_labels() -> None:
+    labels = np.zeros((4, 5), np.uint16)
+    labels[1:3, 1:3] = 7
+    labels[1:3, 3] = 300
+    found = coface.interface(labels)
+    assert found.names == ["7", "300"] and found.areas == [4.0, 2.0]
+    assert found.neighbors == [(0, 1, 2.0)]
+    # Rows go from the top down: the phases lie one row above the lower edge.
+    assert found.sets()[0].bounding_box == [[1.0, 1.0], [3.0, 3.0]]
+    random = np.random.default_rng(5).integers(0, 4, (20, 30))
+    found = coface.interface(random)
+    assert found.areas == [float((random == int(name)).sum()) for name in found.names]
+    sides = sum(int((a != b).sum()) for a, b in [(random[1:], random[:-1]), (random[:, 1:], random[:, :-1])])
+    rim = sum(int((edge != 0).sum()) for edge in [random[0], random[-1], random[:, 0], random[:, -1]])
+    assert found.length == pytest.approx(sides + rim)
+    for wrong in (np.zeros((2, 2)), np.zeros(3, int), np.array([[-1, 2]])):
+        with pytest.raises(coface.InvalidInputError, match="labels"):
+            coface.interface(wrong)
+
+
+def test_maps_have_a_phase_for_each_feature() -> None:
+    def feature(name: str, x: float) -> dict:
+        ring = [[x, 0], [x + 2, 0], [x + 2, 2], [x, 2], [x, 0]]
+        return {"type": "Feature", "properties": {"name": name}, "geometry": {"type": "Polygon", "coordinates": [ring]}}
+
+    text = json.dumps({"type": "FeatureCollection", "features": [feature("wood", 0), feature("field", 2)]})
+    found = coface.interface(coface.Model.from_bytes(text.encode(), "geojson"))
+    assert found.names == ["wood", "field"] and found.neighbors == [(0, 1, 2.0)]
+
+
+def test_overlaps() -> None:
+    sets = [_square(0, 0, 2), _square(1, 1, 2)]
+    with pytest.raises(coface.InvalidInputError, match="overlap"):
+        coface.interface(sets)
+    assert coface.interface(sets, overlaps="first").areas == [4.0, 3.0]
+    assert coface.interface(sets, overlaps="last").areas == [3.0, 4.0]
+    with pytest.raises(coface.InvalidInputError, match="smooth"):
+        coface.interface(sets, smooth=200)
+    assert len(coface.as_model(coface.interface(sets, overlaps="first")).vertices) >= 8
