@@ -194,9 +194,7 @@ impl CongruentScene {
         let mut remarks = self.scene.remarks().to_vec();
         if crossings.count > 0 {
             let places = text::count(crossings.count, "place");
-            let message = format!(
-                "faces as they are rounded cross in {places}; a larger --tolerance may join what is so near"
-            );
+            let message = format!("with rounded coordinates faces cross in {places}");
             let points = crossings.places.iter().map(|point| Place::point(point));
             remarks.push(Remark::new(RemarkCode::RoundedInvalid, message).at(crossings.count, points));
         }

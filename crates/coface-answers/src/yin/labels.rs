@@ -3,6 +3,7 @@
 use super::{NamedSet, PlanarSet};
 use coface_algebra::Error;
 use coface_arrange::boolean::InsideRule;
+use coface_io::NumberTable;
 use coface_yin::YinSet;
 use std::collections::BTreeMap;
 
@@ -106,6 +107,41 @@ impl LabelImage {
         };
         if labels.iter().any(|&label| label as usize > greatest) {
             return Err(damaged("has a value above the greatest one"));
+        }
+        Self::new(width, labels)
+    }
+
+    /// The image of a table of labels, its first row the highest.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for rows of different lengths, and for a number that is no label,
+    /// with its row and column.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::LabelImage;
+    /// use coface_io::NumberTable;
+    /// let table = NumberTable::from_rows([[1.0, 1.0], [0.0, 2.0]]);
+    /// assert_eq!(LabelImage::of_table(&table)?, LabelImage::new(2, vec![1, 1, 0, 2])?);
+    /// assert!(LabelImage::of_table(&NumberTable::from_rows([[0.5]])).is_err());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn of_table(table: &NumberTable) -> Result<Self, Error> {
+        let width = if table.row_count() == 0 { 0 } else { table.row(0).len() };
+        let mut labels = Vec::with_capacity(table.numbers().len());
+        for row in 0..table.row_count() {
+            let own = table.row(row);
+            if own.len() != width {
+                return Err(Error::invalid(format!("row {row} has {} labels, the first {width}", own.len()))
+                    .with_cure("give rows of one length"));
+            }
+            for (column, &label) in own.iter().enumerate() {
+                if !(label >= 0.0 && label <= f64::from(u32::MAX) && label.fract() == 0.0) {
+                    let message = format!("row {row}, column {column} has {label}, which is no label");
+                    return Err(Error::invalid(message).with_cure("give whole numbers from 0"));
+                }
+                labels.push(label as u32);
+            }
         }
         Self::new(width, labels)
     }

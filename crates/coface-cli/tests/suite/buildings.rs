@@ -4,6 +4,7 @@
 
 use crate::program::{argument, coface, coface_in};
 use serde_json::{Value, json};
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 /// The example of `docs/buildings.md`: two rooms of 4 by 3 by 2.5 with a partition of 0.2 between them, walls and
@@ -197,4 +198,60 @@ fn the_commands_of_the_page_print_what_stands_there() {
         count += 1;
     }
     assert_eq!(count, 3);
+}
+
+/// Boxes that lie in brick bond, turned: the tops of walls of one row meet the walls of the next in the shape of a T.
+fn bond(path: &Path) {
+    let mut text = String::new();
+    let mut first = 1;
+    let (sine, cosine) = 0.523_598_775_598_298_9_f64.sin_cos();
+    for number in 0..8 {
+        let (column, row) = (number % 4, number / 4);
+        let low = [4.0 * f64::from(column) + 2.0 * f64::from(row % 2), 3.0 * f64::from(row), 0.0];
+        let high = [low[0] + 4.0, low[1] + 3.0, 2.5];
+        writeln!(text, "o room{number}").unwrap();
+        for corner in 0..8 {
+            let [x, y, z] = [0, 1, 2].map(|axis| if corner >> axis & 1 == 1 { high[axis] } else { low[axis] });
+            writeln!(text, "v {:?} {:?} {z:?}", x * cosine - y * sine, x * sine + y * cosine).unwrap();
+        }
+        for face in [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]] {
+            let [a, b, c, d] = face.map(|corner| corner + first);
+            writeln!(text, "f {a} {b} {c} {d}").unwrap();
+        }
+        first += 8;
+    }
+    std::fs::write(path, text).unwrap();
+}
+
+#[test]
+fn rooms_in_bond_are_one_cell_each_by_congruence() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("bond.obj");
+    bond(&path);
+    let (mesh, chains) = (folder.path().join("cells.obj"), folder.path().join("cells.json"));
+    let by = ["arrange", argument(&path), "--inputs", "objects", "--method", "congruence", "--tolerance", "1e-6"];
+    let answer = coface(&[&by[..], &["--json", "-o", argument(&mesh)]].concat()).json();
+    assert_eq!(answer["f_vector"][3], json!(8));
+    assert!(answer["measures"].as_array().unwrap().iter().all(|volume| is_near(volume, 30.0)));
+    let mut inside: Vec<u64> = answer["inside"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|inputs| {
+            assert_eq!(inputs.as_array().unwrap().len(), 1);
+            inputs[0].as_u64().unwrap()
+        })
+        .collect();
+    inside.sort_unstable();
+    assert_eq!(inside, [0, 1, 2, 3, 4, 5, 6, 7]);
+    assert!(answer["congruence"]["largest_class_diameter"].as_f64().unwrap() < 1e-12);
+    assert_eq!(std::fs::read_to_string(&mesh).unwrap().matches("cell_").count(), 8);
+    // The cells go in again, and have the homology of a slab.
+    assert_eq!(coface(&[&by[..], &["-o", argument(&chains)]].concat()).status, 0);
+    let homology = coface(&["homology", argument(&chains), "--json"]).json();
+    let betti: Vec<u64> =
+        homology["groups"].as_array().unwrap().iter().map(|group| group["betti"].as_u64().unwrap()).collect();
+    assert_eq!(betti, [1, 0, 0, 0]);
+    let page = coface(&by);
+    assert!(page.stdout.contains("stacked"), "{}", page.stdout);
 }

@@ -253,3 +253,16 @@ fn generators_of_real_files_check_out() {
     }
     assert!(names.len() >= 15);
 }
+
+/// A triangle on a box bounds itself, not all that lies around it.
+#[test]
+fn what_a_cycle_bounds_is_short() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("box.off");
+    let made = ["generate", "box", "--shape", "4,4,4", "--boundary", "-o", argument(&path)];
+    assert_eq!(coface(&made).status, 0);
+    for cycle in ["0 1; 1 6; 6 0", "0 5; 5 30; 30 0"] {
+        let answer = coface(&["homology", argument(&path), "--cycle", cycle, "--json"]).json();
+        assert_eq!(answer["cycles"][0]["bounding"].as_array().unwrap().len(), 1, "{answer}");
+    }
+}

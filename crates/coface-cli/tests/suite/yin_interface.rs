@@ -127,3 +127,31 @@ fn labels_of_an_image_are_phases() {
     let said = coface(&["yin", "interface", argument(&wrong), "--quiet"]);
     assert!(said.fails_with(1).contains("ends before its last pixel"));
 }
+
+/// An array of NumPy of format 1.0 with these rows of bytes.
+fn npy(rows: &[&[u8]]) -> Vec<u8> {
+    let header =
+        format!("{{'descr': '|u1', 'fortran_order': False, 'shape': ({}, {}), }}", rows.len(), rows[0].len());
+    let padding = 64 - (10 + header.len() + 1) % 64;
+    let header = format!("{header}{}\n", " ".repeat(padding));
+    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+    bytes.extend((header.len() as u16).to_le_bytes());
+    bytes.extend(header.as_bytes());
+    rows.iter().for_each(|row| bytes.extend_from_slice(row));
+    bytes
+}
+
+#[test]
+fn arrays_of_labels_are_images() {
+    let folder = TempDir::new().unwrap();
+    let labels = folder.path().join("labels.npy");
+    std::fs::write(&labels, npy(&[&[7, 7, 0], &[7, 3, 3]])).unwrap();
+    let found = interface(&[argument(&labels)]);
+    let image = file(&folder, "labels.pgm", "P2 3 2 9\n7 7 0\n7 3 3\n");
+    let same = interface(&[argument(&image)]);
+    assert_eq!((&found["phases"], &found["edges"]), (&same["phases"], &same["edges"]));
+    assert_eq!(found["phases"][1]["area"], json!(3.0));
+    let one = folder.path().join("line.npy");
+    std::fs::write(&one, b"\x93NUMPY\x01\x00damaged").unwrap();
+    assert_eq!(coface(&["yin", "interface", argument(&one)]).status, 1);
+}

@@ -10,7 +10,7 @@ use crate::remarks::{accept, say_remarks, take};
 use clap::{Args, ValueEnum};
 use coface::answers::answer::{JunctionKind, YinInterfaceAnswer};
 use coface::answers::{LabelImage, NamedSet, PlanarInterface, PlanarSet, text};
-use coface::io::{Format, StagedFiles};
+use coface::io::{Format, NumberTable, StagedFiles};
 use coface::yin::{InterfaceOptions, Overlaps};
 use std::path::{Path, PathBuf};
 
@@ -20,7 +20,7 @@ const LISTED: usize = 20;
 /// The interface of sets that lie side by side: its arcs, junctions and phases, with areas, lengths and neighbors.
 ///
 /// Each file is a phase; a single file of polygons (GeoJSON, WKT, ..) gives one for each feature, and an image
-/// of labels (.pgm) one for each value but 0, its pixels as unit squares from the lower left corner. What is in no set is in no phase. Sets may
+/// of labels (.pgm, or .npy of two axes) one for each value but 0, its pixels as unit squares from the lower left corner. What is in no set is in no phase. Sets may
 /// have different knots where they meet, but their common arcs must be the same: what two sets have in common is an error, unless
 /// --overlaps gives it to one of them.
 ///
@@ -125,11 +125,16 @@ impl Interface {
         let mut sets = Vec::new();
         for path in &self.inputs {
             let name = input::name(path);
-            if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pgm")) {
+            let ends_in = |word: &str| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(word));
+            if ends_in("pgm") || ends_in("npy") {
                 progress.stage(format!("reading {name}"));
-                let found = std::fs::read(path).map_err(coface::Error::from);
-                let found =
-                    found.and_then(|bytes| LabelImage::read_pgm(&bytes)).and_then(|image| image.sets());
+                let image = match ends_in("npy") {
+                    true => NumberTable::read_path(path).and_then(|table| LabelImage::of_table(&table)),
+                    false => std::fs::read(path)
+                        .map_err(coface::Error::from)
+                        .and_then(|bytes| LabelImage::read_pgm(&bytes)),
+                };
+                let found = image.and_then(|image| image.sets());
                 sets.extend(found.map_err(|error| error.in_file(name.clone()))?);
                 continue;
             }
