@@ -11,6 +11,7 @@ pub(crate) use cut_cells::CutCells;
 pub(crate) use interface::{_feature_sets, _interface, _label_sets, Interface};
 pub(crate) use kinks::Kinks;
 
+use self::flow::UserFlow;
 use crate::answer::answer;
 use crate::arrangement::{formula, named_format, rule_of};
 use crate::arrays;

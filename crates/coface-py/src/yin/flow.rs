@@ -67,7 +67,7 @@ fn takes(function: &Bound<'_, PyAny>, count: usize) -> PyResult<bool> {
     let Ok(signature) = py.import("inspect")?.call_method1("signature", (function,)) else {
         return Ok(count == 3);
     };
-    let arguments = pyo3::types::PyTuple::new(py, vec![py.None(); count])?;
+    let arguments = pyo3::types::PyTuple::new(py, (0..count).map(|_| py.None()).collect::<Vec<_>>())?;
     Ok(signature.call_method1("bind", arguments).is_ok())
 }
 
