@@ -232,6 +232,19 @@ export interface CongruenceInput {
   file: string;
 }
 
+/** What congruence did: polygons, each cut in its own plane, that were stacked and brought together. */
+export interface CongruentSheets {
+  /**
+   * The largest distance of two vertices that became one, in the unit of the inputs: far below the tolerance if that was
+   * chosen well.
+   */
+  largest_class_diameter: number;
+  /** The numbers of vertices, edges and faces of all polygons, each cut by itself. */
+  stacked_f_vector: [number, number, number];
+  /** The distance within which vertices became one, in the unit of the inputs. */
+  tolerance: number;
+}
+
 /** A file written from another one. */
 export interface ConvertAnswer {
   /** How much was written. */
@@ -1871,6 +1884,8 @@ export interface SpaceAnswer {
 export interface SpatialArrangementAnswer {
   /** The number of connected components of all faces. */
   components: number;
+  /** What congruence put together; with `--method congruence` only. */
+  congruence?: CongruentSheets | null;
   /** The number of faces with one cell, or the exterior, on both sides. */
   dangling_faces: number;
   /** The polygons without area, which are left out. */
