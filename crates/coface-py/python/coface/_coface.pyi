@@ -2725,7 +2725,7 @@ class SpatialArrangement:
         ...
     def chain_complex(self) -> ChainComplex:
         """The chain complex of vertices, edges, faces and bounded cells, refined until each is a ball: its homology is that of
-        the union of all faces and bounded cells.
+        the union of all faces and bounded cells. Those found by congruence are as they are.
         """
         ...
     def graph(self) -> CellGraph:
@@ -3382,7 +3382,8 @@ class YinSet:
         ----------
         flow : str or callable
             ``"vortex"``, ``"deformation"``, ``"rotation"``, ``"translation"``, two expressions of x, y, t and T (the period) as in
-            ``"-y*cos(pi*t/T); x*cos(pi*t/T)"``, or a function of (x, y, t) that gives a velocity.
+            ``"-y*cos(pi*t/T); x*cos(pi*t/T)"``, or a function. One of (points, t) gets an array of shape (n, 2) and gives one of velocities,
+            all at once; one of (x, y, t) gives the velocity of one point, and is called for each. The first call tells which it is.
         end : float, optional
             The time at the end; the period, or 1.
         step : float, optional
@@ -3485,6 +3486,11 @@ def arrange(models: Any, *, dimension: int | None = None, rule: str | None = Non
         In the plane, whether lines that end where they begin are rings of polygons.
     tolerance : float, optional
         Vertices, edges, in space faces and planes too, at most so far apart are put together, in the unit of the inputs.
+    weld : float, optional
+        Before anything else, vertices of each model that are at most so far apart are merged; none moves farther.
+    method : {"exact", "congruence"}, optional
+        In space, how cells are found: ``"congruence"`` cuts each polygon in its own plane, in rounded numbers, and what is within
+        ``tolerance`` of each other becomes one.
     max_cells : int, optional
         More cells than this are refused.
     split : bool
@@ -3544,6 +3550,8 @@ def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: 
         In the plane, whether lines that end where they begin are rings of polygons.
     tolerance : float, optional
         Vertices, edges, in space faces and planes too, at most so far apart are put together, in the unit of the inputs.
+    weld : float, optional
+        Before anything else, vertices of each model that are at most so far apart are merged; none moves farther.
     max_cells : int, optional
         More cells than this are refused.
     split : bool

@@ -9,7 +9,8 @@ import numpy as np
 
 from coface import _coface
 from coface._coface import Interface, YinSet
-from coface._faults import in_words, raise_invalid
+from coface._arrays import raise_invalid
+from coface._faults import in_words
 from coface._models import as_model
 from coface._records import asked
 
@@ -63,7 +64,7 @@ def interface(
     """
     named = _named_sets(x, order)
     found: Interface = asked(
-        "_interface",
+        "interface",
         [str(name) for name, _ in named],
         [set for _, set in named],
         overlaps,

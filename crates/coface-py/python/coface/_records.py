@@ -54,7 +54,8 @@ MAKERS: dict[str, Callable[..., Any]] = {
     "Surface.cover": Surface.cover,
     "Surface.cut": Surface.cut,
     "YinSet.cut_cells": YinSet.cut_cells,
-    **{name: getattr(_coface, name) for name in ("_chains", "_curve", "_group", "_interface", "_model", "_report", "_surface", "_yin_set")},
+    "interface": _coface._interface,
+    **{name: getattr(_coface, name) for name in ("_chains", "_curve", "_group", "_model", "_report", "_surface", "_yin_set")},
     **{name: getattr(_coface, name) for name in ("arrange", "boolean", "congruence", "persistence", "rips")},
 }
 #: Classes whose answers are asked for again.
