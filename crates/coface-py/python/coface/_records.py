@@ -176,7 +176,7 @@ def read_back(value: Any) -> Any:
 
 
 #: The makers whose answers remember how they were made.
-RECIPES = ("arrange", "boolean", "congruence", "cubical", "persistence", "rips", "Surface.cocycles", "Surface.cover", "Surface.cut", "YinSet.cut_cells")
+RECIPES = ("interface", "arrange", "boolean", "congruence", "persistence", "rips", "Surface.cocycles", "Surface.cover", "Surface.cut", "YinSet.cut_cells")
 #: The methods among them as they are compiled.
 _TOLD: dict[str, Callable[..., Any]] = {name: maker for name, maker in MAKERS.items() if name.startswith(("Surface.", "YinSet."))}
 
