@@ -67,7 +67,8 @@ pub use signatures::SignatureRequest;
 pub use simplices::{model_of_simplices, simplicial_complex};
 pub use simplification::{SimplifiedManifold, gluing_model};
 pub use spatial::{
-    CongruentScene, InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene,
+    CongruentScene, InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest,
+    SpatialScene,
 };
 pub use surface_model::{
     CutComponent, CutRequest, CutSeam, LayoutChoice, PlacedCover, SurfaceCover, SurfaceCut, SurfaceModel,

@@ -14,8 +14,9 @@ use coface::answers::answer::{
     SpatialArrangementAnswer,
 };
 use coface::answers::{
-    ArrangementRequest, BooleanRequest, CongruentScene, DrawingArrangement, DrawingOptions, PlanarDrawing, RegionBoolean,
-    RegionSource, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene, are_planar, welded,
+    ArrangementRequest, BooleanRequest, CongruentScene, DrawingArrangement, DrawingOptions, PlanarDrawing,
+    RegionBoolean, RegionSource, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene,
+    are_planar, welded,
 };
 use coface::arrange::boolean::{BooleanFormula, InsideRule};
 use coface::arrange::spatial::NonPlanar;
@@ -227,8 +228,7 @@ fn welded_models(py: Python<'_>, models: Named, radius: Option<f64>) -> PyResult
     let Some(radius) = radius else { return Ok(models) };
     run(py, None, || {
         let merged = models.into_iter().map(|(name, source)| {
-            let (model, done) =
-                welded(&source.model, radius).map_err(|error| error.in_file(name.clone()))?;
+            let (model, done) = welded(&source.model, radius).map_err(|error| error.in_file(name.clone()))?;
             Ok((name, Source::new(model.with_remarks(done.remark()))))
         });
         merged.collect::<Result<Named, Error>>()

@@ -56,9 +56,10 @@ pub use homology::{
 pub use incidence::IncidenceAnswer;
 
 pub use arrange::{
-    AttributeColumn, CongruentSheets, DegeneratePolygons, DrawingInput, InsideMethod, JoinedFeatures, PlanarArrangementAnswer,
-    PlanarArrangementProvenance, PlanarRounding, RoundingRepair, SpatialArrangementAnswer,
-    SpatialArrangementProvenance, SpatialInput, SpatialRounding, SplitPolygons, VertexOrigin,
+    AttributeColumn, CongruentSheets, DegeneratePolygons, DrawingInput, InsideMethod, JoinedFeatures,
+    PlanarArrangementAnswer, PlanarArrangementProvenance, PlanarRounding, RoundingRepair,
+    SpatialArrangementAnswer, SpatialArrangementProvenance, SpatialInput, SpatialRounding, SplitPolygons,
+    VertexOrigin,
 };
 pub use batch::{BatchAnswer, RowAnswer};
 pub use boolean::{

@@ -214,11 +214,13 @@ fn merged(
     (dimension, given): (usize, &[f64]),
     class_of: &[u32],
 ) -> Result<(Model, usize), Error> {
-    let kept: Vec<u32> = (0..).zip(class_of).filter(|(vertex, class)| vertex == *class).map(|(v, _)| v).collect();
+    let kept: Vec<u32> =
+        (0..).zip(class_of).filter(|(vertex, class)| vertex == *class).map(|(v, _)| v).collect();
     let mut number_of = vec![0; class_of.len()];
     (0u32..).zip(&kept).for_each(|(number, &vertex)| number_of[vertex as usize] = number);
     let number = |vertex: u32| number_of[class_of[vertex as usize] as usize];
-    let renumbered = |corners: &[u32]| -> Vec<u32> { corners.iter().map(|&v| number_of[v as usize]).collect() };
+    let renumbered =
+        |corners: &[u32]| -> Vec<u32> { corners.iter().map(|&v| number_of[v as usize]).collect() };
     for (cell, corners) in parts.cells.iter().enumerate() {
         let mut own: Vec<u32> = corners.iter().map(|&vertex| class_of[vertex as usize]).collect();
         own.sort_unstable();

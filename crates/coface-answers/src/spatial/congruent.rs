@@ -16,9 +16,7 @@ use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, FaceId};
 use coface_algebra::{RaggedArray, SparseMatrix};
 use coface_arrange::boolean::InsideRule;
-use coface_arrange::spatial::{
-    CongruenceArrangement, Crossings, SpatialPolygons, arrange_by_congruence,
-};
+use coface_arrange::spatial::{CongruenceArrangement, Crossings, SpatialPolygons, arrange_by_congruence};
 use coface_geometry::Positions;
 use coface_io::{CellData, Group, GroupKind, Model};
 
@@ -256,7 +254,8 @@ impl CongruentScene {
     pub fn provenance(&self) -> SpatialArrangementProvenance {
         let sources = |face: usize| {
             let own = self.arranged.polygons_of_face(FaceId::new(face)).map(|(polygon, sign)| {
-                let source = [self.scene.input_of_polygon()[polygon], self.scene.source_of_polygon()[polygon]];
+                let source =
+                    [self.scene.input_of_polygon()[polygon], self.scene.source_of_polygon()[polygon]];
                 let [input, number] = source.map(i64::from);
                 [input, number, i64::from(sign.to_i32())]
             });
@@ -305,7 +304,8 @@ impl CongruentScene {
     /// ```
     pub fn to_mesh(&self, groups: bool) -> Result<Model, Error> {
         if let Some(pair) = self.face_of_walk.windows(2).find(|pair| pair[0] == pair[1]) {
-            let message = format!("face {} of the arrangement has a hole, which no polygon of a mesh has", pair[0]);
+            let message =
+                format!("face {} of the arrangement has a hole, which no polygon of a mesh has", pair[0]);
             return Err(Error::new(ErrorKind::UnsupportedFormat, message)
                 .with_cure("write .json, which keeps cells as they are"));
         }

@@ -74,7 +74,11 @@ impl Inputs {
     }
 
     /// So many models as chains of faces: rows are faces, columns models.
-    pub(super) fn of_chains(count: usize, complex: &ChainComplex, chains: &SparseMatrix) -> Result<Self, Error> {
+    pub(super) fn of_chains(
+        count: usize,
+        complex: &ChainComplex,
+        chains: &SparseMatrix,
+    ) -> Result<Self, Error> {
         let mut rims = vec![None; count];
         for rim in InputRim::of_inputs(complex, chains)? {
             let input = rim.input();

@@ -2,8 +2,10 @@
 
 use super::arranged::Arranged;
 use super::enclosed::turned_parts;
+use super::facts::{
+    component_count, dangling_face_count, input_answers, input_state, products_are_zero, remarks_of_inputs,
+};
 use super::inputs::Inputs;
-use super::facts::{component_count, dangling_face_count, input_answers, input_state, products_are_zero, remarks_of_inputs};
 use super::{InputState, OpenInputs, SpatialRequest, SpatialScene};
 use crate::answer::{
     DegeneratePolygons, JoinedFeatures, Place, Remark, RemarkCode, SpatialArrangementAnswer, SpatialInput,

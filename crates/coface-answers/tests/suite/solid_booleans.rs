@@ -7,8 +7,7 @@ use coface_algebra::RaggedArray;
 use coface_algebra::{CellId, ErrorKind};
 use coface_answers::answer::{BoundaryVerdict, InsideMethod, RemarkCode};
 use coface_answers::{
-    InputState, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene,
-    welded,
+    InputState, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene, welded,
 };
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
 use coface_arrange::spatial::NonPlanar;

@@ -204,14 +204,15 @@ fn the_commands_of_the_page_print_what_stands_there() {
 fn bond(path: &Path) {
     let mut text = String::new();
     let mut first = 1;
-    let (sine, cosine) = 0.523_598_775_598_298_9_f64.sin_cos();
+    let (sine, cosine) = std::f64::consts::FRAC_PI_6.sin_cos();
     for number in 0..8 {
         let (column, row) = (number % 4, number / 4);
         let low = [4.0 * f64::from(column) + 2.0 * f64::from(row % 2), 3.0 * f64::from(row), 0.0];
         let high = [low[0] + 4.0, low[1] + 3.0, 2.5];
         writeln!(text, "o room{number}").unwrap();
         for corner in 0..8 {
-            let [x, y, z] = [0, 1, 2].map(|axis| if corner >> axis & 1 == 1 { high[axis] } else { low[axis] });
+            let [x, y, z] =
+                [0, 1, 2].map(|axis| if corner >> axis & 1 == 1 { high[axis] } else { low[axis] });
             writeln!(text, "v {:?} {:?} {z:?}", x * cosine - y * sine, x * sine + y * cosine).unwrap();
         }
         for face in [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]] {
@@ -229,7 +230,8 @@ fn rooms_in_bond_are_one_cell_each_by_congruence() {
     let path = folder.path().join("bond.obj");
     bond(&path);
     let (mesh, chains) = (folder.path().join("cells.obj"), folder.path().join("cells.json"));
-    let by = ["arrange", argument(&path), "--inputs", "objects", "--method", "congruence", "--tolerance", "1e-6"];
+    let by =
+        ["arrange", argument(&path), "--inputs", "objects", "--method", "congruence", "--tolerance", "1e-6"];
     let answer = coface(&[&by[..], &["--json", "-o", argument(&mesh)]].concat()).json();
     assert_eq!(answer["f_vector"][3], json!(8));
     assert!(answer["measures"].as_array().unwrap().iter().all(|volume| is_near(volume, 30.0)));

@@ -20,8 +20,11 @@ impl UserFlow {
     /// The function is called with an array of points first. If it cannot be, or gives something of another shape, it is one of single
     /// points.
     pub(super) fn new(function: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let flow =
-            |takes_arrays| Self { function: function.clone().unbind(), takes_arrays, fault: Mutex::new(None) };
+        let flow = |takes_arrays| Self {
+            function: function.clone().unbind(),
+            takes_arrays,
+            fault: Mutex::new(None),
+        };
         let [together, single] = [2, 3].map(|count| takes(function, count));
         if !together? {
             return Ok(flow(false));

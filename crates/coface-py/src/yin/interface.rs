@@ -123,7 +123,8 @@ pub(crate) fn _interface(
     let named: Vec<NamedSet> = named.collect();
     drop(sets);
     run(py, progress, || {
-        let options = InterfaceOptions::new(PlanarInterface::order_for(&named)).smooth_angle(smooth.to_radians());
+        let options =
+            InterfaceOptions::new(PlanarInterface::order_for(&named)).smooth_angle(smooth.to_radians());
         let interface = PlanarInterface::of(named, &options, overlaps)?;
         let answer = interface.answer(&[], true)?;
         Ok(Interface { interface, answer })

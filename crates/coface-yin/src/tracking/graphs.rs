@@ -6,10 +6,10 @@ use super::{TrackingCounts, TrackingOptions};
 use crate::interface::Arcs;
 use crate::kinks::are_surely_apart;
 use crate::{Curve, DirectedEdge, InterfaceFault, InterfaceGraph, InterfaceOptions, Overlaps, YinSet};
-use rayon::prelude::*;
 use coface_algebra::progress::stage;
 use coface_algebra::{EdgeId, Error, VertexId};
 use coface_arrange::boolean::InsideRule;
+use rayon::prelude::*;
 
 /// After a repair edges go on smoothly into each other where they turn by at most this angle, in radians: those that did before turn by
 /// no more than rounding.

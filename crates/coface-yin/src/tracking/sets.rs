@@ -3,9 +3,9 @@
 use super::fronts::Fronts;
 use super::{TrackingCounts, TrackingOptions};
 use crate::{YinFault, YinSet};
-use rayon::prelude::*;
 use coface_algebra::Error;
 use coface_algebra::progress::stage;
+use rayon::prelude::*;
 
 /// A curve that became too short to have a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -88,7 +88,8 @@ fn the_vortex_with_period_eight_converges_at_order_four() {
 fn velocities_of_all_points_at_once_give_the_same_bits() {
     let flow = Flow::Vortex { period: 2.0 };
     let disk = YinSet::new(&[Curve::circle([0.5, 0.75], 0.15, 40, Order::CUBIC).unwrap()]).unwrap();
-    for scheme in [RungeKutta::Midpoint, RungeKutta::Classical, RungeKutta::Verner, RungeKutta::CooperVerner] {
+    for scheme in [RungeKutta::Midpoint, RungeKutta::Classical, RungeKutta::Verner, RungeKutta::CooperVerner]
+    {
         let options = TrackingOptions::new(0.5, 0.05, 0.02).scheme(scheme);
         let single = disk.advected(|p, t| flow.velocity(p, t), &options).unwrap();
         let mut calls = std::cell::Cell::new(0usize);

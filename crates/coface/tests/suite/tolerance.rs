@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use crate::spatial_arrangements::{Point, cuboid, moved, sorted, triangles_again, turned};
-use coface::arrange::boolean::InsideRule;
 use coface::answers::{CongruentScene, SceneArrangement, SpatialRequest, SpatialScene, welded};
+use coface::arrange::boolean::InsideRule;
 use coface::arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
 use coface::geometry::Positions;
 use coface::io::Model;
@@ -77,7 +77,8 @@ fn a_hole_in_a_face_is_counted_and_no_mesh_has_it() {
     assert!(CongruentScene::of_scene(scene(), f64::NAN).is_err());
     let mut bent = inner.positions().as_flat().to_vec();
     bent[2] += 0.25;
-    let bent = Model::from_polygons(Positions::from_flat(3, bent).unwrap(), inner.polygons().clone()).unwrap();
+    let bent =
+        Model::from_polygons(Positions::from_flat(3, bent).unwrap(), inner.polygons().clone()).unwrap();
     let scene = SpatialScene::of([("a", &outer), ("bent", &bent)], true).unwrap();
     let error = CongruentScene::of_scene(scene, TOLERANCE).unwrap_err().to_string();
     assert!(error.starts_with("bent: polygon ") && error.contains("not flat"), "{error}");

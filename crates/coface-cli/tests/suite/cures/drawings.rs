@@ -117,10 +117,13 @@ pub(super) const CASES: &[Case] = &[
         .files(CRACK)
         .refused("coface boolean union crack.off")
         .cured(&[&["coface boolean union crack.off --weld 2.23e-16"]]),
-    Case::new("commands/arrange/planar.rs", "--method is for cells in space, and the inputs lie in the plane")
-        .with(&[("edge.lines", "0,0,1,0\n")])
-        .refused("coface arrange edge.lines --method exact")
-        .cured(&[&["coface arrange edge.lines"]]),
+    Case::new(
+        "commands/arrange/planar.rs",
+        "--method is for cells in space, and the inputs lie in the plane",
+    )
+    .with(&[("edge.lines", "0,0,1,0\n")])
+    .refused("coface arrange edge.lines --method exact")
+    .cured(&[&["coface arrange edge.lines"]]),
     Case::new("arrange/spatial.rs", "is for the exact method, not for --method congruence")
         .files(CRACK)
         .refused("coface arrange crack.off --method congruence --tolerance 1e-9 --snap")
