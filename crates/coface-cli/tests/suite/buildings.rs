@@ -247,7 +247,9 @@ fn rooms_in_bond_are_one_cell_each_by_congruence() {
     inside.sort_unstable();
     assert_eq!(inside, [0, 1, 2, 3, 4, 5, 6, 7]);
     assert!(answer["congruence"]["largest_class_diameter"].as_f64().unwrap() < 1e-12);
-    assert_eq!(std::fs::read_to_string(&mesh).unwrap().matches("cell_").count(), 8);
+    let walls = std::fs::read_to_string(&mesh).unwrap();
+    let is_named = |cell: usize| walls.contains(&format!("cell_{cell}"));
+    assert!((0..8).all(is_named) && !is_named(8));
     // The cells go in again, and have the homology of a slab.
     assert_eq!(coface(&[&by[..], &["-o", argument(&chains)]].concat()).status, 0);
     let homology = coface(&["homology", argument(&chains), "--json"]).json();

@@ -43,7 +43,8 @@ fn every_line_has_a_row_and_bad_ones_stop_nothing() {
         assert_eq!(found[1][key], info[key], "{key}");
     }
     let strict = coface(&["batch", argument(&list), "-o", argument(&out), "--strict"]);
-    assert!(strict.fails_with(1).contains("2 of 7 rows are errors"));
+    assert_eq!(strict.status, 1);
+    assert!(strict.stderr.contains("2 of 7 rows are errors"), "{}", strict.stderr);
     let whole =
         coface(&["batch", argument(&list), "-o", argument(&out), "--pseudomanifold", "--json"]).json();
     assert_eq!(whole["files"], 7);

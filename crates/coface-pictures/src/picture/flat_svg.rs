@@ -60,7 +60,8 @@ impl Part {
             let _ = write!(style, " fill-opacity=\"{:.2}\"", self.opacity);
         }
         if let Some(stroke) = self.stroke {
-            let _ = write!(style, " stroke=\"{}\" stroke-width=\"{}\"", hex(stroke.color), stroke.width);
+            let width = (1e3 * stroke.width).round() / 1e3;
+            let _ = write!(style, " stroke=\"{}\" stroke-width=\"{width}\"", hex(stroke.color));
             if stroke.opacity < 1.0 {
                 let _ = write!(style, " stroke-opacity=\"{}\"", stroke.opacity);
             }
