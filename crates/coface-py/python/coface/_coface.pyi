@@ -1335,6 +1335,88 @@ class HomologyGroup:
     def __repr__(self) -> str: ...
 
 @final
+class Interface:
+    """Sets of the plane as phases that share the arcs between them: edges, junctions, areas, lengths and neighbors.
+
+    Made by :func:`interface`.
+    """
+    def _repr_html_(self) -> str: ...
+    def plot(self, **options: Any) -> Any:
+        """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
+    @property
+    def order(self) -> int:
+        """The order of the edges."""
+        ...
+    @property
+    def phases(self) -> list[dict[str, Json]]:
+        """For each phase ``name``, ``area``, ``perimeter``, ``components``, ``holes`` and ``neighbors``."""
+        ...
+    @property
+    def vertices(self) -> list[list[float]]:
+        """The positions of the vertices, a list of [x, y]."""
+        ...
+    @property
+    def edges(self) -> list[dict[str, Json]]:
+        """For each edge ``ends``, the phases on its ``left`` and ``right`` (``None`` outside), ``length``, ``pieces``, ``knots`` and ``controls``."""
+        ...
+    @property
+    def junctions(self) -> list[dict[str, Json]]:
+        """For each junction ``vertex``, ``point``, ``degree``, ``smooth_pairs``, ``kind``, and ``edges`` and ``phases`` counterclockwise."""
+        ...
+    @property
+    def length(self) -> float | None:
+        """The length of all edges, each once; ``None`` where it overflows."""
+        ...
+    @property
+    def remarks(self) -> list[dict[str, Json]]:
+        """What was assumed or left out."""
+        ...
+    @property
+    def names(self) -> list[str]:
+        """The names of the phases."""
+        ...
+    @property
+    def areas(self) -> list[float]:
+        """The areas of the phases; ``inf`` for one that is not bounded."""
+        ...
+    @property
+    def lengths(self) -> list[float]:
+        """The lengths of the edges."""
+        ...
+    @property
+    def neighbors(self) -> list[tuple[int, int, float]]:
+        """Pairs of phases that have an edge in common, the lower number first, with the length of their common edges.
+
+        Returns
+        -------
+        list of (int, int, float)
+            What lies outside of all phases is no phase.
+        """
+        ...
+    def sets(self) -> list[YinSet]:
+        """The phases as sets, in their order; neighbors have the same pieces along their common edges.
+
+        Returns
+        -------
+        list of YinSet
+            They give the same interface again.
+        """
+        ...
+    def __len__(self) -> int: ...
+    def to_dict(self) -> dict[str, Json]:
+        """The answer as a dictionary, in the words of the program's JSON, and how it was made: ``recipe``, which ``from_dict`` reads."""
+        ...
+    @classmethod
+    def from_dict(cls, facts: Mapping[str, Any]) -> Interface:
+        """The answer that ``to_dict()`` wrote."""
+        ...
+    def __hash__(self) -> int: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __repr__(self) -> str: ...
+
+@final
 class Kinks:
     """The kinks of a set: knots where its boundary may turn, with names that stay.
 
@@ -1822,6 +1904,20 @@ class Model:
         ------
         NonManifoldError
             If it is not a surface; ``.cells`` has the edge or vertex that shows it.
+        """
+        ...
+    def welded(self, radius: float, *, progress: _Progress = ...) -> Model:
+        """The model with vertices merged that are at most ``radius`` apart; none moves farther, and the order of vertices does not matter.
+
+        Parameters
+        ----------
+        radius : float
+            A length in the unit of the positions; 0 merges equal positions.
+
+        Returns
+        -------
+        Model
+            Polygons without enough corners are left out; a remark says what was merged.
         """
         ...
     def repaired(self, *, split_edges: str | None = None, split_vertices: bool = False, orient: bool = False, keep_repeated: bool = False, progress: _Progress = ...) -> tuple[Model, NDArray[np.int64]]:
@@ -2713,6 +2809,10 @@ class SpatialArrangement:
     def remarks(self) -> list[Remark]:
         """What was assumed or left out."""
         ...
+    @property
+    def congruence(self) -> dict[str, Json] | None:
+        """What congruence put together, with ``method="congruence"``."""
+        ...
     def to_dict(self) -> dict[str, Json]:
         """The answer as a dictionary, in the words of the program's JSON, and how it was made: ``recipe``, which ``from_dict`` reads."""
         ...
@@ -3375,7 +3475,7 @@ class YinSet:
             The part of each cell that the set covers.
         """
         ...
-    def advected(self, flow: str | Callable[[float, float, float], Sequence[float]], end: float | None = None, *, step: float | None = None, spacing: float | None = None, period: float = 4.0, vortices: int = 4, velocity: Sequence[float] = ..., center: Sequence[float] = ..., speed: float = 1.0, verify: str = "each-step", repair: str | None = None, scheme: str | None = None, least_ratio: float = 0.1, turn: float | None = None, keep_small: bool = False, progress: _Progress = ...) -> tuple[YinSet, dict[str, Json]]:
+    def advected(self, flow: str | Callable[..., Any], end: float | None = None, *, step: float | None = None, spacing: float | None = None, period: float = 4.0, vortices: int = 4, velocity: Sequence[float] = ..., center: Sequence[float] = ..., speed: float = 1.0, verify: str = "each-step", repair: str | None = None, scheme: str | None = None, least_ratio: float = 0.1, turn: float | None = None, keep_small: bool = False, progress: _Progress = ...) -> tuple[YinSet, dict[str, Json]]:
         """The set after it moved with a flow.
 
         Parameters
@@ -3458,7 +3558,7 @@ class _Memory:
     """Keeps memory of the library alive as long as an array looks at it."""
     ...
 
-def arrange(models: Any, *, dimension: int | None = None, rule: str | None = None, features: bool = False, inputs: str | None = None, prune: bool = False, snap: bool = False, exact: bool = False, grid: float | None = None, close: bool = False, tolerance: float | None = None, max_cells: int | None = None, split: bool = True, merge_coplanar: bool = True, progress: _Progress = ...) -> PlanarArrangement | SpatialArrangement:
+def arrange(models: Any, *, dimension: int | None = None, rule: str | None = None, features: bool = False, inputs: str | None = None, prune: bool = False, snap: bool = False, exact: bool = False, grid: float | None = None, close: bool = False, tolerance: float | None = None, weld: float | None = None, method: str | None = None, max_cells: int | None = None, split: bool = True, merge_coplanar: bool = True, progress: _Progress = ...) -> PlanarArrangement | SpatialArrangement:
     """What segments cut the plane into, or polygons space, exactly.
 
     Parameters
@@ -3520,7 +3620,7 @@ def graphml(graph: str) -> str:
         The text of the file.
     """
     ...
-def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: str | None = None, features: bool = False, inputs: str | None = None, keep_walls: bool = False, snap: bool = False, exact: bool = False, grid: float | None = None, close: bool = False, tolerance: float | None = None, max_cells: int | None = None, split: bool = True, merge_coplanar: bool = True, triangles: bool | None = None, open: str = "refuse", split_pinches: bool = False, progress: _Progress = ...) -> PlanarBoolean | SolidBoolean:
+def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: str | None = None, features: bool = False, inputs: str | None = None, keep_walls: bool = False, snap: bool = False, exact: bool = False, grid: float | None = None, close: bool = False, tolerance: float | None = None, weld: float | None = None, max_cells: int | None = None, split: bool = True, merge_coplanar: bool = True, triangles: bool | None = None, open: str = "refuse", split_pinches: bool = False, progress: _Progress = ...) -> PlanarBoolean | SolidBoolean:
     """Combines regions of the plane, or solids, exactly.
 
     Parameters
@@ -3882,6 +3982,9 @@ def cubical(values: NDArray[Any], *, construction: str = "t", superlevel: bool =
     """
     ...
 def _values_of_volume(path: str | os.PathLike[str]) -> NDArray[np.float64] | None: ...
+def _interface(names: Sequence[str], sets: Sequence[YinSet], overlaps: str, smooth: float, progress: _Progress = ...) -> Interface: ...
+def _label_sets(width: int, labels: Sequence[int]) -> list[tuple[str, YinSet]]: ...
+def _feature_sets(model: Model, order: int | None = None) -> list[tuple[str, YinSet]] | None: ...
 def fundamental_groups(model: Any, *, simplify: bool = True, base: int | None = None, time_limit: float | None = None, progress: _Progress = ...) -> list[FundamentalGroup]:
     """The fundamental groups of the components of a complex.
 
@@ -3904,15 +4007,15 @@ def fundamental_groups(model: Any, *, simplify: bool = True, base: int | None = 
         One for each component.
     """
     ...
-def render(model: Any, format: str = "svg", *, results: Sequence[Any] = ..., size: tuple[int, int] = ..., camera: Sequence[float] | None = None, up: Sequence[float] | None = None, perspective: float | None = None, edges: bool | None = None, dark: bool = False, witness: bool = False, title: str = "model", progress: _Progress = ...) -> bytes:
-    """A still picture of a model, hidden lines removed.
+def render(model: Any, format: str = "svg", *, results: Sequence[Any] = ..., size: tuple[int, int] = ..., camera: Sequence[float] | None = None, up: Sequence[float] | None = None, perspective: float | None = None, edges: bool | None = None, dark: bool = False, transparent: bool = False, line_width: float | None = None, edge_width: float | None = None, label: Sequence[str] = ..., spin: int | None = None, witness: bool = False, title: str = "model", progress: _Progress = ...) -> bytes:
+    """A still picture of a model, hidden lines removed, or an animation.
 
     Parameters
     ----------
     model : Model, Complex or ChainComplex
         What is shown.
-    format : {"svg", "png"}
-        The format.
+    format : {"svg", "png", "pdf"}
+        The format; PDF has vectors, a pixel is 0.75 points.
     results : sequence of dict
         Answers to be shown over it, as ``to_dict()`` gives them.
     size : (int, int)
@@ -3927,6 +4030,14 @@ def render(model: Any, format: str = "svg", *, results: Sequence[Any] = ..., siz
         Whether edges are drawn; if left out, where they can be distinguished.
     dark : bool
         Whether the background is dark.
+    transparent : bool
+        Whether what lies behind the picture shows through, in place of a background.
+    line_width, edge_width : float, optional
+        The widths of the lines of answers and of edges, in points; 2.25 and 0.45 if left out.
+    label : sequence of {"vertices", "edges", "faces"}
+        Cells whose numbers are written beside them.
+    spin : int, optional
+        So many frames, in which the model turns once about what is up: an animated PNG, 24 frames a second.
     witness : bool
         Whether what is wrong is marked.
     title : str
@@ -4174,8 +4285,10 @@ def _in_python(message: str) -> str: ...
 def _batch_lines(files: Sequence[str | os.PathLike[str]], options: Mapping[str, Any], progress: _Progress = ...) -> list[str]: ...
 def _batch_write(files: Sequence[str | os.PathLike[str]], out: str | os.PathLike[str], options: Mapping[str, Any], progress: _Progress = ...) -> tuple[int, dict[str, int], int]: ...
 def _signatures_write(files: Sequence[str | os.PathLike[str]], out: str | os.PathLike[str], groups: bool, pseudomanifold: bool, jobs: int | None, progress: _Progress = ...) -> tuple[int, dict[str, int], int]: ...
+@final
 class _SignatureRows:
-    def __init__(self, files: Sequence[str | os.PathLike[str]], groups: bool, pseudomanifold: bool, jobs: int | None) -> None: ...
+    """The rows of lists of signatures as lines of JSON, as they are asked for."""
+    def __new__(cls, files: Sequence[str | os.PathLike[str]], groups: bool, pseudomanifold: bool, jobs: int | None) -> _SignatureRows: ...
     def __iter__(self) -> _SignatureRows: ...
     def __next__(self) -> str: ...
 def _replace_file(path: str | os.PathLike[str], data: bytes) -> None: ...
