@@ -98,3 +98,13 @@ pub(crate) fn give(common: &Common, object: &(impl Serialize + ?Sized), page: &s
         (false, None) => print_text(page),
     }
 }
+
+/// A long word without blanks as pages show it: its beginning, and how long it is.
+pub(crate) fn beginning(word: &str) -> String {
+    const SHOWN: usize = 72;
+    if word.len() <= SHOWN {
+        return word.to_owned();
+    }
+    let start: String = word.chars().take(SHOWN - 12).collect();
+    format!("{start}.. ({} letters; --json has all)", word.chars().count())
+}

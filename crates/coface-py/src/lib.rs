@@ -8,6 +8,7 @@ mod answer;
 mod arrangement;
 mod arrays;
 mod batch;
+mod certificates;
 mod chain;
 mod chain_complex;
 mod complex;
@@ -65,6 +66,8 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<surface::Cover>()?;
     module.add_class::<surface::Cocycles>()?;
     module.add_class::<pi1::FundamentalGroup>()?;
+    module.add_function(wrap_pyfunction!(certificates::_certificate, module)?)?;
+    module.add_function(wrap_pyfunction!(certificates::_check, module)?)?;
     module.add_function(wrap_pyfunction!(surface::_surface, module)?)?;
     module.add_function(wrap_pyfunction!(pi1::fundamental_groups, module)?)?;
     module.add_function(wrap_pyfunction!(pi1::_group, module)?)?;

@@ -3,7 +3,7 @@
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::give;
+use crate::output::{beginning, give};
 use crate::progress::Progress;
 use clap::Args;
 use coface::answers::{isomorphic, text};
@@ -47,7 +47,7 @@ impl Isomorphic {
         }
         for (name, signature) in answer.files.iter().zip(&answer.signatures) {
             if let Some(signature) = signature {
-                facts.push(fact("signature", signature.clone(), name));
+                facts.push(fact("signature", beginning(signature), name));
             }
         }
         give(common, &answer, &text::facts(&format!("{} and {}", answer.files[0], answer.files[1]), &facts))

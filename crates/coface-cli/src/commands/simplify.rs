@@ -3,7 +3,7 @@
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{print_json, print_text};
+use crate::output::{beginning, print_json, print_text};
 use crate::progress::Progress;
 use clap::Args;
 use coface::answers::{SimplifiedManifold, text};
@@ -47,7 +47,7 @@ impl Simplify {
             fact("before", listed(&answer.f_vector_before), "vertices, edges, triangles, tetrahedra"),
             fact("now", listed(&answer.f_vector), ""),
             fact("moves", answer.moves.len().to_string(), "the homology is the same"),
-            fact("signature", answer.signature.clone(), ""),
+            fact("signature", beginning(&answer.signature), ""),
         ];
         if let (Some(name), Some(proof)) = (&answer.name, &answer.name_proof) {
             facts.push(fact("name", name.clone(), &format!("by {}", proof.replace('_', " "))));

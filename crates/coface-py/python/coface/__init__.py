@@ -75,6 +75,7 @@ from coface._coface import (
     read,
 )
 from coface._batch import BatchRow, BatchSummary, batch, signatures
+from coface._certificates import Verified, certificate, check
 from coface._chains import (
     classes,
     cup_products,
@@ -199,6 +200,7 @@ __all__ = [
     "TooLargeError",
     "UnsupportedFormatError",
     "Verdict",
+    "Verified",
     "YinSet",
     "__version__",
     "arrange",
@@ -208,6 +210,8 @@ __all__ = [
     "as_surface",
     "batch",
     "boolean",
+    "certificate",
+    "check",
     "classes",
     "classify",
     "cocycles",

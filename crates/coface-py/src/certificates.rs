@@ -1,0 +1,107 @@
+//! Certificates: proofs of answers about files, and their check by a program that shares no code with what computed them.
+
+use crate::chain_complex::ring;
+use crate::errors::{invalid, raised};
+use crate::work::run;
+use coface::Error;
+use coface::algebra::ErrorKind;
+use coface::answers::{HomologyRequest, RelativeTo, Report, ReportRequest};
+use coface::io::{Format, read_path};
+use pyo3::prelude::*;
+use std::path::{Path, PathBuf};
+
+/// The report in a certificate lists so many places of a kind.
+const PLACES: usize = 100;
+
+/// The certificate of an answer about a file, as text.
+#[pyfunction]
+#[pyo3(signature = (path, of, coefficients, cohomology, reduced, relative, generators, progress=None))]
+#[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
+pub(crate) fn _certificate(
+    py: Python<'_>,
+    path: PathBuf,
+    of: &str,
+    coefficients: &Bound<'_, PyAny>,
+    cohomology: bool,
+    reduced: bool,
+    relative: Option<PathBuf>,
+    generators: bool,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<String> {
+    let coefficients = ring(coefficients)?;
+    let is_report = match of {
+        "homology" => false,
+        "info" => true,
+        _ => {
+            let message = format!("no answer is called {of:?}");
+            return Err(invalid(py, message, "give of=\"homology\" or of=\"info\""));
+        }
+    };
+    run(py, progress, || {
+        let name = path.display().to_string();
+        let model = read_path(&path, None)?;
+        let bytes = content(&path)?;
+        if is_report {
+            let report =
+                Report::answering(model, &ReportRequest::new()).map_err(|error| error.in_file(&name))?;
+            let format = Format::from_path(&path).map_or("", Format::name);
+            return report.answer(PLACES).of_file(&name, format).certificate(&[(&name, &bytes)]);
+        }
+        let is_boundary = relative.as_deref() == Some(Path::new("boundary"));
+        let part = match relative.as_deref().filter(|_| !is_boundary) {
+            Some(part) => Some((part.display().to_string(), content(part)?, read_path(part, None)?)),
+            None => None,
+        };
+        let mut inputs: Vec<(&str, &[u8])> = vec![(&name, &bytes)];
+        let relative = match &part {
+            Some((name, bytes, model)) => {
+                inputs.push((name, bytes));
+                Some(RelativeTo::Part { name: name.clone(), model: Box::new(model.clone()) })
+            }
+            None => is_boundary.then_some(RelativeTo::Boundary),
+        };
+        let request = HomologyRequest::new()
+            .coefficients(coefficients)
+            .cohomology(cohomology)
+            .reduced(reduced)
+            .relative(relative)
+            .generators(generators)
+            .certified(true);
+        request.found(&name, model)?.certificate(&inputs)
+    })
+}
+
+/// What a certificate proves of these files, or of those that it names: their names, the claims that are proved, and the keys of the answer
+/// that were not checked.
+#[pyfunction]
+#[pyo3(signature = (certificate, inputs, progress=None))]
+pub(crate) fn _check(
+    py: Python<'_>,
+    certificate: Vec<u8>,
+    inputs: Vec<PathBuf>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<(Vec<String>, Vec<String>, Vec<String>)> {
+    let named = coface_check::input_names(&certificate).into_iter().map(PathBuf::from);
+    let inputs: Vec<PathBuf> = if inputs.is_empty() { named.collect() } else { inputs };
+    if inputs.is_empty() {
+        let error = Error::invalid("the certificate names no input");
+        return Err(raised(py, &error.with_cure("give its file: coface.check(certificate, path)")));
+    }
+    run(py, progress, || {
+        let read = inputs.iter().map(|input| content(input)).collect::<Result<Vec<_>, Error>>()?;
+        let read: Vec<&[u8]> = read.iter().map(Vec::as_slice).collect();
+        let verdict = coface_check::check(&certificate, &read)
+            .map_err(|fault| Error::invalid(format!("not verified: {fault}")))?;
+        let names = inputs.iter().map(|input| input.display().to_string()).collect();
+        Ok((names, verdict.proved().to_vec(), verdict.unchecked().to_vec()))
+    })
+}
+
+/// The bytes of a file. A certificate of a stranger may name a device, which never ends.
+fn content(path: &Path) -> Result<Vec<u8>, Error> {
+    let failed = |message: String| Error::new(ErrorKind::Io, message).in_file(path.display().to_string());
+    if !path.is_file() {
+        return Err(failed("there is no such regular file".to_owned()).with_cure("check the path"));
+    }
+    std::fs::read(path).map_err(|error| failed(format!("cannot be read: {error}")))
+}

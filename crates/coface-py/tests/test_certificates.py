@@ -1,0 +1,67 @@
+"""Certificates: what is proved of files, and what is refused."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+import coface
+
+
+@pytest.fixture
+def plane(tmp_path: Path) -> Path:
+    path = tmp_path / "plane.json"
+    coface.generate("rp2").write(path)
+    return path
+
+
+def test_groups_of_files_are_proved(plane: Path) -> None:
+    for coefficients, groups in [("z", ["Z", "Z/2", "0"]), ("f2", ["Z/2", "Z/2", "Z/2"]), ("q", ["Q", "0", "0"])]:
+        proof = coface.certificate(plane, coefficients=coefficients)
+        verified = coface.check(proof, plane)
+        assert verified["files"] == [str(plane)]
+        assert [claim.split(" = ")[1] for claim in verified["proved"]] == groups
+
+
+def test_generators_cohomology_and_pairs_are_proved(plane: Path, tmp_path: Path) -> None:
+    claims = coface.check(coface.certificate(plane, generators=True))["proved"]
+    assert any("generate these groups" in claim for claim in claims)
+    claims = coface.check(coface.certificate(plane, cohomology=True))["proved"]
+    assert "H^2 = Z/2" in claims
+    disk, edge = tmp_path / "disk.json", tmp_path / "edge.json"
+    disk.write_text("[[0,1,2],[0,2,3]]")
+    edge.write_text("[[0,1]]")
+    claims = coface.check(coface.certificate(disk, relative="boundary"))["proved"]
+    assert "relative H_2 = Z" in claims
+    claims = coface.check(coface.certificate(disk, relative=edge), disk, edge)["proved"]
+    assert "relative H_0 = 0" in claims
+
+
+def test_reports_are_proved_from_files_of_certificates(tmp_path: Path) -> None:
+    torus, proof = tmp_path / "torus.off", tmp_path / "torus.cert"
+    coface.generate("torus").write(torus)
+    proof.write_text(coface.certificate(torus, "info"))
+    verified = coface.check(proof)
+    assert "genus = 1" in verified["proved"] and "area" in verified["unchecked"]
+    assert verified == coface.check(proof.read_bytes(), torus)
+
+
+def test_what_is_not_so_is_refused(plane: Path, tmp_path: Path) -> None:
+    proof = json.loads(coface.certificate(plane))
+    proof["answer"]["homology"][1]["torsion"] = [3]
+    with pytest.raises(coface.InvalidInputError, match="not verified"):
+        coface.check(json.dumps(proof), plane)
+    other = tmp_path / "other.json"
+    other.write_text("[[0,1]]")
+    with pytest.raises(coface.InvalidInputError, match="not verified"):
+        coface.check(coface.certificate(plane), other)
+    with pytest.raises(coface.Error, match="no such regular file"):
+        coface.check(coface.certificate(plane), tmp_path / "missing.json")
+    with pytest.raises(coface.Error, match="homology"):
+        coface.certificate(plane, "pi1")  # type: ignore[arg-type]
+    with pytest.raises(coface.Error, match="no such"):
+        coface.certificate(tmp_path / "missing.json")
+    with pytest.raises(coface.Error):
+        coface.check("{}", plane)
