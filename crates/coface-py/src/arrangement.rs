@@ -10,7 +10,7 @@ use crate::objects::{text_of, to_python};
 use crate::source::Source;
 use crate::work::run;
 use coface::answers::answer::{
-    CellGraph, PlanarArrangementAnswer, PlanarBooleanAnswer, SolidBooleanAnswer, SolidBooleanProvenance,
+    PlanarArrangementAnswer, PlanarBooleanAnswer, SolidBooleanAnswer, SolidBooleanProvenance,
     SpatialArrangementAnswer,
 };
 use coface::answers::{
@@ -428,31 +428,6 @@ pub(crate) fn boolean<'py>(
         cells: OnceLock::new(),
     };
     Ok(Bound::new(py, result)?.into_any())
-}
-
-/// A graph of cells, the text of its JSON, as GraphML.
-///
-/// Parameters
-/// ----------
-/// graph : str
-///     What ``json.dumps(graph.to_dict())`` gives.
-///
-/// Returns
-/// -------
-/// str
-///     The text of the file.
-///
-/// Examples
-/// --------
-/// >>> import coface
-/// >>> coface._coface.graphml('{"inputs": [], "nodes": [], "edges": []}').count("<key ")
-/// 18
-#[pyfunction]
-pub(crate) fn graphml(py: Python<'_>, graph: &str) -> PyResult<String> {
-    let graph: Result<CellGraph, _> = serde_json::from_str(graph);
-    let graph = graph
-        .map_err(|error| invalid(py, format!("this is no graph of cells: {error}"), "give one of arrange"));
-    Ok(graph?.to_graphml())
 }
 
 /// The formula that a word or a text stands for.

@@ -17,6 +17,7 @@ mod cures;
 mod dissolve;
 mod errors;
 mod generate;
+mod graph;
 mod grids;
 mod homology;
 mod homology_facts;
@@ -95,7 +96,7 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(arrangement::boolean, module)?)?;
     module.add_function(wrap_pyfunction!(dissolve::dissolve, module)?)?;
     module.add_function(wrap_pyfunction!(maps::map_task, module)?)?;
-    module.add_function(wrap_pyfunction!(arrangement::graphml, module)?)?;
+    module.add_function(wrap_pyfunction!(graph::graphml, module)?)?;
     module.add_function(wrap_pyfunction!(yin::_curve, module)?)?;
     module.add_function(wrap_pyfunction!(yin::_yin_set, module)?)?;
     module.add_function(wrap_pyfunction!(products::classes, module)?)?;

@@ -68,7 +68,7 @@ impl Weld {
     /// let model = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
     /// let (_, done) = coface_answers::welded(&model, 0.25)?;
     /// let remark = done.remark().map(|remark| remark.message);
-    /// assert_eq!(remark.as_deref(), Some("2 vertices merged with others, which moved them by at most 1.3e-1"));
+    /// assert_eq!(remark.as_deref(), Some("2 vertices merged with others, which moved them by at most 1.2e-1"));
     /// # Ok(()) }
     /// ```
     pub fn remark(&self) -> Option<Remark> {

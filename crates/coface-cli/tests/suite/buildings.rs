@@ -253,8 +253,12 @@ fn rooms_in_bond_are_one_cell_each_by_congruence() {
     // The cells go in again, and have the homology of a slab.
     assert_eq!(coface(&[&by[..], &["-o", argument(&chains)]].concat()).status, 0);
     let homology = coface(&["homology", argument(&chains), "--json"]).json();
-    let betti: Vec<u64> =
-        homology["groups"].as_array().unwrap().iter().map(|group| group["betti"].as_u64().unwrap()).collect();
+    let betti: Vec<u64> = homology["homology"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|group| group["betti"].as_u64().unwrap())
+        .collect();
     assert_eq!(betti, [1, 0, 0, 0]);
     let page = coface(&by);
     assert!(page.stdout.contains("stacked"), "{}", page.stdout);

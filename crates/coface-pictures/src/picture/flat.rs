@@ -111,13 +111,13 @@ impl FlatPicture {
     ///
     /// # Examples
     /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
     /// use coface_pictures::{Layer, Pane, pane_picture};
     /// let mut layer = Layer::new("graph", "an edge");
     /// layer.lines.push(&[0, 1]);
     /// let mut pane = Pane::default();
     /// pane.positions = vec![[0.0, 0.0], [1.0, 0.0]];
     /// pane.layers.push(layer);
-    /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let [usual, bare] = [pane_picture(&pane), pane_picture(&pane).transparent()];
     /// assert!(usual.svg(None)?.contains("<path d=\"M0 0H"));
     /// assert!(!bare.svg(None)?.contains("<path d=\"M0 0H"));
