@@ -2,12 +2,14 @@
 
 mod cells;
 mod complexes;
+mod given;
 mod halfedges;
 mod made;
 mod pickling;
 mod reading;
 mod repairs;
 
+pub(crate) use given::source_of;
 pub(crate) use pickling::_model;
 pub(crate) use reading::{entries, format_of, read, read_options};
 
@@ -24,7 +26,6 @@ use crate::work::run;
 use cells::{
     Parts, facets_of, kind_of, kind_word, model_of_parts, permutations_of, shape_word, structure_word,
 };
-use coface::algebra::RaggedArray;
 use coface::answers::{repaired, simplicial_complex, triangulated, welded};
 use coface::complexes::cell_mesh::CellShape;
 use coface::complexes::gluing::GluingTable;
@@ -69,24 +70,6 @@ impl Model {
 
     fn model(&self) -> &io::Model {
         &self.source.model
-    }
-    /// Lists as an array that shares memory where all have one length, else as (flat, offsets), of which flat does.
-    fn lists<'py>(
-        &self,
-        py: Python<'py>,
-        lists: impl for<'a> Fn(&'a io::Model) -> &'a RaggedArray,
-        empty: usize,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let flat = shared_ids(py, &self.source, |own| lists(&own.model).items())?;
-        let lists = lists(self.model());
-        if lists.is_empty() {
-            return Ok(flat.reshape([0, empty])?.into_any());
-        }
-        if let Some(width) = lists.uniform_width().or_else(|| cells::common_length(lists)) {
-            return Ok(flat.reshape([lists.len(), width])?.into_any());
-        }
-        let offsets = (0..=lists.len()).map(|i| lists.start(i) as i64).collect();
-        Ok((flat, PyArray1::from_vec(py, offsets)).into_pyobject(py)?.into_any())
     }
 }
 
@@ -1006,21 +989,4 @@ impl Model {
         let rebuild = py.import("coface._coface")?.getattr("_model")?;
         Ok((rebuild, PyTuple::new(py, [pickling::parts(py, self)?])?))
     }
-}
-
-/// The model behind what users give as one: a model, a simplicial complex or a chain complex.
-pub(crate) fn source_of(value: &Bound<'_, PyAny>) -> PyResult<Arc<Source>> {
-    let py = value.py();
-    if let Ok(model) = value.cast::<Model>() {
-        return Ok(Arc::clone(&model.get().source));
-    }
-    if let Ok(complex) = value.cast::<Complex>() {
-        return Ok(Source::new(complex.get().to_model()));
-    }
-    if let Ok(complex) = value.cast::<ChainComplex>() {
-        let complex = complex.get().complex.as_ref().clone();
-        return Ok(Source::new(io::Model::from_structure(Structure::Chains(complex))));
-    }
-    let name = value.get_type().name()?;
-    Err(invalid(py, format!("a {name} is no model"), "give a Model, a Complex or a ChainComplex"))
 }

@@ -65,7 +65,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
         ],
     ),
     ("coface-cli", &["coface", "coface-allocator", "coface-check"]),
-    ("coface-py", &["coface", "coface-allocator"]),
+    ("coface-py", &["coface", "coface-allocator", "coface-check"]),
     ("coface-bench", &["coface"]),
 ];
 

@@ -2,12 +2,14 @@
 
 use crate::arrays;
 use crate::errors::invalid;
+use crate::memory::shared_ids;
 use coface::algebra::RaggedArray;
 use coface::complexes::cell_mesh::CellShape;
 use coface::geometry::Positions;
 use coface::io;
 use coface::io::{GroupKind, Structure};
 use coface::{Error, VertexId};
+use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 
 /// What users give as cells by kind.
@@ -162,4 +164,25 @@ pub(super) fn permutations_of(model: &io::Model) -> [&[u32]; 2] {
 pub(super) fn common_length(lists: &RaggedArray) -> Option<usize> {
     let length = lists.iter().next()?.len();
     lists.iter().all(|list| list.len() == length).then_some(length)
+}
+
+impl super::Model {
+    /// Lists as an array that shares memory where all have one length, else as (flat, offsets), of which flat does.
+    pub(super) fn lists<'py>(
+        &self,
+        py: Python<'py>,
+        lists: impl for<'a> Fn(&'a io::Model) -> &'a RaggedArray,
+        empty: usize,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let flat = shared_ids(py, &self.source, |own| lists(&own.model).items())?;
+        let lists = lists(self.model());
+        if lists.is_empty() {
+            return Ok(flat.reshape([0, empty])?.into_any());
+        }
+        if let Some(width) = lists.uniform_width().or_else(|| common_length(lists)) {
+            return Ok(flat.reshape([lists.len(), width])?.into_any());
+        }
+        let offsets = (0..=lists.len()).map(|i| lists.start(i) as i64).collect();
+        Ok((flat, PyArray1::from_vec(py, offsets)).into_pyobject(py)?.into_any())
+    }
 }
