@@ -2,14 +2,12 @@
 
 mod cells;
 mod complexes;
-mod given;
 mod halfedges;
 mod made;
 mod pickling;
 mod reading;
 mod repairs;
 
-pub(crate) use given::source_of;
 pub(crate) use pickling::_model;
 pub(crate) use reading::{entries, format_of, read, read_options};
 
@@ -23,11 +21,8 @@ use crate::report::{Report, report_request};
 use crate::source::Source;
 use crate::volumes::voxels_of;
 use crate::work::run;
-use cells::{
-    Parts, facets_of, kind_of, kind_word, model_of_parts, permutations_of, shape_word, structure_word,
-};
+use cells::{Parts, facets_of, kind_of, kind_word, model_of_parts, permutations_of, structure_word};
 use coface::answers::{repaired, simplicial_complex, triangulated, welded};
-use coface::complexes::cell_mesh::CellShape;
 use coface::complexes::gluing::GluingTable;
 use coface::io::{self, CellData, Format, Group, Structure};
 use halfedges::model_from;
@@ -341,22 +336,7 @@ impl Model {
     /// The 3-cells by kind: ``tetra``, ``hexahedron``, ``wedge``, ``pyramid``, each an array of shape (m, k).
     #[getter]
     fn cells<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let dict = PyDict::new(py);
-        let (shapes, cells) = (self.model().shapes(), self.model().cells());
-        for shape in CellShape::ALL {
-            if !shapes.contains(&shape) {
-                continue;
-            }
-            let value = if cells.uniform_width().is_some() {
-                self.lists(py, io::Model::cells, shape.vertex_count())?
-            } else {
-                let of_shape = cells.iter().zip(shapes).filter(|&(_, &other)| other == shape);
-                let width = Some(shape.vertex_count());
-                arrays::from_lists(py, of_shape.map(|(cell, _)| cell), width)?
-            };
-            dict.set_item(shape_word(shape), value)?;
-        }
-        Ok(dict)
+        self.cells_by_kind(py)
     }
 
     /// The vertices that the file names as points.
@@ -989,4 +969,21 @@ impl Model {
         let rebuild = py.import("coface._coface")?.getattr("_model")?;
         Ok((rebuild, PyTuple::new(py, [pickling::parts(py, self)?])?))
     }
+}
+
+/// The model behind what users give as one: a model, a simplicial complex or a chain complex.
+pub(crate) fn source_of(value: &Bound<'_, PyAny>) -> PyResult<Arc<Source>> {
+    let py = value.py();
+    if let Ok(model) = value.cast::<Model>() {
+        return Ok(Arc::clone(&model.get().source));
+    }
+    if let Ok(complex) = value.cast::<Complex>() {
+        return Ok(Source::new(complex.get().to_model()));
+    }
+    if let Ok(complex) = value.cast::<ChainComplex>() {
+        let complex = complex.get().complex.as_ref().clone();
+        return Ok(Source::new(io::Model::from_structure(Structure::Chains(complex))));
+    }
+    let name = value.get_type().name()?;
+    Err(invalid(py, format!("a {name} is no model"), "give a Model, a Complex or a ChainComplex"))
 }

@@ -11,6 +11,7 @@ use coface::io::{GroupKind, Structure};
 use coface::{Error, VertexId};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
 /// What users give as cells by kind.
 #[derive(Default)]
@@ -184,5 +185,25 @@ impl super::Model {
         }
         let offsets = (0..=lists.len()).map(|i| lists.start(i) as i64).collect();
         Ok((flat, PyArray1::from_vec(py, offsets)).into_pyobject(py)?.into_any())
+    }
+
+    /// The 3-cells of each kind by its name, as an array.
+    pub(super) fn cells_by_kind<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        let (shapes, cells) = (self.model().shapes(), self.model().cells());
+        for shape in CellShape::ALL {
+            if !shapes.contains(&shape) {
+                continue;
+            }
+            let value = if cells.uniform_width().is_some() {
+                self.lists(py, io::Model::cells, shape.vertex_count())?
+            } else {
+                let of_shape = cells.iter().zip(shapes).filter(|&(_, &other)| other == shape);
+                let width = Some(shape.vertex_count());
+                arrays::from_lists(py, of_shape.map(|(cell, _)| cell), width)?
+            };
+            dict.set_item(shape_word(shape), value)?;
+        }
+        Ok(dict)
     }
 }
