@@ -77,6 +77,11 @@ pub(super) const CASES: &[Case] = &[
         .answered("coface isomorphic a.off a.off")
         .cured(&[&["coface isomorphic a.off a.off --json"]])
         .shows("\"simplices\":"),
+    Case::new("cli/src/output.rs", ".. ({} letters; --json has all)")
+        .before(&["coface generate cyclic-torus --dimension 3 -o a.json"])
+        .answered("coface isomorphic a.json a.json")
+        .cured(&[&["coface isomorphic a.json a.json --json"]])
+        .shows("\"signatures\":"),
     Case::new("commands/cut.rs", "and {rest} more (--json lists all)")
         .before(&["coface generate genus --genus 7 -o a.off"])
         .answered("coface cut a.off")
