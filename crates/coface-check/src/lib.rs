@@ -90,15 +90,7 @@ impl Verdict {
 /// ```
 pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     let step = "certificate";
-    let whole: Value = serde_json::from_slice(certificate)
-        .map_err(|error| Fault::new(step, format!("this is no JSON: {error}")))?;
-    let version = field(&whole, "coface_certificate", step)?;
-    if version.as_u64() != Some(VERSION) {
-        return Err(Fault::new(
-            step,
-            format!("form {version} is not known; this checker reads form {VERSION}"),
-        ));
-    }
+    let whole = parsed(certificate)?;
     let hashes = list(field(&whole, "inputs", step)?, "\"inputs\"", step)?;
     if hashes.len() != inputs.len() || inputs.is_empty() {
         let message =
@@ -124,16 +116,32 @@ pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     }
 }
 
+/// A certificate of the form that is known.
+fn parsed(certificate: &[u8]) -> Result<Value, Fault> {
+    let step = "certificate";
+    let whole: Value = serde_json::from_slice(certificate)
+        .map_err(|error| Fault::new(step, format!("this is no JSON: {error}")))?;
+    let version = field(&whole, "coface_certificate", step)?;
+    if version.as_u64() != Some(VERSION) {
+        let message = format!("form {version} is not known; this checker reads form {VERSION}");
+        return Err(Fault::new(step, message));
+    }
+    Ok(whole)
+}
+
 /// The names of the inputs of a certificate; none where they are not there.
+///
+/// # Errors
+/// A [`Fault`] for what is no certificate.
 ///
 /// # Examples
 /// ```
-/// let certificate = br#"{"inputs":[{"name":"a.off","sha256":""}]}"#;
-/// assert_eq!(coface_check::input_names(certificate), ["a.off"]);
-/// assert!(coface_check::input_names(b"[]").is_empty());
+/// let certificate = br#"{"coface_certificate":1,"inputs":[{"name":"a.off","sha256":""}]}"#;
+/// assert_eq!(coface_check::input_names(certificate).expect("a certificate"), ["a.off"]);
+/// assert!(coface_check::input_names(b"[]").is_err());
 /// ```
-pub fn input_names(certificate: &[u8]) -> Vec<String> {
-    let whole: Value = serde_json::from_slice(certificate).unwrap_or_default();
+pub fn input_names(certificate: &[u8]) -> Result<Vec<String>, Fault> {
+    let whole = parsed(certificate)?;
     let inputs = whole.get("inputs").and_then(Value::as_array).into_iter().flatten();
-    inputs.filter_map(|input| Some(input.get("name")?.as_str()?.to_owned())).collect()
+    Ok(inputs.filter_map(|input| Some(input.get("name")?.as_str()?.to_owned())).collect())
 }

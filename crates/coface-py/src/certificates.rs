@@ -1,7 +1,7 @@
 //! Certificates: proofs of answers about files, and their check by a program that shares no code with what computed them.
 
 use crate::chain_complex::ring;
-use crate::errors::{invalid, raised};
+use crate::errors::{OrRaise, invalid, raised};
 use crate::work::run;
 use coface::Error;
 use coface::algebra::ErrorKind;
@@ -81,8 +81,12 @@ pub(crate) fn _check(
     inputs: Vec<PathBuf>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<(Vec<String>, Vec<String>, Vec<String>)> {
-    let named = coface_check::input_names(&certificate).into_iter().map(PathBuf::from);
-    let inputs: Vec<PathBuf> = if inputs.is_empty() { named.collect() } else { inputs };
+    let refused = |fault: coface_check::Fault| Error::invalid(format!("not verified: {fault}"));
+    let named = || coface_check::input_names(&certificate).map_err(refused).or_raise(py);
+    let inputs: Vec<PathBuf> = match inputs.is_empty() {
+        true => named()?.into_iter().map(PathBuf::from).collect(),
+        false => inputs,
+    };
     if inputs.is_empty() {
         let error = Error::invalid("the certificate names no input");
         return Err(raised(py, &error.with_cure("give its file: coface.check(certificate, path)")));
@@ -90,8 +94,7 @@ pub(crate) fn _check(
     run(py, progress, || {
         let read = inputs.iter().map(|input| content(input)).collect::<Result<Vec<_>, Error>>()?;
         let read: Vec<&[u8]> = read.iter().map(Vec::as_slice).collect();
-        let verdict = coface_check::check(&certificate, &read)
-            .map_err(|fault| Error::invalid(format!("not verified: {fault}")))?;
+        let verdict = coface_check::check(&certificate, &read).map_err(refused)?;
         let names = inputs.iter().map(|input| input.display().to_string()).collect();
         Ok((names, verdict.proved().to_vec(), verdict.unchecked().to_vec()))
     })

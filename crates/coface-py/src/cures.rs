@@ -1,7 +1,12 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 26] = [
+const PHRASES: [(&str, &str); 28] = [
+    ("leave --certificate out, or give a facet list", "give the file of a facet list"),
+    (
+        "or say to which of them common points go",
+        "or say to which of them common points go: overlaps=\"first\" or overlaps=\"last\"",
+    ),
     ("by coface shard --force", "by replace=True"),
     ("coface convert VOLUME -o boundary.obj", "volume.to_model(surface=True)"),
     (

@@ -116,6 +116,7 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(grids::product, module)?)?;
     module.add_function(wrap_pyfunction!(pictures::render, module)?)?;
     module.add_function(wrap_pyfunction!(pictures::matrix_svg, module)?)?;
+    module.add_function(wrap_pyfunction!(pictures::_matrix_picture, module)?)?;
     module.add_function(wrap_pyfunction!(model::read, module)?)?;
     module.add_function(wrap_pyfunction!(model::entries, module)?)?;
     module.add_function(wrap_pyfunction!(model::_model, module)?)?;

@@ -3,6 +3,7 @@
 use crate::arrays;
 use crate::chain_complex::{ChainComplex, ring};
 use crate::errors::{OrRaise, invalid, warn, whole};
+use crate::pictures::flat_file;
 use crate::source::Naming;
 use crate::work::run;
 use coface::algebra::Integer;
@@ -608,6 +609,17 @@ impl Persistence {
     #[pyo3(signature = (title="persistence diagram"))]
     fn to_svg(&self, py: Python<'_>, title: &str) -> PyResult<String> {
         run(py, None, || diagram_picture(title, &self.points())?.svg(None))
+    }
+
+    fn _picture<'py>(
+        &self,
+        py: Python<'py>,
+        title: &str,
+        format: &str,
+        size: (usize, usize),
+        transparent: bool,
+    ) -> PyResult<Bound<'py, PyBytes>> {
+        flat_file(py, format, size, transparent, || diagram_picture(title, &self.points()))
     }
 
     fn __len__(&self) -> usize {

@@ -5,8 +5,9 @@ use crate::errors::invalid;
 use crate::json::from_python;
 use crate::model::source_of;
 use crate::work::run;
+use coface::Error;
 use coface::answers::{GeometryCheck, Report, ReportRequest};
-use coface::pictures::{Camera, Picture, PictureStyle, Scene, matrix_picture, spin_png};
+use coface::pictures::{Camera, FlatPicture, Picture, PictureStyle, Scene, matrix_picture, spin_png};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -77,9 +78,7 @@ pub(crate) fn render<'py>(
     title: &str,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    if !matches!(format, "svg" | "png" | "pdf") {
-        return Err(invalid(py, format!("the format is {format:?}"), "give \"svg\", \"png\" or \"pdf\""));
-    }
+    check_format(py, format)?;
     if spin.is_some() && format != "png" {
         return Err(invalid(py, "an animation is a PNG", "give format=\"png\""));
     }
@@ -138,6 +137,47 @@ pub(crate) fn render<'py>(
         }
     })?;
     Ok(PyBytes::new(py, &bytes))
+}
+
+fn check_format(py: Python<'_>, format: &str) -> PyResult<()> {
+    if matches!(format, "svg" | "png" | "pdf") {
+        return Ok(());
+    }
+    Err(invalid(py, format!("the format is {format:?}"), "give \"svg\", \"png\" or \"pdf\""))
+}
+
+/// A flat picture as a file: PNG of the size in pixels, others of the size that the picture has by itself.
+pub(crate) fn flat_file<'py>(
+    py: Python<'py>,
+    format: &str,
+    size: (usize, usize),
+    transparent: bool,
+    picture: impl FnOnce() -> Result<FlatPicture, Error> + Send,
+) -> PyResult<Bound<'py, PyBytes>> {
+    check_format(py, format)?;
+    let bytes = run(py, None, || {
+        let picture = picture()?;
+        let picture = if transparent { picture.transparent() } else { picture };
+        match format {
+            "png" => picture.png([size.0, size.1]),
+            "pdf" => picture.pdf(None),
+            _ => Ok(picture.svg(None)?.into_bytes()),
+        }
+    })?;
+    Ok(PyBytes::new(py, &bytes))
+}
+
+/// The boundary matrices of a complex as a file of this format.
+#[pyfunction]
+pub(crate) fn _matrix_picture<'py>(
+    py: Python<'py>,
+    complex: &Bound<'_, ChainComplex>,
+    format: &str,
+    size: (usize, usize),
+    transparent: bool,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let complex = complex.get();
+    flat_file(py, format, size, transparent, || Ok(matrix_picture("boundary matrices", &complex.complex)))
 }
 
 /// The boundary matrices of a complex as a picture: blue entries are positive, orange ones negative.

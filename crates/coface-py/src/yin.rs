@@ -19,6 +19,7 @@ use crate::congruence::choice;
 use crate::errors::{self, OrRaise, invalid, wrong_type};
 use crate::model::{Model, read_options};
 use crate::objects::to_python;
+use crate::pictures::flat_file;
 use crate::source::Source;
 use crate::work::run;
 use coface::answers::answer::{YinDecision, YinProvenance, YinSetAnswer};
@@ -891,6 +892,16 @@ answer! { YinSet {
         let kinds = [("set", SetPicture::Set), ("kinks", SetPicture::Kinks), ("forest", SetPicture::Forest)];
         let kind = choice(py, "kind", kind, &kinds)?;
         run(py, None, || set_picture(&self.set, kind)?.svg(None))
+    }
+
+    fn _picture<'py>(
+        &self,
+        py: Python<'py>,
+        format: &str,
+        size: (usize, usize),
+        transparent: bool,
+    ) -> PyResult<Bound<'py, PyBytes>> {
+        flat_file(py, format, size, transparent, || set_picture(&self.set, SetPicture::Kinks))
     }
 
     fn __bool__(&self) -> bool {

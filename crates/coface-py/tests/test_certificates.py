@@ -63,5 +63,6 @@ def test_what_is_not_so_is_refused(plane: Path, tmp_path: Path) -> None:
         coface.certificate(plane, "pi1")  # type: ignore[arg-type]
     with pytest.raises(coface.Error, match="no such"):
         coface.certificate(tmp_path / "missing.json")
-    with pytest.raises(coface.Error):
-        coface.check("{}", plane)
+    for junk in ["{}", '{"a":1}', plane]:
+        with pytest.raises(coface.InvalidInputError, match="not verified: certificate"):
+            coface.check(junk)

@@ -56,7 +56,9 @@ EXAMPLES += [(name, text, names) for name, text, names in private() if ">>>" in 
 
 
 @pytest.mark.parametrize(("name", "text", "names"), EXAMPLES, ids=[name for name, _, _ in EXAMPLES])
-def test_examples_run(name, text, names) -> None:
+def test_examples_run(name, text, names, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    # Some write files.
+    monkeypatch.chdir(tmp_path)
     parsed = doctest.DocTestParser().get_doctest(text, {**names, "coface": coface}, name, None, 0)
     said: list[str] = []
     runner = doctest.DocTestRunner(optionflags=OPTIONS, verbose=False)

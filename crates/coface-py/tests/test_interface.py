@@ -68,3 +68,11 @@ def test_overlaps() -> None:
     with pytest.raises(coface.InvalidInputError, match="smooth"):
         coface.interface(sets, smooth=200)
     assert len(coface.as_model(coface.interface(sets, overlaps="first")).vertices) >= 8
+
+
+def test_models_are_sets_too() -> None:
+    left, right = (coface.polygon([[x, 0], [x + 1, 0], [x + 1, 1], [x, 1]]) for x in (0, 1))
+    rooms = coface.interface({"left": left, "right": right})
+    assert rooms.neighbors == [(0, 1, 1.0)]
+    with pytest.raises(coface.InvalidInputError, match='overlaps="first"'):
+        coface.interface([left, left])

@@ -113,3 +113,28 @@ def test_a_notebook_runs(tmp_path) -> None:
     data = notebook.cells[0].outputs[0].data
     assert "<img" in data["text/html"]
     assert io.StringIO(data["text/plain"]).read().startswith("Model(")
+
+
+def test_flat_answers_are_files_of_every_format() -> None:
+    row = coface.cubical(np.array([0.0, 5.0, 1.0]))
+    square = coface.YinSet.from_model(coface.polygon([[0, 0], [1, 0], [1, 1], [0, 1]]))
+    for answer in [row, square]:
+        assert coface.render(answer).startswith(b"<svg")
+        assert coface.render(answer, "pdf").startswith(b"%PDF-1.4")
+        assert coface.render(answer, "png", size=(60, 40)).startswith(b"\x89PNG")
+    assert b"M0 0H" in coface.render(square) and b"M0 0H" not in coface.render(square, transparent=True)
+    with pytest.raises(coface.InvalidInputError, match="gif"):
+        coface.render(row, "gif")
+
+
+def test_models_have_numbers_widths_and_animations() -> None:
+    torus = coface.generate("csaszar")
+    assert b">v6</text>" in coface.render(torus, label=["vertices"])
+    assert b'stroke-width="2"' in coface.render(torus, edge_width=1.5)
+    assert coface.render(torus, "pdf", transparent=True).startswith(b"%PDF-1.4")
+    spin = coface.render(torus, "png", spin=3, size=(40, 30))
+    assert spin.count(b"fcTL") == 3
+    with pytest.raises(coface.InvalidInputError, match="cells"):
+        coface.render(torus, label="cells")
+    with pytest.raises(coface.InvalidInputError, match="animation"):
+        coface.render(torus, spin=3)

@@ -277,6 +277,14 @@ impl ImageRequest {
                 .construction(self.construction)
                 .superlevel(self.is_superlevel)
                 .periodic(&axes.turned(is_periodic))?;
+            if let Some(place) = filtration.voxel_born_at_infinity() {
+                let from = if self.is_superlevel { "inf" } else { "-inf" };
+                return Err(Error::invalid(format!(
+                    "voxel {:?} is at {from}, so classes would be born at infinity",
+                    axes.voxel(place)
+                ))
+                .with_cure("write a finite number there, or NaN if the voxel is outside"));
+            }
             Ok(filtration.persistence(self.coefficients)?.longer_than(self.min_persistence))
         };
         let diagram = find().map_err(|error| error.in_file(name))?;

@@ -81,8 +81,9 @@ impl Weld {
             way => format!(", which moved them by at most {way:.1e}"),
         };
         if self.collapsed_count > 0 {
-            let what = text::count(self.collapsed_count, "polygon or line");
-            message += &format!("; {what} without enough corners then left out");
+            let noun = if self.collapsed_count == 1 { "polygon or line" } else { "polygons and lines" };
+            let count = text::grouped(self.collapsed_count);
+            message += &format!("; {count} {noun} without enough corners then left out");
         }
         Some(Remark::new(RemarkCode::ModelRepaired, message).at(self.merged_count, []))
     }

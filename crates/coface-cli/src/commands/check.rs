@@ -25,9 +25,13 @@ pub(crate) struct Check {
 impl Check {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let certificate = bytes(&self.certificate)?;
+        let refused = |fault: coface_check::Fault| {
+            Failure::new(format!("{}: not verified: {fault}", self.certificate.display()))
+        };
         let mut inputs = self.inputs.clone();
         if inputs.is_empty() {
-            inputs = coface_check::input_names(&certificate).into_iter().map(PathBuf::from).collect();
+            let names = coface_check::input_names(&certificate).map_err(refused)?;
+            inputs = names.into_iter().map(PathBuf::from).collect();
         }
         if inputs.is_empty() {
             let place = self.certificate.display();
@@ -37,9 +41,7 @@ impl Check {
         }
         let read = inputs.iter().map(|input| bytes(input)).collect::<Result<Vec<_>, _>>()?;
         let read: Vec<&[u8]> = read.iter().map(Vec::as_slice).collect();
-        let verdict = coface_check::check(&certificate, &read).map_err(|fault| {
-            Failure::new(format!("{}: not verified: {fault}", self.certificate.display()))
-        })?;
+        let verdict = coface_check::check(&certificate, &read).map_err(refused)?;
         let answer = CheckAnswer {
             certificate: self.certificate.display().to_string(),
             files: inputs.iter().map(|input| input.display().to_string()).collect(),

@@ -79,7 +79,7 @@ pub(crate) struct Convert {
           conflicts_with_all = ["split_vertices", "split_edges", "orient"])]
     repair: Option<RepairGoal>,
     /// Merge vertices within this distance of each other, in the unit of the file, before any repair; none moves farther
-    #[arg(long, value_name = "LENGTH", value_parser = weld_length)]
+    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, value_parser = weld_length)]
     weld: Option<f64>,
 }
 

@@ -64,7 +64,10 @@ const LISTED: usize = 8;
 fn field(name: &str) -> Result<Coefficients, String> {
     let is_number = !name.is_empty() && name.bytes().all(|byte| byte.is_ascii_digit());
     let name = if is_number { format!("f{name}") } else { name.to_owned() };
-    name.parse().map_err(|error: coface::Error| error.to_string())
+    // The library has other coefficients too, of which persistence takes none.
+    name.parse().map_err(|error: coface::Error| {
+        format!("{}; give a prime field: f2, f3, f5, ... or 2, 3, 5, ...", error.message())
+    })
 }
 
 fn length(text: &str) -> Result<f64, String> {
@@ -180,6 +183,10 @@ impl Persistence {
         let function = &answer.function;
         // Writing to a string does not fail.
         let _ = match (&answer.star, answer.threshold) {
+            (Some(star), _) if function.starts_with("voxels") => {
+                let sets = if star == "upper" { "superlevel" } else { "sublevel" };
+                writeln!(page, "    function: {function}, {sets} sets")
+            }
             (Some(star), _) => writeln!(page, "    function: {function}, {star} star"),
             (None, Some(threshold)) => writeln!(page, "    {function}, diameters up to {threshold}"),
             (None, None) => writeln!(page, "    values: {function}"),

@@ -299,3 +299,14 @@ fn lies_are_found() {
     assert_eq!(run.status, 1);
     assert!(run.stderr.contains("no certificate") && !place.exists(), "{}", run.stderr);
 }
+
+#[test]
+fn what_is_no_certificate_is_told_so() {
+    let folder = tempfile::tempdir().unwrap();
+    for text in ["v 0 0 0\n", "[]", "{\"inputs\":[]}"] {
+        let path = folder.path().join("no.cert");
+        std::fs::write(&path, text).unwrap();
+        let run = coface(&["check", path.to_str().unwrap()]);
+        assert!(run.fails_with(1).contains("not verified: certificate: "), "{}", run.stderr);
+    }
+}

@@ -57,7 +57,7 @@ fn voxels_are_top_cells_or_vertices() {
     assert_eq!(answer["diagram"][0]["birth"], json!(9.0));
     let run = coface_in(place, &["persistence", "a.nrrd"]);
     let page = text(&run);
-    assert!(page.contains("function: voxels, t-construction, lower star"), "{page}");
+    assert!(page.contains("function: voxels, t-construction, sublevel sets"), "{page}");
     let whole = coface_reading(&["persistence", "-", "--json"], nrrd(&[4, 3], &CORNERS).as_bytes()).json();
     assert_eq!(whole["diagram"], coface_in(place, &["persistence", "a.nrrd", "--json"]).json()["diagram"]);
 }
@@ -125,4 +125,19 @@ fn memory_is_foretold() {
     std::fs::write(place.join("a.nrrd"), nrrd(&[64, 64, 64], &vec![1.0; 64 * 64 * 64])).unwrap();
     let message = coface_in(place, &["persistence", "a.nrrd", "--memory", "4MB"]).fails_with(1).to_owned();
     assert!(message.contains("memory"), "{message}");
+}
+
+#[test]
+fn a_voxel_at_infinity_is_named_by_the_axes_of_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let numbers = [1.0, f64::NEG_INFINITY, 2.0, 3.0, 4.0, f64::INFINITY];
+    std::fs::write(folder.path().join("a.nrrd"), nrrd(&[2, 3], &numbers)).unwrap();
+    let said = |options: &[&str]| {
+        let run = coface_in(folder.path(), &[&["persistence", "a.nrrd"], options].concat());
+        run.fails_with(1).to_owned()
+    };
+    assert!(said(&[]).contains("voxel [1, 0] is at -inf"), "{}", said(&[]));
+    assert!(said(&["--superlevel"]).contains("voxel [1, 2] is at inf"));
+    let wrong = coface_in(folder.path(), &["persistence", "a.nrrd", "--coefficients", "f4"]);
+    assert!(wrong.fails_with(2).contains("no prime field of 4 elements; give a prime field: f2"));
 }

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from coface import _coface
-from coface._coface import Interface, YinSet
+from coface._coface import Interface, Model, YinSet
 from coface._arrays import raise_invalid
 from coface._faults import in_words
 from coface._models import as_model
@@ -29,7 +29,7 @@ def interface(
     Parameters
     ----------
     x
-        A dictionary of names to :class:`YinSet`, or a list of these; an image of labels, an integer array of shape (rows, columns) with
+        A dictionary of names to :class:`YinSet` or models in the plane, or a list of these; an image of labels, an integer array of shape (rows, columns) with
         the highest row first, whose pixels are unit squares from the origin and whose label 0 is no phase; or a map, such as a
         ``GeoDataFrame`` or anything that :func:`as_model` understands, each of whose features is a phase.
     overlaps
@@ -74,12 +74,16 @@ def interface(
     return found
 
 
+def _as_set(x: YinSet | Model, order: int | None) -> YinSet:
+    return x if isinstance(x, YinSet) else YinSet.from_model(x, order=order)
+
+
 def _named_sets(x: Any, order: int | None) -> list[tuple[Any, YinSet]]:
     cure = "give YinSets, an array of labels, or a map"
-    if isinstance(x, Mapping) and all(isinstance(value, YinSet) for value in x.values()):
-        return list(x.items())
-    if isinstance(x, (list, tuple)) and x and all(isinstance(value, YinSet) for value in x):
-        return list(enumerate(x))
+    if isinstance(x, Mapping) and all(isinstance(value, (YinSet, Model)) for value in x.values()):
+        return [(name, _as_set(value, order)) for name, value in x.items()]
+    if isinstance(x, (list, tuple)) and x and all(isinstance(value, (YinSet, Model)) for value in x):
+        return [(place, _as_set(value, order)) for place, value in enumerate(x)]
     if isinstance(x, YinSet):
         return [(0, x)]
     if isinstance(x, np.ndarray):

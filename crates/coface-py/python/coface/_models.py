@@ -164,7 +164,7 @@ def _of_curves(curves: list[Curve], *, is_plane: bool) -> Model:
 
 #: What an array can be, and how to say so.
 _ARRAYS = (
-    "say what it is: coface.volume(x, threshold=...) for an image, coface.Model(vertices, faces) for a mesh, "
+    "say what it is: coface.volume(x, threshold=...) for an image, coface.cubical(x) for its persistence, coface.Model(vertices, faces) for a mesh, "
     "coface.Model.from_facets(x) for facets, coface.Model(x) for points"
 )
 

@@ -166,13 +166,12 @@ def render(
     >>> coface.render(coface.cocycles(coface.generate("torus"))).startswith(b"<svg")
     True
     """
-    alone = not results and format == "svg" and not transparent
-    if alone and isinstance(x, Persistence):
-        return x.to_svg(title if title != "model" else "persistence diagram").encode()
-    if alone and isinstance(x, YinSet):
-        return x.to_svg("kinks").encode()
-    if alone and isinstance(x, ChainComplex) and x.source is None:
-        return _coface.matrix_svg(x).encode()
+    if not results and isinstance(x, Persistence):
+        return x._picture(title if title != "model" else "persistence diagram", format, size, transparent)
+    if not results and isinstance(x, YinSet):
+        return x._picture(format, size, transparent)
+    if not results and isinstance(x, ChainComplex) and x.source is None:
+        return _coface._matrix_picture(x, format, size, transparent)
     together = shown(x, results)
     if together.model is None and not together.facts and is_answer(x):
         raise_invalid(

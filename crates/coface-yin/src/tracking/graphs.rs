@@ -9,7 +9,6 @@ use crate::{Curve, DirectedEdge, InterfaceFault, InterfaceGraph, InterfaceOption
 use coface_algebra::progress::stage;
 use coface_algebra::{EdgeId, Error, VertexId};
 use coface_arrange::boolean::InsideRule;
-use rayon::prelude::*;
 
 /// After a repair edges go on smoothly into each other where they turn by at most this angle, in radians: those that did before turn by
 /// no more than rounding.
@@ -190,11 +189,7 @@ impl InterfaceGraph {
         options: &TrackingOptions,
     ) -> Result<TrackedGraph, Error> {
         let scheme = options.scheme_for(self.order());
-        let mapped = |points: &[[f64; 2]], time: f64, step: f64| -> Vec<[f64; 2]> {
-            let map = |&point: &[f64; 2]| scheme.mapped(&velocity, point, time, step);
-            points.par_iter().with_min_len(512).map(map).collect()
-        };
-        self.advected_by(mapped, options)
+        self.advected_by(|points, time, step| scheme.mapped_each(&velocity, points, time, step), options)
     }
 
     /// The same with velocities of many points at once: `velocities` gets points and a time, and gives a velocity for each of

@@ -1,6 +1,7 @@
 //! Explicit Runge-Kutta schemes, which map points over a step of time.
 
 use crate::Order;
+use rayon::prelude::*;
 
 /// A scheme for mapping points over a step of time.
 ///
@@ -178,6 +179,18 @@ impl RungeKutta {
             slopes[number] = velocity(moved(point, step, weights, &slopes), time + at * step);
         }
         moved(point, step, weights, &slopes)
+    }
+
+    /// Where points are after a step, one by one and in parallel.
+    pub(super) fn mapped_each(
+        self,
+        velocity: &(impl Fn([f64; 2], f64) -> [f64; 2] + Sync),
+        points: &[[f64; 2]],
+        time: f64,
+        step: f64,
+    ) -> Vec<[f64; 2]> {
+        let map = |&point: &[f64; 2]| self.mapped(velocity, point, time, step);
+        points.par_iter().with_min_len(512).map(map).collect()
     }
 
     /// Where points are after a step, with velocities of all of them at once. A list of velocities that is too short leaves points

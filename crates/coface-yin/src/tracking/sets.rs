@@ -5,7 +5,6 @@ use super::{TrackingCounts, TrackingOptions};
 use crate::{YinFault, YinSet};
 use coface_algebra::Error;
 use coface_algebra::progress::stage;
-use rayon::prelude::*;
 
 /// A curve that became too short to have a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -194,11 +193,7 @@ impl YinSet {
         options: &TrackingOptions,
     ) -> Result<TrackedSet, Error> {
         let scheme = options.scheme_for(self.order());
-        let mapped = |points: &[[f64; 2]], time: f64, step: f64| -> Vec<[f64; 2]> {
-            let map = |&point: &[f64; 2]| scheme.mapped(&velocity, point, time, step);
-            points.par_iter().with_min_len(512).map(map).collect()
-        };
-        self.advected_by(mapped, options)
+        self.advected_by(|points, time, step| scheme.mapped_each(&velocity, points, time, step), options)
     }
 
     /// The same with velocities of many points at once: `velocities` gets points and a time, and gives a velocity for each of

@@ -219,7 +219,7 @@ pub(super) const CASES: &[Case] = &[
         ]]),
     Case::new("commands/check.rs", "name it: coface check CERTIFICATE INPUT")
         .files(BOOK)
-        .with(&[("lone.cert", "{}")])
+        .with(&[("lone.cert", "{\"coface_certificate\":1,\"inputs\":[]}")])
         .before(&["coface homology book.json --certificate book.cert"])
         .refused("coface check lone.cert")
         .cured(&[&["coface check book.cert book.json"]]),

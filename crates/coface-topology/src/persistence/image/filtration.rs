@@ -103,7 +103,7 @@ impl Numbers {
 
     /// The places of all numbers that enter, as they do: equal numbers by their places.
     fn order(&self, is_falling: bool) -> Vec<u32> {
-        let enters = |number: f64| !number.is_nan() && number.is_finite();
+        let enters = f64::is_finite;
         match self {
             Self::Single(numbers) => {
                 let key = |(place, &number): (usize, &f32)| {
@@ -340,7 +340,14 @@ impl ImageFiltration {
     /// See [`ImageFiltration`].
     pub fn persistence(&self, coefficients: Coefficients) -> Result<ImageDiagram, Error> {
         let prime = prime(coefficients)?;
-        self.check_infinities()?;
+        if let Some(place) = self.voxel_born_at_infinity() {
+            return Err(Error::invalid(format!(
+                "voxel {:?} is at {}, so classes would be born at infinity",
+                self.voxel(place),
+                self.numbers.at(place)
+            ))
+            .with_cure("write a finite number there, or NaN if the voxel is outside"));
+        }
         let shape = &self.shape;
         memory::require(self.bytes(), || format!("persistence of an image of shape {shape:?}"))?;
         let gradient = self.gradient();
@@ -356,16 +363,19 @@ impl ImageFiltration {
         Ok(ImageDiagram { prime, is_falling: self.is_superlevel, shape: self.shape.clone(), pairs })
     }
 
-    fn check_infinities(&self) -> Result<(), Error> {
+    /// The number of the first voxel at infinity where values come from, which has no persistence.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::ImageFiltration;
+    /// let image = ImageFiltration::new(&[3], [0.0, f64::NEG_INFINITY, f64::INFINITY])?;
+    /// assert_eq!(image.voxel_born_at_infinity(), Some(1));
+    /// assert_eq!(image.superlevel(true).voxel_born_at_infinity(), Some(2));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn voxel_born_at_infinity(&self) -> Option<usize> {
         let first = if self.is_superlevel { f64::INFINITY } else { f64::NEG_INFINITY };
-        match (0..self.numbers.len()).find(|&place| self.numbers.at(place) == first) {
-            None => Ok(()),
-            Some(place) => Err(Error::invalid(format!(
-                "voxel {:?} is at {first}, so classes would be born at infinity",
-                self.voxel(place)
-            ))
-            .with_cure("write a finite number there, or NaN if the voxel is outside")),
-        }
+        (0..self.numbers.len()).find(|&place| self.numbers.at(place) == first)
     }
 
     /// The place of a voxel along each axis.
