@@ -287,6 +287,8 @@ pub enum RemarkCode {
     FeaturesJoined,
     /// Cells are so thin that they are not meant, as a rule.
     ThinCells,
+    /// An area or a length is beyond the range of numbers.
+    BeyondRange,
     /// Groups and data on cells were left out.
     DataLeftOut,
     /// Vertices of one block, a file or a connected component, were merged with each other.

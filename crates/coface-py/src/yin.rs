@@ -113,6 +113,9 @@ fn kinks_of(kinks: &Bound<'_, PyAny>) -> PyResult<KinkRequest> {
 /// curves : sequence of Curve
 ///     Boundaries with the set on their left, pairwise disjoint but for single points. Outermost ones that run clockwise leave everything
 ///     outside of them, with an :class:`AssumptionWarning`.
+/// orient : bool
+///     Whether curves are turned so that they bound what is inside of them: those in no other counterclockwise, those in others against the one
+///     around them.
 ///
 /// Examples
 /// --------
@@ -129,6 +132,13 @@ pub(crate) struct YinSet {
     /// What was known when it was made: where pieces come from, what was decided without proof.
     provenance: Option<SetProvenance>,
     answer: YinSetAnswer,
+}
+
+/// A curve by its number or its name.
+#[derive(FromPyObject)]
+enum CurveName {
+    Number(u32),
+    Name(String),
 }
 
 /// Where the pieces of a combination come from, and what was decided without proof.
@@ -255,8 +265,8 @@ answer! { YinSet {
     }
 
     #[new]
-    #[pyo3(signature = (curves))]
-    fn new(py: Python<'_>, curves: &Bound<'_, PyAny>) -> PyResult<Self> {
+    #[pyo3(signature = (curves, *, orient=false))]
+    fn new(py: Python<'_>, curves: &Bound<'_, PyAny>, orient: bool) -> PyResult<Self> {
         let cure = "give curves: coface.YinSet([coface.Curve(points)]), or points to coface.YinSet.from_rings(rings)";
         let wrong = |name: String| wrong_type(py, format!("a {name} is no Curve"), cure);
         let listed = curves.try_iter().map_err(|_| wrong(type_name(curves)))?;
@@ -267,8 +277,11 @@ answer! { YinSet {
             given.push(found.get().curve.clone());
         }
         let curves = given;
-        let set = run(py, None, || Self::of(PlanarSet::from_set(yin::YinSet::new(&curves)?)))?;
-        set.warned(py, "the inside of a curve needs curve.reversed()")
+        let set = run(py, None, || {
+            let set = if orient { yin::YinSet::oriented(&curves) } else { yin::YinSet::new(&curves) };
+            Self::of(PlanarSet::from_set(set?))
+        })?;
+        set.warned(py, "the inside of curves of any direction needs orient=True")
     }
 
     /// Reads a set from a file: SVG, GeoJSON, WKT, JSON, ``.dat`` or any drawing with rings.
@@ -527,10 +540,17 @@ answer! { YinSet {
         self.inner().is_bounded()
     }
 
-    /// The area; inf of an unbounded set.
+    /// The area; inf of an unbounded set. That of a bounded set which is beyond the range of numbers is an error.
     #[getter]
-    fn area(&self) -> f64 {
-        self.inner().area().unwrap_or(f64::INFINITY)
+    fn area(&self, py: Python<'_>) -> PyResult<f64> {
+        match self.inner().area() {
+            None => Ok(f64::INFINITY),
+            Some(area) if area.is_finite() => Ok(area),
+            Some(_) => {
+                let message = "the area of the set is bounded, but beyond the range of numbers";
+                Err(invalid(py, message, "divide the coordinates by 1e200"))
+            }
+        }
     }
 
     /// The order of its curves.
@@ -568,8 +588,8 @@ answer! { YinSet {
     ///
     /// Parameters
     /// ----------
-    /// curve : int
-    ///     The number of the curve.
+    /// curve : int or str
+    ///     The number of the curve, or its name.
     /// knot : int
     ///     The number of the knot.
     ///
@@ -579,10 +599,40 @@ answer! { YinSet {
     ///     The curve fitted again.
     /// vertex : int
     ///     The name of the kink.
-    fn insert_kink(&self, py: Python<'_>, curve: u32, knot: u32) -> PyResult<(Self, u32)> {
+    fn insert_kink(&self, py: Python<'_>, curve: CurveName, knot: u32) -> PyResult<(Self, u32)> {
         let mut name = 0;
         let edited = self.edited(py, |set| {
+            let curve = match &curve {
+                CurveName::Number(curve) => *curve,
+                CurveName::Name(name) => set.curve_of_name(name)?,
+            };
             name = set.set_mut().insert_kink(KnotIndex { curve, knot })?.to_u32();
+            Ok(())
+        })?;
+        Ok((edited, name))
+    }
+
+    /// The set with one more kink, at the knot that is nearest to a point.
+    ///
+    /// Parameters
+    /// ----------
+    /// point : array_like, shape (2,)
+    ///     The point.
+    ///
+    /// Returns
+    /// -------
+    /// set : YinSet
+    ///     The curve fitted again.
+    /// vertex : int
+    ///     The name of the kink.
+    fn insert_kink_near(&self, py: Python<'_>, point: [f64; 2]) -> PyResult<(Self, u32)> {
+        let mut name = 0;
+        let edited = self.edited(py, |set| {
+            let set = set.set_mut();
+            let at = set.nearest_knot(point)?.ok_or_else(|| {
+                Error::invalid("the set has no curves, and so no knots").with_cure("take a set with curves")
+            })?;
+            name = set.insert_kink(at)?.to_u32();
             Ok(())
         })?;
         Ok((edited, name))
@@ -591,6 +641,22 @@ answer! { YinSet {
     /// The set without the kink of this name.
     fn erase_kink(&self, py: Python<'_>, vertex: u32) -> PyResult<Self> {
         self.edited(py, |set| set.set_mut().erase_kink(VertexId::from_u32(vertex)).map(drop))
+    }
+
+    /// The set without the kink that is nearest to a point.
+    ///
+    /// Parameters
+    /// ----------
+    /// point : array_like, shape (2,)
+    ///     The point.
+    fn erase_kink_near(&self, py: Python<'_>, point: [f64; 2]) -> PyResult<Self> {
+        self.edited(py, |set| {
+            let set = set.set_mut();
+            let kink = set.nearest_kink(point)?.ok_or_else(|| {
+                Error::invalid("the set has no kinks").with_cure("take a set with kinks")
+            })?;
+            set.erase_kink(kink).map(drop)
+        })
     }
 
     /// The set with these kinks and no others: ``"none"``, ``"all"``, an angle in degrees, or pairs (curve, knot).
@@ -926,7 +992,7 @@ answer! { YinSet {
         }
         let count = set.curve_count();
         let curves = if count == 1 { "curve" } else { "curves" };
-        format!("YinSet({count} {curves}, order {}, area {})", set.order().value(), self.area())
+        format!("YinSet({count} {curves}, order {}, area {})", set.order().value(), set.area().unwrap_or(f64::INFINITY))
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {

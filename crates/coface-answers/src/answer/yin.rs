@@ -14,9 +14,9 @@ pub struct YinSetAnswer {
     pub plane: bool,
     /// Whether it is bounded.
     pub bounded: bool,
-    /// The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers.
+    /// The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers, as a remark says then.
     pub area: Option<f64>,
-    /// The length of all curves, in the unit of the file; null beyond the range of numbers.
+    /// The length of all curves, in the unit of the file; null beyond the range of numbers, as a remark says then.
     pub perimeter: Option<f64>,
     /// The numbers of positive and of negative curves, and one more for an unbounded component, as the papers on Yin sets count.
     pub curve_counts: [usize; 2],

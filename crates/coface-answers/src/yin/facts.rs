@@ -2,7 +2,8 @@
 
 use super::PlanarSet;
 use crate::answer::{
-    YinComparisonAnswer, YinCurve, YinDecision, YinKinkPoint, YinPieceSource, YinProvenance, YinSetAnswer,
+    Remark, RemarkCode, YinComparisonAnswer, YinCurve, YinDecision, YinKinkPoint, YinPieceSource, YinProvenance,
+    YinSetAnswer,
 };
 use coface_algebra::{Error, VertexId};
 use coface_yin::{Assumption, Combination, KnotIndex, PieceSource, UncertifiedDecision, YinSet};
@@ -93,6 +94,8 @@ impl PlanarSet {
     /// # Ok(()) }
     /// ```
     pub fn answer(&self) -> Result<YinSetAnswer, Error> {
+        /// Areas and lengths of sets that are so much smaller are numbers.
+        const DOWN: f64 = 1e-200;
         let set = &self.set;
         let frame = self.bounding_box();
         let extent = frame.map_or(0.0, |[low, high]| (high[0] - low[0]).max(high[1] - low[1]));
@@ -122,11 +125,18 @@ impl PlanarSet {
                 name: self.names.get(number).cloned().flatten(),
             });
         }
+        let area = set.area();
+        let mut remarks = self.remarks.clone();
+        if area.is_some_and(|area| !area.is_finite()) || !perimeter.is_finite() {
+            let what = if perimeter.is_finite() { "the area" } else { "the perimeter" };
+            let message = format!("{what} is beyond the range of numbers: scale the set down by {DOWN:e}");
+            remarks.push(Remark::new(RemarkCode::BeyondRange, message));
+        }
         Ok(YinSetAnswer {
             empty: set.is_empty(),
             plane: set.is_plane(),
             bounded: set.is_bounded(),
-            area: set.area().and_then(finite),
+            area: area.and_then(finite),
             perimeter: finite(perimeter),
             curve_counts: set.curve_counts(),
             betti_open: set.betti_open()?,
@@ -136,7 +146,7 @@ impl PlanarSet {
             atoms: set.atoms().iter().map(|atom| atom.curves().collect()).collect(),
             kinks: set.kinks().len(),
             bounding_box: frame,
-            remarks: self.remarks.clone(),
+            remarks,
         })
     }
 

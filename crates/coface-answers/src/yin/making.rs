@@ -174,6 +174,30 @@ impl PlanarSet {
         Ok(planar)
     }
 
+    /// The number of the curve that has a name, the first of several.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] if there is none.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PlanarSet, SetRequest};
+    /// use coface_io::{Format, ReadOptions, read_boundary};
+    /// let text = &br#"{"order":2,"curves":[{"points":[[0,0],[2,0],[2,2]],"name":"rim"}]}"#[..];
+    /// let drawing = read_boundary(text, Format::Json, &ReadOptions::default())?;
+    /// let set = PlanarSet::of(&drawing, &SetRequest::default())?;
+    /// assert_eq!(set.curve_of_name("rim")?, 0);
+    /// assert!(set.curve_of_name("hole").is_err());
+    /// # Ok(()) }
+    /// ```
+    pub fn curve_of_name(&self, name: &str) -> Result<u32, Error> {
+        let found = self.names.iter().position(|own| own.as_deref() == Some(name));
+        found.map(|curve| curve as u32).ok_or_else(|| {
+            Error::invalid(format!("no curve is named \"{name}\"")).with_cure("take the number of the curve")
+        })
+    }
+
     /// A set without names and remarks.
     ///
     /// # Examples

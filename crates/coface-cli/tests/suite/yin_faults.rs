@@ -74,6 +74,38 @@ fn what_bounds_nothing_is_said() {
     let far = "{\"order\":4,\"curves\":[{\"points\":[[0,0],[1e300,0],[1e300,1e300],[0,1e300]]}]}";
     let told = run(&["info", argument(&file(&folder, "far.json", far))]);
     assert!(told.stdout.contains("too large") && !told.stdout.contains("infinite"), "{}", told.stdout);
+    let told = run(&["info", argument(&file(&folder, "far.json", far)), "--json"]);
+    let answer = told.json();
+    assert_eq!((&answer["bounded"], &answer["area"]), (&json!(true), &json!(null)));
+    assert_eq!(answer["remarks"][0]["code"], json!("beyond-range"));
+    assert!(told.stderr.contains("the area is beyond the range of numbers: scale the set down by 1e-200"));
+    let near = folder.path().join("near.json");
+    yin(&["transform", argument(&file(&folder, "far.json", far)), "--scale", "1e-200", "-o", argument(&near)]);
+    let area = yin(&["info", argument(&near)])["area"].as_f64().unwrap();
+    assert!(area > 1e200 && area < 2e200, "{area:e}");
+}
+
+#[test]
+fn kinks_are_edited_by_places_and_names() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "{\"order\":4,\"curves\":[{\"points\":[[0,0],[4,0],[5,2],[4,4],[0,4]],\"kinks\":[0,4],\"name\":\"a:b\"}]}";
+    let path = file(&folder, "leaf.json", text);
+    let path = argument(&path);
+    let by_place = yin(&["kinks", path, "--erase-near", "0.5,3", "--insert-near", "4.5,0.1", "--insert-near", "6,2"]);
+    assert_eq!(by_place["curves"][0]["kinks"], json!([0, 1, 2]));
+    let by_name = yin(&["kinks", path, "--erase", "1", "--insert", "a:b:1", "--insert", "0:2"]);
+    assert_eq!(by_name["curves"], by_place["curves"]);
+    for (words, said) in [
+        (&["--insert", "rim:1"][..], "no curve is named \"rim\""),
+        (&["--insert-near", "0,0"], "knot 0 of curve 0 is a kink already: v0"),
+        (&["--insert-near", "4,0", "--insert-near", "4.1,0"], "twice"),
+        (&["--reset", "--erase-near", "4,0"], "the set has no kinks"),
+    ] {
+        let told = run(&[&["kinks", path], words].concat());
+        assert!(told.status == 1 && told.stderr.contains(said), "{words:?}: {}", told.stderr);
+    }
+    let told = run(&["kinks", argument(&file(&folder, "none.json", "{\"curves\":[]}")), "--insert-near", "0,0"]);
+    assert!(told.status == 1 && told.stderr.contains("the set has no curves"), "{}", told.stderr);
 }
 
 #[test]

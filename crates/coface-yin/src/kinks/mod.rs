@@ -13,6 +13,7 @@ mod declaration;
 mod detection;
 mod edits;
 mod fitting;
+mod nearest;
 mod piece_boxes;
 mod smooth_pieces;
 mod table;

@@ -6,7 +6,7 @@ use crate::{Curve, Order};
 use coface_algebra::Error;
 use coface_algebra::RaggedArray;
 use coface_arrange::boolean::InsideRule;
-use coface_arrange::planar::JordanFault;
+use coface_arrange::planar::{JordanFault, JordanRings};
 
 /// How the curves of a valid set lie.
 pub(crate) struct Lying {
@@ -58,6 +58,49 @@ impl YinSet {
             }
             Err(fault) => Err(fault.into_error()),
         }
+    }
+
+    /// The bounded set that closed curves bound whatever way they run: a curve in no other is turned counterclockwise, and one in
+    /// others against the one around it. Curves keep their order and the knots they begin at.
+    ///
+    /// # Errors
+    /// As [`Self::new`], but for the ways that curves run.
+    ///
+    /// # Complexity
+    /// As [`Self::new`].
+    ///
+    /// # Examples
+    /// A square with a hole; both curves run clockwise.
+    /// ```
+    /// use coface_yin::{Curve, YinSet};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let outer = Curve::polyline(&[[0., 0.], [0., 4.], [4., 4.], [4., 0.], [0., 0.]])?;
+    /// let hole = Curve::polyline(&[[1., 1.], [1., 2.], [2., 2.], [2., 1.], [1., 1.]])?;
+    /// assert_eq!(YinSet::oriented(&[outer, hole])?.area(), Some(15.0));
+    /// # Ok(()) }
+    /// ```
+    pub fn oriented(curves: &[Curve<'_>]) -> Result<Self, Error> {
+        let arena = match arena_of(curves)? {
+            Ok(arena) => arena,
+            Err(fault) => return Err(fault.into_error()),
+        };
+        let Lying { parents, is_positive, .. } = match lying_apart(&arena)? {
+            Ok(lying) => lying,
+            Err(fault) => return Err(fault.into_error()),
+        };
+        let depth = |curve: usize| {
+            let around = |&at: &usize| parents[at].map(|parent| parent as usize);
+            std::iter::successors(around(&curve), around).count()
+        };
+        let turned: Vec<Curve<'static>> = curves
+            .iter()
+            .enumerate()
+            .map(|(at, curve)| match is_positive[at] == depth(at).is_multiple_of(2) {
+                true => curve.clone().into_owned(),
+                false => curve.reversed(),
+            })
+            .collect();
+        Self::new(&turned)
     }
 
     /// Why curves are not the boundary of a Yin set; none if they are.
@@ -194,15 +237,23 @@ fn first_degenerate(arena: &CurveArena) -> Option<YinFault> {
 
 /// How closed curves without degenerate pieces lie, or why they bound no Yin set.
 pub(crate) fn lying(arena: &CurveArena) -> Result<Result<Lying, YinFault>, Error> {
+    Ok(lying_apart(arena)?.and_then(|found| match alternation(&found.parents, &found.is_positive) {
+        None => Ok(found),
+        Some(fault) => Err(fault),
+    }))
+}
+
+/// How closed curves without degenerate pieces lie, whatever way they run, or why they are not almost disjoint Jordan curves.
+fn lying_apart(arena: &CurveArena) -> Result<Result<Lying, YinFault>, Error> {
     let rings = match arena.order() {
         Order::LINEAR => linear_overlay(&[arena])?.jordan_rings(),
         _ => curved_jordan_rings(arena)?,
     };
-    let (parents, is_positive, touching) = match rings {
-        Ok(rings) => rings.into_parts(),
-        Err(fault) => return Ok(Err(named(fault))),
+    let lying = |rings: JordanRings| {
+        let (parents, is_positive, touching) = rings.into_parts();
+        Lying { parents, is_positive, touching }
     };
-    Ok(alternation(&parents, &is_positive).map_or(Ok(Lying { parents, is_positive, touching }), Err))
+    Ok(rings.map(lying).map_err(named))
 }
 
 /// Where positive and negative curves do not alternate.

@@ -419,3 +419,26 @@ fn kinks_are_found_by_their_turns() {
         );
     }
 }
+
+#[test]
+fn knots_and_kinks_near_points() {
+    let ring = vec![[0.0, 0.0], [4.0, 0.0], [5.0, 2.0], [4.0, 4.0], [0.0, 4.0]];
+    let set = YinSet::fit(&[ring.clone()], &[vec![1, 3]], Order::CUBIC, &EndCondition::NotAKnot).unwrap();
+    for x in -4..=24 {
+        for y in -4..=20 {
+            let point = [0.25 * f64::from(x), 0.25 * f64::from(y)];
+            let far = |knot: u32| {
+                let own = ring[knot as usize];
+                (own[0] - point[0]).hypot(own[1] - point[1])
+            };
+            let nearest = |knots: &[u32]| knots.iter().map(|&knot| far(knot)).fold(f64::INFINITY, f64::min);
+            let at = set.nearest_knot(point).unwrap().unwrap();
+            assert_eq!(far(at.knot), nearest(&[0, 1, 2, 3, 4]));
+            let kink = set.vertex_to_knot(set.nearest_kink(point).unwrap().unwrap()).unwrap();
+            assert_eq!(far(kink.knot), nearest(&[1, 3]));
+        }
+    }
+    assert_eq!(YinSet::plane(Order::CUBIC).nearest_knot([0.0; 2]).unwrap(), None);
+    assert!(set.nearest_knot([f64::NAN, 0.0]).is_err());
+    assert!(set.nearest_kink([0.0, f64::INFINITY]).is_err());
+}

@@ -232,3 +232,30 @@ fn what_curves_are_refused_for() {
     let formula = BooleanFormula::parse("a & c", &[]).unwrap();
     assert!(YinSet::combine(&[&spadjor(3), &spadjor(4)], &formula).is_err());
 }
+
+/// Curves that run either way bound what is inside of them; each turned by hand is the second method.
+#[test]
+fn curves_of_any_direction_bound_their_inside() {
+    let ring = |radius: f64, order: Order| Curve::circle([0.1, -0.2], radius, 12, order).unwrap();
+    for order in [Order::LINEAR, Order::CUBIC] {
+        let nested: Vec<Curve<'_>> = [3.0, 2.0, 1.0, 0.5].iter().map(|&radius| ring(radius, order)).collect();
+        let turned: Vec<Curve<'_>> = nested
+            .iter()
+            .enumerate()
+            .map(|(at, curve)| if at % 2 == 0 { curve.clone() } else { curve.reversed() })
+            .collect();
+        let right = YinSet::new(&turned).unwrap();
+        for mask in 0..16 {
+            let given: Vec<Curve<'_>> = nested
+                .iter()
+                .enumerate()
+                .map(|(at, curve)| if mask >> at & 1 == 0 { curve.clone() } else { curve.reversed() })
+                .collect();
+            let found = YinSet::oriented(&given).unwrap();
+            assert_eq!(found.canonical(), right.canonical(), "{order} {mask}");
+        }
+    }
+    assert!(YinSet::oriented(&[]).is_err());
+    let crossing = [ring(1.0, Order::CUBIC), ring(1.0, Order::CUBIC).translated([0.5, 0.0])];
+    assert!(YinSet::oriented(&crossing).is_err());
+}

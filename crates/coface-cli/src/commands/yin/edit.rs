@@ -1,6 +1,6 @@
 //! `coface yin kinks`: kinks listed, inserted, erased and reset.
 
-use super::{SetOptions, give, kinks, knot};
+use super::{SetOptions, give, kinks, knot, pair};
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input;
@@ -15,8 +15,8 @@ use std::path::PathBuf;
 /// The kinks of a set: list, insert, erase or reset them.
 ///
 /// A kink is a knot at which the boundary need not be smooth. Between kinks it is one spline: where a kink comes or goes, the splines
-/// beside it are fitted again, and everything else stays bit for bit. --reset comes first, then --erase, then --insert. If one fails,
-/// nothing is written.
+/// beside it are fitted again, and everything else stays bit for bit. --reset comes first, then what is erased, then what is inserted. If
+/// one fails, nothing is written.
 ///
 /// With --json also "complex" (the kinks by their names), and "kink_points": for each its "vertex", "curve", "knot" and "point".
 #[derive(Args)]
@@ -29,12 +29,35 @@ pub(super) struct Kinks {
     /// Replace all kinks by these, as --kinks names them, and fit everything again; without a value by none
     #[arg(long, value_name = "KINKS", num_args = 0..=1, default_missing_value = "none", value_parser = kinks)]
     reset: Option<KinkRequest>,
-    /// Make a knot a kink: CURVE:KNOT; may be given several times
-    #[arg(long, value_name = "KNOT", value_parser = knot, value_delimiter = ',', allow_hyphen_values = true)]
-    insert: Vec<KnotIndex>,
+    /// Make a knot a kink: CURVE:KNOT, where the curve is its number or its name; may be given several times
+    #[arg(long, value_name = "KNOT", value_parser = place, value_delimiter = ',', allow_hyphen_values = true)]
+    insert: Vec<Place>,
+    /// Make the knot a kink that is nearest to a point: X,Y; may be given several times
+    #[arg(long, value_name = "POINT", value_parser = pair, allow_hyphen_values = true)]
+    insert_near: Vec<[f64; 2]>,
     /// Make the kink of this name smooth again; may be given several times
     #[arg(long, value_name = "VERTEX", value_delimiter = ',', value_parser = vertex, allow_hyphen_values = true)]
     erase: Vec<u32>,
+    /// Make the kink smooth again that is nearest to a point: X,Y; may be given several times
+    #[arg(long, value_name = "POINT", value_parser = pair, allow_hyphen_values = true)]
+    erase_near: Vec<[f64; 2]>,
+}
+
+/// A knot on a curve that has a number or a name.
+#[derive(Clone)]
+enum Place {
+    Knot(KnotIndex),
+    OnNamed(String, u32),
+}
+
+fn place(text: &str) -> Result<Place, String> {
+    if let Some((name, knot)) = text.rsplit_once(':')
+        && let (Err(_), Ok(knot)) = (name.trim().parse::<u32>(), knot.trim().parse())
+        && !name.is_empty()
+    {
+        return Ok(Place::OnNamed(name.to_owned(), knot));
+    }
+    knot(text).map(Place::Knot)
 }
 
 /// The name of a kink, with the v that it is printed with or without.
@@ -61,10 +84,28 @@ impl Kinks {
         if let Some(request) = &self.reset {
             planar.reset_kinks(request)?;
         }
+        // Names and places are those of before, so that their order does not count.
+        let mut inserted = Vec::with_capacity(self.insert.len() + self.insert_near.len());
+        for place in &self.insert {
+            inserted.push(match place {
+                Place::Knot(at) => *at,
+                Place::OnNamed(name, knot) => KnotIndex { curve: planar.curve_of_name(name)?, knot: *knot },
+            });
+        }
         let set = planar.set_mut();
-        let erased: Vec<VertexId> = self.erase.iter().map(|&vertex| VertexId::from_u32(vertex)).collect();
+        for &point in &self.insert_near {
+            inserted.push(set.nearest_knot(point)?.ok_or_else(|| {
+                coface::Error::invalid("the set has no curves, and so no knots; leave out --insert-near")
+            })?);
+        }
+        let mut erased: Vec<VertexId> = self.erase.iter().map(|&vertex| VertexId::from_u32(vertex)).collect();
+        for &point in &self.erase_near {
+            erased.push(set.nearest_kink(point)?.ok_or_else(|| {
+                coface::Error::invalid("the set has no kinks; leave out --erase-near")
+            })?);
+        }
         set.erase_kinks(&erased)?;
-        set.insert_kinks(&self.insert)?;
+        set.insert_kinks(&inserted)?;
         Ok(())
     }
 }

@@ -370,6 +370,7 @@ fn give(
 ) -> Result<(), Failure> {
     progress.stage("writing");
     let lost = options.write(set, output, common)?;
+    say_remarks(&answer.set().remarks, common);
     answer.set_mut().remarks.extend(lost);
     drop(progress);
     say(title, &answer, output.is_some(), common)

@@ -28,7 +28,7 @@ pub(super) fn of(title: &str, set: &YinSetAnswer, kink_points: &[YinKinkPoint]) 
     match set.area {
         Some(area) => fact("area", text::number(area), ""),
         None if set.bounded => {
-            fact("area", "too large".to_owned(), "beyond the range of numbers: scale the set down");
+            fact("area", "too large".to_owned(), "beyond the range of numbers");
         }
         None => fact("area", "infinite".to_owned(), ""),
     }

@@ -115,6 +115,18 @@ pub(super) const CASES: &[Case] = &[
         .files(BOW)
         .misused("coface yin kinks bow.wkt --rule nonzero --erase first")
         .cured(&[&["coface yin kinks bow.wkt --rule nonzero"]]),
+    Case::new("yin/edit.rs", "the set has no curves, and so no knots; leave out --insert-near")
+        .files(&[("none.json", "{\"curves\":[]}")])
+        .refused("coface yin kinks none.json --insert-near 1,1")
+        .cured(&[&["coface yin kinks none.json"]]),
+    Case::new("yin/edit.rs", "the set has no kinks; leave out --erase-near")
+        .files(DROP)
+        .refused("coface yin kinks drop.json --erase-near 1,1")
+        .cured(&[&["coface yin kinks drop.json"]]),
+    Case::new("yin/making.rs", "take the number of the curve")
+        .files(DROP)
+        .refused("coface yin kinks drop.json --insert rim:1")
+        .cured(&[&["coface yin kinks drop.json --insert 0:1"]]),
     Case::new("yin/mod.rs", "--picture draws an SVG: name it with -o FILE.svg")
         .files(DISK)
         .refused("coface yin info disk.svg --picture forest")
