@@ -69,7 +69,9 @@ fn combine_closely(
         }
     }
     // What is taken for one has to be one but for rounding: else something would be lost in silence.
-    let is_lossless = |found: &Combination| found.report.iter().all(|decision| !is_lossy(sets, decision));
+    let limit = rounding_limit(sets);
+    let is_lossless =
+        |found: &Combination| found.report.iter().all(|decision| !is_lossy(sets, decision, limit));
     match at_usual {
         Ok(found) if is_lossless(&found) => return Ok(found),
         Ok(_) => return Err(at_fine.expect("finer resolutions have failed")),
@@ -85,16 +87,19 @@ fn combine_closely(
     at_usual
 }
 
+/// How far coordinates of results are off at most: so many times the last digit of the largest, for each degree of freedom of a piece.
+fn rounding_limit(sets: &[&YinSet]) -> f64 {
+    const ROUNDING: f64 = 16.0;
+    let corners = sets.iter().filter_map(|set| set.bounding_box()).flatten().flatten();
+    let largest = corners.fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    let order = sets.iter().map(|set| set.order().value()).max().unwrap_or(0);
+    ROUNDING * order as f64 * f64::EPSILON * largest
+}
+
 /// Whether two arcs were taken for one that are farther apart than double coordinates tell, or a curve for a point.
-fn is_lossy(sets: &[&YinSet], decision: &UncertifiedDecision) -> bool {
-    /// Rounding of coordinates is so many times the last digit of the largest at most.
-    const ROUNDING: f64 = 64.0;
+fn is_lossy(sets: &[&YinSet], decision: &UncertifiedDecision, limit: f64) -> bool {
     /// How many places of an arc are looked at.
     const PLACES: usize = 8;
-    let rounding = |controls: &[[f64; 2]]| {
-        let largest = controls.as_flattened().iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
-        ROUNDING * f64::EPSILON * largest
-    };
     let [a, b] = decision.pieces();
     let curve = |source: &PieceSource| sets[source.operand as usize].curve(source.curve as usize);
     match decision.assumption() {
@@ -102,16 +107,17 @@ fn is_lossy(sets: &[&YinSet], decision: &UncertifiedDecision) -> bool {
         Assumption::SmallCurve => {
             let own = curve(&a);
             let [low, high] = bernstein::control_box(own.controls());
-            (0..2).any(|axis| high[axis] - low[axis] > rounding(own.controls()))
+            (0..2).any(|axis| high[axis] - low[axis] > limit)
         }
         Assumption::SameArc => {
             let [own, other] = [curve(&a), curve(&b)];
-            let [own, other] = [own.piece(a.piece as usize), other.piece(b.piece as usize)];
-            let limit = rounding(own);
+            let own = own.piece(a.piece as usize);
+            // The arc may go on along other pieces of the curve.
+            let is_near = |piece: usize, point| distance_to(other.piece(piece), point, 2.0 * limit) <= limit;
             (0..=PLACES).any(|place| {
                 let part = place as f64 / PLACES as f64;
-                let at = a.range[0] + part * (a.range[1] - a.range[0]);
-                distance_to(other, bernstein::value(own, at), 2.0 * limit) > limit
+                let point = bernstein::value(own, a.range[0] + part * (a.range[1] - a.range[0]));
+                !is_near(b.piece as usize, point) && !(0..other.piece_count()).any(|piece| is_near(piece, point))
             })
         }
     }

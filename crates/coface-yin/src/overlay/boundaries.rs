@@ -235,12 +235,16 @@ impl<'a> Boundaries<'a> {
         });
         (0..2).all(|side| {
             let other = &pieces[1 - side];
-            let is_near = |point: [f64; 2]| {
-                other.iter().any(|piece| distance_to(piece, point, limit.next_up()) <= limit)
+            // Most points are near the piece that the one before is near.
+            let mut last = 0;
+            let mut is_near = |point: [f64; 2]| {
+                let is_near_piece = |piece: &Piece| distance_to(piece, point, limit.next_up()) <= limit;
+                is_near_piece(&other[last])
+                    || other.iter().position(is_near_piece).inspect(|&at| last = at).is_some()
             };
             pieces[side].iter().all(|piece| {
-                let last = (PLACES + 1) as f64;
-                (0..=PLACES + 1).all(|place| is_near(bernstein::value(piece, place as f64 / last)))
+                let steps = (PLACES + 1) as f64;
+                (0..=PLACES + 1).all(|place| is_near(bernstein::value(piece, place as f64 / steps)))
             })
         })
     }

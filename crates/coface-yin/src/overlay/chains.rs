@@ -1,8 +1,9 @@
 //! What lies between the breaks of curves, and which of it runs along common arcs.
 
 use super::boundaries::Boundaries;
-use super::nodes::{Break, Nodes, OverlapEnd};
+use super::nodes::{Break, Nodes, OverlapEnd, tell};
 use crate::meetings::Overlap;
+use crate::{Assumption, UncertifiedDecision};
 use coface_algebra::Error;
 use coface_algebra::{ParityUnion, ParityUnionFind, Sign};
 use coface_arrange::planar::ChainEdges;
@@ -10,6 +11,9 @@ use std::fmt::Write;
 
 /// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
 const NONE: u32 = u32::MAX;
+
+/// Chains are one that are nowhere farther apart than so many times what rounding does to points.
+const THIN: f64 = 3.0;
 
 /// Chains have the numbers of the breaks that they begin at.
 pub(super) struct Chains<'a> {
@@ -44,11 +48,15 @@ impl Chains<'_> {
         self.boundaries.parts(from.leave, to.arrive)
     }
 
-    /// The edges: chains along common arcs are one.
+    /// The edges: chains along common arcs are one, and those between two nodes that are nowhere farther apart than rounding of results.
     ///
     /// # Errors
     /// If nodes along the two sides of an overlap are not the same.
-    pub(super) fn edges(&self, overlaps: &[Overlap]) -> Result<ChainEdges, Error> {
+    pub(super) fn edges(
+        &self,
+        overlaps: &[Overlap],
+        report: &mut Vec<UncertifiedDecision>,
+    ) -> Result<ChainEdges, Error> {
         let count = self.nodes.breaks.len();
         let mut equal = ParityUnionFind::new(count);
         for (overlap, overlap_ends) in overlaps.iter().zip(&self.nodes.overlap_ends) {
@@ -74,6 +82,7 @@ impl Chains<'_> {
                 ));
             }
         }
+        self.unite_thin(&mut equal, report);
         let mut first_of_class = vec![NONE; count];
         let mut first_of = Vec::with_capacity(count);
         for chain in 0..count as u32 {
@@ -89,6 +98,41 @@ impl Chains<'_> {
             &first_of,
             |chain, first| signs[chain as usize] != signs[first as usize],
         ))
+    }
+
+    /// Unites chains between the same nodes that are nowhere farther apart than rounding of results: what is between them could not be
+    /// written.
+    fn unite_thin(&self, equal: &mut ParityUnionFind, report: &mut Vec<UncertifiedDecision>) {
+        let limit = THIN * self.boundaries.rounding;
+        let mut parallel: Vec<([u32; 2], u32)> = Vec::new();
+        for chain in 0..self.nodes.breaks.len() as u32 {
+            let [from, to] = self.ends(chain);
+            if from != to {
+                parallel.push(([from.min(to), from.max(to)], chain));
+            }
+        }
+        parallel.sort_unstable();
+        let arc = |chain: u32| {
+            let [from, to] = self.breaks(chain);
+            [from.leave, to.arrive]
+        };
+        for group in parallel.chunk_by(|a, b| a.0 == b.0) {
+            for (at, &(_, a)) in group.iter().enumerate() {
+                for &(_, b) in &group[at + 1..] {
+                    let is_one = equal.find(a).0 == equal.find(b).0;
+                    if is_one || !self.boundaries.are_near([arc(a), arc(b)], limit) {
+                        continue;
+                    }
+                    let sign = if self.ends(a) == self.ends(b) { Sign::Plus } else { Sign::Minus };
+                    if equal.unite(a, b, sign) != ParityUnion::Contradicts {
+                        let place = self.nodes.points[self.breaks(a)[0].node as usize];
+                        let other = self.parts(b).next().expect("chains are longer than the resolution");
+                        let decision = |part| tell(self.boundaries, Assumption::SameArc, place, [part, other]);
+                        report.extend(self.parts(a).map(decision));
+                    }
+                }
+            }
+        }
     }
 
     /// The chains along a side of an overlap, from its beginning to its end; none where it is contracted.

@@ -54,7 +54,7 @@ impl<'a> CurvedOverlay<'a> {
         let nodes = Nodes::new(&boundaries, &points, &overlaps, &mut report);
         drop(points);
         let chains = Chains { boundaries: &boundaries, nodes: &nodes };
-        let edges = chains.edges(&overlaps)?;
+        let edges = chains.edges(&overlaps, &mut report)?;
         let departures = Departures::new(&chains, &edges);
         let orbits = Orbits::in_order(nodes.points.len(), edges.ends(), |list, scratch| {
             departures.order(list, scratch);

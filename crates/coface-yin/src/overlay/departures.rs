@@ -9,6 +9,7 @@ use super::chains::{Chains, undecided};
 use super::nodes::tell;
 use crate::curve::bernstein;
 use crate::curve::bernstein::Piece;
+use crate::curve::nearest_on;
 use crate::{Assumption, UncertifiedDecision};
 use coface_algebra::Error;
 use coface_arrange::planar::ChainEdges;
@@ -171,13 +172,54 @@ impl<'a> Departures<'a> {
                 best = height;
             }
         }
+        let is_open = best.abs() <= 2.0 * self.boundaries().rounding || has_both == [true; 2];
+        let along = if is_open { self.turn_along(about.1) } else { None };
         let mut doubts = self.doubts.lock().expect("no thread has failed here");
-        if best.abs() <= 2.0 * self.boundaries().rounding || has_both == [true; 2] {
+        if let Some(along) = along {
+            doubts.uncertain.push(about);
+            best = along;
+        } else if is_open {
             doubts.undecided.push(about);
         } else if best.abs() <= 4.0 * self.boundaries().resolution {
             doubts.uncertain.push(about);
         }
         best.total_cmp(&0.0)
+    }
+
+    /// How far the second of two arcs is to the left of the first where they are first clearly apart, however far that is from the node and
+    /// whatever way they turn; nothing if they are nowhere or each says another side.
+    fn turn_along(&self, halfedges: [u32; 2]) -> Option<f64> {
+        /// Places of each piece.
+        const PLACES: usize = 8;
+        /// How many pieces arcs are followed here.
+        const MOST: usize = 4096;
+        let pieces = halfedges.map(|halfedge| self.parts(halfedge).take(MOST).collect::<Vec<Piece>>());
+        let clear = 2.0 * self.boundaries().rounding;
+        // How far one arc is to the left of the other.
+        let offset = |own: &[Piece], other: &[Piece]| {
+            let mut first = 0;
+            for piece in own {
+                for place in 1..=PLACES {
+                    let point = bernstein::value(piece, place as f64 / PLACES as f64);
+                    let (at, [far, t]) = nearest_from(other, first, point)?;
+                    if at + 1 == other.len() && t == 1.0 {
+                        return None;
+                    }
+                    first = at;
+                    if far > clear {
+                        let tangent = bernstein::value(&bernstein::derivative(&other[at]), t);
+                        let way = difference(point, bernstein::value(&other[at], t));
+                        return Some(far.copysign(tangent[0] * way[1] - tangent[1] * way[0]));
+                    }
+                }
+            }
+            None
+        };
+        let found = [offset(&pieces[1], &pieces[0]), offset(&pieces[0], &pieces[1]).map(|x| -x)];
+        match found {
+            [Some(a), Some(b)] if (a > 0.0) != (b > 0.0) => None,
+            [a, b] => a.or(b),
+        }
     }
 
     fn arc(&self, halfedge: u32, center: [f64; 2]) -> Arc {
@@ -264,6 +306,20 @@ impl Arc {
         }
         bernstein::value(piece, high)
     }
+}
+
+/// The nearest point of pieces that follow each other, from one of them on as long as they come nearer: its piece, how far it is, and the
+/// parameter.
+fn nearest_from(pieces: &[Piece], first: usize, point: [f64; 2]) -> Option<(usize, [f64; 2])> {
+    let mut best: Option<(usize, [f64; 2])> = None;
+    for (at, piece) in pieces.iter().enumerate().skip(first) {
+        let known = best.map_or(f64::INFINITY, |(_, [far, _])| far);
+        match nearest_on(piece, point, known) {
+            Some(found) => best = Some((at, found)),
+            None => break,
+        }
+    }
+    best
 }
 
 fn difference(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
