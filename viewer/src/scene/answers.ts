@@ -1601,7 +1601,7 @@ export interface Remark {
 }
 
 /** What sort of remark a [`Remark`] is. The word in the JSON is the name in kebab case: `isolated-vertex`. */
-export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "reference-assumed" | "heights-left-out" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "invalid-polygon" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "ideal-vertices-cut" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "overlapping-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "property-missing" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "points-rounded" | "features-joined" | "thin-cells" | "data-left-out" | "merged-within-block" | "topology-repaired" | "curves-vanished" | "decision-uncertified" | "model-repaired" | "not-drawn" | "drawn-instead" | "positions-invented" | "earlier-run-ignored" | "input-refused";
+export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "reference-assumed" | "heights-left-out" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "invalid-polygon" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "ideal-vertices-cut" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "overlapping-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "property-missing" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "points-rounded" | "features-joined" | "thin-cells" | "beyond-range" | "data-left-out" | "merged-within-block" | "topology-repaired" | "curves-vanished" | "decision-uncertified" | "model-repaired" | "not-drawn" | "drawn-instead" | "positions-invented" | "earlier-run-ignored" | "input-refused";
 
 /** A still picture. */
 export interface RenderAnswer {
@@ -2136,7 +2136,7 @@ export interface WitnessAnswer {
 export interface YinAdvectAnswer {
   /** The number of knots that were added. */
   added: number;
-  /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers. */
+  /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers, as a remark says then. */
   area?: number | null;
   /** The area at the beginning; null if it is infinite. */
   area_before?: number | null;
@@ -2164,7 +2164,7 @@ export interface YinAdvectAnswer {
   kinks: number;
   /** The order of its splines: 2 for polylines, 4 for cubics, 6, 8. */
   order: number;
-  /** The length of all curves, in the unit of the file; null beyond the range of numbers. */
+  /** The length of all curves, in the unit of the file; null beyond the range of numbers, as a remark says then. */
   perimeter?: number | null;
   /** Whether it is the whole plane. */
   plane: boolean;
@@ -2216,7 +2216,7 @@ export interface YinBoundarySample {
 
 /** The answer of `yin complement`, `meet`, `join`, `difference`, `xor` and `combine`. */
 export interface YinCombinationAnswer {
-  /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers. */
+  /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers, as a remark says then. */
   area?: number | null;
   /** How far the area is off at most. */
   area_error: number;
@@ -2242,7 +2242,7 @@ export interface YinCombinationAnswer {
   kinks: number;
   /** The order of its splines: 2 for polylines, 4 for cubics, 6, 8. */
   order: number;
-  /** The length of all curves, in the unit of the file; null beyond the range of numbers. */
+  /** The length of all curves, in the unit of the file; null beyond the range of numbers, as a remark says then. */
   perimeter?: number | null;
   /** Whether it is the whole plane. */
   plane: boolean;
@@ -2393,7 +2393,7 @@ export type YinFaultKind = "open" | "too_few_pieces" | "zero_length" | "self_mee
 
 /** The answer of `yin info`. */
 export interface YinInfoAnswer {
-  /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers. */
+  /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers, as a remark says then. */
   area?: number | null;
   /** The curves of each component, the positive one first, if it has one. */
   atoms: number[][];
@@ -2417,7 +2417,7 @@ export interface YinInfoAnswer {
   kinks: number;
   /** The order of its splines: 2 for polylines, 4 for cubics, 6, 8. */
   order: number;
-  /** The length of all curves, in the unit of the file; null beyond the range of numbers. */
+  /** The length of all curves, in the unit of the file; null beyond the range of numbers, as a remark says then. */
   perimeter?: number | null;
   /** Whether it is the whole plane. */
   plane: boolean;
@@ -2477,7 +2477,7 @@ export interface YinKinkPoint {
 
 /** The answer of `yin kinks`. */
 export interface YinKinksAnswer {
-  /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers. */
+  /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers, as a remark says then. */
   area?: number | null;
   /** The curves of each component, the positive one first, if it has one. */
   atoms: number[][];
@@ -2505,7 +2505,7 @@ export interface YinKinksAnswer {
   kinks: number;
   /** The order of its splines: 2 for polylines, 4 for cubics, 6, 8. */
   order: number;
-  /** The length of all curves, in the unit of the file; null beyond the range of numbers. */
+  /** The length of all curves, in the unit of the file; null beyond the range of numbers, as a remark says then. */
   perimeter?: number | null;
   /** Whether it is the whole plane. */
   plane: boolean;
@@ -2562,7 +2562,7 @@ export interface YinNeighborAnswer {
 
 /** The answer of `yin normalize`. */
 export interface YinNormalizeAnswer {
-  /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers. */
+  /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers, as a remark says then. */
   area?: number | null;
   /** The curves of each component, the positive one first, if it has one. */
   atoms: number[][];
@@ -2586,7 +2586,7 @@ export interface YinNormalizeAnswer {
   kinks: number;
   /** The order of its splines: 2 for polylines, 4 for cubics, 6, 8. */
   order: number;
-  /** The length of all curves, in the unit of the file; null beyond the range of numbers. */
+  /** The length of all curves, in the unit of the file; null beyond the range of numbers, as a remark says then. */
   perimeter?: number | null;
   /** Whether it is the whole plane. */
   plane: boolean;
@@ -2686,7 +2686,7 @@ export interface YinSeriesRow {
 
 /** A set of the plane. */
 export interface YinSetAnswer {
-  /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers. */
+  /** The area, in the square of the unit of the file; null if it is infinite, or beyond the range of numbers, as a remark says then. */
   area?: number | null;
   /** The curves of each component, the positive one first, if it has one. */
   atoms: number[][];
@@ -2708,7 +2708,7 @@ export interface YinSetAnswer {
   kinks: number;
   /** The order of its splines: 2 for polylines, 4 for cubics, 6, 8. */
   order: number;
-  /** The length of all curves, in the unit of the file; null beyond the range of numbers. */
+  /** The length of all curves, in the unit of the file; null beyond the range of numbers, as a remark says then. */
   perimeter?: number | null;
   /** Whether it is the whole plane. */
   plane: boolean;

@@ -2,8 +2,8 @@
 
 use super::PlanarSet;
 use crate::answer::{
-    Remark, RemarkCode, YinComparisonAnswer, YinCurve, YinDecision, YinKinkPoint, YinPieceSource, YinProvenance,
-    YinSetAnswer,
+    Remark, RemarkCode, YinComparisonAnswer, YinCurve, YinDecision, YinKinkPoint, YinPieceSource,
+    YinProvenance, YinSetAnswer,
 };
 use coface_algebra::{Error, VertexId};
 use coface_yin::{Assumption, Combination, KnotIndex, PieceSource, UncertifiedDecision, YinSet};

@@ -80,7 +80,14 @@ fn what_bounds_nothing_is_said() {
     assert_eq!(answer["remarks"][0]["code"], json!("beyond-range"));
     assert!(told.stderr.contains("the area is beyond the range of numbers: scale the set down by 1e-200"));
     let near = folder.path().join("near.json");
-    yin(&["transform", argument(&file(&folder, "far.json", far)), "--scale", "1e-200", "-o", argument(&near)]);
+    yin(&[
+        "transform",
+        argument(&file(&folder, "far.json", far)),
+        "--scale",
+        "1e-200",
+        "-o",
+        argument(&near),
+    ]);
     let area = yin(&["info", argument(&near)])["area"].as_f64().unwrap();
     assert!(area > 1e200 && area < 2e200, "{area:e}");
 }
@@ -91,7 +98,8 @@ fn kinks_are_edited_by_places_and_names() {
     let text = "{\"order\":4,\"curves\":[{\"points\":[[0,0],[4,0],[5,2],[4,4],[0,4]],\"kinks\":[0,4],\"name\":\"a:b\"}]}";
     let path = file(&folder, "leaf.json", text);
     let path = argument(&path);
-    let by_place = yin(&["kinks", path, "--erase-near", "0.5,3", "--insert-near", "4.5,0.1", "--insert-near", "6,2"]);
+    let by_place =
+        yin(&["kinks", path, "--erase-near", "0.5,3", "--insert-near", "4.5,0.1", "--insert-near", "6,2"]);
     assert_eq!(by_place["curves"][0]["kinks"], json!([0, 1, 2]));
     let by_name = yin(&["kinks", path, "--erase", "1", "--insert", "a:b:1", "--insert", "0:2"]);
     assert_eq!(by_name["curves"], by_place["curves"]);
@@ -104,7 +112,8 @@ fn kinks_are_edited_by_places_and_names() {
         let told = run(&[&["kinks", path], words].concat());
         assert!(told.status == 1 && told.stderr.contains(said), "{words:?}: {}", told.stderr);
     }
-    let told = run(&["kinks", argument(&file(&folder, "none.json", "{\"curves\":[]}")), "--insert-near", "0,0"]);
+    let told =
+        run(&["kinks", argument(&file(&folder, "none.json", "{\"curves\":[]}")), "--insert-near", "0,0"]);
     assert!(told.status == 1 && told.stderr.contains("the set has no curves"), "{}", told.stderr);
 }
 

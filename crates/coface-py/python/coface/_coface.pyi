@@ -3184,6 +3184,9 @@ class YinSet:
     curves : sequence of Curve
         Boundaries with the set on their left, pairwise disjoint but for single points. Outermost ones that run clockwise leave everything
         outside of them, with an :class:`AssumptionWarning`.
+    orient : bool
+        Whether curves are turned so that they bound what is inside of them: those in no other counterclockwise, those in others against the one
+        around them.
     """
     def _repr_html_(self) -> str: ...
     def plot(self, **options: Any) -> Any:
@@ -3221,7 +3224,7 @@ class YinSet:
     def curve_facts(self) -> list[dict[str, Json]]:
         """For each curve ``sign``, ``area``, ``length``, ``knots``, ``kinks``, ``parent``, ``depth``, ``name``."""
         ...
-    def __new__(cls, curves: Sequence[Curve]) -> YinSet: ...
+    def __new__(cls, curves: Sequence[Curve], *, orient: bool = False) -> YinSet: ...
     @staticmethod
     def read(path: str | os.PathLike[str], format: str | None = None, *, order: int | None = None, rule: str | None = None, kinks: str | float | Sequence[tuple[int, int]] | None = None, ends: str = "not-a-knot", fit: bool = False, canonical: bool = False, flatten: float | None = None, allow_outside: bool = False, progress: _Progress = ...) -> YinSet:
         """Reads a set from a file: SVG, GeoJSON, WKT, JSON, ``.dat`` or any drawing with rings.
@@ -3393,7 +3396,7 @@ class YinSet:
         ...
     @property
     def area(self) -> float:
-        """The area; inf of an unbounded set."""
+        """The area; inf of an unbounded set. That of a bounded set which is beyond the range of numbers is an error."""
         ...
     @property
     def order(self) -> int:
@@ -3415,13 +3418,13 @@ class YinSet:
     def kinks(self) -> Kinks:
         """The kinks."""
         ...
-    def insert_kink(self, curve: int, knot: int) -> tuple[YinSet, int]:
+    def insert_kink(self, curve: int | str, knot: int) -> tuple[YinSet, int]:
         """The set with one more kink.
 
         Parameters
         ----------
-        curve : int
-            The number of the curve.
+        curve : int or str
+            The number of the curve, or its name.
         knot : int
             The number of the knot.
 
@@ -3433,8 +3436,33 @@ class YinSet:
             The name of the kink.
         """
         ...
+    def insert_kink_near(self, point: ArrayLike) -> tuple[YinSet, int]:
+        """The set with one more kink, at the knot that is nearest to a point.
+
+        Parameters
+        ----------
+        point : array_like, shape (2,)
+            The point.
+
+        Returns
+        -------
+        set : YinSet
+            The curve fitted again.
+        vertex : int
+            The name of the kink.
+        """
+        ...
     def erase_kink(self, vertex: int) -> YinSet:
         """The set without the kink of this name."""
+        ...
+    def erase_kink_near(self, point: ArrayLike) -> YinSet:
+        """The set without the kink that is nearest to a point.
+
+        Parameters
+        ----------
+        point : array_like, shape (2,)
+            The point.
+        """
         ...
     def reset_kinks(self, kinks: str | float | Sequence[tuple[int, int]] | None) -> YinSet:
         """The set with these kinks and no others: ``"none"``, ``"all"``, an angle in degrees, or pairs (curve, knot)."""

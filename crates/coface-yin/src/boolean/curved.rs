@@ -117,7 +117,8 @@ fn is_lossy(sets: &[&YinSet], decision: &UncertifiedDecision, limit: f64) -> boo
             (0..=PLACES).any(|place| {
                 let part = place as f64 / PLACES as f64;
                 let point = bernstein::value(own, a.range[0] + part * (a.range[1] - a.range[0]));
-                !is_near(b.piece as usize, point) && !(0..other.piece_count()).any(|piece| is_near(piece, point))
+                !is_near(b.piece as usize, point)
+                    && !(0..other.piece_count()).any(|piece| is_near(piece, point))
             })
         }
     }

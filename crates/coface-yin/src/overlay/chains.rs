@@ -127,7 +127,8 @@ impl Chains<'_> {
                     if equal.unite(a, b, sign) != ParityUnion::Contradicts {
                         let place = self.nodes.points[self.breaks(a)[0].node as usize];
                         let other = self.parts(b).next().expect("chains are longer than the resolution");
-                        let decision = |part| tell(self.boundaries, Assumption::SameArc, place, [part, other]);
+                        let decision =
+                            |part| tell(self.boundaries, Assumption::SameArc, place, [part, other]);
                         report.extend(self.parts(a).map(decision));
                     }
                 }

@@ -100,9 +100,10 @@ impl Kinks {
         }
         let mut erased: Vec<VertexId> = self.erase.iter().map(|&vertex| VertexId::from_u32(vertex)).collect();
         for &point in &self.erase_near {
-            erased.push(set.nearest_kink(point)?.ok_or_else(|| {
-                coface::Error::invalid("the set has no kinks; leave out --erase-near")
-            })?);
+            erased.push(
+                set.nearest_kink(point)?
+                    .ok_or_else(|| coface::Error::invalid("the set has no kinks; leave out --erase-near"))?,
+            );
         }
         set.erase_kinks(&erased)?;
         set.insert_kinks(&inserted)?;
