@@ -423,7 +423,8 @@ fn kinks_are_found_by_their_turns() {
 #[test]
 fn knots_and_kinks_near_points() {
     let ring = vec![[0.0, 0.0], [4.0, 0.0], [5.0, 2.0], [4.0, 4.0], [0.0, 4.0]];
-    let set = YinSet::fit(&[ring.clone()], &[vec![1, 3]], Order::CUBIC, &EndCondition::NotAKnot).unwrap();
+    let set = YinSet::fit(std::slice::from_ref(&ring), &[vec![1, 3]], Order::CUBIC, &EndCondition::NotAKnot)
+        .unwrap();
     for x in -4..=24 {
         for y in -4..=20 {
             let point = [0.25 * f64::from(x), 0.25 * f64::from(y)];
