@@ -11,6 +11,10 @@ fn run(arguments: &[&str]) -> Run {
     coface(&[&["yin"], arguments].concat())
 }
 
+fn yin(arguments: &[&str]) -> Value {
+    run(&[arguments, &["--json", "--quiet"]].concat()).json()
+}
+
 fn fails(arguments: &[&str]) -> String {
     let run = run(&[arguments, &["--quiet"]].concat());
     let message = run.fails_with(1).to_owned();
