@@ -16,7 +16,13 @@ pub struct Fault {
 }
 
 impl Fault {
-    pub(crate) fn new(step: impl Into<String>, message: impl Into<String>) -> Self {
+    /// The step that fails, and why.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_check::Fault::new("sweep", "edges 3 and 4 cross").to_string(), "sweep: edges 3 and 4 cross");
+    /// ```
+    pub fn new(step: impl Into<String>, message: impl Into<String>) -> Self {
         Self { step: step.into(), message: message.into() }
     }
 

@@ -11,7 +11,7 @@ mod generators;
 mod groups;
 mod homology;
 mod info;
-mod json;
+pub mod json;
 mod matching;
 mod polygons;
 mod sha256;
@@ -39,8 +39,15 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// What was proved, and the keys of an answer that say something else.
-    fn of(proved: Vec<String>, answer: &Value, known: &[&str]) -> Self {
+    /// What was proved; the keys of an answer beyond the known ones that hold something are unchecked.
+    ///
+    /// # Examples
+    /// ```
+    /// let answer = serde_json::json!({"genus": 1, "area": 2.5, "remarks": []});
+    /// let verdict = coface_check::Verdict::of(vec!["genus = 1".to_owned()], &answer, &["genus"]);
+    /// assert_eq!(verdict.unchecked(), ["area"]);
+    /// ```
+    pub fn of(proved: Vec<String>, answer: &Value, known: &[&str]) -> Self {
         let says = |value: &Value| !matches!(value, Value::Null) && *value != Value::Array(vec![]);
         let others = answer.as_object().into_iter().flatten();
         let others = others.filter(|(key, value)| !known.contains(&key.as_str()) && says(value));
@@ -90,6 +97,32 @@ impl Verdict {
 /// ```
 pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     let step = "certificate";
+    let whole = opened(certificate, inputs)?;
+    match text(field(&whole, "kind", step)?, "\"kind\"", step)? {
+        "homology" => homology::check(&whole, inputs),
+        "info" => info::check(&whole, inputs),
+        other => {
+            Err(Fault::new(step, format!("{other:?} is no kind of certificate that this checker knows")))
+        }
+    }
+}
+
+/// A certificate as JSON, which is of these inputs by their hashes.
+///
+/// # Errors
+/// A [`Fault`] for another form, or another input.
+///
+/// # Examples
+/// ```
+/// let certificate = format!(
+///     r#"{{"coface_certificate":1,"inputs":[{{"name":"a.json","sha256":"{}"}}]}}"#,
+///     coface_check::sha256(b"[[0]]")
+/// );
+/// assert!(coface_check::opened(certificate.as_bytes(), &[b"[[0]]"]).is_ok());
+/// assert!(coface_check::opened(certificate.as_bytes(), &[b"[[1]]"]).is_err());
+/// ```
+pub fn opened(certificate: &[u8], inputs: &[&[u8]]) -> Result<Value, Fault> {
+    let step = "certificate";
     let whole = parsed(certificate)?;
     let hashes = list(field(&whole, "inputs", step)?, "\"inputs\"", step)?;
     if hashes.len() != inputs.len() || inputs.is_empty() {
@@ -107,13 +140,7 @@ pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
             ));
         }
     }
-    match text(field(&whole, "kind", step)?, "\"kind\"", step)? {
-        "homology" => homology::check(&whole, inputs),
-        "info" => info::check(&whole, inputs),
-        other => {
-            Err(Fault::new(step, format!("{other:?} is no kind of certificate that this checker knows")))
-        }
-    }
+    Ok(whole)
 }
 
 /// A certificate of the form that is known.

@@ -1,11 +1,15 @@
 //! Certificates: proofs of answers about files, and their check by a program that shares no code with what computed them.
 
+use crate::arrangement::{formula, rule_of};
 use crate::chain_complex::ring;
 use crate::errors::{OrRaise, invalid, raised};
 use crate::work::run;
 use coface::Error;
 use coface::algebra::ErrorKind;
-use coface::answers::{HomologyRequest, RelativeTo, Report, ReportRequest};
+use coface::answers::{
+    ArrangementRequest, BooleanRequest, DrawingArrangement, HomologyRequest, PlanarDrawing, RegionBoolean, RegionSource,
+    RelativeTo, Report, ReportRequest,
+};
 use coface::io::{Format, read_path};
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
@@ -71,6 +75,37 @@ pub(crate) fn _certificate(
     })
 }
 
+/// The certificate of an arrangement of drawings in files, or with an operation of a Boolean, as text.
+#[pyfunction]
+#[pyo3(signature = (paths, operation, rule, exact, progress=None))]
+pub(crate) fn _drawing_certificate(
+    py: Python<'_>,
+    paths: Vec<PathBuf>,
+    operation: Option<&str>,
+    rule: Option<&str>,
+    exact: bool,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<String> {
+    let rule = rule_of(py, rule)?;
+    run(py, progress, || {
+        let names: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
+        let models = paths.iter().map(|path| read_path(path, None)).collect::<Result<Vec<_>, Error>>()?;
+        let bytes = paths.iter().map(|path| content(path)).collect::<Result<Vec<_>, Error>>()?;
+        let named = || names.iter().map(String::as_str);
+        let inputs: Vec<(&str, &[u8])> = named().zip(bytes.iter().map(Vec::as_slice)).collect();
+        let drawing = PlanarDrawing::new(named().zip(&models), RegionSource::Models)?;
+        let Some(operation) = operation else {
+            let mut request = ArrangementRequest::default();
+            (request.rule, request.exact) = (rule, exact);
+            return DrawingArrangement::new(drawing, &request)?.certificate(&inputs);
+        };
+        let mut request = BooleanRequest::default();
+        (request.rule, request.exact) = (rule, exact);
+        let formula = formula(operation, paths.len())?;
+        RegionBoolean::new(drawing, &formula, &request)?.certificate(&inputs)
+    })
+}
+
 /// What a certificate proves of these files, or of those that it names: their names, the claims that are proved, and the keys of the answer
 /// that were not checked.
 #[pyfunction]
@@ -94,7 +129,7 @@ pub(crate) fn _check(
     run(py, progress, || {
         let read = inputs.iter().map(|input| content(input)).collect::<Result<Vec<_>, Error>>()?;
         let read: Vec<&[u8]> = read.iter().map(Vec::as_slice).collect();
-        let verdict = coface_check::check(&certificate, &read).map_err(refused)?;
+        let verdict = coface_check_plane::check(&certificate, &read).map_err(refused)?;
         let names = inputs.iter().map(|input| input.display().to_string()).collect();
         Ok((names, verdict.proved().to_vec(), verdict.unchecked().to_vec()))
     })

@@ -1,8 +1,10 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 28] = [
+const PHRASES: [(&str, &str); 30] = [
     ("leave --certificate out, or give a facet list", "give the file of a facet list"),
+    ("leave --certificate out, or give WKT", "give WKT"),
+    ("keep exact coordinates with --exact", "keep exact coordinates with exact=True"),
     (
         "or say to which of them common points go",
         "or say to which of them common points go: overlaps=\"first\" or overlaps=\"last\"",

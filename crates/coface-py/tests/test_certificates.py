@@ -48,6 +48,28 @@ def test_reports_are_proved_from_files_of_certificates(tmp_path: Path) -> None:
     assert verified == coface.check(proof.read_bytes(), torus)
 
 
+def test_drawings_are_proved(tmp_path: Path) -> None:
+    a, b = tmp_path / "a.wkt", tmp_path / "b.geojson"
+    a.write_text("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1))")
+    b.write_text('{"type": "Polygon", "coordinates": [[[4, 1], [6, 2], [4, 3], [1.5, 1.5], [4, 1]]]}')
+    claims = coface.check(coface.certificate(a, "arrange"), a)["proved"]
+    assert "inside = [[0],[]]" in claims and "f_vector = [8,8,2]" in claims
+    for operation in ["union", "a - b", "xor"]:
+        proof = coface.certificate([a, b], "boolean", operation=operation)
+        said = json.loads(proof)["answer"]
+        found = coface.boolean(operation, a, b)
+        assert said["measure"] == pytest.approx(found.area)
+        assert any(claim.startswith("measure = ") for claim in coface.check(proof, a, b)["proved"])
+    with pytest.raises(coface.InvalidInputError, match="operation"):
+        coface.certificate([a, b], "boolean")
+    with pytest.raises(coface.Error, match="one file"):
+        coface.certificate([a, b], "homology")
+    c = tmp_path / "c.wkt"
+    c.write_text("POINT (1 2)")
+    with pytest.raises(coface.Error, match="no certificate"):
+        coface.certificate(c, "arrange")
+
+
 def test_what_is_not_so_is_refused(plane: Path, tmp_path: Path) -> None:
     proof = json.loads(coface.certificate(plane))
     proof["answer"]["homology"][1]["torsion"] = [3]

@@ -20,6 +20,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("coface-arrange", &["coface-algebra", "coface-geometry"]),
     ("coface-yin", &["coface-algebra", "coface-geometry", "coface-complexes", "coface-arrange"]),
     ("coface-check", &[]),
+    ("coface-check-plane", &["coface-check"]),
     ("coface-io", &["coface-algebra", "coface-geometry", "coface-complexes", "coface-arrange", "coface-yin"]),
     (
         "coface-answers",
@@ -32,6 +33,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "coface-yin",
             "coface-io",
             "coface-check",
+            "coface-check-plane",
         ],
     ),
     ("coface-pictures", &["coface-algebra", "coface-geometry", "coface-yin", "coface-io", "coface-answers"]),
@@ -64,8 +66,8 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "coface-scale",
         ],
     ),
-    ("coface-cli", &["coface", "coface-allocator", "coface-check"]),
-    ("coface-py", &["coface", "coface-allocator", "coface-check"]),
+    ("coface-cli", &["coface", "coface-allocator", "coface-check", "coface-check-plane"]),
+    ("coface-py", &["coface", "coface-allocator", "coface-check", "coface-check-plane"]),
     ("coface-bench", &["coface"]),
 ];
 

@@ -52,6 +52,6 @@ impl InfoAnswer {
             answer: self,
             proof: Proof::of(&complex)?,
         };
-        checked(&certificate, inputs)
+        checked(&certificate, inputs).map_err(|fault| refused(&fault.to_string()))
     }
 }

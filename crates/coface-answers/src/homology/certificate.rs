@@ -63,7 +63,7 @@ type Columns = Vec<Vec<(u32, Number)>>;
 /// An integer; beyond 64 bits its decimal digits.
 #[derive(Serialize)]
 #[serde(untagged)]
-enum Number {
+pub(crate) enum Number {
     Short(i64),
     Digits(String),
 }
@@ -115,15 +115,18 @@ impl FoundHomology {
             answer: &self.answer,
             proof: Proof { duals: self.duals.clone(), ..Proof::of(&complex)? },
         };
-        checked(&certificate, inputs)
+        checked(&certificate, inputs).map_err(refuse)
     }
 }
 
 /// A certificate as text, after the checker has accepted it.
-pub(crate) fn checked(certificate: &impl Serialize, inputs: &[(&str, &[u8])]) -> Result<String, Error> {
+pub(crate) fn checked(
+    certificate: &impl Serialize,
+    inputs: &[(&str, &[u8])],
+) -> Result<String, coface_check::Fault> {
     let text = crate::answer::to_json(certificate) + "\n";
     let bytes: Vec<&[u8]> = inputs.iter().map(|(_, bytes)| *bytes).collect();
-    coface_check::check(text.as_bytes(), &bytes).map_err(|fault| refused(&fault.to_string()))?;
+    coface_check_plane::check(text.as_bytes(), &bytes)?;
     Ok(text)
 }
 
@@ -189,6 +192,6 @@ fn columns(matrix: &WideMatrix) -> Columns {
     (0..matrix.column_count()).map(entries).collect()
 }
 
-fn number(entry: &Integer) -> Number {
+pub(crate) fn number(entry: &Integer) -> Number {
     entry.to_i64().map_or_else(|| Number::Digits(entry.to_string()), Number::Short)
 }

@@ -76,7 +76,7 @@ pub struct DrawingArrangement {
     joined: Option<JoinedFeatures>,
     /// What is said of vertices that were put elsewhere.
     placed: Option<Remark>,
-    rule: Option<InsideRule>,
+    pub(super) rule: Option<InsideRule>,
 }
 
 impl DrawingArrangement {

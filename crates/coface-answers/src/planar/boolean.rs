@@ -73,7 +73,9 @@ pub struct RegionBoolean {
     snap_rounds: Option<usize>,
     /// What was put together within a tolerance.
     joined: Option<JoinedFeatures>,
-    rule: Option<InsideRule>,
+    /// What was combined; none where faces were chosen one by one.
+    pub(super) formula: Option<BooleanFormula>,
+    pub(super) rule: Option<InsideRule>,
     warnings: Vec<String>,
     remarks: Vec<Remark>,
 }
@@ -165,8 +167,8 @@ impl RegionBoolean {
             let (valid, settled) = found.settled()?;
             (found, movement) = (valid, Some(settled.movement));
         }
-        let rule = request.rule;
-        Ok(Self { drawing, found, movement, cell_counts, snap_rounds, joined, rule, warnings, remarks })
+        let (formula, rule) = (Some(formula.clone()), request.rule);
+        Ok(Self { drawing, found, movement, cell_counts, snap_rounds, joined, formula, rule, warnings, remarks })
     }
 
     /// The faces that are chosen in the overlay of all rings, of which the unbounded one comes last and is never chosen.
@@ -201,6 +203,7 @@ impl RegionBoolean {
             cell_counts,
             snap_rounds: None,
             joined: None,
+            formula: None,
             rule: None,
             warnings: Vec::new(),
             remarks: Vec::new(),

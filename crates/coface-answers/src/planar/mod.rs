@@ -18,6 +18,7 @@ mod arrangement;
 mod attributes;
 mod boolean;
 mod canonical;
+mod certificate;
 mod containment;
 mod crossings;
 mod crowd;

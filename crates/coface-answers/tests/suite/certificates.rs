@@ -1,6 +1,10 @@
 //! Certificates of random complexes are accepted by the checker, which shares no code with what made them.
 
-use coface_answers::{HomologyRequest, RelativeTo, Report};
+use coface_answers::{
+    ArrangementRequest, BooleanRequest, DrawingArrangement, HomologyRequest, PlanarDrawing, RegionBoolean,
+    RegionSource, RelativeTo, Report,
+};
+use coface_arrange::boolean::{BooleanFormula, InsideRule};
 use coface_topology::Coefficients;
 use proptest::prelude::*;
 
@@ -46,5 +50,63 @@ proptest! {
         let certificate = answer.certificate(&[("in.json", &input)]).expect("the checker finds the same");
         let verdict = coface_check::check(certificate.as_bytes(), &[&input]).expect("it has been checked");
         prop_assert!(verdict.proved().len() >= 5 + answer.homology.len());
+    }
+}
+
+/// A polygon of WKT with an outer ring and perhaps a hole, of corners on a coarse grid or of any numbers: both cross themselves and each
+/// other, and have edges in common.
+fn polygon() -> impl Strategy<Value = String> {
+    let coarse = (0i32..5, 0i32..5).prop_map(|(x, y)| format!("{x} {y}"));
+    let fine = (-1.0f64..4.0, -1.0f64..4.0).prop_map(|(x, y)| format!("{x} {y}"));
+    let ring = prop_oneof![prop::collection::vec(coarse, 3..7), prop::collection::vec(fine, 3..6)];
+    let ring = ring.prop_map(|ring| format!("({}, {})", ring.join(", "), ring[0]));
+    prop::collection::vec(ring, 1..3).prop_map(|rings| format!("POLYGON ({})", rings.join(", ")))
+}
+
+fn rule() -> impl Strategy<Value = Option<InsideRule>> {
+    prop::option::of(prop::sample::select(vec![InsideRule::Nonzero, InsideRule::Odd, InsideRule::Positive]))
+}
+
+fn drawing(texts: &[String]) -> PlanarDrawing {
+    let models = texts.iter().map(|text| coface_io::read(text.as_bytes(), coface_io::Format::Wkt));
+    let models = models.collect::<Result<Vec<_>, _>>().expect("polygons");
+    PlanarDrawing::new(models.iter().map(|model| ("in.wkt", model)), RegionSource::Models).expect("a drawing")
+}
+
+proptest! {
+    /// Cells of the plane, what contains them and their areas, are what the checker finds by a sweep of its own.
+    #[test]
+    fn arrangements_are_proved(mut texts in prop::collection::vec(polygon(), 1..5), line in polygon(), rule in rule()) {
+        texts.push(line.replace("POLYGON (", "MULTILINESTRING ("));
+        let inputs: Vec<(&str, &[u8])> = texts.iter().map(|text| ("in.wkt", text.as_bytes())).collect();
+        let mut request = ArrangementRequest::default();
+        (request.rule, request.exact) = (rule, true);
+        let found = DrawingArrangement::new(drawing(&texts), &request).expect("an arrangement");
+        let certificate = found.certificate(&inputs).expect("the checker finds the same");
+        let bytes: Vec<&[u8]> = inputs.iter().map(|input| input.1).collect();
+        let verdict = coface_check_plane::check(certificate.as_bytes(), &bytes).expect("it has been checked");
+        for key in ["f_vector", "inside", "measures", "holes", "components", "bridges", "dangling_edges"] {
+            prop_assert!(!verdict.unchecked().iter().any(|unchecked| unchecked == key), "{}", key);
+        }
+    }
+
+    /// Booleans by any formula and rule, many of which leave out what is inside, are faces of the arrangement of all segments.
+    #[test]
+    fn booleans_are_proved(
+        texts in prop::collection::vec(polygon(), 3..6),
+        formula in prop::sample::select(vec!["a | b | c", "a & b", "a - b - c", "a ^ b ^ c", "(a ^ b) & !c", "a - (b & c)"]),
+        rule in rule(),
+    ) {
+        let inputs: Vec<(&str, &[u8])> = texts.iter().map(|text| ("in.wkt", text.as_bytes())).collect();
+        let mut request = BooleanRequest::default();
+        (request.rule, request.exact) = (rule, true);
+        let formula = BooleanFormula::parse(formula, &[]).expect("a formula");
+        let found = RegionBoolean::new(drawing(&texts), &formula, &request).expect("a Boolean");
+        let certificate = found.certificate(&inputs).expect("the checker finds the same");
+        let bytes: Vec<&[u8]> = inputs.iter().map(|input| input.1).collect();
+        let verdict = coface_check_plane::check(certificate.as_bytes(), &bytes).expect("it has been checked");
+        for key in ["measure", "measures", "components", "pinches"] {
+            prop_assert!(!verdict.unchecked().iter().any(|unchecked| unchecked == key), "{}", key);
+        }
     }
 }

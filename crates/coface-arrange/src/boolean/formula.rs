@@ -231,6 +231,28 @@ impl BooleanFormula {
         self.evaluate_on(&mut Vec::new(), input)
     }
 
+    /// The formula in reverse Polish notation: inputs by their numbers and the operators `!`, `&`, `-`, `^`, `|` behind their operands, with
+    /// blanks between them.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// assert_eq!(BooleanFormula::parse("(a | b) - !c", &[])?.to_postfix(), "0 1 | 2 ! -");
+    /// # Ok(()) }
+    /// ```
+    pub fn to_postfix(&self) -> String {
+        let word = |step: &Step| match step {
+            Step::Input(input) => input.to_string(),
+            Step::Complement => "!".to_owned(),
+            Step::Intersection => "&".to_owned(),
+            Step::Difference => "-".to_owned(),
+            Step::Xor => "^".to_owned(),
+            Step::Union => "|".to_owned(),
+        };
+        self.steps.iter().map(word).collect::<Vec<String>>().join(" ")
+    }
+
     /// The steps, operands before their operators.
     pub(super) fn steps(&self) -> &[Step] {
         &self.steps

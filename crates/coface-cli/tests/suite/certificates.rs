@@ -147,7 +147,7 @@ fn lie_about(certificate: &Path, inputs: &[&Path]) {
     let honest: Value = serde_json::from_slice(&fs::read(certificate).unwrap()).unwrap();
     let inputs: Vec<Vec<u8>> = inputs.iter().map(|input| fs::read(input).unwrap()).collect();
     let inputs: Vec<&[u8]> = inputs.iter().map(Vec::as_slice).collect();
-    let verdict = |value: &Value| coface_check::check(value.to_string().as_bytes(), &inputs);
+    let verdict = |value: &Value| coface_check_plane::check(value.to_string().as_bytes(), &inputs);
     let truth = verdict(&honest).expect("the program wrote it");
     let mut all = Vec::new();
     places(&honest, "", &mut all);
@@ -308,5 +308,59 @@ fn what_is_no_certificate_is_told_so() {
         std::fs::write(&path, text).unwrap();
         let run = coface(&["check", path.to_str().unwrap()]);
         assert!(run.fails_with(1).contains("not verified: certificate: "), "{}", run.stderr);
+    }
+}
+
+/// Two polygons with a hole and a common edge, and lines that cross, touch and overlap.
+const SQUARES: &str = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1))";
+const WEDGE: &str = r#"{"type": "Polygon", "coordinates": [[[4, 1], [6, 2], [4, 3], [1.5, 1.5], [4, 1]]]}"#;
+const STROKES: &str = "0,0,4,4\n2,2,5,5\n0,3,5,0.1\n";
+
+#[test]
+fn drawings_are_proved() {
+    let folder = tempfile::tempdir().unwrap();
+    let files = [("a.wkt", SQUARES), ("b.geojson", WEDGE), ("c.lines", STROKES)];
+    let [a, b, c] = files.map(|(name, text)| {
+        fs::write(folder.path().join(name), text).unwrap();
+        folder.path().join(name)
+    });
+    let place = folder.path().join("proof.cert");
+    let proved = |words: &[&str], expected: &[&str], inputs: &[&Path]| {
+        coface(&[words, &["--certificate", argument(&place), "--json"]].concat()).json();
+        let files: Vec<&str> = inputs.iter().map(|input| argument(input)).collect();
+        let verdict = coface(&[&["check", argument(&place)], &files[..], &["--json"]].concat()).json();
+        let found = verdict["proved"].as_array().unwrap();
+        for line in expected {
+            assert!(found.iter().any(|found| found == line), "{line} is not in {verdict}");
+        }
+        lie_about(&place, inputs);
+    };
+    // By hand: the wedge meets the square in x = 4 alone, from y = 1 to y = 3, and reaches to the right; its tip is in the hole.
+    proved(
+        &["boolean", "union", argument(&a), argument(&b)],
+        &["the result is (0 | 1) of the inputs, numbered from 0", "components = 1", "holes = 1", "pinches = 0"],
+        &[&a, &b],
+    );
+    proved(&["boolean", "difference", argument(&b), argument(&a)], &["components = 2"], &[&b, &a]);
+    proved(&["boolean", "--formula", "a - a", argument(&a)], &["measure = 0, to one part in 10^13"], &[&a]);
+    proved(&["arrange", argument(&a)], &["f_vector = [8,8,2]", "inside = [[0],[]]", "holes = 1"], &[&a]);
+    proved(
+        &["arrange", argument(&a), argument(&b), argument(&c)],
+        &["products_zero = true", "components = 1"],
+        &[&a, &b, &c],
+    );
+    proved(&["arrange", argument(&a), "--rule", "evenodd"], &["inside = [[0],[]]"], &[&a]);
+}
+
+#[test]
+fn drawings_that_cannot_be_proved_leave_no_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let drawing = folder.path().join("a.wkt");
+    let place = folder.path().join("proof.cert");
+    for text in ["POINT (1 2)", "POLYGON Z ((0 0 1, 1 0 1, 0 1 1, 0 0 1))"] {
+        fs::write(&drawing, text).unwrap();
+        let run = coface(&["arrange", argument(&drawing), "--certificate", argument(&place)]);
+        assert!(run.fails_with(1).contains("no certificate: "), "{}", run.stderr);
+        assert!(!place.exists());
     }
 }

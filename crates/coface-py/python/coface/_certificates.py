@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from typing import Any, Literal, TypedDict
 
 from coface import _coface
@@ -24,14 +25,17 @@ class Verified(TypedDict):
 
 @in_words
 def certificate(
-    path: _Path,
-    of: Literal["homology", "info"] = "homology",
+    path: _Path | Sequence[_Path],
+    of: Literal["homology", "info", "arrange", "boolean"] = "homology",
     *,
     coefficients: str | int = "z",
     cohomology: bool = False,
     reduced: bool = False,
     relative: _Path | None = None,
     generators: bool = False,
+    operation: str | None = None,
+    rule: str | None = None,
+    exact: bool = False,
     progress: Any = False,
 ) -> str:
     """A proof of an answer about a file, which :func:`check` verifies without any code of what computed the answer.
@@ -40,13 +44,20 @@ def certificate(
     ----------
     path
         The file: a facet list or a chain complex in JSON, or a surface as plain OFF or OBJ. A certificate has the hash of a file; write a model
-        first: ``model.write("model.json")``.
+        first: ``model.write("model.json")``. For ``"arrange"`` and ``"boolean"`` one or several drawings in the plane: WKT or GeoJSON of two
+        coordinates, or lines of four numbers.
     of
-        ``"homology"``, or ``"info"`` for the report: counts, components, manifold up to dimension 3, orientability, boundary loops and genus.
+        ``"homology"``; ``"info"`` for the report: counts, components, manifold up to dimension 3, orientability, boundary loops and genus;
+        ``"arrange"`` for the cells of drawings: counts, areas, and which files contain each face; ``"boolean"`` for a result of drawings: area,
+        components, holes and pinches.
     coefficients, cohomology, reduced, generators
         As for :func:`homology` and :func:`cohomology`; with generators it is proved that they generate the groups.
     relative
         ``"boundary"``, or the file of a part that is divided out.
+    operation
+        Of a Boolean: ``"union"``, ``"intersection"``, ``"difference"``, ``"xor"``, or a formula of the files such as ``"(a | b) - c"``.
+    rule, exact
+        As for :func:`arrange` and :func:`boolean`. Where rounding moves vertices, only the exact result has a certificate.
     progress
         As for :func:`homology`.
 
@@ -63,6 +74,13 @@ def certificate(
     >>> coface.check(proof)["proved"]
     ['H_0 = Z', 'H_1 = Z/2', 'H_2 = 0']
     """
+    if of in ("arrange", "boolean"):
+        paths = [path] if isinstance(path, (str, os.PathLike)) else list(path)
+        if of == "boolean" and operation is None:
+            raise _coface.InvalidInputError("a Boolean has an operation; give operation=\"union\" or a formula of the files")
+        return _coface._drawing_certificate(paths, operation if of == "boolean" else None, rule, exact, progress)
+    if not isinstance(path, (str, os.PathLike)):
+        raise _coface.InvalidInputError(f"a certificate of {of} is of one file; give its path")
     return _coface._certificate(path, of, coefficients, cohomology, reduced, relative, generators, progress)
 
 
@@ -73,7 +91,7 @@ def check(certificate: str | bytes | os.PathLike[str], *inputs: _Path, progress:
     Parameters
     ----------
     certificate
-        What :func:`certificate` gave or ``coface homology --certificate`` wrote: its text, or the path of its file.
+        What :func:`certificate` gave or ``--certificate`` of the program wrote: its text, or the path of its file.
     inputs
         The files of that run in their order; those that the certificate names if they are left out.
     progress

@@ -6,14 +6,16 @@ mod spatial;
 pub(crate) use spatial::{SpaceOptions, in_space, rounding, scene_of};
 
 use crate::arguments::{Common, length};
+use crate::certified;
 use crate::failure::Failure;
 use crate::input::{self, Loaded};
+
 use crate::progress::Progress;
 use crate::target::{Target, unknown_extension};
 use clap::{Args, ValueEnum};
 use coface::answers::{RegionSource, are_planar, welded};
 use coface::arrange::boolean::InsideRule;
-use coface::io::{Format, Model};
+use coface::io::{Format, Model, check_output};
 use std::path::{Path, PathBuf};
 
 /// Cut the plane or space into cells: the arrangement of segments, polylines and polygons.
@@ -77,7 +79,7 @@ pub(crate) struct Arrange {
     #[arg(long, value_name = "METHOD")]
     method: Option<Method>,
     /// Leave out edges with one face on both sides: bridges and dangling edges
-    #[arg(long)]
+    #[arg(long, conflicts_with = "certificate")]
     prune: bool,
     /// Write where each vertex, edge and face comes from: .json
     #[arg(long, value_name = "FILE")]
@@ -122,6 +124,9 @@ pub(crate) struct CellOptions {
     /// Refuse an arrangement of more than N cells
     #[arg(long, value_name = "N")]
     pub(crate) max_cells: Option<usize>,
+    /// In the plane, a certificate of the exact cells, which coface check verifies: of WKT and GeoJSON of two coordinates, and .lines
+    #[arg(long, value_name = "OUT", conflicts_with_all = ["close", "snap", "grid", "weld", "tolerance"])]
+    pub(crate) certificate: Option<PathBuf>,
 }
 
 impl CellOptions {
@@ -142,8 +147,24 @@ impl CellOptions {
         Ok(models)
     }
 
+    /// Refuses, before the work, a certificate that cannot be made or written.
+    pub(crate) fn check_certificate(&self, inputs: &[PathBuf], source: RegionSource) -> Result<(), Failure> {
+        let Some(place) = &self.certificate else { return Ok(()) };
+        check_output(place)?;
+        certified::refuse_standard_input(inputs)?;
+        match source {
+            RegionSource::Models => Ok(()),
+            _ => Err(Failure::new("--certificate proves what files contain, not their parts: leave --inputs out")),
+        }
+    }
+
     /// Refuses what is for drawings in the plane.
     pub(crate) fn refuse_planar(&self) -> Result<(), Failure> {
+        if self.certificate.is_some() {
+            return Err(Failure::new(
+                "--certificate is for drawings in the plane, and the inputs lie in space: leave it out",
+            ));
+        }
         if self.close {
             return Err(Failure::new(
                 "--close is for drawings in the plane, and the inputs lie in space: leave it out",
@@ -234,6 +255,8 @@ impl Arrange {
                 path.display()
             )));
         }
+        let source = self.source.map_or_else(RegionSource::default, Inputs::source);
+        self.cells.check_certificate(&self.inputs, source)?;
         let progress = Progress::start(common.quiet);
         let models = self.cells.read(&self.inputs, common, &progress)?;
         match dimension_of(&models, self.cells.dimension) {

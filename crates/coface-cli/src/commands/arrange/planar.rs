@@ -2,6 +2,7 @@
 
 use super::Arrange;
 use crate::arguments::Common;
+use crate::certified;
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, write_json};
 use crate::progress::Progress;
@@ -74,6 +75,10 @@ pub(super) fn run(
     }
     if let Some(path) = &verb.provenance {
         write_json(path, &arranged.provenance())?;
+    }
+    if let Some(place) = &verb.cells.certificate {
+        progress.stage(format!("proving {}", place.display()));
+        certified::save(place, &verb.inputs, |inputs| arranged.certificate(inputs))?;
     }
     drop(progress);
     say_remarks(&answer.remarks, common);

@@ -63,7 +63,7 @@ pub(crate) struct Boolean {
     keep_walls: bool,
     /// Unite the features of maps that have the same value of this property, each group by itself; given several times, those with
     /// the same values of all
-    #[arg(long, value_name = "NAME", conflicts_with_all = ["formula", "inputs", "keep_walls", "provenance"])]
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["formula", "inputs", "keep_walls", "provenance", "certificate"])]
     dissolve: Vec<String>,
     /// Write where each vertex, edge and polygon of the result comes from: .json
     #[arg(long, value_name = "FILE")]
@@ -118,10 +118,11 @@ impl Boolean {
         if let Some(path) = &self.provenance {
             check_json(path)?;
         }
+        self.cells.check_certificate(inputs, self.region_source())?;
         let progress = Progress::start(common.quiet);
         let models = self.cells.read(inputs, common, &progress)?;
         match dimension_of(&models, self.cells.dimension) {
-            2 => planar::run(self, &task, common, output, &models, progress),
+            2 => planar::run(self, &task, common, output, inputs, &models, progress),
             _ => {
                 self.cells.refuse_planar()?;
                 if !self.dissolve.is_empty() {

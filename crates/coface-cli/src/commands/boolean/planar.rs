@@ -2,6 +2,7 @@
 
 use super::{Boolean, Task};
 use crate::arguments::Common;
+use crate::certified;
 use crate::commands::arrange::Rule;
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, write_json};
@@ -12,13 +13,14 @@ use coface::answers::answer::PlanarBooleanAnswer;
 use coface::answers::text;
 use coface::answers::{BooleanRequest, DrawingOptions, PlanarDrawing, RegionBoolean};
 use coface::io::{Model, replace_file};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub(super) fn run(
     verb: &Boolean,
     task: &Task,
     common: &Common,
     output: Option<(&Path, Target)>,
+    inputs: &[PathBuf],
     models: &[(String, Model)],
     progress: Progress,
 ) -> Result<(), Failure> {
@@ -59,6 +61,10 @@ pub(super) fn run(
     }
     if let Some(path) = &verb.provenance {
         write_json(path, &result.provenance())?;
+    }
+    if let Some(place) = &verb.cells.certificate {
+        progress.stage(format!("proving {}", place.display()));
+        certified::save(place, inputs, |inputs| result.certificate(inputs))?;
     }
     drop(progress);
     say_remarks(&answer.remarks, common);

@@ -90,6 +90,25 @@ pub(super) const CASES: &[Case] = &[
         .before(&["coface generate box -o box.mesh"])
         .refused("coface arrange box.mesh --dimension 2")
         .cured(&[&["coface arrange box.mesh"]]),
+    Case::new("planar/certificate.rs", "leave --certificate out, or give WKT or GeoJSON of two coordinates")
+        .with(&[("point.wkt", "POINT (1 2)"), ("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0))")])
+        .refused("coface arrange point.wkt --certificate point.cert")
+        .cured(&[
+            &["coface arrange point.wkt"],
+            &["coface arrange square.wkt --certificate square.cert", "coface check square.cert square.wkt"],
+        ]),
+    Case::new("planar/certificate.rs", "keep exact coordinates with --exact")
+        .files(NEAR)
+        .refused("coface arrange near.lines --certificate near.cert")
+        .cured(&[&["coface arrange near.lines --exact --certificate near.cert", "coface check near.cert near.lines"]]),
+    Case::new("arrange/mod.rs", "--certificate proves what files contain, not their parts: leave --inputs out")
+        .with(&[("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0))")])
+        .refused("coface boolean union square.wkt --inputs features --certificate square.cert")
+        .cured(&[&["coface boolean union square.wkt --certificate square.cert"]]),
+    Case::new("arrange/mod.rs", "--certificate is for drawings in the plane, and the inputs lie in space")
+        .before(&["coface generate box -o box.mesh"])
+        .refused("coface boolean union box.mesh --certificate box.cert")
+        .cured(&[&["coface boolean union box.mesh"]]),
     Case::new("arrange/mod.rs", "--grid is for drawings in the plane, and the inputs lie in space")
         .before(&["coface generate box -o box.mesh"])
         .refused("coface boolean union box.mesh --grid 0.5")
