@@ -84,6 +84,10 @@ pub(super) struct Drawing {
     polygon_count: i64,
     /// The rings that the polygon has had.
     ring_count: i64,
+    /// Whether the polygon that is being drawn has an outer ring that is more than a point; none before that ring.
+    has_outer: Option<bool>,
+    /// The holes of polygons without one.
+    lone_holes: usize,
     heights: bool,
     flat_places: usize,
     surplus: usize,
@@ -183,9 +187,14 @@ impl Drawing {
         self.end(-1, -1, place)
     }
 
-    /// The rings that follow are those of another polygon.
+    /// The rings that follow are those of another polygon: the outer one, then its holes.
     pub(super) fn begin_polygon(&mut self) {
-        self.ring_count = 0;
+        (self.ring_count, self.has_outer) = (0, None);
+    }
+
+    /// The rings that follow are those of another path, none of which is the outer one.
+    pub(super) fn begin_path(&mut self) {
+        (self.ring_count, self.has_outer) = (0, Some(true));
     }
 
     /// Ends a ring. One whose first corner does not stand at its end again is closed, and `place` names it in a remark; says
@@ -206,12 +215,19 @@ impl Drawing {
     }
 
     fn end_closed_ring(&mut self, place: impl FnOnce() -> String) -> bool {
+        if self.has_outer == Some(false) {
+            // What is taken out of nothing bounds nothing.
+            let is_kept = self.end(-1, -1, place);
+            self.lone_holes += usize::from(is_kept);
+            return is_kept;
+        }
         let corners = &self.corners[self.open()..];
         if corners.len() > 1 && self.ring_count == 0 {
             self.polygon_count += 1;
         }
         let is_kept = self.end(self.polygon_count - 1, self.ring_count, place);
         self.ring_count += i64::from(is_kept);
+        self.has_outer.get_or_insert(is_kept);
         is_kept
     }
 
@@ -286,6 +302,12 @@ impl Drawing {
             RemarkCode::SinglePoint,
             unlisted,
             "more lines or rings are single points and kept as such",
+        );
+        remark(
+            &mut self.remarks,
+            RemarkCode::SinglePoint,
+            self.lone_holes,
+            "holes of polygons whose outer rings are single points; they bound nothing, and are kept as lines",
         );
         remark(
             &mut self.remarks,

@@ -150,6 +150,7 @@ impl RemarkCode {
                 | ArcsApproximated
                 | SelfCrossingRing
                 | UnclosedRing
+                | NumbersRounded
                 | FacesSplit
                 | UnknownKey
                 | DrawingAssumption
@@ -283,6 +284,8 @@ pub enum RemarkCode {
     RoundedInvalid,
     /// A model that is known exactly was taken with rounded points.
     PointsRounded,
+    /// Integers that no double is equal to were rounded.
+    NumbersRounded,
     /// Features that were nearly one were put together: within the tolerance asked for, or to make rounded coordinates valid.
     FeaturesJoined,
     /// Cells are so thin that they are not meant, as a rule.

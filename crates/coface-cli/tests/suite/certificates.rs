@@ -364,3 +364,16 @@ fn drawings_that_cannot_be_proved_leave_no_file() {
         assert!(!place.exists());
     }
 }
+
+#[test]
+fn holes_of_polygons_without_area_bound_nothing() {
+    // Found by the checker: the hole was taken for the outer ring.
+    let folder = tempfile::tempdir().unwrap();
+    let drawing = folder.path().join("a.wkt");
+    let place = folder.path().join("proof.cert");
+    fs::write(&drawing, "POLYGON ((0 4, 0 4, 0 4, 0 4), (0 0, 1 0, 0 1, 0 0))\nPOLYGON ((5 5, 6 5, 5 6, 5 5))").unwrap();
+    let answer = coface(&["boolean", "union", argument(&drawing), "--certificate", argument(&place), "--json"]).json();
+    assert_eq!((&answer["measure"], &answer["polygons"]), (&json!(0.5), &json!(1)));
+    assert!(answer["remarks"].to_string().contains("whose outer rings are single points"), "{answer}");
+    assert_eq!(checked(&place, &drawing)["verified"], true);
+}

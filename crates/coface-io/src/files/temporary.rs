@@ -304,6 +304,26 @@ impl MadeFolders {
         })?;
         Ok(made)
     }
+
+    /// Makes a folder, and what comes first into it; again where another run, which made the folder, has removed it in between.
+    ///
+    /// # Errors
+    /// As [`Self::of`], and what `first` says.
+    pub fn with<T>(
+        folder: &Path,
+        first: impl Fn(&Path) -> Result<T, Error>,
+    ) -> Result<(Self, T), Error> {
+        for _ in 1..ATTEMPTS {
+            let made = Self::of(folder)?;
+            match first(folder) {
+                Ok(found) => return Ok((made, found)),
+                Err(error) if folder.exists() => return Err(error),
+                Err(_) => {}
+            }
+        }
+        let made = Self::of(folder)?;
+        first(folder).map(|found| (made, found))
+    }
 }
 
 impl Drop for MadeFolders {
@@ -330,6 +350,39 @@ pub(super) fn names(folder: &Path) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn folders_that_others_remove_are_made_again() {
+        let base = tempfile::tempdir().unwrap();
+        let folder = base.path().join("a/b");
+        // The first attempts find that another run has removed what was made.
+        let attempts = std::cell::Cell::new(0);
+        let (made, ()) = MadeFolders::with(&folder, |folder| {
+            attempts.set(attempts.get() + 1);
+            if attempts.get() < 4 {
+                fs::remove_dir(folder).unwrap();
+                return Err(Error::new(ErrorKind::Io, "it is gone"));
+            }
+            Ok(())
+        })
+        .unwrap();
+        assert!(attempts.get() == 4 && folder.exists());
+        drop(made);
+        assert!(!base.path().join("a").exists());
+        // What fails for another reason is said at once.
+        let failed = MadeFolders::with(&folder, |_| Err::<(), _>(Error::new(ErrorKind::Io, "a full disk")));
+        assert_eq!(failed.unwrap_err().to_string(), "a full disk");
+        // Many threads make it and remove it all the time.
+        std::thread::scope(|scope| {
+            for _ in 0..4 {
+                scope.spawn(|| {
+                    for _ in 0..500 {
+                        drop(MadeFolders::with(&folder, |folder| TemporaryFolder::create_in(folder, "t-")).unwrap());
+                    }
+                });
+            }
+        });
+    }
 
     /// A folder as a process leaves it that was killed.
     fn abandoned(base: &Path, prefix: &str) -> PathBuf {

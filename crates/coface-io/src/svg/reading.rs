@@ -291,7 +291,7 @@ impl Reader {
             subpath.is_closed
                 || is_path && subpath.corners.len() > 3 && subpath.corners.first() == subpath.corners.last()
         };
-        self.drawing.begin_polygon();
+        self.drawing.begin_path();
         for subpath in subpaths.iter().filter(|subpath| is_ring(subpath)) {
             for &[x, y] in subpath.corners.iter().chain(subpath.corners.first()) {
                 self.drawing.corner(Place { x, y, z: None });

@@ -2,6 +2,7 @@
 
 use super::rule::VoxelRule;
 use coface_algebra::Error;
+use std::cell::Cell;
 use std::io::Read;
 
 /// A type of numbers, as they lie in a file.
@@ -187,14 +188,26 @@ impl Decode for Test {
 }
 
 /// The numbers themselves.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub(super) struct Values {
     pub(super) number_type: NumberType,
     /// Factor and summand that make of a number of the file the one that is meant.
     pub(super) scale: Option<(f64, f64)>,
+    /// How many integers have no double.
+    pub(super) rounded: Cell<u64>,
 }
 
 impl Values {
+    /// The number nearest to an integer; one that is not equal is counted.
+    #[inline]
+    fn nearest(&self, integer: i128) -> f64 {
+        let number = integer as f64;
+        if number as i128 != integer {
+            self.rounded.set(self.rounded.get() + 1);
+        }
+        number
+    }
+
     #[inline]
     fn meant(&self, number: f64) -> f64 {
         self.scale.map_or(number, |(factor, summand)| factor * number + summand)
@@ -210,14 +223,14 @@ impl Decode for Values {
             bytes,
             is_big_endian,
             out,
-            |x: i128| self.meant(x as f64),
+            |x: i128| self.meant(self.nearest(x)),
             |x: f64| self.meant(x)
         );
     }
 
     fn of_word(&self, word: &str) -> Result<f64, Error> {
         Ok(self.meant(match Number::of_word(word, self.number_type)? {
-            Number::Integer(number) => number as f64,
+            Number::Integer(number) => self.nearest(number),
             Number::Real(number) => number,
         }))
     }

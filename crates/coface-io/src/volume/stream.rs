@@ -10,6 +10,7 @@ use crate::features::{GZIP, gunzipped};
 use crate::files::Companions;
 use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
+use std::cell::Cell;
 use coface_complexes::cubical::{CubicalVolume, VoxelBoxes, VoxelWindow};
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -290,21 +291,34 @@ impl<'r> VolumeStream<'r> {
     /// let text = b"NRRD0004\ntype: double\ndimension: 2\nsizes: 3 1\nencoding: ascii\n\n1 0.5 -2";
     /// let stream = VolumeStream::new(&text[..], Format::Nrrd)?;
     /// assert_eq!(stream.numbers()?.0, [1.0, 0.5, -2.0]);
+    /// // The first has no double: that is said.
+    /// let text = b"NRRD0004\ntype: int64\ndimension: 2\nsizes: 2 1\nencoding: ascii\n\n9007199254740993 9007199254740992";
+    /// let (numbers, remarks) = VolumeStream::new(&text[..], Format::Nrrd)?.numbers()?;
+    /// assert_eq!((numbers, remarks[0].count), (vec![9007199254740992.0; 2], 1));
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn numbers(self) -> Result<(Vec<f64>, Vec<Remark>), Error> {
         let name = self.name.clone();
-        let values = Values { number_type: self.header.number_type, scale: self.header.scale };
+        let values = Values {
+            number_type: self.header.number_type,
+            scale: self.header.scale,
+            rounded: Cell::new(0),
+        };
         // Grown as numbers come: what the header says may be a lie.
         let mut numbers = Vec::new();
         let remarks = self.runs(&values, &mut |_, run| {
             numbers.extend_from_slice(run);
             Ok(())
         });
-        let remarks = remarks.map_err(|error| match name {
+        let mut remarks = remarks.map_err(|error| match name {
             Some(name) => error.in_file(name),
             None => error,
         })?;
+        let rounded = values.rounded.get() as usize;
+        if rounded > 0 {
+            let message = format!("{rounded} integers beyond 2^53 are rounded to the nearest doubles");
+            remarks.push(Remark::new(RemarkCode::NumbersRounded, message).at(rounded, []));
+        }
         Ok((numbers, remarks))
     }
 

@@ -257,8 +257,7 @@ impl ShardFolder {
     /// [`ErrorKind::Io`], also while another run writes shards there.
     pub fn create(path: &Path, manifest: ShardManifest, replaces: bool) -> Result<Self, Error> {
         ShardPlace::new(manifest.complex, manifest.part_count, manifest.fan_in, 0)?;
-        let made = MadeFolders::of(path)?;
-        let lock = FolderLock::take(path, LOCK)?;
+        let (made, lock) = MadeFolders::with(path, |path| FolderLock::take(path, LOCK))?;
         let list = path.join(MANIFEST);
         let is_same = |other: &ShardManifest| {
             (other.complex, other.part_count, other.fan_in)

@@ -17,8 +17,9 @@ pub(super) struct Scratch {
 impl Scratch {
     /// Makes it in a folder, which is made too.
     pub(super) fn new(folder: &Path) -> Result<Self, Error> {
-        let made = MadeFolders::of(folder)?;
-        Ok(Self { folder: TemporaryFolder::create_in(folder, ".coface-scratch-")?, _made: made })
+        let (made, folder) =
+            MadeFolders::with(folder, |folder| TemporaryFolder::create_in(folder, ".coface-scratch-"))?;
+        Ok(Self { folder, _made: made })
     }
 
     /// The path of the folder.

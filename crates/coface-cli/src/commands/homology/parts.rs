@@ -96,8 +96,8 @@ impl WorkFolder {
     fn new(given: Option<&Path>) -> Result<Self, Failure> {
         let cure = |error: Error| error.with_cure("name another folder with --work");
         if let Some(path) = given {
-            let made = MadeFolders::of(path).map_err(cure)?;
-            let lock = FolderLock::take(path, ".coface-work.lock")?;
+            let (made, lock) =
+                MadeFolders::with(path, |path| FolderLock::take(path, ".coface-work.lock")).map_err(cure)?;
             return Ok(Self::Given { path: path.to_path_buf(), _lock: lock, _made: made });
         }
         let folder = TemporaryFolder::create_in(&std::env::temp_dir(), "coface-parts-").map_err(cure)?;
