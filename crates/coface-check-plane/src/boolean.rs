@@ -154,11 +154,7 @@ fn circles(edges: &[[u32; 2]], boundary: &[u32]) -> usize {
 }
 
 /// Tests that these are the areas of the components: both sorted, each agrees with one.
-fn areas_in_some_order(
-    said: &[Value],
-    plane: &Subdivision,
-    walks: &[Vec<u32>],
-) -> Result<(), Fault> {
+fn areas_in_some_order(said: &[Value], plane: &Subdivision, walks: &[Vec<u32>]) -> Result<(), Fault> {
     let fault = |message: String| Fault::new("answer", message);
     if said.len() != walks.len() {
         return Err(fault(format!("{} areas are there for {} components", said.len(), walks.len())));

@@ -1,10 +1,10 @@
 //! Certificates of arrangements.
 
+use crate::area::Area;
 use crate::drawing::Drawing;
 use crate::faces::{Faces, OUTSIDE};
-use crate::subdivision::Subdivision;
-use crate::area::Area;
 use crate::inside;
+use crate::subdivision::Subdivision;
 use coface_check::json::{field, index, list, optional};
 use coface_check::{Fault, Verdict};
 use serde_json::{Value, json};
@@ -25,9 +25,8 @@ impl Arrangement {
         let plane = Subdivision::read(field(whole, "proof", "certificate")?, &drawing)?;
         let faces = Faces::new(&plane);
         let regions = inside::regions(whole, &drawing, &plane, &faces)?;
-        let counted = |count: usize, one: &str, many: &str| {
-            format!("{count} {}", if count == 1 { one } else { many })
-        };
+        let counted =
+            |count: usize, one: &str, many: &str| format!("{count} {}", if count == 1 { one } else { many });
         let title = format!(
             "an arrangement of {} in {}, {} and {}",
             counted(drawing.segments().len(), "segment", "segments"),
@@ -40,12 +39,7 @@ impl Arrangement {
 }
 
 /// Compares a claim of the answer, where there is one, with what was found.
-pub(crate) fn claim(
-    proved: &mut Vec<String>,
-    answer: &Value,
-    key: &str,
-    found: &Value,
-) -> Result<(), Fault> {
+pub(crate) fn claim(proved: &mut Vec<String>, answer: &Value, key: &str, found: &Value) -> Result<(), Fault> {
     match optional(answer, key) {
         Some(said) if said == found => proved.push(format!("{key} = {found}")),
         Some(said) => {
@@ -109,7 +103,14 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
         proved.push("measures, the areas of the faces, to one part in 10^13".to_owned());
     }
     let known = [
-        "f_vector", "components", "euler_characteristic", "holes", "bridges", "dangling_edges", "inside", "measures",
+        "f_vector",
+        "components",
+        "euler_characteristic",
+        "holes",
+        "bridges",
+        "dangling_edges",
+        "inside",
+        "measures",
         "products_zero",
     ];
     Ok(Verdict::of(proved, answer, &known))

@@ -8,8 +8,8 @@ use serde_json::Value;
 const STEP: &str = "input";
 
 pub(crate) fn read(input: &str, drawing: &mut Drawing) -> Result<(), Fault> {
-    let whole: Value = serde_json::from_str(input)
-        .map_err(|error| Fault::new(STEP, format!("this is no JSON: {error}")))?;
+    let whole: Value =
+        serde_json::from_str(input).map_err(|error| Fault::new(STEP, format!("this is no JSON: {error}")))?;
     object(&whole, drawing)
 }
 

@@ -92,7 +92,8 @@ impl Subdivision {
             let count = own.len();
             line.splice(first..last, own.drain(..));
             for upper in [first, first + count] {
-                if let (Some(&a), Some(&b)) = (upper.checked_sub(1).and_then(|a| line.get(a)), line.get(upper))
+                if let (Some(&a), Some(&b)) =
+                    (upper.checked_sub(1).and_then(|a| line.get(a)), line.get(upper))
                     && self.cross(a, b)
                 {
                     return fault(format!("edges {a} and {b} cross"));
@@ -150,9 +151,11 @@ fn pieces(
             return fault("leaves the line of the segment");
         }
         let ring = drawing.ring_of(number);
-        pieces.extend(chain.windows(2).map(|pair| {
-            ([pair[0].min(pair[1]), pair[0].max(pair[1])], ring, if rises { 1 } else { -1 })
-        }));
+        pieces.extend(
+            chain
+                .windows(2)
+                .map(|pair| ([pair[0].min(pair[1]), pair[0].max(pair[1])], ring, if rises { 1 } else { -1 })),
+        );
     }
     pieces.sort_unstable();
     Ok(pieces)

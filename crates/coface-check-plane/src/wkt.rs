@@ -77,7 +77,8 @@ impl Reader<'_> {
         let is_of_number = |letter: char| letter.is_ascii_digit() || "+-.eE".contains(letter);
         let end = rest.find(|letter| !is_of_number(letter)).unwrap_or(rest.len());
         let number = rest[..end].parse();
-        let number = number.map_err(|_| self.fault("two coordinates a point are read, and this is no number"))?;
+        let number =
+            number.map_err(|_| self.fault("two coordinates a point are read, and this is no number"))?;
         self.at += end;
         Ok(number)
     }
@@ -109,7 +110,8 @@ impl Reader<'_> {
             "GEOMETRYCOLLECTION" if depth < DEPTH => {
                 self.list(&mut |reader| reader.geometry(drawing, depth + 1))
             }
-            _ => Err(self.fault("POLYGON, MULTIPOLYGON, LINESTRING, MULTILINESTRING or GEOMETRYCOLLECTION is read")),
+            _ => Err(self
+                .fault("POLYGON, MULTIPOLYGON, LINESTRING, MULTILINESTRING or GEOMETRYCOLLECTION is read")),
         }
     }
 }

@@ -74,8 +74,7 @@ fn crossings_of_many_edges_are_seen() {
     let lines: Vec<String> =
         (1..6).flat_map(|i| [format!("0,{i},9,{}", 20 - i), format!("0,{},9,{i}", 20 - i)]).collect();
     let input = lines.join("\n");
-    let segments: Vec<[i64; 4]> =
-        (1..6).flat_map(|i| [[0, i, 9, 20 - i], [0, 20 - i, 9, i]]).collect();
+    let segments: Vec<[i64; 4]> = (1..6).flat_map(|i| [[0, i, 9, 20 - i], [0, 20 - i, 9, i]]).collect();
     let mut ends: Vec<[i64; 2]> = segments.iter().flat_map(|s| [[s[0], s[1]], [s[2], s[3]]]).collect();
     ends.sort_unstable();
     let place = |x: i64, y: i64| ends.binary_search(&[x, y]).expect("an end");
@@ -93,16 +92,29 @@ fn crossings_of_many_edges_are_seen() {
 #[test]
 fn inputs_of_strangers_end() {
     for input in [
-        "POLYGON", "POLYGON ((0 0, 1 0", "POLYGON ((0 0 1, 1 0 1, 1 1 1, 0 0 1))", "POINT (1 1)", "{}", "{\"type\":\"Point\"}",
-        "1,2,3", "1,2,3,inf", "POLYGON ((1e999 0, 1 0, 1 1, 1e999 0))", "GEOMETRYCOLLECTION (", "\u{1}",
+        "POLYGON",
+        "POLYGON ((0 0, 1 0",
+        "POLYGON ((0 0 1, 1 0 1, 1 1 1, 0 0 1))",
+        "POINT (1 1)",
+        "{}",
+        "{\"type\":\"Point\"}",
+        "1,2,3",
+        "1,2,3,inf",
+        "POLYGON ((1e999 0, 1 0, 1 1, 1e999 0))",
+        "GEOMETRYCOLLECTION (",
+        "\u{1}",
     ] {
         assert!(coface_check_plane::Drawing::read(&[input.as_bytes()]).is_err(), "{input}");
     }
     let deep = "GEOMETRYCOLLECTION (".repeat(100_000);
     assert!(coface_check_plane::Drawing::read(&[deep.as_bytes()]).is_err());
     for (input, segments) in [
-        ("POLYGON EMPTY", 0), ("", 0), ("MULTIPOLYGON (((0 0, 1 0, 1 1)), EMPTY)", 3), ("LINESTRING (0 0, 1 1, 2 2)", 2),
-        ("# a line\n0 0 1 1\n", 1), ("{\"type\":\"Feature\",\"geometry\":null}", 0),
+        ("POLYGON EMPTY", 0),
+        ("", 0),
+        ("MULTIPOLYGON (((0 0, 1 0, 1 1)), EMPTY)", 3),
+        ("LINESTRING (0 0, 1 1, 2 2)", 2),
+        ("# a line\n0 0 1 1\n", 1),
+        ("{\"type\":\"Feature\",\"geometry\":null}", 0),
     ] {
         let drawing = coface_check_plane::Drawing::read(&[input.as_bytes()]).expect(input);
         assert_eq!(drawing.segments().len(), segments, "{input}");

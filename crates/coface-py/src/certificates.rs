@@ -7,8 +7,8 @@ use crate::work::run;
 use coface::Error;
 use coface::algebra::ErrorKind;
 use coface::answers::{
-    ArrangementRequest, BooleanRequest, DrawingArrangement, HomologyRequest, PlanarDrawing, RegionBoolean, RegionSource,
-    RelativeTo, Report, ReportRequest,
+    ArrangementRequest, BooleanRequest, DrawingArrangement, HomologyRequest, PlanarDrawing, RegionBoolean,
+    RegionSource, RelativeTo, Report, ReportRequest,
 };
 use coface::io::{Format, read_path};
 use pyo3::prelude::*;

@@ -168,7 +168,18 @@ impl RegionBoolean {
             (found, movement) = (valid, Some(settled.movement));
         }
         let (formula, rule) = (Some(formula.clone()), request.rule);
-        Ok(Self { drawing, found, movement, cell_counts, snap_rounds, joined, formula, rule, warnings, remarks })
+        Ok(Self {
+            drawing,
+            found,
+            movement,
+            cell_counts,
+            snap_rounds,
+            joined,
+            formula,
+            rule,
+            warnings,
+            remarks,
+        })
     }
 
     /// The faces that are chosen in the overlay of all rings, of which the unbounded one comes last and is never chosen.

@@ -138,7 +138,8 @@ fn arrangement(inputs: &[(&str, &[u8])]) -> Result<(PlanarArrangement, usize), E
     let drawing = coface_check_plane::Drawing::read(&bytes).map_err(|fault| refused(&fault.to_string()))?;
     let ends = drawing.segments();
     let positions = Positions::from_flat(2, ends.as_flattened().as_flattened().to_vec())?;
-    let segments: Vec<[u32; 2]> = (0..ends.len() as u32).map(|segment| [2 * segment, 2 * segment + 1]).collect();
+    let segments: Vec<[u32; 2]> =
+        (0..ends.len() as u32).map(|segment| [2 * segment, 2 * segment + 1]).collect();
     Ok((PlanarArrangement::new(&positions, &segments)?, segments.len()))
 }
 
@@ -179,7 +180,9 @@ impl Proof {
 }
 
 fn moved() -> Error {
-    refused("vertices were moved, so that the result is not that of the files; keep exact coordinates with --exact")
+    refused(
+        "vertices were moved, so that the result is not that of the files; keep exact coordinates with --exact",
+    )
 }
 
 fn refused(why: &str) -> Error {

@@ -338,7 +338,12 @@ fn drawings_are_proved() {
     // By hand: the wedge meets the square in x = 4 alone, from y = 1 to y = 3, and reaches to the right; its tip is in the hole.
     proved(
         &["boolean", "union", argument(&a), argument(&b)],
-        &["the result is (0 | 1) of the inputs, numbered from 0", "components = 1", "holes = 1", "pinches = 0"],
+        &[
+            "the result is (0 | 1) of the inputs, numbered from 0",
+            "components = 1",
+            "holes = 1",
+            "pinches = 0",
+        ],
         &[&a, &b],
     );
     proved(&["boolean", "difference", argument(&b), argument(&a)], &["components = 2"], &[&b, &a]);
@@ -371,8 +376,13 @@ fn holes_of_polygons_without_area_bound_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let drawing = folder.path().join("a.wkt");
     let place = folder.path().join("proof.cert");
-    fs::write(&drawing, "POLYGON ((0 4, 0 4, 0 4, 0 4), (0 0, 1 0, 0 1, 0 0))\nPOLYGON ((5 5, 6 5, 5 6, 5 5))").unwrap();
-    let answer = coface(&["boolean", "union", argument(&drawing), "--certificate", argument(&place), "--json"]).json();
+    fs::write(
+        &drawing,
+        "POLYGON ((0 4, 0 4, 0 4, 0 4), (0 0, 1 0, 0 1, 0 0))\nPOLYGON ((5 5, 6 5, 5 6, 5 5))",
+    )
+    .unwrap();
+    let answer =
+        coface(&["boolean", "union", argument(&drawing), "--certificate", argument(&place), "--json"]).json();
     assert_eq!((&answer["measure"], &answer["polygons"]), (&json!(0.5), &json!(1)));
     assert!(answer["remarks"].to_string().contains("whose outer rings are single points"), "{answer}");
     assert_eq!(checked(&place, &drawing)["verified"], true);

@@ -309,10 +309,7 @@ impl MadeFolders {
     ///
     /// # Errors
     /// As [`Self::of`], and what `first` says.
-    pub fn with<T>(
-        folder: &Path,
-        first: impl Fn(&Path) -> Result<T, Error>,
-    ) -> Result<(Self, T), Error> {
+    pub fn with<T>(folder: &Path, first: impl Fn(&Path) -> Result<T, Error>) -> Result<(Self, T), Error> {
         for _ in 1..ATTEMPTS {
             let made = Self::of(folder)?;
             match first(folder) {
@@ -377,7 +374,10 @@ mod tests {
             for _ in 0..4 {
                 scope.spawn(|| {
                     for _ in 0..500 {
-                        drop(MadeFolders::with(&folder, |folder| TemporaryFolder::create_in(folder, "t-")).unwrap());
+                        drop(
+                            MadeFolders::with(&folder, |folder| TemporaryFolder::create_in(folder, "t-"))
+                                .unwrap(),
+                        );
                     }
                 });
             }

@@ -10,8 +10,8 @@ use crate::features::{GZIP, gunzipped};
 use crate::files::Companions;
 use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
-use std::cell::Cell;
 use coface_complexes::cubical::{CubicalVolume, VoxelBoxes, VoxelWindow};
+use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{BufReader, Read};
@@ -299,11 +299,8 @@ impl<'r> VolumeStream<'r> {
     /// ```
     pub fn numbers(self) -> Result<(Vec<f64>, Vec<Remark>), Error> {
         let name = self.name.clone();
-        let values = Values {
-            number_type: self.header.number_type,
-            scale: self.header.scale,
-            rounded: Cell::new(0),
-        };
+        let values =
+            Values { number_type: self.header.number_type, scale: self.header.scale, rounded: Cell::new(0) };
         // Grown as numbers come: what the header says may be a lie.
         let mut numbers = Vec::new();
         let remarks = self.runs(&values, &mut |_, run| {

@@ -154,7 +154,9 @@ impl CellOptions {
         certified::refuse_standard_input(inputs)?;
         match source {
             RegionSource::Models => Ok(()),
-            _ => Err(Failure::new("--certificate proves what files contain, not their parts: leave --inputs out")),
+            _ => Err(Failure::new(
+                "--certificate proves what files contain, not their parts: leave --inputs out",
+            )),
         }
     }
 

@@ -100,11 +100,17 @@ pub(super) const CASES: &[Case] = &[
     Case::new("planar/certificate.rs", "keep exact coordinates with --exact")
         .files(NEAR)
         .refused("coface arrange near.lines --certificate near.cert")
-        .cured(&[&["coface arrange near.lines --exact --certificate near.cert", "coface check near.cert near.lines"]]),
-    Case::new("arrange/mod.rs", "--certificate proves what files contain, not their parts: leave --inputs out")
-        .with(&[("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0))")])
-        .refused("coface boolean union square.wkt --inputs features --certificate square.cert")
-        .cured(&[&["coface boolean union square.wkt --certificate square.cert"]]),
+        .cured(&[&[
+            "coface arrange near.lines --exact --certificate near.cert",
+            "coface check near.cert near.lines",
+        ]]),
+    Case::new(
+        "arrange/mod.rs",
+        "--certificate proves what files contain, not their parts: leave --inputs out",
+    )
+    .with(&[("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0))")])
+    .refused("coface boolean union square.wkt --inputs features --certificate square.cert")
+    .cured(&[&["coface boolean union square.wkt --certificate square.cert"]]),
     Case::new("arrange/mod.rs", "--certificate is for drawings in the plane, and the inputs lie in space")
         .before(&["coface generate box -o box.mesh"])
         .refused("coface boolean union box.mesh --certificate box.cert")
