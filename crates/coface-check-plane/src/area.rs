@@ -63,7 +63,7 @@ impl Area {
 /// The determinant of the ends of a halfedge in units of 2^-digits, rounded down.
 fn determinant(plane: &Subdivision, halfedge: u32, digits: usize) -> IBig {
     let ends = plane.edges[halfedge as usize / 2].map(|vertex| &plane.vertices[vertex as usize]);
-    let [a, b] = if halfedge % 2 == 0 { ends } else { [ends[1], ends[0]] };
+    let [a, b] = if halfedge.is_multiple_of(2) { ends } else { [ends[1], ends[0]] };
     let (above, below) = ((&a.x * &b.y - &a.y * &b.x) << digits, &a.w * &b.w);
     let quotient = &above / &below;
     if &quotient * &below > above { quotient - IBig::ONE } else { quotient }

@@ -140,7 +140,7 @@ fn circles(edges: &[[u32; 2]], boundary: &[u32]) -> usize {
     let mut after = std::collections::BTreeMap::new();
     for &halfedge in boundary {
         let [low, high] = edges[halfedge as usize / 2];
-        let (from, to) = if halfedge % 2 == 0 { (low, high) } else { (high, low) };
+        let (from, to) = if halfedge.is_multiple_of(2) { (low, high) } else { (high, low) };
         after.insert(from, to);
     }
     let mut count = 0;

@@ -116,7 +116,7 @@ pub(crate) fn regions(
 
 /// From the left of a halfedge to its right.
 fn cross(tour: &mut Tour<'_>, plane: &Subdivision, halfedge: u32) {
-    let sign = if halfedge % 2 == 0 { -1 } else { 1 };
+    let sign = if halfedge.is_multiple_of(2) { -1 } else { 1 };
     for &(ring, by) in &plane.rings[halfedge as usize / 2] {
         tour.wind(ring, sign * by);
     }

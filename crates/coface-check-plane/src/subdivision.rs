@@ -114,13 +114,12 @@ impl Subdivision {
     }
 }
 
-/// The pieces of all segments: the vertices at their ends, the lower first, the ring, and whether that runs up; sorted. Each segment is
+/// The vertices at the ends of a piece, the lower first; the ring along it; 1 if that runs up, else -1.
+type Piece = ([u32; 2], Option<u32>, i64);
+
+/// The pieces of all segments, sorted. Each segment is
 /// covered by its pieces, and each piece lies on it.
-fn pieces(
-    proof: &Value,
-    drawing: &Drawing,
-    vertices: &[Point],
-) -> Result<Vec<([u32; 2], Option<u32>, i64)>, Fault> {
+fn pieces(proof: &Value, drawing: &Drawing, vertices: &[Point]) -> Result<Vec<Piece>, Fault> {
     let step = "chains";
     let chains = list(field(proof, "chains", step)?, "\"chains\"", step)?;
     let segments = drawing.segments();
