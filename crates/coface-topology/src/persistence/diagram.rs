@@ -1,6 +1,6 @@
 //! Persistence diagrams: births and deaths of classes.
 
-use super::Filtration;
+use super::{Barcode, Filtration};
 use coface_algebra::CellId;
 
 /// A class of persistent homology: the cell and the value of its birth, and those of its death if it dies.
@@ -307,6 +307,28 @@ impl PersistenceDiagram {
             Some(&end) => &self.pairs[self.starts[degree]..end],
             None => &[],
         }
+    }
+
+    /// The births and deaths of a degree; deaths of essential classes are infinite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, Filtration, persistence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // A path 0 - 1 - 2 with heights 0, 2, 1 at its vertices.
+    /// let edges = SparseMatrix::from_entries(3, 2, [(0, 0, -1), (1, 0, 1), (1, 1, -1), (2, 1, 1)])?;
+    /// let path = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::lower_star(&path, &[0.0, 2.0, 1.0])?;
+    /// let diagram = persistence(&path, &filtration, Coefficients::Modulo(2))?;
+    /// assert_eq!(diagram.longer_than(0.0).barcode(0).intervals(), [[0.0, f64::INFINITY], [1.0, 2.0]]);
+    /// # Ok(()) }
+    /// ```
+    pub fn barcode(&self, degree: usize) -> Barcode {
+        let never = if self.is_falling { f64::NEG_INFINITY } else { f64::INFINITY };
+        let pairs = self.pairs_of_degree(degree).iter();
+        Barcode::of(pairs.map(|pair| [pair.birth, pair.death.unwrap_or(never)]))
     }
 
     /// The Betti numbers of the whole complex over the field: the numbers of essential classes by degree.

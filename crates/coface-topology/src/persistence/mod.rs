@@ -6,9 +6,11 @@
 //! * Over a field each class is **born** when one cell enters and **dies** when another one does, a degree higher, or
 //!   never: then it is **essential**. A [`PersistencePair`] names both cells and both values, a
 //!   [`PersistenceDiagram`] holds all pairs. The number of essential classes of a degree is its Betti number.
+//! * A [`Barcode`] has births and deaths alone: what diagrams of all filtrations have in common. Distances are distances of barcodes.
 //! * The **persistence** of a pair is the distance between birth and death. Pairs of persistence zero, on the
 //!   **diagonal**, depend on how ties are broken; the others do not.
 
+mod barcode;
 mod diagram;
 mod filtration;
 mod image;
@@ -18,6 +20,7 @@ mod rips;
 #[cfg(test)]
 mod tests;
 
+pub use barcode::{Barcode, BarcodeMatching, PersistenceSurface, euler_characteristic_curve};
 pub use diagram::{PersistenceDiagram, PersistencePair};
 pub use filtration::Filtration;
 pub use image::{ImageConstruction, ImageDiagram, ImageFiltration, ImagePair};

@@ -1,5 +1,7 @@
 //! Diagrams of images.
 
+use crate::persistence::Barcode;
+
 /// A class of an image: the values at which it is born and dies, and the voxels that have them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -164,6 +166,23 @@ impl ImageDiagram {
         let start = self.pairs.partition_point(|pair| pair.degree < degree);
         let end = self.pairs.partition_point(|pair| pair.degree <= degree);
         &self.pairs[start..end]
+    }
+
+    /// The births and deaths of a degree; deaths of essential classes are infinite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{Coefficients, ImageFiltration};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let image = ImageFiltration::new(&[3], [0.0, 5.0, 1.0])?.superlevel(true);
+    /// let diagram = image.persistence(Coefficients::Modulo(2))?;
+    /// assert_eq!(diagram.barcode(0).intervals(), [[5.0, f64::NEG_INFINITY]]);
+    /// # Ok(()) }
+    /// ```
+    pub fn barcode(&self, degree: usize) -> Barcode {
+        let never = if self.is_falling { f64::NEG_INFINITY } else { f64::INFINITY };
+        let pairs = self.pairs_of_degree(degree).iter();
+        Barcode::of(pairs.map(|pair| [pair.birth, pair.death.unwrap_or(never)]))
     }
 
     /// The numbers of classes that never die, by degree.

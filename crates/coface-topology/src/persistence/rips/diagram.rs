@@ -1,5 +1,6 @@
 //! Diagrams of Vietoris-Rips filtrations.
 
+use crate::persistence::Barcode;
 use coface_algebra::VertexId;
 
 /// A class of a Vietoris-Rips filtration: the diameters at which it is born and dies, and the simplices that make and end it.
@@ -142,6 +143,22 @@ impl RipsDiagram {
     /// See [`RipsDiagram`].
     pub fn pairs_of_degree(&self, degree: usize) -> &[RipsPair] {
         self.degrees.get(degree).map_or(&[], Vec::as_slice)
+    }
+
+    /// The births and deaths of a degree; deaths of essential classes are infinite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{Coefficients, Distances, RipsFiltration};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let two = RipsFiltration::new(&Distances::from_lower_triangle(2, vec![3.0])?, None)?;
+    /// let diagram = two.persistence(0, Coefficients::Modulo(2))?;
+    /// assert_eq!(diagram.barcode(0).intervals(), [[0.0, f64::INFINITY], [0.0, 3.0]]);
+    /// # Ok(()) }
+    /// ```
+    pub fn barcode(&self, degree: usize) -> Barcode {
+        let pairs = self.pairs_of_degree(degree).iter();
+        Barcode::of(pairs.map(|pair| [pair.birth, pair.death.unwrap_or(f64::INFINITY)]))
     }
 
     /// The numbers of classes that live at the threshold, by degree.
