@@ -50,8 +50,9 @@ pub use incidence::{FoundOperator, OperatorKind, OperatorRequest};
 pub use isomorphism::isomorphic;
 pub use parts::RegionSource;
 pub use persistence::{
-    DiagramFormat, FoundDiagram, FoundImage, FoundRips, GreyImage, Growth, ImageRequest, PersistenceRequest,
-    RipsRequest, TableForm, VertexFunction, write_diagram,
+    CurveValues, DiagramCurveKind, DiagramCurvesRequest, DiagramDistanceRequest, DiagramFormat,
+    DiagramImageRequest, DiagramMetric, FoundDiagram, FoundImage, FoundRips, GivenDiagram, GreyImage, Growth,
+    ImageRequest, PersistenceRequest, RipsRequest, TableForm, VertexFunction, write_diagram,
 };
 pub use planar::{
     ArrangementRequest, BooleanRequest, BufferCaps, BufferJoins, BufferOptions, DissolveRequest, Dissolved,

@@ -172,7 +172,7 @@ const WITHOUT_VOLUMES: [&str; 12] = [
 ];
 
 /// The verbs that read no model.
-const WITHOUT_INPUTS: [&str; 3] = ["check", "completions", "man"];
+const WITHOUT_INPUTS: [&str; 4] = ["check", "diagram", "completions", "man"];
 
 /// The options that say how a model is read.
 const OF_INPUTS: [&str; 7] =
@@ -196,6 +196,7 @@ pub(crate) enum Verb {
     Reduce(commands::reduce::Reduce),
     Merge(commands::merge::Merge),
     Persistence(commands::persistence::Persistence),
+    Diagram(commands::diagram::Diagram),
     Pi1(commands::pi1::Pi1),
     Loops(commands::loops::Loops),
     Cycles(commands::cycles::Cycles),
@@ -251,6 +252,7 @@ fn serve(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Reduce(verb) => verb.run(common),
         Verb::Merge(verb) => verb.run(common),
         Verb::Persistence(verb) => verb.run(common),
+        Verb::Diagram(verb) => verb.run(common),
         Verb::Pi1(verb) => verb.run(common),
         Verb::Loops(verb) => verb.run(common),
         Verb::Cycles(verb) => verb.run(common),

@@ -3,10 +3,10 @@
 use crate::counted_stream::{name_of, reading};
 use crate::files::open_regular;
 use crate::scanner::{Scanner, parse_coordinate};
-use crate::volume::NPY_MAGIC;
+use crate::volume::{NPY_MAGIC, write_npy_header};
 use crate::{Format, VolumeStream};
 use coface_algebra::Error;
-use std::io::Read;
+use std::io::{Read, Write};
 use std::path::Path;
 
 /// Rows of numbers, which may have different lengths, and the line of each.
@@ -102,9 +102,7 @@ impl NumberTable {
             match numbers {
                 Ok(numbers) if numbers.is_empty() => {}
                 Ok(numbers) => {
-                    table.numbers.extend(numbers);
-                    table.starts.push(table.numbers.len());
-                    table.lines.push(scanner.line_number());
+                    table.push_row(&numbers, scanner.line_number());
                 }
                 Err(_) if is_first && words.clone().all(|word| parse_coordinate(word, "").is_err()) => {
                     has_names = true;
@@ -133,6 +131,24 @@ impl NumberTable {
             table.starts.push(table.numbers.len());
         }
         table
+    }
+
+    /// Adds a row, which stands on this line.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::NumberTable;
+    /// let mut table = NumberTable::default();
+    /// table.push_row(&[1.0, 2.0], 7);
+    /// assert_eq!((table.row(0), table.line(0)), (&[1.0, 2.0][..], Some(7)));
+    /// ```
+    pub fn push_row(&mut self, numbers: &[f64], line: u64) {
+        if self.starts.is_empty() {
+            self.starts.push(0);
+        }
+        self.numbers.extend_from_slice(numbers);
+        self.starts.push(self.numbers.len());
+        self.lines.push(line);
     }
 
     /// The points of a time series: the numbers of row i, of row i + delay, and so on, `dimension` rows in all, one after the other.
@@ -175,6 +191,36 @@ impl NumberTable {
             (0..dimension).flat_map(|step| self.row(i + step * delay)).copied().collect()
         };
         Ok(Self::from_rows((0..count).map(point)))
+    }
+
+    /// Writes the table as a NumPy array of two axes: numbers of 8 bytes, a row after the other.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`](coface_algebra::ErrorKind::Shape) if rows have different lengths; [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) if
+    /// the stream cannot be written.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::NumberTable;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let table = NumberTable::from_rows([[1.0, 2.5], [3.0, f64::INFINITY]]);
+    /// let mut file = Vec::new();
+    /// table.write_npy(&mut file)?;
+    /// assert_eq!(NumberTable::read(&file[..])?.numbers(), table.numbers());
+    /// # Ok(()) }
+    /// ```
+    pub fn write_npy(&self, mut out: impl Write) -> Result<(), Error> {
+        let rows = self.row_count();
+        let columns = if rows == 0 { 0 } else { self.row(0).len() };
+        if let Some(row) = (0..rows).find(|&row| self.row(row).len() != columns) {
+            let message = format!("row {row} has {} numbers, and row 0 has {columns}", self.row(row).len());
+            return Err(Error::new(coface_algebra::ErrorKind::Shape, message)
+                .with_cure("give all rows of an array the same length"));
+        }
+        write_npy_header(&[rows, columns], "<f8", &mut out)?;
+        let bytes: Vec<u8> = self.numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
+        out.write_all(&bytes)?;
+        Ok(())
     }
 
     /// The number of rows that have numbers.

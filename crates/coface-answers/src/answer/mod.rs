@@ -16,6 +16,7 @@ mod congruence;
 mod convert;
 mod cover;
 mod cut;
+mod diagram;
 mod dissolve;
 mod edit;
 mod generate;
@@ -76,6 +77,9 @@ pub use congruence::{BlockMergeAnswer, CongruenceAnswer, CongruenceInput};
 pub use convert::{
     CarriersAnswer, ConvertAnswer, ConvertCounts, MeshRepairAnswer, ModelCounts, SetCounts,
     SurfaceRepairAnswer,
+};
+pub use diagram::{
+    DegreeDistance, DiagramCurve, DiagramCurvesAnswer, DiagramDistanceAnswer, DiagramImageAnswer,
 };
 pub use generate::GenerateAnswer;
 pub use info::{

@@ -2,14 +2,15 @@
 
 use super::{
     BatchAnswer, CheckAnswer, CochainTestAnswer, CocyclesAnswer, CongruenceAnswer, ConvertAnswer,
-    CoverAnswer, CutAnswer, CyclesAnswer, DissolveAnswer, DoubleCoverAnswer, EditAnswer, GenerateAnswer,
-    HomologyAnswer, HomotopicAnswer, IncidenceAnswer, InfoAnswer, InfoReports, IsomorphicAnswer, LoopsAnswer,
-    MapAnswer, PersistenceAnswer, Pi1Answer, PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer,
-    RenderAnswer, RowAnswer, ShardAnswer, SignatureAnswer, SimplicesAnswer, SimplifyAnswer,
-    SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer, YinAdvectAnswer,
-    YinCombinationAnswer, YinComparisonAnswer, YinCurvatureAnswer, YinCutCellsAnswer, YinInfoAnswer,
-    YinInterfaceAnswer, YinKinksAnswer, YinLocateAnswer, YinNormalizeAnswer, YinSampleAnswer,
-    YinSeriesAnswer, YinSetAnswer, YinValidationAnswer,
+    CoverAnswer, CutAnswer, CyclesAnswer, DiagramCurvesAnswer, DiagramDistanceAnswer, DiagramImageAnswer,
+    DissolveAnswer, DoubleCoverAnswer, EditAnswer, GenerateAnswer, HomologyAnswer, HomotopicAnswer,
+    IncidenceAnswer, InfoAnswer, InfoReports, IsomorphicAnswer, LoopsAnswer, MapAnswer, PersistenceAnswer,
+    Pi1Answer, PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer, RenderAnswer, RowAnswer,
+    ShardAnswer, SignatureAnswer, SimplicesAnswer, SimplifyAnswer, SolidBooleanAnswer,
+    SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer, YinAdvectAnswer, YinCombinationAnswer,
+    YinComparisonAnswer, YinCurvatureAnswer, YinCutCellsAnswer, YinInfoAnswer, YinInterfaceAnswer,
+    YinKinksAnswer, YinLocateAnswer, YinNormalizeAnswer, YinSampleAnswer, YinSeriesAnswer, YinSetAnswer,
+    YinValidationAnswer,
 };
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
@@ -64,6 +65,9 @@ answers! {
     "shard" => ShardAnswer,
     "reduce" => ReduceAnswer,
     "persistence" => PersistenceAnswer,
+    "diagram distance" => DiagramDistanceAnswer,
+    "diagram betti" => DiagramCurvesAnswer,
+    "diagram image" => DiagramImageAnswer,
     "pi1" => Pi1Answer,
     "loops" => LoopsAnswer,
     "cycles" => CyclesAnswer,

@@ -13,6 +13,7 @@ pub(crate) mod convert;
 pub(crate) mod cover;
 pub(crate) mod cut;
 pub(crate) mod cycles;
+pub(crate) mod diagram;
 pub(crate) mod edit;
 pub(crate) mod generate;
 pub(crate) mod homology;

@@ -18,8 +18,8 @@ mod stream;
 mod tests;
 
 pub(super) use nifti::is_nifti;
-pub(super) use npy::MAGIC as NPY_MAGIC;
 pub use npy::write as write_npy;
+pub(super) use npy::{MAGIC as NPY_MAGIC, write_header as write_npy_header};
 pub(super) use nrrd::MAGIC as NRRD_MAGIC;
 pub use rule::{VolumeReading, VoxelRule};
 pub use stream::VolumeStream;

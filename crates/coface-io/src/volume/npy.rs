@@ -176,16 +176,8 @@ fn quoted(text: &str) -> Option<(&str, &str)> {
 /// # Ok(()) }
 /// ```
 pub fn write(volume: &CubicalVolume, mut out: impl Write) -> Result<(), Error> {
-    let lengths: Vec<String> = volume.shape().iter().map(|length| format!("{length},")).collect();
-    let mut text = format!("{{'descr': '|u1', 'fortran_order': False, 'shape': ({}), }}", lengths.join(" "));
-    while (text.len() + 11) % 64 != 0 {
-        text.push(' ');
-    }
-    text.push('\n');
-    out.write_all(MAGIC)?;
-    out.write_all(&[1, 0])?;
-    out.write_all(&(text.len() as u16).to_le_bytes())?;
-    out.write_all(text.as_bytes())?;
+    let shape: Vec<usize> = volume.shape().iter().map(|&length| length as usize).collect();
+    write_header(&shape, "|u1", &mut out)?;
     let row = *volume.shape().last().unwrap_or(&1) as usize;
     let mut bytes = Vec::with_capacity(row);
     for start in (0..volume.voxel_count()).step_by(row) {
@@ -194,5 +186,21 @@ pub fn write(volume: &CubicalVolume, mut out: impl Write) -> Result<(), Error> {
         out.write_all(&bytes)?;
     }
     out.flush()?;
+    Ok(())
+}
+
+/// Writes what stands before the numbers of an array of this shape, of which the last axis runs fastest, and this type.
+pub(crate) fn write_header(shape: &[usize], descr: &str, out: &mut impl Write) -> Result<(), Error> {
+    let lengths: Vec<String> = shape.iter().map(|length| format!("{length},")).collect();
+    let mut text =
+        format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': ({}), }}", lengths.join(" "));
+    while (text.len() + 11) % 64 != 0 {
+        text.push(' ');
+    }
+    text.push('\n');
+    out.write_all(MAGIC)?;
+    out.write_all(&[1, 0])?;
+    out.write_all(&(text.len() as u16).to_le_bytes())?;
+    out.write_all(text.as_bytes())?;
     Ok(())
 }

@@ -1,6 +1,5 @@
 use super::{Barcode, PersistenceSurface, euler_characteristic_curve};
 use crate::{Coefficients, Filtration, persistence};
-use coface_complexes::Cells;
 use coface_complexes::simplicial::SimplicialComplex;
 use proptest::prelude::*;
 
@@ -170,7 +169,7 @@ proptest! {
     ) {
         let complex = SimplicialComplex::from_facets(facets.iter().map(|f| f.iter().copied().collect::<Vec<_>>()))
             .unwrap();
-        let chains = complex.chain_complex();
+        let chains = complex.chain_complex().unwrap();
         let values: Vec<f64> = heights.iter().take(chains.cell_count(0)).map(|&x| f64::from(x)).collect();
         let star = if is_falling { Filtration::upper_star } else { Filtration::lower_star };
         let filtration = star(&chains, &values).unwrap();
