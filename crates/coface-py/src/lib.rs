@@ -14,6 +14,7 @@ mod chain_complex;
 mod complex;
 mod congruence;
 mod cures;
+mod diagrams;
 mod dissolve;
 mod errors;
 mod generate;
@@ -89,6 +90,7 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(yin::_label_sets, module)?)?;
     module.add_function(wrap_pyfunction!(yin::_feature_sets, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::persistence, module)?)?;
+    module.add_function(wrap_pyfunction!(diagrams::_diagram_distance, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::rips, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::cubical, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::_values_of_volume, module)?)?;

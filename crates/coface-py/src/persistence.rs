@@ -2,6 +2,7 @@
 
 use crate::arrays;
 use crate::chain_complex::{ChainComplex, ring};
+use crate::diagrams::{self, Curves};
 use crate::errors::{OrRaise, invalid, warn, whole};
 use crate::pictures::flat_file;
 use crate::source::Naming;
@@ -9,15 +10,16 @@ use crate::work::run;
 use coface::algebra::Integer;
 use coface::algebra::chains::ChainComplex as Chains;
 use coface::answers::{
-    DiagramFormat, FoundImage, FoundRips, GreyImage, ImageRequest, RipsRequest, TableForm, write_diagram,
+    DiagramCurveKind, DiagramFormat, DiagramImageRequest, FoundImage, FoundRips, GivenDiagram, GreyImage,
+    ImageRequest, RipsRequest, TableForm, write_diagram,
 };
 use coface::complexes::cubical::CubicalVolume;
 use coface::io::{NumberTable, ReadOptions, VolumeReading};
 use coface::pictures::{DiagramPoint, diagram_picture};
 use coface::topology;
-use coface::topology::{Coefficients, Filtration, PersistenceDiagram, PersistencePair};
+use coface::topology::{Barcode, Coefficients, Filtration, PersistenceDiagram, PersistencePair};
 use coface::{CellId, Error, ErrorKind, VertexId};
-use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyList, PyTuple};
 use std::path::PathBuf;
@@ -316,6 +318,18 @@ impl Persistence {
         }
     }
 
+    /// The births and deaths alone; where values fall, what never dies has the death -inf.
+    fn given(&self, py: Python<'_>) -> PyResult<GivenDiagram> {
+        let never = if self.is_falling() { f64::NEG_INFINITY } else { f64::INFINITY };
+        let mut degrees = vec![Vec::new(); self.degree_count()];
+        for (degree, birth, death) in self.classes() {
+            degrees[degree].push([birth, death.unwrap_or(never)]);
+        }
+        let degrees = degrees.into_iter().map(Barcode::new).collect::<Result<_, Error>>().or_raise(py)?;
+        let diagram = GivenDiagram::new("diagram", degrees);
+        Ok(if matches!(self.diagram, Diagram::Points(_)) { diagram.of_points() } else { diagram })
+    }
+
     fn points(&self) -> Vec<DiagramPoint> {
         let point = |(degree, birth, death)| DiagramPoint { degree, birth, death };
         self.classes().into_iter().map(point).collect()
@@ -432,6 +446,161 @@ impl Persistence {
     fn to_gudhi(&self) -> Vec<(usize, (f64, f64))> {
         let pair = |(degree, birth, death): Class| (degree, (birth, death.unwrap_or(f64::INFINITY)));
         self.classes().into_iter().map(pair).collect()
+    }
+
+    /// The Betti curve of a degree: how many classes live at a value.
+    ///
+    /// Parameters
+    /// ----------
+    /// degree : int
+    ///     The degree.
+    /// at : int or array_like, optional
+    ///     Values, or the number of values from the first birth or death to the last; all births and deaths if not given.
+    /// end : float, optional
+    ///     Where classes that never die, die.
+    ///
+    /// Returns
+    /// -------
+    /// tuple of numpy.ndarray
+    ///     The values and the numbers of classes, ``float64``.
+    #[pyo3(signature = (degree, *, at=None, end=None))]
+    fn betti_curve<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole)] degree: usize,
+        at: Option<&Bound<'py, PyAny>>,
+        end: Option<f64>,
+    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyAny>)> {
+        let (at, rows) =
+            diagrams::curves(py, &self.given(py)?, DiagramCurveKind::Betti, Some(degree), at, end)?;
+        Ok((at, rows.get_item(0)?))
+    }
+
+    /// The Euler characteristic curve: the alternating sum of the numbers of classes that live at a value.
+    ///
+    /// Parameters
+    /// ----------
+    /// at : int or array_like, optional
+    ///     Values, or the number of values from the first birth or death to the last; all births and deaths if not given.
+    ///
+    /// Returns
+    /// -------
+    /// tuple of numpy.ndarray
+    ///     The values and the Euler characteristics, ``float64``.
+    #[pyo3(signature = (*, at=None))]
+    fn euler_curve<'py>(
+        &self,
+        py: Python<'py>,
+        at: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyAny>)> {
+        let (at, rows) = diagrams::curves(py, &self.given(py)?, DiagramCurveKind::Euler, None, at, None)?;
+        Ok((at, rows.get_item(0)?))
+    }
+
+    /// The first persistence landscapes of a degree (Bubenik, 2015). GUDHI multiplies them by the root of 2.
+    ///
+    /// Parameters
+    /// ----------
+    /// degree : int
+    ///     The degree.
+    /// count : int
+    ///     How many.
+    /// at : int or array_like, optional
+    ///     Values, or the number of values from the first birth or death to the last; 100 if not given.
+    /// end : float, optional
+    ///     Where classes that never die, die.
+    ///
+    /// Returns
+    /// -------
+    /// tuple of numpy.ndarray
+    ///     The values, and an array with a row for each landscape, from the largest one on.
+    #[pyo3(signature = (degree, count=None, *, at=None, end=None), text_signature = "($self, degree, count=5, *, at=None, end=None)")]
+    fn landscapes<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole)] degree: usize,
+        count: Option<&Bound<'py, PyAny>>,
+        at: Option<&Bound<'py, PyAny>>,
+        end: Option<f64>,
+    ) -> PyResult<Curves<'py>> {
+        let count = count.map_or(Ok(5), whole)?;
+        let kind = DiagramCurveKind::Landscape(count);
+        diagrams::curves(py, &self.given(py)?, kind, Some(degree), at, end)
+    }
+
+    /// The silhouette of a degree: the mean of the tents over the intervals of births and deaths (Chazal et al., 2014).
+    ///
+    /// Parameters
+    /// ----------
+    /// degree : int
+    ///     The degree.
+    /// power : float
+    ///     The power of the persistence that is the weight of a class.
+    /// at : int or array_like, optional
+    ///     Values, or the number of values from the first birth or death to the last; 100 if not given.
+    /// end : float, optional
+    ///     Where classes that never die, die; they are left out if not given.
+    ///
+    /// Returns
+    /// -------
+    /// tuple of numpy.ndarray
+    ///     The values and the silhouette.
+    #[pyo3(signature = (degree, power=1.0, *, at=None, end=None))]
+    fn silhouette<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole)] degree: usize,
+        power: f64,
+        at: Option<&Bound<'py, PyAny>>,
+        end: Option<f64>,
+    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyAny>)> {
+        let kind = DiagramCurveKind::Silhouette(power);
+        let (at, rows) = diagrams::curves(py, &self.given(py)?, kind, Some(degree), at, end)?;
+        Ok((at, rows.get_item(0)?))
+    }
+
+    /// The persistence image of a degree (Adams et al., 2017).
+    ///
+    /// Parameters
+    /// ----------
+    /// degree : int
+    ///     The degree.
+    /// resolution : tuple of int
+    ///     The numbers of pixels in the direction of births and of persistences.
+    /// bandwidth : float, optional
+    ///     The standard deviation of the normal distribution around a class; the longer side of a pixel if not given.
+    /// births, persistences : tuple of float, optional
+    ///     The first and the last; by default those of the classes, persistences from 0 on.
+    /// power : float
+    ///     The power of the persistence that is the weight of a class.
+    /// end : float, optional
+    ///     Where classes that never die, die; they are left out if not given.
+    ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray
+    ///     ``float64``, a row for each range of persistences, from the shortest on, in which births run. A pixel is the volume over it.
+    #[pyo3(signature = (degree, *, resolution=(20, 20), bandwidth=None, births=None, persistences=None, power=1.0, end=None))]
+    #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
+    fn persistence_image<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = whole)] degree: usize,
+        resolution: (usize, usize),
+        bandwidth: Option<f64>,
+        births: Option<[f64; 2]>,
+        persistences: Option<[f64; 2]>,
+        power: f64,
+        end: Option<f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let request = DiagramImageRequest::new(degree)
+            .resolution([resolution.0, resolution.1])
+            .bandwidth(bandwidth)
+            .births(births)
+            .persistences(persistences)
+            .power(power)
+            .end(end);
+        diagrams::image(py, &self.given(py)?, &request)
     }
 
     /// The cells that make and end the classes of a degree.

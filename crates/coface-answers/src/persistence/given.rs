@@ -51,6 +51,22 @@ impl GivenDiagram {
         Self { name: name.to_owned(), degrees, places, is_of_points: false, remarks: Vec::new() }
     }
 
+    /// The same diagram, said to be of points: it has only the degrees that were asked for.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::{DiagramCurveKind, DiagramCurvesRequest, GivenDiagram};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let diagram = GivenDiagram::new("a", Vec::new()).of_points();
+    /// let answer = DiagramCurvesRequest::new(DiagramCurveKind::Euler).answer(&diagram)?;
+    /// assert!(answer.remarks[0].message.contains("not the Euler characteristic"));
+    /// # Ok(()) }
+    /// ```
+    pub fn of_points(mut self) -> Self {
+        self.is_of_points = true;
+        self
+    }
+
     /// The diagram in a file of this name: the JSON of `coface persistence`, lists `[degree, [birth, death]]` as of GUDHI or `[[birth, death], ..]`
     /// for each degree as of Ripser; a `.npy` array; what Ripser prints; or a table with the columns birth and death, and the degree behind them.
     /// A first line of words names the columns; files `.pers` of GUDHI and tables of four columns have the degree before births and deaths.

@@ -8,6 +8,7 @@ mod buildings;
 mod certificates;
 mod congruence;
 mod cures;
+mod diagrams;
 mod exports;
 mod generate;
 mod homology;

@@ -114,6 +114,17 @@ fn several_reports_and_files_are_typed() {
     assert_eq!(both.status, 1);
     assert_typed("info FILES", &serde_json::from_str(&both.stdout).expect("JSON"));
     assert_typed("persistence", &coface(&["persistence", argument(&mesh), "--json"]).json());
+    let diagram = folder.path().join("diagram.json");
+    coface(&["persistence", argument(&mesh), "-o", argument(&diagram)]);
+    let diagram = argument(&diagram);
+    assert_typed(
+        "diagram distance",
+        &coface(&["diagram", "distance", diagram, diagram, "--matching", "--json"]).json(),
+    );
+    assert_typed("diagram betti", &coface(&["diagram", "betti", diagram, "--json"]).json());
+    let image =
+        coface(&["diagram", "image", diagram, "--births", "0", "1", "--persistences", "0", "1", "--json"]);
+    assert_typed("diagram image", &image.json());
     let page = folder.path().join("page.html");
     assert_typed("view", &coface(&["view", argument(&mesh), "-o", argument(&page), "--json"]).json());
     let shards = folder.path().join("shards");

@@ -95,6 +95,7 @@ from coface._models import geo_interface as _geo_interface
 from coface._questions import (
     arrange,
     boolean,
+    bottleneck,
     classify,
     cocycles,
     cohomology,
@@ -110,6 +111,7 @@ from coface._questions import (
     pi1,
     polygon,
     rips,
+    wasserstein,
 )
 from coface import _faults, _records, maps
 from coface._notebook import repr_html as _repr_html
@@ -210,6 +212,7 @@ __all__ = [
     "as_surface",
     "batch",
     "boolean",
+    "bottleneck",
     "certificate",
     "check",
     "classes",
@@ -273,6 +276,7 @@ __all__ = [
     "to_trimesh",
     "view",
     "volume",
+    "wasserstein",
 ]
 
 _records.install()

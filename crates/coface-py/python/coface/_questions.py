@@ -1068,6 +1068,104 @@ def cubical(
     return found
 
 
+@in_words
+def bottleneck(a: Any, b: Any, *, degree: int | None = None, matching: bool = False) -> Any:
+    """The bottleneck distance of two persistence diagrams: the length of the longest pair of the matching in which it is shortest.
+
+    A pair is as long as the greater one of the differences of births and of deaths; a class that goes to the diagonal, half of its persistence. The
+    distance is exact. Classes are matched with classes of their degree.
+
+    Parameters
+    ----------
+    a, b
+        A :class:`Persistence`; an array ``(n, 2)`` of births and deaths; a list of such arrays, one for each degree, as of Ripser; or a list of
+        ``(degree, (birth, death))``, as of GUDHI. What never dies has the death inf.
+    degree
+        The classes of this degree alone; all if not given.
+    matching
+        Whether the matching is returned too.
+
+    Returns
+    -------
+    float or tuple
+        The distance, inf if the numbers of classes that never die differ. With `matching` also a list with an array ``(n, 2)`` for each degree (for
+        `degree` alone if it is given): the rows of matched classes in `a` and in `b`, -1 for the diagonal.
+
+    Examples
+    --------
+    >>> import coface
+    >>> coface.bottleneck([[0, 4], [1, 1.5]], [[0.5, 4]])
+    0.5
+    >>> coface.bottleneck([(0, (0, float("inf"))), (1, (2, 6))], [(0, (0.25, float("inf")))], matching=True)
+    (2.0, [array([[0, 0]]), array([[ 0, -1]])])
+    """
+    distance, pairs = _coface._diagram_distance(_degrees(a, "a"), _degrees(b, "b"), degree=degree)
+    return (distance, pairs) if matching else distance
+
+
+@in_words
+def wasserstein(
+    a: Any, b: Any, *, order: float = 1.0, internal_p: float = np.inf, degree: int | None = None, matching: bool = False
+) -> Any:
+    """The Wasserstein distance of two persistence diagrams: the root of the sum of powers of the lengths of matched pairs, at its least.
+
+    It is exact but for rounding. Classes are matched with classes of their degree; the distance of all degrees is the root of the sum of all powers.
+
+    Parameters
+    ----------
+    a, b
+        As for :func:`bottleneck`.
+    order
+        The power, from 1 on.
+    internal_p
+        The exponent of the norm that measures a pair, from 1 on; ``numpy.inf`` takes the greater one of the differences. (gudhi's default is inf, persim's
+        2.)
+    degree, matching
+        As for :func:`bottleneck`.
+
+    Returns
+    -------
+    float or tuple
+        As for :func:`bottleneck`.
+
+    Examples
+    --------
+    >>> import coface
+    >>> coface.wasserstein([[0, 6], [5, 6]], [[3, 10]])
+    4.5
+    >>> coface.wasserstein([[0, 6], [5, 6]], [[3, 10]], order=2, internal_p=1)
+    7.0710678118654755
+    """
+    distance, pairs = _coface._diagram_distance(_degrees(a, "a"), _degrees(b, "b"), order=order, internal_p=internal_p, degree=degree)
+    return (distance, pairs) if matching else distance
+
+
+def _degrees(x: Any, name: str) -> list[NDArray[np.float64]]:
+    """For each degree births and deaths, one after the other."""
+    if isinstance(x, Persistence):
+        return [diagram.reshape(-1) for diagram in x.diagrams]
+    if isinstance(x, (list, tuple)) and x and all(isinstance(pair, (list, tuple)) and len(pair) == 2 for pair in x):
+        if all(isinstance(pair[0], (int, np.integer)) and np.ndim(pair[1]) == 1 for pair in x):
+            # The pairs of GUDHI.
+            found: list[list[float]] = [[] for _ in range(1 + max(int(pair[0]) for pair in x))]
+            for degree, interval in x:
+                if degree < 0 or len(interval) != 2:
+                    raise_invalid(f"{name} has the class {(degree, interval)}", "give (degree, (birth, death))")
+                found[degree].extend(interval)
+            return [np.array(intervals, np.float64) for intervals in found]
+    if isinstance(x, (list, tuple)) and x and any(np.ndim(part) == 2 or np.size(part) == 0 for part in x):
+        return [_intervals(part, name) for part in x]
+    return [_intervals(x, name)]
+
+
+def _intervals(x: Any, name: str) -> NDArray[np.float64]:
+    """Births and deaths of a degree, one after the other."""
+    found = np.asarray(plain(x), np.float64)
+    if found.size and (found.ndim != 2 or found.shape[1] != 2):
+        raise_invalid(f"{name} has the shape {found.shape}", "give an array of shape (n, 2): births and deaths")
+    return found.reshape(-1)
+
+
 def _at_vertices(values: Any, x: Any, complex: ChainComplex) -> NDArray[np.float64]:
     """Values by the ids of vertices, in the order of the cells of degree 0."""
     found = numbers(values, "vertex_values")

@@ -6,6 +6,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
+mod diagrams;
 mod drawings;
 mod formats;
 mod maps;
@@ -198,8 +199,9 @@ fn spoken(piece: &str) -> Vec<String> {
     parts.map(flat).filter(|part| !part.is_empty()).collect()
 }
 
-fn tables() -> [&'static [Case]; 8] {
+fn tables() -> [&'static [Case]; 9] {
     [
+        diagrams::CASES,
         drawings::CASES,
         formats::CASES,
         maps::CASES,
@@ -262,6 +264,11 @@ fn check(cases: &[Case]) {
         .filter_map(|case| Some(format!("{}: \"{}\"\n{}\n", case.at, case.says, case.faults().err()?)))
         .collect();
     assert!(faults.is_empty(), "{} of {} cases:\n{}", faults.len(), cases.len(), faults.join("\n"));
+}
+
+#[test]
+fn cures_about_diagrams() {
+    check(diagrams::CASES);
 }
 
 #[test]

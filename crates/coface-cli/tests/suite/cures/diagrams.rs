@@ -1,0 +1,37 @@
+//! Messages about persistence diagrams as data.
+
+use super::{Case, Files};
+
+const LINE: Files = &[("line.csv", "-inf,inf\n"), ("model.json", "[[0,1],[1,2],[0,2]]")];
+const TWO: Files = &[("a.csv", "0,inf\n1,3\n"), ("b.csv", "0,inf\n1,2\n")];
+
+pub(super) const CASES: &[Case] = &[
+    Case::new("persistence/curves.rs", "give the range of values (--range A B)")
+        .files(LINE)
+        .refused("coface diagram landscape line.csv")
+        .cured(&[&["coface diagram landscape line.csv --range 0 1"]]),
+    Case::new("persistence/curves.rs", "(--births A B --persistences A B)")
+        .files(LINE)
+        .refused("coface diagram image line.csv --degree 0")
+        .cured(&[&["coface diagram image line.csv --degree 0 --births 0 1 --persistences 0 1"]]),
+    Case::new("persistence/curves.rs", "--end T lets them die at T")
+        .files(TWO)
+        .answered("coface diagram silhouette a.csv")
+        .cured(&[&["coface diagram silhouette a.csv --end 4"]]),
+    Case::new("persistence/given.rs", "give a diagram that coface persistence INPUT -o DIAGRAM.json writes")
+        .files(LINE)
+        .refused("coface diagram betti model.json")
+        .cured(&[&["coface persistence model.json -o a.json", "coface diagram betti a.json"]]),
+    Case::new("commands/diagram.rs", "is for Wasserstein distances; say --metric wasserstein")
+        .files(TWO)
+        .refused("coface diagram distance a.csv b.csv --order 2")
+        .cured(&[&["coface diagram distance a.csv b.csv --order 2 --metric wasserstein"]]),
+    Case::new("commands/diagram.rs", "all values with -o or --json")
+        .files(&[("many.csv", "0 1\n2 3\n4 5\n6 7\n8 9\n10 11\n12 13\n14 15\n16 17\n18 19\n20 21\n")])
+        .answered("coface diagram betti many.csv")
+        .cured(&[&["coface diagram betti many.csv --json"]]),
+    Case::new("commands/diagram.rs", "births x persistences; all with -o or --json")
+        .files(TWO)
+        .answered("coface diagram image a.csv --degree 0")
+        .cured(&[&["coface diagram image a.csv --degree 0 --json"]]),
+];
