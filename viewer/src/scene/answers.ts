@@ -441,6 +441,80 @@ export interface DegeneratePolygons {
   listed: [number, number][];
 }
 
+/** How far the classes of one degree are from each other. */
+export interface DegreeDistance {
+  /** The degree. */
+  degree: number;
+  /** The distance; `null` if it is infinite: the numbers of classes that never die differ. */
+  distance?: number | null;
+  /** The numbers of classes that never die in the two inputs. */
+  essential: [number, number];
+  /** No matching is shorter than this: the value of a solution of the dual problem. `null` if the distance is infinite. */
+  lower_bound?: number | null;
+  /** Pairs of matched classes, each with its place in its input, from 0; `null` stands for the diagonal. Only if it was asked for. */
+  matching?: [number | null, number | null][] | null;
+}
+
+/** A function of the value. */
+export interface DiagramCurve {
+  /** What it is: `degree 1`, `landscape 2 of degree 1`, `euler characteristic`. */
+  name: string;
+  /** Its numbers, one for each value. */
+  numbers: number[];
+}
+
+/** A diagram as functions of the value: Betti curves, the Euler characteristic, landscapes, silhouettes. */
+export interface DiagramCurvesAnswer {
+  /** The curves. */
+  curves: DiagramCurve[];
+  /** The name of the input. */
+  file: string;
+  /** `betti`, `euler`, `landscape` or `silhouette`. */
+  kind: string;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The values at which the curves are given. */
+  values: number[];
+}
+
+/** How far two persistence diagrams are from each other. */
+export interface DiagramDistanceAnswer {
+  /** The distances by degree. */
+  degrees: DegreeDistance[];
+  /** The distance of the degrees together: the greatest, or the root of the sum of powers; `null` if it is infinite. */
+  distance?: number | null;
+  /** The names of the inputs. */
+  files: [string, string];
+  /** The exponent of the norm that measures a pair; `null` for the greater one of the differences of births and of deaths. */
+  internal_p?: number | null;
+  /** `bottleneck` or `wasserstein`. */
+  metric: string;
+  /** The order of a Wasserstein distance; `null` for the bottleneck distance. */
+  order?: number | null;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
+/** A persistence image. */
+export interface DiagramImageAnswer {
+  /** The standard deviation of the normal distribution around each class. */
+  bandwidth: number;
+  /** The first and the last birth. */
+  births: [number, number];
+  /** The degree of the classes. */
+  degree: number;
+  /** The name of the input. */
+  file: string;
+  /** The first and the last persistence. */
+  persistences: [number, number];
+  /** The power of the persistence that is the weight of a class. */
+  power: number;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The pixels: a row for each range of persistences, from the shortest on, in which births run. */
+  rows: number[][];
+}
+
 /** Features of maps united by the values of their properties. */
 export interface DissolveAnswer {
   /** The dimension of the space: 2. */

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::input::{self, Source};
 use crate::output::{give, print_json, print_text, write_file};
 use crate::progress::Progress;
-use crate::remarks;
+use crate::remarks::say_remarks;
 use clap::{Args, Subcommand, ValueEnum};
 use coface::algebra::escaped;
 use coface::answers::answer::{
@@ -213,19 +213,16 @@ impl Diagram {
     }
 }
 
-/// Reads a diagram and says what was assumed.
+/// Reads a diagram.
 fn read(path: &Path) -> Result<GivenDiagram, Failure> {
     let name = input::name(path);
-    let diagram = match Source::of(path)? {
+    let bytes = match Source::of(path)? {
         Source::File(path) => {
-            let bytes =
-                std::fs::read(path).map_err(|error| coface::Error::from(error).in_file(name.clone()))?;
-            GivenDiagram::read(&name, &bytes)?
+            std::fs::read(path).map_err(|error| coface::Error::from(error).in_file(name.clone()))?
         }
-        Source::Bytes(bytes) => GivenDiagram::read(&name, &bytes)?,
+        Source::Bytes(bytes) => bytes,
     };
-    remarks::take(&name, diagram.remarks());
-    Ok(diagram)
+    Ok(GivenDiagram::read(&name, &bytes)?)
 }
 
 impl Distance {
@@ -252,6 +249,7 @@ impl Distance {
         let request = DiagramDistanceRequest::new().metric(metric).matching(self.matching);
         let answer = request.degree(self.degree.map(usize::from)).answer(&first, &second)?;
         drop(progress);
+        say_remarks(&answer.remarks, common);
         give(common, &answer, &distance_page(&answer))
     }
 }
@@ -299,6 +297,7 @@ fn give_curves(
         request = request.values(values);
     }
     let answer = request.answer(&diagram).map_err(|error| error.in_file(diagram.name().to_owned()))?;
+    say_remarks(&answer.remarks, common);
     give_table(common, output, &answer, || answer.csv(), || answer.table(), || curves_page(&answer))
 }
 
@@ -334,6 +333,7 @@ impl Image {
             .power(self.power)
             .end(self.one.end);
         let answer = request.answer(&diagram).map_err(|error| error.in_file(diagram.name().to_owned()))?;
+        say_remarks(&answer.remarks, common);
         let table = || NumberTable::from_rows(&answer.rows);
         give_table(common, output, &answer, || image_csv(&answer), table, || image_page(&answer))
     }

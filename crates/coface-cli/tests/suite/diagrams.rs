@@ -176,14 +176,14 @@ fn wasserstein_distances_have_orders_and_norms() {
 #[test]
 fn what_is_no_diagram_is_refused_with_its_place() {
     for (text, says) in [
-        ("0 1\nx y\n", "line 2"),
+        ("0 1\nx y\n", "standard input:2:"),
         ("0 1 2 3 4 5\n", "6 numbers"),
         ("0 nan\n", "interval 0"),
         ("{\"facets\":[[0,1]]}", "no \"diagram\""),
         ("[[0,1,2]]", "no class of a diagram"),
         ("{\"diagram\":[{\"degree\":-1,\"birth\":0,\"death\":1}]}", "no degree"),
         ("a,b\n0,1\n", "birth and death"),
-        ("persistence intervals in dim 0:\n [x,1)\n", "line 2"),
+        ("persistence intervals in dim 0:\n [x,1)\n", "standard input:2:"),
     ] {
         let run = coface_reading(&["diagram", "betti", "-"], text.as_bytes());
         assert!(run.status == 1 && run.stderr.contains(says), "{text:?}: {} {}", run.status, run.stderr);

@@ -2,7 +2,8 @@
 
 use super::{Case, Files};
 
-const LINE: Files = &[("line.csv", "-inf,inf\n"), ("model.json", "[[0,1],[1,2],[0,2]]")];
+const LINE: Files =
+    &[("line.csv", "-inf,inf\n"), ("model.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")];
 const TWO: Files = &[("a.csv", "0,inf\n1,3\n"), ("b.csv", "0,inf\n1,2\n")];
 
 pub(super) const CASES: &[Case] = &[
@@ -20,8 +21,8 @@ pub(super) const CASES: &[Case] = &[
         .cured(&[&["coface diagram silhouette a.csv --end 4"]]),
     Case::new("persistence/given.rs", "give a diagram that coface persistence INPUT -o DIAGRAM.json writes")
         .files(LINE)
-        .refused("coface diagram betti model.json")
-        .cured(&[&["coface persistence model.json -o a.json", "coface diagram betti a.json"]]),
+        .refused("coface diagram betti model.off")
+        .cured(&[&["coface persistence model.off -o a.json", "coface diagram betti a.json"]]),
     Case::new("commands/diagram.rs", "is for Wasserstein distances; say --metric wasserstein")
         .files(TWO)
         .refused("coface diagram distance a.csv b.csv --order 2")

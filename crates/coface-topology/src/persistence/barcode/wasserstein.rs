@@ -16,7 +16,8 @@ impl Barcode {
     /// $$W_q = \Bigl(\sum_{\text{pairs}} \lVert x - y \rVert_p^q\Bigr)^{1/q},$$
     ///
     /// the q-th root of the sum of the q-th powers. The matching is optimal but for rounding, as
-    /// [`lower_bound`](BarcodeMatching::lower_bound) proves.
+    /// [`lower_bound`](BarcodeMatching::lower_bound) proves. Powers of high orders make short pairs vanish beside long intervals: above order 8 look
+    /// at the bound.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for an order that is not finite or is below 1, and an exponent below 1.
