@@ -130,8 +130,8 @@ fn euler_curves_of_images_count_cells() {
     );
     // Voxels are top cells: a side or a corner is there with the first voxel that it is of.
     let lives = |x: usize, y: usize, level: f64| f64::from(values[y * width + x]) <= level;
-    let any = |xs: std::ops::Range<usize>, ys: std::ops::Range<usize>, level: f64| {
-        xs.clone().any(|x| ys.clone().any(|y| lives(x, y, level)))
+    let any = |mut xs: std::ops::Range<usize>, ys: std::ops::Range<usize>, level: f64| {
+        xs.any(|x| ys.clone().any(|y| lives(x, y, level)))
     };
     let range = |doubled: usize, length: usize| match doubled % 2 {
         // An odd place is inside of a voxel, an even one between two.
