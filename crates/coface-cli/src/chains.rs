@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use coface::algebra::Integer;
+use coface::io::{GroupKind, Model};
 use serde_json::Value;
 use std::path::Path;
 
@@ -15,6 +16,29 @@ pub(crate) fn read_chain(argument: &str) -> Result<Terms<Integer>, Failure> {
         Value::String(digits) => digits.parse().ok(),
         number => number.to_string().parse().ok(),
     })
+}
+
+/// The chain that a group of a mesh is, if there is one of this name: the sum of its elements as they are oriented.
+pub(crate) fn chain_of_group(model: &Model, name: &str) -> Option<Terms<Integer>> {
+    let group = model.groups().iter().find(|group| group.name() == name)?;
+    let (degree, lists) = match group.kind() {
+        GroupKind::Vertices => (0, None),
+        GroupKind::Lines => (1, Some(model.lines())),
+        GroupKind::Polygons => (2, Some(model.polygons())),
+        GroupKind::Cells => (3, Some(model.cells())),
+    };
+    let mut terms = Vec::new();
+    for &member in group.members() {
+        match lists {
+            None => terms.push((Integer::ONE, vec![member])),
+            Some(lists) if degree == 1 => {
+                let edges = lists.list(member as usize).windows(2);
+                terms.extend(edges.map(|edge| (Integer::ONE, edge.to_vec())));
+            }
+            Some(lists) => terms.push((Integer::ONE, lists.list(member as usize).to_vec())),
+        }
+    }
+    Some((Some(degree), terms))
 }
 
 fn chain_of_text(text: &str) -> Result<Terms<Integer>, Failure> {

@@ -8,6 +8,7 @@ mod certified;
 mod chains;
 mod classes;
 mod commands;
+mod domain;
 mod failure;
 mod filtration;
 mod groups;

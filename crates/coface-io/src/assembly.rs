@@ -239,6 +239,7 @@ impl Assembly {
             }
             let name = self.names.remove(&(kind, number)).unwrap_or_else(|| number.to_string());
             let mut group = Group::new(name, kind, members);
+            group.number = i32::try_from(number).ok();
             if self.has_objects {
                 group.roles = group.roles.with(Roles::of(GroupRole::Object));
             }
@@ -369,15 +370,14 @@ fn orders(vertices: &[u32]) -> Vec<Vec<u32>> {
 pub(crate) fn group_numbers(groups: &[Group]) -> Vec<i32> {
     let mut taken: BTreeMap<GroupKind, Vec<i32>> = BTreeMap::new();
     let mut numbers = vec![0; groups.len()];
-    for (group, number) in groups.iter().zip(&mut numbers) {
-        let taken = taken.entry(group.kind()).or_default();
-        if let Ok(value) = group.name().parse::<i32>()
-            && value > 0
-            && value.to_string() == group.name()
-            && !taken.contains(&value)
-        {
-            taken.push(value);
-            *number = value;
+    // Its own number comes before that of its name.
+    for own in [Group::number, number_of_name] {
+        for (group, number) in groups.iter().zip(&mut numbers).filter(|(_, number)| **number == 0) {
+            let taken = taken.entry(group.kind()).or_default();
+            if let Some(value) = own(group).filter(|&value| value > 0 && !taken.contains(&value)) {
+                taken.push(value);
+                *number = value;
+            }
         }
     }
     for taken in taken.values_mut() {
@@ -396,6 +396,11 @@ pub(crate) fn group_numbers(groups: &[Group]) -> Vec<i32> {
         }
     }
     numbers
+}
+
+/// The number that the name of a group is.
+fn number_of_name(group: &Group) -> Option<i32> {
+    group.name().parse().ok().filter(|value: &i32| value.to_string() == group.name())
 }
 
 /// For each of `count` members of this kind the number of the first group that it is in; 0 for none.
@@ -499,5 +504,7 @@ mod tests {
         let numbers = group_numbers(&groups);
         assert_eq!(numbers, [2, 1, 1, 3, 2]);
         assert_eq!(first_numbers(&groups, &numbers, GroupKind::Lines, 3), [2, 0, 2]);
+        let tagged = groups.map(|group| if group.name() == "a" { group.with_number(1) } else { group });
+        assert_eq!(group_numbers(&tagged), [1, 2, 1, 3, 2], "its own number comes first");
     }
 }

@@ -269,7 +269,7 @@ impl Format {
     /// assert!(Format::Vtk.keeps_data() && Format::Ply.keeps_data() && !Format::Obj.keeps_data());
     /// ```
     pub const fn keeps_data(self) -> bool {
-        matches!(self, Self::Ply | Self::Vtk | Self::VtkGrid | Self::VtkPolygons)
+        matches!(self, Self::Ply | Self::Vtk | Self::VtkGrid | Self::VtkPolygons | Self::Msh)
     }
 
     /// Whether files of the format are maps: polygons with holes, lines and points, with heights that do not decide what meets.

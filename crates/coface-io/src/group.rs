@@ -3,13 +3,25 @@
 use std::fmt;
 
 /// A named set of things of one kind: an OBJ group, a physical group of Gmsh, a reference number of MEDIT.
-#[derive(Clone, Debug, PartialEq, Eq)]
+///
+/// Groups are equal if their names, kinds, members and roles are: the number is how one file refers to the group.
+#[derive(Clone, Debug)]
 pub struct Group {
     pub(crate) name: String,
     pub(crate) kind: GroupKind,
     pub(crate) members: Vec<u32>,
     pub(crate) roles: Roles,
+    pub(crate) number: Option<i32>,
 }
+
+impl PartialEq for Group {
+    fn eq(&self, other: &Self) -> bool {
+        let parts = |group: &Self| (group.kind, group.roles);
+        parts(self) == parts(other) && self.name == other.name && self.members == other.members
+    }
+}
+
+impl Eq for Group {}
 
 /// What a file says that a group is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -76,7 +88,32 @@ impl Group {
     /// assert_eq!(group.members().len(), 2);
     /// ```
     pub fn new(name: impl Into<String>, kind: GroupKind, members: Vec<u32>) -> Self {
-        Self { name: name.into(), kind, members, roles: Roles::of(GroupRole::Group) }
+        Self { name: name.into(), kind, members, roles: Roles::of(GroupRole::Group), number: None }
+    }
+
+    /// The same with the number by which files refer to it: the tag of a physical group of Gmsh.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{Group, GroupKind};
+    /// let terminal = Group::new("terminal", GroupKind::Polygons, vec![0, 3]).with_number(70);
+    /// assert_eq!(terminal.number(), Some(70));
+    /// ```
+    pub fn with_number(mut self, number: i32) -> Self {
+        self.number = Some(number);
+        self
+    }
+
+    /// The number by which its file refers to it, if it has one: the tag of a physical group of Gmsh, the reference number of MEDIT.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{Group, GroupKind};
+    /// let group = Group::new("lid", GroupKind::Polygons, vec![0, 3]);
+    /// assert_eq!(group.number(), None);
+    /// ```
+    pub fn number(&self) -> Option<i32> {
+        self.number
     }
 
     /// The same as an object, or as what has one material; [`Self::new`] makes a group and no more.

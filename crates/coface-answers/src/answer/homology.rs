@@ -1,6 +1,7 @@
 //! The answers of `homology` and `merge`.
 
 use super::{GroupAnswer, HomologyGroup, Remark, WholeNumber};
+use coface_io::Group;
 use coface_topology::{AbelianGroup, Coefficients};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -30,6 +31,9 @@ pub struct HomologyAnswer {
     /// For each degree generators of the group.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub generators: Option<Vec<Vec<GeneratorAnswer>>>,
+    /// The groups of the mesh that was written, one a generator.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub physical_groups: Option<Vec<PhysicalGroup>>,
     /// The classes of the cycles that were given.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub cycles: Option<Vec<CycleClass>>,
@@ -75,6 +79,7 @@ impl HomologyAnswer {
             f_vector: None,
             parts: None,
             generators: None,
+            physical_groups: None,
             cycles: None,
             sequence: None,
             cup: None,
@@ -83,6 +88,39 @@ impl HomologyAnswer {
             decomposition: None,
             map: None,
             remarks: Vec::new(),
+        }
+    }
+}
+
+/// A generator as a physical group of a mesh.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PhysicalGroup {
+    /// The degree of the generator: the dimension of the elements.
+    pub degree: usize,
+    /// The name of the group.
+    pub name: String,
+    /// Its tag.
+    pub tag: Option<i32>,
+    /// The number of its elements: the cells of the generator, each as often as its coefficient says.
+    pub elements: usize,
+}
+
+impl PhysicalGroup {
+    /// What a group of a mesh is.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::answer::PhysicalGroup;
+    /// use coface_io::{Group, GroupKind};
+    /// let group = Group::new("H_1{0}1", GroupKind::Lines, vec![4, 5]).with_number(81);
+    /// assert_eq!(PhysicalGroup::of(&group, 1).elements, 2);
+    /// ```
+    pub fn of(group: &Group, degree: usize) -> Self {
+        Self {
+            degree,
+            name: group.name().to_owned(),
+            tag: group.number(),
+            elements: group.members().len(),
         }
     }
 }

@@ -52,7 +52,7 @@ pub use halfedges::HalfedgePointers;
 pub use homology::{
     ChainTerm, CupProducts, CycleClass, GeneratorAnswer, GeneratorsFile, HarmonicCochain, HodgeNorms,
     HodgeParts, HomologyAnswer, InducedMap, InducedMaps, IntersectionFormAnswer, LevelAnswer, PartsAnswer,
-    RealTerm, SequenceAnswer,
+    PhysicalGroup, RealTerm, SequenceAnswer,
 };
 pub use incidence::IncidenceAnswer;
 

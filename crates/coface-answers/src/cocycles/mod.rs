@@ -15,7 +15,7 @@ use crate::answer::{
     CocycleBasisMethod, CocyclesAnswer, EdgeWeights, HarmonicFormAnswer, LoopAnswer, LoopIntersections,
     Remark, WholeNumber,
 };
-use crate::{CellNames, Producer, edge_lengths};
+use crate::{CellNames, Domain, Pair, Producer, edge_lengths};
 use coface_algebra::chains::{Chain, ChainComplex, Cochain};
 use coface_algebra::progress::stage;
 use coface_algebra::{CellId, EdgeId, Error, ErrorKind, Integer, RaggedArray};
@@ -43,6 +43,8 @@ pub struct CocyclesRequest {
     method: Option<CocycleBasisMethod>,
     is_harmonic: bool,
     weights: Option<EdgeWeights>,
+    domain: Domain,
+    mesh: Option<Model>,
 }
 
 impl CocyclesRequest {
@@ -100,10 +102,30 @@ impl CocyclesRequest {
         self
     }
 
-    /// Finds the cocycles.
+    /// The domain and what it is relative to. The mesh is what the producer is made of: it must be given if the domain has groups, or if
+    /// [`FoundCocycles::mesh_with_cocycles`] is wanted.
+    ///
+    /// # Examples
+    /// A disk modulo its rim has no cocycles; an annulus modulo its rim has one, which crosses it.
+    /// ```
+    /// use coface_answers::{CocyclesRequest, Domain, Producer, RelativeTo};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let ring = b"[[0,1,3],[1,3,4],[1,2,4],[2,4,5],[0,2,5],[0,3,5]]";
+    /// let ring = Producer::of(coface_io::read(&ring[..], coface_io::Format::Json)?)?;
+    /// let domain = Domain { groups: vec![], relative: Some(RelativeTo::Boundary) };
+    /// let found = CocyclesRequest::new().domain(domain, None).found(&ring)?;
+    /// assert_eq!(found.cocycles().len(), 1);
+    /// # Ok(()) }
+    /// ```
+    pub fn domain(mut self, domain: Domain, mesh: Option<Model>) -> Self {
+        (self.domain, self.mesh) = (domain, mesh);
+        self
+    }
+
+    /// Finds the cocycles. Those of a domain, or relative to a part, are found in general.
     ///
     /// # Errors
-    /// Those of [`Producer::two_skeleton`]; [`ErrorKind::NonManifold`] if a method of surfaces is asked for and the
+    /// Those of [`Domain::pair`] and [`Producer::two_skeleton`]; [`ErrorKind::NonManifold`] if a method of surfaces is asked for and the
     /// model is none; [`ErrorKind::UnsupportedFormat`] if harmonic forms are asked for and the model is no surface.
     ///
     /// # Examples
@@ -116,14 +138,7 @@ impl CocyclesRequest {
     /// # Ok(()) }
     /// ```
     pub fn found<'a>(&self, producer: &'a Producer) -> Result<FoundCocycles<'a>, Error> {
-        let skeleton = producer.two_skeleton()?;
-        let map = match (self.method, GeneralizedMap::new(skeleton)) {
-            (Some(CocycleBasisMethod::General), _) | (None, Err(_)) => None,
-            (_, Ok(map)) => Some(map),
-            (Some(_), Err(error)) => {
-                return Err(error.with_cure("take the method general, which serves for every model"));
-            }
-        };
+        let map = self.surface(producer)?;
         let lengths = map.as_ref().and_then(|map| edge_lengths(map.skeleton(), producer.positions()));
         let steps = stage("finding cocycles", 0);
         let mut found = match &map {
@@ -133,8 +148,11 @@ impl CocyclesRequest {
                     .map_err(|error| named_walk(error, producer))?;
                 FoundCocycles::of_surface(producer, map, &on_surface)
             }
-            None => FoundCocycles::in_general(producer)?,
+            None => FoundCocycles::in_general(producer, &self.domain, self.mesh.as_ref())?,
         };
+        if let Some(mesh) = &self.mesh {
+            found.mesh = Some((mesh.clone(), self.domain.words(mesh)?));
+        }
         drop(steps);
         if self.is_harmonic {
             let _steps = stage("spreading harmonic forms", 0);
@@ -160,12 +178,35 @@ impl CocyclesRequest {
         }
         Ok(found)
     }
+
+    /// The surface whose cocycles are asked for, if they are not those of a complex in general.
+    fn surface(&self, producer: &Producer) -> Result<Option<GeneralizedMap>, Error> {
+        const GENERAL: &str = "take the method general, which serves for every model";
+        if !self.domain.is_whole() {
+            return match self.method {
+                None | Some(CocycleBasisMethod::General) => Ok(None),
+                Some(_) => {
+                    Err(Error::invalid("cocycles relative to a part, or of groups, are found in general")
+                        .with_cure(GENERAL))
+                }
+            };
+        }
+        match (self.method, GeneralizedMap::new(producer.two_skeleton()?)) {
+            (Some(CocycleBasisMethod::General), _) | (None, Err(_)) => Ok(None),
+            (_, Ok(map)) => Ok(Some(map)),
+            (Some(_), Err(error)) => Err(error.with_cure(GENERAL)),
+        }
+    }
 }
 
 /// A basis of the first cohomology of a model.
 #[derive(Clone, Debug)]
 pub struct FoundCocycles<'a> {
     producer: &'a Producer,
+    /// The domain relative to a part, if it is not the whole model.
+    pair: Option<Pair>,
+    /// The mesh to write the cocycles into, and the words of the domain.
+    mesh: Option<(Model, String)>,
     method: CocycleBasisMethod,
     cocycles: Vec<Cochain<Integer>>,
     loops: Vec<LoopAnswer>,
@@ -194,6 +235,8 @@ impl<'a> FoundCocycles<'a> {
         let row = |row: &Vec<i64>| row.iter().map(|&x| Integer::from(x)).collect();
         Self {
             producer,
+            pair: None,
+            mesh: None,
             method: if found.is_sliced() {
                 CocycleBasisMethod::Slicing
             } else {
@@ -212,10 +255,13 @@ impl<'a> FoundCocycles<'a> {
     }
 
     /// The cocycles of a basis of homology, on the free loops of that basis.
-    fn in_general(producer: &'a Producer) -> Result<Self, Error> {
-        let complex = producer.chain_complex()?;
+    fn in_general(producer: &'a Producer, domain: &Domain, mesh: Option<&Model>) -> Result<Self, Error> {
+        let whole = producer.chain_complex()?;
+        let pair = domain.pair(producer, &whole, mesh)?;
         let mut found = Self {
             producer,
+            pair,
+            mesh: None,
             method: CocycleBasisMethod::General,
             cocycles: Vec::new(),
             loops: Vec::new(),
@@ -225,11 +271,11 @@ impl<'a> FoundCocycles<'a> {
             harmonic: None,
             remarks: Vec::new(),
         };
+        let complex = found.pair.as_ref().map_or(&whole, Pair::chains);
         if complex.degree_count() < 2 {
             return Ok(found);
         }
-        let names = CellNames::of(producer);
-        let basis = HomologyBasis::new(&complex);
+        let basis = HomologyBasis::new(complex);
         let free = basis.generators(1).iter().filter(|generator| generator.order().is_none());
         let loops: Vec<&Chain<Integer>> = free.map(|generator| generator.chain()).collect();
         let cocycles = basis.cocycles(1).into_iter().filter(|cocycle| cocycle.order().is_none());
@@ -243,6 +289,7 @@ impl<'a> FoundCocycles<'a> {
         let is_identity = found.pairing.len() == loops.len()
             && rows.all(|(i, row)| row.iter().enumerate().all(|(j, x)| *x == one(i, j)));
         found.determinant = is_identity.then_some(Integer::ONE);
+        let names = CellNames::of(producer).within(found.pair.as_ref());
         found.loops = loops.iter().map(|chain| LoopAnswer::Cycle(names.terms(1, chain.terms()))).collect();
         Ok(found)
     }
@@ -304,7 +351,7 @@ impl<'a> FoundCocycles<'a> {
     /// # Ok(()) }
     /// ```
     pub fn answer(&self, file: &str) -> CocyclesAnswer {
-        let names = CellNames::of(self.producer);
+        let names = CellNames::of(self.producer).within(self.pair.as_ref());
         let row = |row: &Vec<Integer>| row.iter().map(WholeNumber::from).collect();
         let form = |form: &HarmonicForm| HarmonicFormAnswer {
             values: form.values().as_slice().to_vec(),
@@ -362,7 +409,8 @@ impl<'a> FoundCocycles<'a> {
         let edge_count = model.lines().len();
         for (cocycle, number) in self.cocycles.iter().zip(1..) {
             let mut values = vec![0i64; edge_count];
-            for (edge, value) in cocycle.terms() {
+            for &(edge, ref value) in cocycle.terms() {
+                let edge = self.pair.as_ref().map_or(edge, |pair| pair.cell(1, edge));
                 values[edge.index()] = value.to_i64().ok_or_else(|| {
                     Error::invalid(format!(
                         "cocycle {number} has the value {value} on an edge, beyond 64 bits"
@@ -380,6 +428,39 @@ impl<'a> FoundCocycles<'a> {
             model = model.with_data(CellData::reals(name, GroupKind::Lines, 1, values)?)?;
         }
         Ok(model)
+    }
+}
+
+impl FoundCocycles<'_> {
+    /// The mesh that was given with the domain, with one more group of lines for each cocycle, named as Gmsh names them: `H^1{1},{70}1`.
+    /// [`Producer::mesh_with_chains`] says what is in them.
+    ///
+    /// # Errors
+    /// Those of [`Producer::mesh_with_chains`]; [`ErrorKind::InvalidInput`] if no mesh was given.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::{CocyclesRequest, Domain, Producer};
+    /// use coface_io::Format;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let rim = coface_io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nl 2 3\nl 3 1\n"[..], Format::Obj)?;
+    /// let producer = Producer::of(rim.clone())?;
+    /// let request = CocyclesRequest::new().domain(Domain::default(), Some(rim));
+    /// let mesh = request.found(&producer)?.mesh_with_cocycles()?;
+    /// assert_eq!((mesh.groups()[0].name(), mesh.lines().len()), ("H^1{0}1", 4));
+    /// # Ok(()) }
+    /// ```
+    pub fn mesh_with_cocycles(&self) -> Result<Model, Error> {
+        let Some((mesh, words)) = &self.mesh else {
+            return Err(Error::invalid("the mesh was not given").with_cure("give the mesh with the domain"));
+        };
+        let whole = self.producer.chain_complex()?;
+        let names = CellNames::of(self.producer).within(self.pair.as_ref());
+        let chain = |(cocycle, number): (&Cochain<Integer>, usize)| {
+            Ok((format!("H^1{words}{number}"), names.to_model(&whole, 1, cocycle.terms())?))
+        };
+        let chains = self.cocycles.iter().zip(1..).map(chain).collect::<Result<Vec<_>, Error>>()?;
+        self.producer.mesh_with_chains(mesh.clone(), &chains, true)
     }
 }
 

@@ -106,3 +106,23 @@ pub(super) fn named(
     }
     Ok(named)
 }
+
+/// The generators on the cells of the model, named as Gmsh names them: the symbol, the degree, the domain and the number of the generator in
+/// its degree, from 1, with its order if that is finite.
+pub(super) fn physical(
+    found: &[Vec<Found>],
+    naming: &CellNames<'_>,
+    whole: &ChainComplex,
+    symbol: &str,
+    domain: &str,
+) -> Result<Vec<(String, Chain<Integer>)>, Error> {
+    let mut named = Vec::new();
+    for (degree, list) in found.iter().enumerate() {
+        for (found, number) in list.iter().zip(1..) {
+            let order = found.order.as_ref().map_or(String::new(), |order| format!(" of order {order}"));
+            let chain = naming.to_model(whole, found.degree, &found.terms)?;
+            named.push((format!("{symbol}{degree}{domain}{number}{order}"), chain));
+        }
+    }
+    Ok(named)
+}

@@ -7,15 +7,18 @@
 
 pub(crate) mod certificate;
 mod classes;
+mod domain;
 mod generators;
 mod harmonic;
 mod maps;
 mod products;
 mod sequence;
 
-use crate::answer::{ChainTerm, HomologyAnswer, Remark, RemarkCode};
+pub use domain::{Domain, RelativeTo};
+
+use crate::answer::{ChainTerm, HomologyAnswer, PhysicalGroup, Remark, RemarkCode};
 use crate::{CellNames, Pair, Producer, Term, homology_of_volume};
-use coface_algebra::chains::{Chain, ChainComplex};
+use coface_algebra::chains::Chain;
 use coface_algebra::progress::stage;
 use coface_algebra::{Error, Integer};
 use coface_io::{Model, Structure};
@@ -39,9 +42,10 @@ pub struct HomologyRequest {
     coefficients: Coefficients,
     is_cohomology: bool,
     is_reduced: bool,
-    relative: Option<RelativeTo>,
+    domain: Domain,
     has_sequence: bool,
     has_generators: bool,
+    is_for_mesh: bool,
     cycles: Vec<GivenChain>,
     cup: Option<[usize; 2]>,
     has_intersection_form: bool,
@@ -49,20 +53,6 @@ pub struct HomologyRequest {
     decomposed: Option<GivenRealCochain>,
     map: Option<GivenVertexMap>,
     is_certified: bool,
-}
-
-/// What homology is relative to.
-#[derive(Debug)]
-pub enum RelativeTo {
-    /// The boundary of the model.
-    Boundary,
-    /// The subcomplex of the cells of another model, by the same vertex numbers.
-    Part {
-        /// What the part is called in messages.
-        name: String,
-        /// The part.
-        model: Box<Model>,
-    },
 }
 
 /// A chain as the user writes it.
@@ -106,9 +96,10 @@ impl Default for HomologyRequest {
             coefficients: Coefficients::Integers,
             is_cohomology: false,
             is_reduced: false,
-            relative: None,
+            domain: Domain::default(),
             has_sequence: false,
             has_generators: false,
+            is_for_mesh: false,
             cycles: Vec::new(),
             cup: None,
             has_intersection_form: false,
@@ -196,7 +187,25 @@ impl HomologyRequest {
     /// # Ok(()) }
     /// ```
     pub fn relative(mut self, relative: Option<RelativeTo>) -> Self {
-        self.relative = relative;
+        self.domain.relative = relative;
+        self
+    }
+
+    /// The groups of the model, by names or numbers, whose cells and faces are the domain; without any it is the whole model.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::HomologyRequest;
+    /// use coface_io::{Format, Group, GroupKind};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = b"OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n5 5 5\n3 0 1 2\n3 0 2 3\n";
+    /// let square = coface_io::read(&text[..], Format::Off)?.with_group(Group::new("lid", GroupKind::Polygons, vec![1]))?;
+    /// let found = HomologyRequest::new().domain(vec!["lid".to_owned()]).found("square.off", square)?;
+    /// assert_eq!(found.groups()[0].betti(), 1, "the isolated vertex is not in the domain");
+    /// # Ok(()) }
+    /// ```
+    pub fn domain(mut self, groups: Vec<String>) -> Self {
+        self.domain.groups = groups;
         self
     }
 
@@ -231,6 +240,15 @@ impl HomologyRequest {
     /// ```
     pub fn generators(mut self, has_generators: bool) -> Self {
         self.has_generators = has_generators;
+        self
+    }
+
+    /// Whether the generators are wanted as groups of the mesh too, for [`FoundHomology::mesh_with_generators`].
+    ///
+    /// # Examples
+    /// See [`FoundHomology::mesh_with_generators`].
+    pub fn for_mesh(mut self, is_for_mesh: bool) -> Self {
+        self.is_for_mesh = is_for_mesh;
         self
     }
 
@@ -320,9 +338,10 @@ impl HomologyRequest {
 
     /// Whether nothing but groups is asked for, of the whole.
     fn is_groups_alone(&self) -> bool {
-        self.relative.is_none()
+        self.domain.is_whole()
             && !self.is_reduced
             && !self.has_generators
+            && !self.is_for_mesh
             && self.cycles.is_empty()
             && self.cup.is_none()
             && !self.has_intersection_form
@@ -338,17 +357,6 @@ impl HomologyRequest {
             false => integral.with_coefficients(self.coefficients),
         };
         groups.groups()[usize::from(self.is_reduced).min(groups.groups().len())..].to_vec()
-    }
-
-    /// The pair with a subcomplex, if one is named.
-    fn pair(&self, producer: &Producer, whole: &ChainComplex) -> Result<Option<Pair>, Error> {
-        match &self.relative {
-            None => Ok(None),
-            Some(RelativeTo::Boundary) => Pair::with_boundary(producer, whole).map(Some),
-            Some(RelativeTo::Part { name, model }) => Pair::with_model(producer, whole, model)
-                .map(Some)
-                .map_err(|error| error.in_file(name.clone())),
-        }
     }
 
     /// Answers the request about a model with this name.
@@ -381,21 +389,30 @@ impl HomologyRequest {
                 producer: None,
                 chains: Vec::new(),
                 duals: None,
+                mesh: None,
                 is_reduced: self.is_reduced,
                 relative: None,
             });
         }
+        if self.is_certified && self.domain.has_groups() {
+            return Err(in_file(
+                Error::invalid("a certificate does not know the groups of a mesh")
+                    .with_cure("leave --certificate out, or write the domain as a model of its own"),
+            ));
+        }
+        let mesh = (self.domain.has_groups() || self.is_for_mesh).then(|| model.clone());
         let steps = stage("identifying cells", 0);
         let producer = Producer::of(model).map_err(in_file)?;
         drop(steps);
         let whole = producer.chain_complex()?;
-        let pair = self.pair(&producer, &whole)?;
+        let pair = self.domain.pair(&producer, &whole, mesh.as_ref()).map_err(in_file)?;
         let complex = pair.as_ref().map_or(&whole, Pair::chains);
         let augmented = if self.is_reduced { Some(complex.augmented()?) } else { None };
         let complex = augmented.as_ref().unwrap_or(complex);
         let names = CellNames::of(&producer).within(pair.as_ref()).augmented(self.is_reduced);
         let steps = stage("computing homology", 0);
-        let needs_basis = self.has_generators || self.has_harmonic || !self.cycles.is_empty();
+        let has_generators = self.has_generators || self.is_for_mesh;
+        let needs_basis = has_generators || self.has_harmonic || !self.cycles.is_empty();
         let basis = needs_basis.then(|| HomologyBasis::new(complex));
         let integral = basis.as_ref().map_or_else(|| homology(complex), HomologyBasis::homology);
         drop(steps);
@@ -404,11 +421,24 @@ impl HomologyRequest {
         let cut = |said: &&Remark| said.code == RemarkCode::IdealVerticesCut;
         object.remarks.extend(producer.remarks().iter().filter(cut).cloned());
         let (mut chains, mut duals) = (Vec::new(), None);
-        if let Some(basis) = basis.as_ref().filter(|_| self.has_generators) {
+        let mut written = None;
+        if let Some(basis) = basis.as_ref().filter(|_| has_generators) {
             let _steps = stage("finding generators", 0);
             let found = generators::find(basis, &names, self.coefficients, self.is_cohomology);
-            object.generators = Some(generators::answer(&found, &names));
+            object.generators = self.has_generators.then(|| generators::answer(&found, &names));
             chains = generators::named(&found, &names, &whole)?;
+            if let Some(mesh) = mesh.filter(|_| self.is_for_mesh) {
+                let symbol = if self.is_cohomology { "H^" } else { "H_" };
+                let chains =
+                    generators::physical(&found, &names, &whole, symbol, &self.domain.words(&mesh)?)?;
+                let before = mesh.groups().len();
+                let mesh = producer.mesh_with_chains(mesh, &chains, self.is_cohomology).map_err(in_file)?;
+                let groups = mesh.groups()[before..].iter().zip(&chains);
+                object.physical_groups = Some(
+                    groups.map(|(group, (_, chain))| PhysicalGroup::of(group, chain.degree())).collect(),
+                );
+                written = Some(mesh);
+            }
             let proved = || generators::duals(basis, &names, self.coefficients, self.is_cohomology);
             duals = self.is_certified.then(proved);
         }
@@ -449,11 +479,9 @@ impl HomologyRequest {
             producer: Some(producer),
             chains,
             duals,
+            mesh: written,
             is_reduced: self.is_reduced,
-            relative: self.relative.as_ref().map(|part| match part {
-                RelativeTo::Boundary => "boundary",
-                RelativeTo::Part { .. } => "file",
-            }),
+            relative: self.domain.word(),
         })
     }
 }
@@ -469,6 +497,8 @@ pub struct FoundHomology {
     chains: Vec<(String, Chain<Integer>)>,
     /// What tells the generators apart, if a certificate is wanted.
     duals: Option<Vec<Vec<Vec<ChainTerm>>>>,
+    /// The mesh with the generators as groups, if it was asked for.
+    mesh: Option<Model>,
     is_reduced: bool,
     /// Relative to the boundary or to a file.
     relative: Option<&'static str>,
@@ -556,5 +586,27 @@ impl FoundHomology {
             Some(producer) => producer.picture(&self.chains),
             None => Err(Error::invalid("generators were not asked for").with_cure("ask for generators")),
         }
+    }
+    /// The mesh that the answer is about with its groups, and one more for each generator, named as Gmsh names them:
+    /// `H_1{1},{70,71}1` is the first generator of degree 1 of the group 1 relative to the groups 70 and 71, and 0 stands for the whole
+    /// mesh. [`Producer::mesh_with_chains`] says what is in them.
+    ///
+    /// # Errors
+    /// [`InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if it was not asked for with [`HomologyRequest::for_mesh`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::HomologyRequest;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let rim = &b"v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nl 2 3\nl 3 1\n"[..];
+    /// let rim = coface_io::read(rim, coface_io::Format::Obj)?;
+    /// let mesh = HomologyRequest::new().for_mesh(true).found("rim.obj", rim)?.mesh_with_generators()?;
+    /// assert_eq!(mesh.groups()[1].name(), "H_1{0}1");
+    /// assert_eq!(mesh.groups()[1].members().len(), 3);
+    /// # Ok(()) }
+    /// ```
+    pub fn mesh_with_generators(&self) -> Result<Model, Error> {
+        let asked = || Error::invalid("the mesh was not asked for").with_cure("ask for the mesh with its generators");
+        self.mesh.clone().ok_or_else(asked)
     }
 }

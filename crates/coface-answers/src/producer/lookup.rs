@@ -3,7 +3,7 @@
 use super::{Cells, Producer};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 impl Producer {
     /// Whether cells are told by their vertices; those of halfedge permutations, gluing tables and chain complexes are told
@@ -69,9 +69,15 @@ impl Producer {
         };
         let mut found: HashMap<&[u32], Vec<(usize, CellId)>> =
             names.iter().map(|name| (&name[..], Vec::new())).collect();
+        let sizes: HashSet<usize> = names.iter().map(Vec::len).collect();
+        let named: HashSet<u32> = names.iter().flatten().copied().collect();
         for degree in degrees {
             for cell in (0..complex.cell_count(degree)).map(CellId::new) {
-                if let Some(cells) = found.get_mut(&in_order(&self.cell_vertices(degree, cell))[..]) {
+                let vertices = self.cell_vertices(degree, cell);
+                if !sizes.contains(&vertices.len()) || vertices.first().is_some_and(|v| !named.contains(v)) {
+                    continue;
+                }
+                if let Some(cells) = found.get_mut(&in_order(&vertices)[..]) {
                     cells.push((degree, cell));
                 }
             }

@@ -3,11 +3,12 @@
 //! * A [`Producer`] is a model with the faces of its cells identified; it makes the chain complex.
 //! * [`CellNames`] names the cells of a complex that was made from it by the vertices of the file: in answers a chain
 //!   is a list of coefficients with such names. A [`Term`] is one of these as the user writes it.
-//! * A [`Pair`] is the complex relative to a subcomplex.
+//! * A [`Pair`] is the complex, or that of a part of the model, relative to a subcomplex; [`named_groups`] are parts that the file names.
 //! * [`OrderedSimplices`] is the model as a delta complex, for products of cochains.
 
 mod bounded;
 mod cycles;
+mod groups;
 mod labels;
 mod lookup;
 mod names;
@@ -16,6 +17,7 @@ mod pair;
 
 use bounded::bounded;
 pub use cycles::Term;
+pub use groups::named_groups;
 pub(crate) use labels::Labels;
 pub use names::CellNames;
 pub use ordered_simplices::OrderedSimplices;

@@ -3,7 +3,7 @@
 use super::{Cells, Producer};
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::ChainComplex;
-use coface_algebra::{CellId, Error};
+use coface_algebra::{CellId, Error, ErrorKind};
 use coface_io::{Model, Structure};
 
 /// A complex relative to a subcomplex that a user named: the boundary, or the cells of another model.
@@ -77,17 +77,7 @@ impl Pair {
             let part = gluings.1.boundary_cells()?;
             return Ok(Self { chains: complex.relative(&part)?, kept: complex.complement(&part)? });
         }
-        let mut part = nothing(complex);
-        if let Some(top) = complex.dimension().filter(|&dimension| dimension > 0)
-            && let Some(matrix) = complex.boundary_matrix(top)
-        {
-            let mut degrees = vec![0_u32; matrix.row_count()];
-            for &row in matrix.rows() {
-                degrees[row as usize] += 1;
-            }
-            part[top - 1] = degrees.iter().map(|&degree| degree == 1).collect();
-        }
-        Self::modulo(complex, part)
+        Self::divided(complex, rim(complex))
     }
 
     /// The complex of a producer modulo the cells of a model with the same vertex numbers, and their faces.
@@ -109,33 +99,99 @@ impl Pair {
     /// # Ok(()) }
     /// ```
     pub fn with_model(producer: &Producer, complex: &ChainComplex, model: &Model) -> Result<Self, Error> {
+        let cells = Self::cells_of_model(producer, complex, model)?;
+        Self::divided(complex, marked(complex, cells)?)
+    }
+
+    /// The cells of a producer that another model names.
+    pub(crate) fn cells_of_model(
+        producer: &Producer,
+        complex: &ChainComplex,
+        model: &Model,
+    ) -> Result<Vec<(usize, CellId)>, Error> {
         if !producer.names_cells_by_vertices() {
             return Err(Error::invalid("the cells of the model are not told by their vertices")
                 .with_cure("take it relative to its boundary, or give it as facets, polygons or cells"));
         }
-        let mut part = nothing(complex);
-        for (degree, cell) in
-            producer.cells_with_vertices(complex, cells_of(model)?.iter(), None)?.into_iter().flatten()
-        {
-            part[degree][cell.index()] = true;
-        }
-        Self::modulo(complex, part)
+        let lists = cells_of(model)?;
+        let found = producer.cells_with_vertices(complex, lists.iter(), None)?;
+        Ok(found.into_iter().flatten().collect())
     }
 
-    /// The complex modulo the marked cells and their faces.
-    fn modulo(complex: &ChainComplex, mut part: Vec<Vec<bool>>) -> Result<Self, Error> {
-        for degree in (1..part.len()).rev() {
-            let Some(matrix) = complex.boundary_matrix(degree) else { continue };
-            let (below, above) = part.split_at_mut(degree);
-            for (cell, _) in above[0].iter().enumerate().filter(|&(_, &marked)| marked) {
-                for &row in matrix.column(cell).rows() {
-                    below[degree - 1][row as usize] = true;
-                }
-            }
-        }
-        let listed =
-            |marks: &Vec<bool>| (0..marks.len()).filter(|&cell| marks[cell]).map(CellId::new).collect();
-        let part: Vec<Vec<CellId>> = part.iter().map(listed).collect();
+    /// The part of a complex that some cells and their faces are, modulo nothing.
+    ///
+    /// # Errors
+    /// [`NotInComplex`](coface_algebra::ErrorKind::NotInComplex) for a cell that is not there.
+    ///
+    /// # Complexity
+    /// Linear in the complex.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_algebra::CellId;
+    /// use coface_answers::{Pair, Producer};
+    /// let disk = Producer::of(coface_io::read(&b"[[0,1,2],[0,2,3]]"[..], coface_io::Format::Json)?)?;
+    /// let half = Pair::of_cells(&disk.chain_complex()?, &[(2, CellId::new(1))])?;
+    /// assert_eq!(half.chains().f_vector(), [3, 3, 1]);
+    /// assert_eq!(half.modulo_boundary()?.chains().f_vector(), [0, 0, 1]);
+    /// # Ok(()) }
+    /// ```
+    pub fn of_cells(complex: &ChainComplex, cells: &[(usize, CellId)]) -> Result<Self, Error> {
+        let kept = listed(&closed(complex, marked(complex, cells.iter().copied())?));
+        Ok(Self { chains: complex.subcomplex(&kept)?, kept })
+    }
+
+    /// What is left modulo the ridges that lie in just one top cell of what was there, and their faces.
+    ///
+    /// # Errors
+    /// None for a pair that was made here.
+    ///
+    /// # Examples
+    /// See [`Self::of_cells`].
+    pub fn modulo_boundary(self) -> Result<Self, Error> {
+        let part = rim(&self.chains);
+        self.modulo(part)
+    }
+
+    /// What is left modulo more cells of the whole complex and their faces; those that are not in the pair do not count.
+    ///
+    /// # Errors
+    /// [`NotInComplex`](coface_algebra::ErrorKind::NotInComplex) for a cell that is not in the whole complex.
+    ///
+    /// # Complexity
+    /// Linear in the complex.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_algebra::CellId;
+    /// use coface_answers::{Pair, Producer};
+    /// let disk = Producer::of(coface_io::read(&b"[[0,1,2],[0,2,3]]"[..], coface_io::Format::Json)?)?;
+    /// let whole = disk.chain_complex()?;
+    /// let diagonal = (1, CellId::new(1));
+    /// assert_eq!(Pair::absolute(whole.clone()).modulo_cells(&whole, &[diagonal])?.chains().f_vector(), [2, 4, 2]);
+    /// # Ok(()) }
+    /// ```
+    pub fn modulo_cells(self, whole: &ChainComplex, cells: &[(usize, CellId)]) -> Result<Self, Error> {
+        let marks = closed(whole, marked(whole, cells.iter().copied())?);
+        let kept = self.kept.iter().zip(&marks);
+        let part = kept.map(|(kept, marks)| kept.iter().map(|cell| marks[cell.index()]).collect()).collect();
+        self.modulo(part)
+    }
+
+    /// What is left modulo marked cells of the pair and their faces.
+    fn modulo(self, part: Vec<Vec<bool>>) -> Result<Self, Error> {
+        let left = Self::divided(&self.chains, part)?;
+        let in_whole = |(left, kept): (Vec<CellId>, &Vec<CellId>)| {
+            left.into_iter().map(|cell| kept[cell.index()]).collect()
+        };
+        Ok(Self { chains: left.chains, kept: left.kept.into_iter().zip(&self.kept).map(in_whole).collect() })
+    }
+
+    /// A complex modulo the marked cells and their faces.
+    fn divided(complex: &ChainComplex, part: Vec<Vec<bool>>) -> Result<Self, Error> {
+        let part = listed(&closed(complex, part));
         Ok(Self { chains: complex.relative(&part)?, kept: complex.complement(&part)? })
     }
 
@@ -217,8 +273,57 @@ impl Pair {
     }
 }
 
-fn nothing(complex: &ChainComplex) -> Vec<Vec<bool>> {
-    complex.f_vector().iter().map(|&count| vec![false; count]).collect()
+/// Marks on cells, for each degree.
+fn marked(
+    complex: &ChainComplex,
+    cells: impl IntoIterator<Item = (usize, CellId)>,
+) -> Result<Vec<Vec<bool>>, Error> {
+    let mut marks: Vec<Vec<bool>> = complex.f_vector().iter().map(|&count| vec![false; count]).collect();
+    for (degree, cell) in cells {
+        let mark = marks.get_mut(degree).and_then(|marks| marks.get_mut(cell.index()));
+        *mark.ok_or_else(|| {
+            Error::new(
+                ErrorKind::NotInComplex,
+                format!("there is no cell {} of degree {degree}", cell.index()),
+            )
+        })? = true;
+    }
+    Ok(marks)
+}
+
+/// Marks on the faces of marked cells too.
+fn closed(complex: &ChainComplex, mut marks: Vec<Vec<bool>>) -> Vec<Vec<bool>> {
+    for degree in (1..marks.len()).rev() {
+        let Some(matrix) = complex.boundary_matrix(degree) else { continue };
+        let (below, above) = marks.split_at_mut(degree);
+        for (cell, _) in above[0].iter().enumerate().filter(|&(_, &marked)| marked) {
+            for &row in matrix.column(cell).rows() {
+                below[degree - 1][row as usize] = true;
+            }
+        }
+    }
+    marks
+}
+
+/// The marked cells, for each degree in rising order.
+fn listed(marks: &[Vec<bool>]) -> Vec<Vec<CellId>> {
+    let of_degree = |marks: &Vec<bool>| (0..marks.len()).filter(|&cell| marks[cell]).map(CellId::new).collect();
+    marks.iter().map(of_degree).collect()
+}
+
+/// Marks on the ridges that lie in just one top cell.
+fn rim(complex: &ChainComplex) -> Vec<Vec<bool>> {
+    let mut marks: Vec<Vec<bool>> = complex.f_vector().iter().map(|&count| vec![false; count]).collect();
+    if let Some(top) = complex.dimension().filter(|&dimension| dimension > 0)
+        && let Some(matrix) = complex.boundary_matrix(top)
+    {
+        let mut degrees = vec![0_u32; matrix.row_count()];
+        for &row in matrix.rows() {
+            degrees[row as usize] += 1;
+        }
+        marks[top - 1] = degrees.iter().map(|&degree| degree == 1).collect();
+    }
+    marks
 }
 
 /// The cells of a model that are given by vertices.
@@ -240,7 +345,6 @@ fn cells_of(model: &Model) -> Result<RaggedArray, Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use coface_algebra::ErrorKind;
     use coface_topology::homology;
 
     fn producer(facets: &[Vec<u32>]) -> Producer {

@@ -1,7 +1,8 @@
 //! `coface cocycles`: first cohomology.
 
 use crate::arguments::Common;
-use crate::chains::read_terms;
+use crate::chains::{chain_of_group, read_terms};
+use crate::domain::{DomainOptions, is_msh};
 use crate::failure::Failure;
 use crate::output::{is_json, print_json, print_text, write_json};
 use crate::progress::Progress;
@@ -14,8 +15,8 @@ use coface::answers::answer::{
     CochainTestAnswer, CocycleBasisMethod, CocyclesAnswer, EdgeWeights, HarmonicFormAnswer, Remark,
     RemarkCode,
 };
-use coface::answers::{CocyclesRequest, GivenCochain, Producer, tested_cochain, text};
-use coface::io::{Format, write_path};
+use coface::answers::{CocyclesRequest, GivenCochain, tested_cochain, text};
+use coface::io::{Format, Model, write_path};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -43,7 +44,10 @@ pub(crate) struct Cocycles {
     /// the chain complex (any model) [default: crossing on surfaces, else general]
     #[arg(long, value_enum)]
     method: Option<Method>,
-    /// Say whether a cochain is closed and exact: a .json file with [[value, [vertex, vertex]], ..]
+    #[command(flatten)]
+    domain: DomainOptions,
+    /// Say whether a cochain on the whole model is closed and exact: a .json file with [[value, [vertex, vertex]], ..], or
+    /// the name of a group of lines of the mesh
     #[arg(long, value_name = "FILE")]
     test: Option<PathBuf>,
     /// With --test of a cochain that is not of integers: sums up to this absolute value count as zero
@@ -86,17 +90,24 @@ impl From<Method> for CocycleBasisMethod {
 impl Cocycles {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let progress = Progress::start(common.quiet);
-        let (name, producer) = input::produce(&self.input, common.reading(), &progress)?;
-        if let Some(file) = &self.test {
+        let loaded = input::read(&self.input, common.reading(), &progress)?;
+        let domain = self.domain.domain(&loaded.model, &progress)?;
+        let given = self.test.as_ref().map(|file| self.given(file, &loaded.model)).transpose()?;
+        let is_for_mesh = common.output.as_deref().is_some_and(is_msh);
+        let mesh = (is_for_mesh || domain.has_groups()).then(|| loaded.model.clone());
+        let (name, producer) = input::identify(loaded, &progress)?;
+        if let (Some(file), Some((degree, given))) = (&self.test, given) {
             progress.stage("testing");
-            let answer = self.tested(file, &name, &producer)?;
+            let answer = tested_cochain(&producer, &given, degree, &name)
+                .map_err(|error| error.in_file(file.display().to_string()))?;
             drop(progress);
             return crate::output::give(common, &answer, &page_of_test(file, &answer));
         }
         let request = CocyclesRequest::new()
             .method(self.method.map(CocycleBasisMethod::from))
             .harmonic(self.harmonic)
-            .weights(self.weights.map(EdgeWeights::from));
+            .weights(self.weights.map(EdgeWeights::from))
+            .domain(domain, mesh);
         let found = request.found(&producer).map_err(|error| in_words(error).in_file(name.clone()))?;
         accept(found.remarks(), common)?;
         say_remarks(found.remarks(), common);
@@ -105,6 +116,10 @@ impl Cocycles {
             progress.stage(format!("writing {}", path.display()));
             if is_json(path) {
                 write_json(path, &answer)?;
+            } else if is_for_mesh {
+                let mesh =
+                    found.mesh_with_cocycles().map_err(|error| error.in_file(path.display().to_string()))?;
+                write_path(&mesh, path, None)?;
             } else {
                 let model = found.model().map_err(|error| error.in_file(path.display().to_string()))?;
                 write_path(&model, path, None)?;
@@ -126,8 +141,11 @@ impl Cocycles {
         }
     }
 
-    /// Whether a cochain from a file is closed and exact.
-    fn tested(&self, file: &Path, name: &str, producer: &Producer) -> Result<CochainTestAnswer, Failure> {
+    /// The cochain of a group or a file that is to be tested, with its degree if that is known.
+    fn given(&self, file: &Path, model: &Model) -> Result<(Option<usize>, GivenCochain), Failure> {
+        if let Some((degree, terms)) = file.to_str().and_then(|name| chain_of_group(model, name)) {
+            return Ok((degree, GivenCochain::Whole(terms)));
+        }
         let integer = |value: &Value| match value {
             Value::String(digits) => digits.parse::<Integer>().ok(),
             number => number.to_string().parse().ok(),
@@ -155,8 +173,7 @@ impl Cocycles {
                 )));
             }
         };
-        Ok(tested_cochain(producer, &given, degree, name)
-            .map_err(|error| error.in_file(file.display().to_string()))?)
+        Ok((degree, given))
     }
 }
 

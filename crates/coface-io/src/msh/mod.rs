@@ -20,4 +20,4 @@ mod writing;
 pub use reading::read;
 pub(super) use reading::read_into;
 pub(crate) use reading::read_with;
-pub use writing::{Version, write};
+pub use writing::{Version, physical_tags, write};

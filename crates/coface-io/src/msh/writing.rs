@@ -4,8 +4,7 @@ use super::elements::ElementType;
 use crate::assembly::group_numbers;
 use crate::decimal::{flush, push_f64, push_natural};
 use crate::element_kind::Kind;
-use crate::{Group, GroupKind};
-use crate::{Model, limits};
+use crate::{CellData, Group, GroupKind, Model, limits};
 use coface_algebra::Error;
 use coface_algebra::ErrorKind;
 use std::collections::BTreeMap;
@@ -21,8 +20,25 @@ pub enum Version {
     FourOne,
 }
 
-/// Writes a Gmsh mesh as text: polylines become lines of two nodes, vertices of groups become points. A group whose name
-/// is not a number gets a number that is free. In version 2.2 an element in several groups stays in the first one.
+/// The tags of the physical groups that [`write`] gives the groups of a model, in their order: a group keeps its
+/// [number](Group::number), or the number that its name is; the others get tags that are free among groups of their kind.
+///
+/// # Examples
+/// ```
+/// use coface_io::msh;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 70 \"rim\"\n$EndPhysicalNames\n\
+///     $Nodes\n2\n1 0 0 0\n2 1 0 0\n$EndNodes\n$Elements\n1\n1 1 2 70 1 1 2\n$EndElements\n";
+/// assert_eq!(msh::physical_tags(&msh::read(text.as_bytes())?), [70]);
+/// # Ok(()) }
+/// ```
+pub fn physical_tags(model: &Model) -> Vec<i32> {
+    group_numbers(&model.groups)
+}
+
+/// Writes a Gmsh mesh as text: polylines become lines of two nodes, vertices of groups become points. Groups become physical groups with
+/// the tags of [`physical_tags`]. In version 2.2 an element in several groups stays in the first one. Data follow as sections `$NodeData` and
+/// `$ElementData`; rows of NaN are left out.
 ///
 /// # Errors
 /// [`ErrorKind::UnsupportedFormat`] for a polygon of more than four vertices, an abstract structure, and vertices without
@@ -108,6 +124,9 @@ pub fn write(model: &Model, mut out: impl Write, version: Version) -> Result<(),
         }
     }
     text.extend_from_slice(b"$EndElements\n");
+    for data in &model.data {
+        write_data(&mut text, &elements, data, &mut out)?;
+    }
     out.write_all(&text)?;
     out.flush()?;
     Ok(())
@@ -161,22 +180,56 @@ fn write_names(text: &mut Vec<u8>, model: &Model, numbers: &[i32]) {
     }
     text.extend_from_slice(format!("$PhysicalNames\n{}\n", named.len()).as_bytes());
     for (group, number) in named {
-        let name: String = group
-            .name()
-            .chars()
-            .map(|c| {
-                if c.is_control() {
-                    ' '
-                } else if c == '"' {
-                    '\''
-                } else {
-                    c
-                }
-            })
-            .collect();
+        let name = quotable(group.name());
         text.extend_from_slice(format!("{} {number} \"{name}\"\n", dimension(group.kind())).as_bytes());
     }
     text.extend_from_slice(b"$EndPhysicalNames\n");
+}
+
+/// A name that can stand between quotes on a line.
+fn quotable(name: &str) -> String {
+    let letter = |c: char| match c {
+        '"' => '\'',
+        c if c.is_control() => ' ',
+        c => c,
+    };
+    name.chars().map(letter).collect()
+}
+
+/// One array as a section of rows on nodes or elements; a polyline has its row on each of its edges.
+fn write_data(
+    text: &mut Vec<u8>,
+    elements: &Elements<'_>,
+    data: &CellData,
+    out: &mut impl Write,
+) -> Result<(), Error> {
+    let row = |member: usize| -> Option<Vec<String>> {
+        if let Some(row) = data.integer_row(member) {
+            return Some(row.iter().map(i64::to_string).collect());
+        }
+        let row = data.real_row(member);
+        row.iter().any(|x| !x.is_nan()).then(|| row.iter().map(|x| format!("{x:?}")).collect())
+    };
+    let rows: Vec<(u64, Vec<String>)> = elements
+        .tags_of(data.kind())
+        .filter_map(|(tag, member)| Some((tag, row(member)?)))
+        .collect();
+    let section = if data.kind() == GroupKind::Vertices { "NodeData" } else { "ElementData" };
+    let (name, components) = (quotable(data.name()), data.components());
+    text.extend_from_slice(
+        format!("${section}\n1\n\"{name}\"\n1\n0\n3\n0\n{components}\n{}\n", rows.len()).as_bytes(),
+    );
+    for (tag, row) in rows {
+        push_natural(text, tag);
+        for word in row {
+            text.push(b' ');
+            text.extend_from_slice(word.as_bytes());
+        }
+        text.push(b'\n');
+        flush(text, out)?;
+    }
+    text.extend_from_slice(format!("$End{section}\n").as_bytes());
+    Ok(())
 }
 
 /// One entity for each dimension and set of groups that occurs. Gives the one that the nodes lie on: the last.
@@ -315,6 +368,24 @@ impl<'a> Elements<'a> {
     fn count(&self) -> u64 {
         let edges = self.model.lines.item_count() - self.model.lines.len();
         (self.points.len() + edges + self.model.polygons.len() + self.model.cells.len()) as u64
+    }
+
+    /// The tags of the nodes or elements of a kind, each with the member that it is of.
+    fn tags_of(&self, kind: GroupKind) -> Box<dyn Iterator<Item = (u64, usize)> + '_> {
+        let model = self.model;
+        let points = self.points.len() as u64;
+        let polygons = points + (model.lines.item_count() - model.lines.len()) as u64;
+        let cells = polygons + model.polygons.len() as u64;
+        match kind {
+            GroupKind::Vertices => Box::new((1..).zip(0..model.vertex_count)),
+            GroupKind::Lines => {
+                let edges = model.lines.iter().enumerate();
+                let edges = edges.flat_map(|(i, line)| std::iter::repeat_n(i, line.len() - 1));
+                Box::new((points + 1..).zip(edges))
+            }
+            GroupKind::Polygons => Box::new((polygons + 1..).zip(0..model.polygons.len())),
+            GroupKind::Cells => Box::new((cells + 1..).zip(0..model.cells.len())),
+        }
     }
 
     fn for_each(&self, mut take: impl FnMut(Element<'_>) -> Result<(), Error>) -> Result<(), Error> {

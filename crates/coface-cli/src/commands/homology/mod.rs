@@ -5,20 +5,21 @@ pub(crate) mod parts;
 
 use crate::arguments::{Common, ring};
 use crate::certified;
-use crate::chains::{read_chain, read_terms};
+use crate::chains::{chain_of_group, read_chain, read_terms};
 use crate::commands::merge::Question;
+use crate::domain::{DomainOptions, is_msh};
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{give, write_json};
+use crate::output::{give, print_json, print_text, write_json};
 use crate::progress::Progress;
 use crate::remarks::say_remarks;
 use clap::Args;
 use coface::answers::answer::GeneratorsFile;
 use coface::answers::text;
 use coface::answers::{
-    FoundHomology, GivenChain, GivenRealCochain, GivenVertexMap, HomologyRequest, RelativeTo,
+    FoundHomology, GivenChain, GivenRealCochain, GivenVertexMap, HomologyRequest,
 };
-use coface::io::{Format, ReadOptions, check_output, write_path};
+use coface::io::{Format, Model, ReadOptions, check_output, write_path};
 use coface::topology::{AbelianGroup, Coefficients};
 use parts::PartsOptions;
 use serde_json::Value;
@@ -28,7 +29,11 @@ use std::path::{Path, PathBuf};
 ///
 /// Exact, over the integers unless --coefficients says otherwise. Over Z/n the "betti" number counts the summands Z/n
 /// and "torsion" lists those of smaller order. With --json the answers to the options stand under the keys "generators",
-/// "cycles", "sequence", "map", "cup", "intersection_form", "harmonic" and "decomposition".
+/// "physical_groups", "cycles", "sequence", "map", "cup", "intersection_form", "harmonic" and "decomposition".
+///
+/// With -o OUT.msh the mesh is written with its physical groups and one more for each generator, as Gmsh names and
+/// writes them: "H_1{1},{70}1" has a cell as an element as often as its coefficient says, turned if it is negative.
+/// Cocycles, "H^1{1},{70}1", have their values as data too.
 #[derive(Args)]
 pub(crate) struct Homology {
     /// The model; - is standard input
@@ -41,37 +46,36 @@ pub(crate) struct Homology {
     #[arg(long)]
     cohomology: bool,
     /// Reduced: a point has no homology
-    #[arg(long, conflicts_with = "relative")]
+    #[arg(long, conflicts_with_all = ["relative", "domain"])]
     reduced: bool,
-    /// Homology relative to a subcomplex: boundary, or a file of cells by the same vertex numbers
-    #[arg(long, value_name = "boundary|FILE")]
-    relative: Option<PathBuf>,
+    #[command(flatten)]
+    domain: DomainOptions,
     /// The long exact sequence of the pair over Z, with the connecting map
     #[arg(long, requires = "relative")]
     sequence: bool,
-    /// Short cycles (cocycles with --cohomology) that generate the groups; written to OUT if given, as .json, or as a
-    /// picture in .vtk, .obj and other mesh formats
+    /// Short cycles (cocycles with --cohomology) that generate the groups; written to OUT if given: as .json, as physical
+    /// groups beside those of the mesh in .msh, or as a picture in .vtk, .obj and other mesh formats
     #[arg(long, value_name = "OUT", num_args = 0..=1)]
     generators: Option<Option<PathBuf>>,
-    /// A cycle whose class is wanted, and whether it bounds: cells by their vertices as in "0 1; 1 2; -1*0 2", or a
-    /// .json file with [[coefficient,[vertices..]],..]; may be given several times
+    /// A cycle whose class is wanted, and whether it bounds: cells by their vertices as in "0 1; 1 2; -1*0 2", a
+    /// .json file with [[coefficient,[vertices..]],..], or the name of a group of the mesh; may be given several times
     #[arg(long, value_name = "CHAIN", conflicts_with_all = ["coefficients", "cohomology"])]
     cycle: Vec<String>,
     /// Cup products of a basis of cohomology in degree P with one in degree Q, in a basis of degree P + Q
-    #[arg(long, value_names = ["P", "Q"], num_args = 2, conflicts_with_all = ["relative", "reduced"])]
+    #[arg(long, value_names = ["P", "Q"], num_args = 2, conflicts_with_all = ["relative", "domain", "reduced"])]
     cup: Option<Vec<usize>>,
     /// The intersection form of a closed oriented manifold of even dimension: rank, signature, parity, determinant
-    #[arg(long, conflicts_with_all = ["relative", "reduced"])]
+    #[arg(long, conflicts_with_all = ["relative", "domain", "reduced"])]
     intersection_form: bool,
     /// Harmonic representatives of the real cohomology classes, dual to the free generators
-    #[arg(long, conflicts_with_all = ["relative", "reduced"])]
+    #[arg(long, conflicts_with_all = ["relative", "domain", "reduced"])]
     harmonic: bool,
     /// The Hodge decomposition of a real cochain, a .json file with [[value,[vertices..]],..], into its exact, coexact and
     /// harmonic parts
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["relative", "reduced"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["relative", "domain", "reduced"])]
     decompose: Option<PathBuf>,
     /// The map on integral homology of a simplicial map, a .json file with pairs [vertex, image], to the model --target
-    #[arg(long, value_name = "FILE", requires = "target", conflicts_with_all = ["relative", "reduced"])]
+    #[arg(long, value_name = "FILE", requires = "target", conflicts_with_all = ["relative", "domain", "reduced"])]
     map: Option<PathBuf>,
     /// The target of --map
     #[arg(long, value_name = "MODEL", requires = "map")]
@@ -100,17 +104,18 @@ impl Homology {
         }
         let progress = Progress::start(common.quiet);
         let input = self.input.as_deref().ok_or_else(|| Failure::new("no model is named"))?;
-        let request = self.request(&progress)?;
         let loaded = input::read(input, common.reading(), &progress)?;
+        let mesh_output = common.output.as_deref().filter(|place| is_msh(place));
+        let is_for_mesh = mesh_output.is_some() || self.generators.iter().flatten().any(|place| is_msh(place));
+        let request = self.request(&loaded.model, &progress)?.for_mesh(is_for_mesh);
         let found = request.found(&loaded.name, loaded.model)?;
-        if let Some(Some(place)) = &self.generators {
+        for place in self.generators.iter().flatten().map(PathBuf::as_path).chain(mesh_output) {
             progress.stage(format!("writing {}", place.display()));
             save_generators(place, &found)?;
         }
         if let Some(place) = &self.certificate {
             progress.stage(format!("proving {}", place.display()));
-            let part = self.relative.iter().filter(|part| part.as_os_str() != "boundary");
-            let files: Vec<PathBuf> = self.input.iter().chain(part).cloned().collect();
+            let files: Vec<PathBuf> = self.input.iter().chain(self.domain.files()).cloned().collect();
             certified::save(place, &files, |inputs| found.certificate(inputs))?;
         }
         let answer = found.answer();
@@ -118,13 +123,22 @@ impl Homology {
         say_remarks(&answer.remarks, common);
         let page = self.page(&answer.file, found.groups())
             + &page::details(answer, found.cell_names(), &self.cycle, self.decompose.as_deref());
-        give(common, answer, &page)
+        match (mesh_output, common.json) {
+            (None, _) => give(common, answer, &page),
+            (Some(_), true) => print_json(answer),
+            (Some(_), false) if common.quiet => Ok(()),
+            (Some(_), false) => print_text(&page),
+        }
     }
 
     /// What the command line asks for.
-    fn request(&self, progress: &Progress) -> Result<HomologyRequest, Failure> {
+    fn request(&self, model: &Model, progress: &Progress) -> Result<HomologyRequest, Failure> {
+        let domain = self.domain.domain(model, progress)?;
         let cycles = self.cycle.iter().map(|argument| {
-            let (degree, terms) = read_chain(argument)?;
+            let (degree, terms) = match chain_of_group(model, argument) {
+                Some(chain) => chain,
+                None => read_chain(argument)?,
+            };
             Ok(GivenChain { place: format!("--cycle \"{argument}\""), degree, terms })
         });
         let decomposed = self.decompose.as_ref().map(|file| {
@@ -140,14 +154,6 @@ impl Homology {
                 target: target.model,
             })
         });
-        let relative = match &self.relative {
-            None => None,
-            Some(part) if part.as_os_str() == "boundary" => Some(RelativeTo::Boundary),
-            Some(part) => {
-                let part = input::read(part, ReadOptions::default(), progress)?;
-                Some(RelativeTo::Part { name: part.name, model: Box::new(part.model) })
-            }
-        };
         let cup = match self.cup.as_deref() {
             Some(&[p, q]) => Some([p, q]),
             _ => None,
@@ -156,7 +162,8 @@ impl Homology {
             .coefficients(self.coefficients)
             .cohomology(self.cohomology)
             .reduced(self.reduced)
-            .relative(relative)
+            .domain(domain.groups)
+            .relative(domain.relative)
             .sequence(self.sequence)
             .generators(self.generators.is_some())
             .cycles(cycles.collect::<Result<_, Failure>>()?)
@@ -172,7 +179,8 @@ impl Homology {
     fn question_of_parts(&self) -> Result<Question, Failure> {
         let others = [
             ("--reduced", self.reduced),
-            ("--relative", self.relative.is_some()),
+            ("--relative", self.domain.has_part()),
+            ("--domain", self.domain.has_groups()),
             ("--cycle", !self.cycle.is_empty()),
             ("--cup", self.cup.is_some()),
             ("--intersection-form", self.intersection_form),
@@ -198,16 +206,19 @@ impl Homology {
             (true, false) => "reduced homology",
             (true, true) => "reduced cohomology",
         };
-        let pair =
-            self.relative.as_ref().map_or(String::new(), |pair| format!(", relative to {}", pair.display()));
+        let (domain, pair) = self.domain.words();
         let symbol = if self.cohomology { "H^" } else { "H_" };
-        let title = format!("{what} of {name} over {}{pair}", self.coefficients);
+        let title = format!("{what} of {domain}{name} over {}{pair}", self.coefficients);
         text::groups(&title, groups, symbol, self.coefficients)
     }
 }
 
-/// Writes generators as JSON, or as a picture in the format that the name tells.
+/// Writes generators as JSON, into the mesh, or as a picture in the format that the name tells.
 fn save_generators(place: &Path, found: &FoundHomology) -> Result<(), Failure> {
+    if is_msh(place) {
+        let mesh = found.mesh_with_generators().map_err(|error| error.in_file(place.display().to_string()))?;
+        return Ok(write_path(&mesh, place, None)?);
+    }
     if matches!(Format::from_path(place), None | Some(Format::Json)) {
         let generators = found.answer().generators.clone().unwrap_or_default();
         return write_json(place, &GeneratorsFile { generators });

@@ -19,6 +19,11 @@ pub(super) fn details(
     if let (Some(generators), Some(names)) = (&answer.generators, names) {
         page += &list(generators, answer.cohomology, names);
     }
+    for group in answer.physical_groups.iter().flatten() {
+        let tag = group.tag.map_or(String::new(), |tag| format!(" {tag}"));
+        let elements = coface::answers::text::count(group.elements, "element");
+        page += &format!("    written as group{tag} \"{}\": {elements}\n", group.name);
+    }
     for (argument, class) in cycles.iter().zip(answer.cycles.iter().flatten()) {
         page += &format!("    {argument}: {}\n", words_of_class(class));
     }
