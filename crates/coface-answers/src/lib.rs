@@ -59,7 +59,7 @@ pub use planar::{
     DrawingArrangement, DrawingOptions, FaceAttributes, MapResult, MapTask, PlanarDrawing, RegionBoolean,
     RepairMethod, are_planar, is_planar, reference_loss,
 };
-pub use producer::{CellNames, OrderedSimplices, Pair, Producer, Term, named_groups};
+pub use producer::{CellNames, OrderedSimplices, Pair, Producer, Term, group_chain, named_groups};
 pub use repair::{
     RepairRequest, SurfaceRepair, SurfaceRepairRequest, Weld, dual_graph_model, dual_model, halfedge_model,
     polygon_model, repaired, repaired_surface, triangulated, truncated, welded,

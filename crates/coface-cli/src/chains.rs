@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use coface::algebra::Integer;
-use coface::io::{GroupKind, Model};
+use coface::answers::group_chain;
+use coface::io::Model;
 use serde_json::Value;
 use std::path::Path;
 
@@ -18,27 +19,9 @@ pub(crate) fn read_chain(argument: &str) -> Result<Terms<Integer>, Failure> {
     })
 }
 
-/// The chain that a group of a mesh is, if there is one of this name: the sum of its elements as they are oriented.
+/// The chain that a group of a mesh is, if there is one of this name.
 pub(crate) fn chain_of_group(model: &Model, name: &str) -> Option<Terms<Integer>> {
-    let group = model.groups().iter().find(|group| group.name() == name)?;
-    let (degree, lists) = match group.kind() {
-        GroupKind::Vertices => (0, None),
-        GroupKind::Lines => (1, Some(model.lines())),
-        GroupKind::Polygons => (2, Some(model.polygons())),
-        GroupKind::Cells => (3, Some(model.cells())),
-    };
-    let mut terms = Vec::new();
-    for &member in group.members() {
-        match lists {
-            None => terms.push((Integer::ONE, vec![member])),
-            Some(lists) if degree == 1 => {
-                let edges = lists.list(member as usize).windows(2);
-                terms.extend(edges.map(|edge| (Integer::ONE, edge.to_vec())));
-            }
-            Some(lists) => terms.push((Integer::ONE, lists.list(member as usize).to_vec())),
-        }
-    }
-    Some((Some(degree), terms))
+    group_chain(model, name).map(|(degree, terms)| (Some(degree), terms))
 }
 
 fn chain_of_text(text: &str) -> Result<Terms<Integer>, Failure> {

@@ -10,6 +10,7 @@ use crate::work::run;
 use coface::algebra::Integer;
 use coface::algebra::chains;
 use coface::algebra::chains::ProductComplex;
+use coface::answers::group_chain;
 use coface::io;
 use coface::io::Structure;
 use coface::topology::{Coefficients, HomologyBasis, homology};
@@ -73,6 +74,17 @@ impl ChainComplex {
         if let Ok(generator) = value.cast::<Generator>() {
             let chain = generator.get().chain.get();
             return Ok((chain.degree, chain.terms.clone()));
+        }
+        if let Ok(name) = value.cast::<PyString>() {
+            let name = name.to_str()?;
+            let group = match &self.naming.names {
+                Names::Source(source) => group_chain(&source.model, name),
+                _ => None,
+            };
+            let Some((degree, named)) = group else {
+                return Err(invalid(py, format!("the model has no group {name:?}"), "give the name of a group of the mesh"));
+            };
+            return self.by_names(py, &named, Some(degree));
         }
         if value.hasattr("tocoo")? || value.hasattr("ndim")? {
             let Some(degree) = degree else {
@@ -476,8 +488,9 @@ impl ChainComplex {
     ///
     /// Parameters
     /// ----------
-    /// terms : sequence of (int, cell), or vector
-    ///     Coefficients and cells, a cell being its vertices in the order of its orientation, or its number; or one number for each cell.
+    /// terms : sequence of (int, cell), vector, or str
+    ///     Coefficients and cells, a cell being its vertices in the order of its orientation, or its number; or one number for each cell; or the
+    ///     name of a group of the mesh, whose elements count as often as they stand there, turned ones negatively.
     /// degree : int, optional
     ///     The degree, where cells are numbers.
     ///

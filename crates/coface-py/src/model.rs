@@ -710,8 +710,11 @@ impl Model {
     ///
     /// Parameters
     /// ----------
-    /// relative : "boundary" or Model, optional
-    ///     A part that is divided out: the boundary, or the cells of a model with the same vertex numbers.
+    /// relative : "boundary", Model, str, int or list of these words, optional
+    ///     A part that is divided out: the boundary of the domain, the cells of a model with the same vertex numbers, or groups of the mesh by
+    ///     name or number, such as physical groups of a ``.msh``. A word that is a group and "boundary" is the group.
+    /// domain : str, int or list of these, optional
+    ///     Groups of the mesh, by name or number, whose cells and faces are the complex; the whole model by default.
     /// reduced : bool
     ///     Whether a cell of degree -1 below all vertices is added, so that a point has no homology. Degrees then count from it.
     /// progress : bool or callable, optional
@@ -730,15 +733,47 @@ impl Model {
     /// >>> disk = coface.Model.from_facets([[0, 1, 2], [0, 2, 3]])
     /// >>> disk.chain_complex(relative="boundary").homology().betti_numbers
     /// (0, 0, 1)
-    #[pyo3(signature = (relative=None, *, reduced=false, progress=None))]
+    #[pyo3(signature = (relative=None, *, domain=None, reduced=false, progress=None))]
     fn chain_complex(
         &self,
         py: Python<'_>,
         relative: Option<&Bound<'_, PyAny>>,
+        domain: Option<&Bound<'_, PyAny>>,
         reduced: bool,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<ChainComplex> {
-        complexes::chain_complex(py, &self.source, relative, reduced, progress)
+        complexes::chain_complex(py, &self.source, relative, domain, reduced, progress)
+    }
+
+    /// The mesh with one more group for a chain or cochain of it, as Gmsh writes generators of homology.
+    ///
+    /// A cell of the chain stands as an element as often as its coefficient says, turned if it is negative. Of a cochain the values are data too:
+    /// at the first element of each cell, for its direction. ``write("out.msh")`` makes it a physical group, and
+    /// :meth:`ChainComplex.chain` reads it back by its name.
+    ///
+    /// Parameters
+    /// ----------
+    /// name : str
+    ///     The name of the group; Gmsh uses ``"H_1{1},{70,71}1"`` and ``"H^1{1},{70,71}1"``.
+    /// chain : Chain or Generator
+    ///     A chain or cochain of a chain complex of this model.
+    ///
+    /// Returns
+    /// -------
+    /// Model
+    ///     The mesh with the group.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> ring = coface.generate("ring")
+    /// >>> cut = ring.chain_complex(relative="boundary").homology(generators=True)[1].generators[0]
+    /// >>> with_cut = ring.with_chain("cut", cut)
+    /// >>> pair = with_cut.chain_complex(relative="boundary")
+    /// >>> pair.boundary_of(pair.chain("cut")).terms()
+    /// []
+    fn with_chain(&self, py: Python<'_>, name: String, chain: &Bound<'_, PyAny>) -> PyResult<Self> {
+        complexes::with_chain(py, &self.source, name, chain).map(Self::of)
     }
 
     /// The faces as a surface.

@@ -1,6 +1,6 @@
 //! Groups of a mesh: the cells of those that the user names, and chains as more groups.
 
-use super::{Cells, Producer};
+use super::{Cells, Producer, Term};
 use coface_algebra::chains::Chain;
 use coface_algebra::{CellId, Error, FaceId, Integer};
 use coface_complexes::cell_mesh::CellShape;
@@ -76,6 +76,36 @@ fn no_group(model: &Model, word: &str) -> Error {
     let shown: Vec<String> = shown.collect();
     Error::invalid(format!("the model has no group {word:?}: it has {}{more}", shown.join(", ")))
         .with_cure("give the name or the number of a group")
+}
+
+/// The chain that the first group of this name is: its degree, and each element with coefficient 1 in the order of its vertices; a cell that
+/// stands several times, or against its orientation, counts as often, or negatively. `None` if there is no such group.
+///
+/// # Examples
+/// ```
+/// use coface_io::{Format, Group, GroupKind};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let edge = coface_io::read(&b"v 0 0 0\nv 1 0 0\nl 1 2\nl 2 1\nl 2 1\n"[..], Format::Obj)?;
+/// let edge = edge.with_group(Group::new("H_1{0}1", GroupKind::Lines, vec![1, 2]))?;
+/// let (degree, terms) = coface_answers::group_chain(&edge, "H_1{0}1").unwrap_or_default();
+/// assert_eq!((degree, terms.len(), &terms[0].1[..]), (1, 2, &[1, 0][..]));
+/// # Ok(()) }
+/// ```
+pub fn group_chain(model: &Model, name: &str) -> Option<(usize, Vec<Term>)> {
+    let group = model.groups().iter().find(|group| group.name() == name)?;
+    let members = group.members().iter();
+    let (degree, lists) = match group.kind() {
+        GroupKind::Vertices => {
+            return Some((0, members.map(|&vertex| (Integer::ONE, vec![vertex])).collect()));
+        }
+        GroupKind::Lines => {
+            let edges = members.flat_map(|&line| model.lines().list(line as usize).windows(2));
+            return Some((1, edges.map(|edge| (Integer::ONE, edge.to_vec())).collect()));
+        }
+        GroupKind::Polygons => (2, model.polygons()),
+        GroupKind::Cells => (3, model.cells()),
+    };
+    Some((degree, members.map(|&i| (Integer::ONE, lists.list(i as usize).to_vec())).collect()))
 }
 
 /// Chains are written so that a cell stands as often as its coefficient says, at most so often.

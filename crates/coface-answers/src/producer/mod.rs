@@ -17,7 +17,7 @@ mod pair;
 
 use bounded::bounded;
 pub use cycles::Term;
-pub use groups::named_groups;
+pub use groups::{group_chain, named_groups};
 pub(crate) use labels::Labels;
 pub use names::CellNames;
 pub use ordered_simplices::OrderedSimplices;

@@ -24,6 +24,7 @@ mod outputs;
 mod persistence;
 mod persistence_images;
 mod persistence_points;
+mod physical_groups;
 mod pi1;
 mod pictures;
 mod program;
