@@ -1,7 +1,7 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 34] = [
+const PHRASES: [(&str, &str); 35] = [
     ("give the range of values (--range A B)", "give values: at=array"),
     ("(--births A B --persistences A B)", "(births=(a, b), persistences=(a, b))"),
     (
@@ -9,6 +9,7 @@ const PHRASES: [(&str, &str); 34] = [
         "give a Persistence, or an array of births and deaths",
     ),
     ("--end T lets them die at T", "end=t lets them die at t"),
+    ("leave --certificate out, or write the domain", "write the domain"),
     ("leave --certificate out, or give a facet list", "give the file of a facet list"),
     ("leave --certificate out, or give WKT", "give WKT"),
     ("keep exact coordinates with --exact", "keep exact coordinates with exact=True"),

@@ -6,6 +6,7 @@ import inspect
 import json
 import pickle
 import types
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -105,8 +106,27 @@ def test_a_part_is_named_by_its_group() -> None:
     tetrahedra = coface.Model.from_arrays(np.vstack([np.zeros(3), np.eye(3), -np.eye(3)[:1]]), cells={"tetra": [[0, 1, 2, 3], [0, 2, 3, 4]]})
     marked = tetrahedra.with_group("one", [1], "cells")
     assert coface.homology(marked, relative="one").betti_numbers == (0, 0, 0, 0)
+    assert coface.homology(ends, relative=["ends", "left"]).betti_numbers == (0, 2, 0)
+    assert coface.homology(ends, domain="left", relative="ends").betti_numbers == (0, 1, 0)
+    assert coface.homology(ends, domain="left", relative="boundary").betti_numbers == (0, 0, 1)
+    with pytest.raises(coface.InvalidInputError, match='no group "right": it has "ends"'):
+        coface.homology(ends, domain="right")
     with pytest.raises(coface.InvalidInputError, match="it has 'ends', 'left'"):
         coface.homology(ends, relative="right")
+
+
+def test_generators_are_written_as_physical_groups(tmp_path: Path) -> None:
+    ring = coface.generate("ring").with_group("all", [0], "faces")
+    cut = coface.cohomology(ring, generators=True)[1].generators[0]
+    ring.with_chain("H^1{0}1", cut).write(tmp_path / "out.msh")
+    again = coface.read(tmp_path / "out.msh")
+    assert [name for name, _, _ in again.groups] == ["H^1{0}1", "all"]
+    chains = again.chain_complex()
+    cochain = chains.cochain("H^1{0}1")
+    loop = chains.homology(generators=True)[1].generators[0]
+    assert abs(sum(x * dict((tuple(c), y) for y, c in cochain.terms()).get(tuple(c), 0) for x, c in loop.chain.terms())) == 1
+    with pytest.raises(coface.InvalidInputError, match="not one of this model"):
+        again.with_chain("cut", cut)
 
 
 def test_faults_in_arguments_are_faults_of_this_package() -> None:

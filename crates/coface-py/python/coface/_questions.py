@@ -45,6 +45,7 @@ def homology(
     coefficients: str | int = "z",
     *,
     relative: Any = None,
+    domain: str | int | list[str | int] | None = None,
     reduced: bool = False,
     generators: bool = False,
     progress: Any = False,
@@ -58,8 +59,10 @@ def homology(
     coefficients
         ``"z"``, ``"q"``, ``"f2"``, ``"f3"``, ... for a prime field, ``"z/4"`` and the like, or a modulus: 2 is ``"f2"``.
     relative
-        A part that is divided out: ``"boundary"``, the name of a group of the model, or anything that :func:`as_model` understands, with
-        the same numbers of vertices.
+        A part that is divided out: ``"boundary"``, a group of the model by its name or number, such as a physical group of a ``.msh``, a list
+        of these, or anything that :func:`as_model` understands, with the same numbers of vertices.
+    domain
+        Groups of the model, by name or number, whose cells and faces are meant; the whole model by default.
     reduced
         Whether a point has no homology at all.
     generators
@@ -93,7 +96,7 @@ def homology(
     >>> coface.homology([[0, 1, 2], [0, 2, 3]], relative="boundary").betti_numbers
     (0, 0, 1)
     """
-    return _chains(x, relative, reduced, progress).homology(coefficients, generators=generators, progress=progress)
+    return _chains(x, relative, domain, reduced, progress).homology(coefficients, generators=generators, progress=progress)
 
 
 @in_words
@@ -102,6 +105,7 @@ def cohomology(
     coefficients: str | int = "z",
     *,
     relative: Any = None,
+    domain: str | int | list[str | int] | None = None,
     reduced: bool = False,
     generators: bool = False,
     progress: Any = False,
@@ -110,7 +114,7 @@ def cohomology(
 
     Parameters
     ----------
-    x, coefficients, relative, reduced, generators, progress
+    x, coefficients, relative, domain, reduced, generators, progress
         As for :func:`homology`; generators are cocycles.
 
     Returns
@@ -124,14 +128,22 @@ def cohomology(
     >>> [str(group) for group in coface.cohomology(coface.generate("rp2"))]
     ['Z', '0', 'Z/2']
     """
-    return _chains(x, relative, reduced, progress).cohomology(coefficients, generators=generators, progress=progress)
+    return _chains(x, relative, domain, reduced, progress).cohomology(coefficients, generators=generators, progress=progress)
 
 
-def _chains(x: Any, relative: Any, reduced: bool, progress: Any) -> ChainComplex:
-    if relative is None and not reduced:
+def _chains(x: Any, relative: Any, domain: Any, reduced: bool, progress: Any) -> ChainComplex:
+    if relative is None and domain is None and not reduced:
         return as_chain_complex(x, progress=progress)
     model = as_model(x, progress=progress)
-    return model.chain_complex(part_of(model, relative), reduced=reduced, progress=progress)
+    part = relative if _are_groups(model, relative) else part_of(model, relative)
+    return model.chain_complex(part, domain=domain, reduced=reduced, progress=progress)
+
+
+def _are_groups(model: Model, words: Any) -> bool:
+    """Whether these are names or numbers of groups; names must be there to be told from files."""
+    if isinstance(words, list) and words:
+        return all(isinstance(word, (str, int)) for word in words)
+    return isinstance(words, int) or any(name == words for name, _, _ in model.groups)
 
 
 def part_of(model: Model, part: Any) -> Any:

@@ -8,6 +8,12 @@ const BOOK: Files = &[("book.json", "[[0,1,2],[0,1,3],[0,1,4]]")];
 const FLAG: Files = &[("flag.json", "[[0,1,2],[0,1,3],[0,1,4],[4,5]]")];
 /// A sphere as the boundary of a tetrahedron, beside a tetrahedron of the same facet list.
 const SOLID: Files = &[("solid.json", "[[0,1,2,3],[1,2,3,4]]")];
+/// Two triangles, one of them a physical group.
+const LID: Files = &[(
+    "lid.msh",
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n\
+     $Elements\n2\n1 2 2 7 1 1 2 3\n2 2 2 0 1 1 3 4\n$EndElements\n",
+)];
 const VOXELS: Files = &[(
     "voxels.nrrd",
     "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nencoding: ascii\n\n1 1 1 1 1 1 1 0\n",
@@ -207,6 +213,14 @@ pub(super) const CASES: &[Case] = &[
                 "coface homology boundary.off --certificate boundary.cert",
                 "coface check boundary.cert boundary.off",
             ],
+        ]),
+    Case::new("homology/mod.rs", "leave --certificate out, or write the domain as a model of its own")
+        .files(LID)
+        .with(&[("domain.json", "[[0,1,2]]")])
+        .refused("coface homology lid.msh --domain 7 --certificate lid.cert")
+        .cured(&[
+            &["coface homology lid.msh --domain 7"],
+            &["coface homology domain.json --certificate domain.cert", "coface check domain.cert"],
         ]),
     Case::new("commands/info.rs", "name one, or run the command once for each")
         .files(BOOK)
