@@ -56,9 +56,11 @@ impl DomainOptions {
 
     /// What stands before the name of the model in a title, and what after it.
     pub(crate) fn words(&self) -> (String, String) {
-        let before = if self.domain.is_empty() { String::new() } else { format!("{} in ", self.domain.join(", ")) };
+        let before =
+            if self.domain.is_empty() { String::new() } else { format!("{} in ", self.domain.join(", ")) };
         let parts: Vec<String> = self.relative.iter().map(|part| part.display().to_string()).collect();
-        let after = if parts.is_empty() { String::new() } else { format!(", relative to {}", parts.join(", ")) };
+        let after =
+            if parts.is_empty() { String::new() } else { format!(", relative to {}", parts.join(", ")) };
         (before, after)
     }
 }

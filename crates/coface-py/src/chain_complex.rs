@@ -82,7 +82,11 @@ impl ChainComplex {
                 _ => None,
             };
             let Some((degree, named)) = group else {
-                return Err(invalid(py, format!("the model has no group {name:?}"), "give the name of a group of the mesh"));
+                return Err(invalid(
+                    py,
+                    format!("the model has no group {name:?}"),
+                    "give the name of a group of the mesh",
+                ));
             };
             return self.by_names(py, &named, Some(degree));
         }

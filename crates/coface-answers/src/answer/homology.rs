@@ -116,12 +116,7 @@ impl PhysicalGroup {
     /// assert_eq!(PhysicalGroup::of(&group, 1).elements, 2);
     /// ```
     pub fn of(group: &Group, degree: usize) -> Self {
-        Self {
-            degree,
-            name: group.name().to_owned(),
-            tag: group.number(),
-            elements: group.members().len(),
-        }
+        Self { degree, name: group.name().to_owned(), tag: group.number(), elements: group.members().len() }
     }
 }
 

@@ -117,7 +117,10 @@ impl Domain {
             // In the order in which they are named, one tag once.
             let mut listed: Vec<String> = Vec::new();
             for named in found {
-                let tag = groups.clone().find(|(group, _)| std::ptr::eq(*group, named)).map(|(_, tag)| tag.to_string());
+                let tag = groups
+                    .clone()
+                    .find(|(group, _)| std::ptr::eq(*group, named))
+                    .map(|(_, tag)| tag.to_string());
                 listed.extend(tag.filter(|tag| !listed.contains(tag)));
             }
             Ok::<_, Error>(listed.join(","))

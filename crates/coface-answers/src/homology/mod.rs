@@ -606,7 +606,8 @@ impl FoundHomology {
     /// # Ok(()) }
     /// ```
     pub fn mesh_with_generators(&self) -> Result<Model, Error> {
-        let asked = || Error::invalid("the mesh was not asked for").with_cure("ask for the mesh with its generators");
+        let asked =
+            || Error::invalid("the mesh was not asked for").with_cure("ask for the mesh with its generators");
         self.mesh.clone().ok_or_else(asked)
     }
 }

@@ -72,7 +72,8 @@ fn no_group(model: &Model, word: &str) -> Error {
         let number = group.number().map_or(String::new(), |number| format!("{number}, "));
         format!("{:?} ({number}{})", group.name(), group.kind())
     });
-    let more = if groups.len() > SHOWN { format!(" and {} more", groups.len() - SHOWN) } else { String::new() };
+    let more =
+        if groups.len() > SHOWN { format!(" and {} more", groups.len() - SHOWN) } else { String::new() };
     let shown: Vec<String> = shown.collect();
     Error::invalid(format!("the model has no group {word:?}: it has {}{more}", shown.join(", ")))
         .with_cure("give the name or the number of a group")
@@ -132,11 +133,7 @@ impl Producer {
     /// assert_eq!(producer.cells_of_groups(&square, &groups)?, [(2, coface_algebra::CellId::new(1))]);
     /// # Ok(()) }
     /// ```
-    pub fn cells_of_groups(
-        &self,
-        model: &Model,
-        groups: &[&Group],
-    ) -> Result<Vec<(usize, CellId)>, Error> {
+    pub fn cells_of_groups(&self, model: &Model, groups: &[&Group]) -> Result<Vec<(usize, CellId)>, Error> {
         let places = Members::of(self, model)?;
         let members = groups.iter().flat_map(|group| group.members().iter().map(|&i| (group.kind(), i)));
         let mut cells = Vec::new();
@@ -188,7 +185,8 @@ impl Producer {
         let mut added: Vec<Values> = Vec::new();
         for (name, chain) in chains {
             next = next.checked_add(1).ok_or_else(|| {
-                Error::invalid("the largest number of a group is taken").with_cure("give groups smaller numbers")
+                Error::invalid("the largest number of a group is taken")
+                    .with_cure("give groups smaller numbers")
             })?;
             let kind = kind_of(chain.degree())?;
             let (mut members, mut values) = (Vec::new(), Vec::new());
@@ -265,12 +263,13 @@ impl Producer {
 type Values = (String, GroupKind, Vec<(u32, f64)>);
 
 fn kind_of(degree: usize) -> Result<GroupKind, Error> {
-    [GroupKind::Vertices, GroupKind::Lines, GroupKind::Polygons, GroupKind::Cells].get(degree).copied().ok_or_else(
-        || {
+    [GroupKind::Vertices, GroupKind::Lines, GroupKind::Polygons, GroupKind::Cells]
+        .get(degree)
+        .copied()
+        .ok_or_else(|| {
             Error::invalid(format!("a chain of degree {degree} is no group of a mesh"))
                 .with_cure("write the generators as .json")
-        },
-    )
+        })
 }
 
 fn count_of(parts: &ModelParts, kind: GroupKind) -> usize {

@@ -307,7 +307,8 @@ fn closed(complex: &ChainComplex, mut marks: Vec<Vec<bool>>) -> Vec<Vec<bool>> {
 
 /// The marked cells, for each degree in rising order.
 fn listed(marks: &[Vec<bool>]) -> Vec<Vec<CellId>> {
-    let of_degree = |marks: &Vec<bool>| (0..marks.len()).filter(|&cell| marks[cell]).map(CellId::new).collect();
+    let of_degree =
+        |marks: &Vec<bool>| (0..marks.len()).filter(|&cell| marks[cell]).map(CellId::new).collect();
     marks.iter().map(of_degree).collect()
 }
 

@@ -60,9 +60,10 @@ fn plate() -> String {
             square([x, y + 1, 0], [0, 2], if y + 1 == SIDE { corner(70, 73) } else { 75 });
         }
     }
-    let mut text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n3 1 \"plate\"\n2 75 \"insulation\"\n\
+    let mut text =
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n3 1 \"plate\"\n2 75 \"insulation\"\n\
         $EndPhysicalNames\n$Nodes\n72\n"
-        .to_owned();
+            .to_owned();
     for (z, y, x) in (0..72).map(|i| (i / 36, i / 6 % 6, i % 6)) {
         writeln!(text, "{} {} {} {}", node([x, y, z]), 2 * x, 2 * y, 2 * z).unwrap();
     }
@@ -170,10 +171,15 @@ fn thin_and_thick_cuts_are_written_as_physical_groups_and_pair_up() {
     let (folder, mesh, thin) = files();
     let thick = folder.path().join("thick.msh");
     let pair = ["--domain", "plate", "--relative", "70,71,72,73"];
-    let answer = coface(&[&["homology", argument(&mesh), "--json", "-o", argument(&thin)], &pair[..]].concat()).json();
+    let answer =
+        coface(&[&["homology", argument(&mesh), "--json", "-o", argument(&thin)], &pair[..]].concat()).json();
     let groups = answer["physical_groups"].as_array().unwrap();
     assert_eq!((&groups[0]["name"], &groups[0]["tag"]), (&"H_1{1},{70,71,72,73}1".into(), &81.into()));
-    coface(&[&["homology", argument(&thin), "--cohomology", "--json", "-o", argument(&thick)], &pair[..]].concat()).json();
+    coface(
+        &[&["homology", argument(&thin), "--cohomology", "--json", "-o", argument(&thick)], &pair[..]]
+            .concat(),
+    )
+    .json();
     let model = read_path(&thick, None).unwrap();
     let tag = |name: &str| model.groups().iter().find(|group| group.name() == name).unwrap().number();
     assert_eq!((tag("insulation"), tag("70"), tag("H^1{1},{70,71,72,73}4")), (Some(75), Some(70), Some(88)));
@@ -214,7 +220,8 @@ fn thin_and_thick_cuts_are_written_as_physical_groups_and_pair_up() {
     assert_eq!(values as usize, elements(&model, name).len());
     // What was written is read as chains.
     let name = "H_1{1},{70,71,72,73}2";
-    let again = coface(&[&["homology", argument(&thick), "--json", "--cycle", name], &pair[..]].concat()).json();
+    let again =
+        coface(&[&["homology", argument(&thick), "--json", "--cycle", name], &pair[..]].concat()).json();
     let class = again["cycles"][0]["class"].as_array().unwrap();
     assert!(class.iter().any(|x| x.as_i64() != Some(0)), "{class:?}");
     let test = coface(&["cocycles", argument(&thick), "--test", "H^1{1},{70,71,72,73}2", "--json"]).json();
@@ -225,7 +232,14 @@ fn thin_and_thick_cuts_are_written_as_physical_groups_and_pair_up() {
 fn surfaces_that_cut_are_bounded_by_the_insulation() {
     let (_folder, mesh, out) = files();
     coface(&[
-        "homology", argument(&mesh), "--domain", "1", "--relative", "insulation", "--generators", argument(&out),
+        "homology",
+        argument(&mesh),
+        "--domain",
+        "1",
+        "--relative",
+        "insulation",
+        "--generators",
+        argument(&out),
         "--json",
     ])
     .json();
@@ -235,7 +249,8 @@ fn surfaces_that_cut_are_bounded_by_the_insulation() {
         let faces = elements(&model, &format!("H_2{{1}},{{75}}{i}"));
         let sides = faces.iter().flat_map(|f| [vec![f[0], f[1]], vec![f[1], f[2]], vec![f[2], f[0]]]);
         let boundary = edge_chain(&sides.collect::<Vec<_>>());
-        let rest: Vec<_> = boundary.iter().filter(|(edge, x)| **x != 0 && !insulation.contains(*edge)).collect();
+        let rest: Vec<_> =
+            boundary.iter().filter(|(edge, x)| **x != 0 && !insulation.contains(*edge)).collect();
         assert!(rest.is_empty() && boundary.values().any(|&x| x != 0), "{i}: {rest:?}");
     }
     // The copies of triangles are the same faces again.
@@ -261,7 +276,10 @@ fn unknown_groups_are_refused_with_those_that_there_are() {
     for option in ["--domain", "--relative"] {
         let run = coface(&["homology", argument(&mesh), option, "terminal"]);
         let message = run.fails_with(1);
-        assert!(message.contains("no group \"terminal\"") && message.contains("\"plate\" (1, cells)"), "{message}");
+        assert!(
+            message.contains("no group \"terminal\"") && message.contains("\"plate\" (1, cells)"),
+            "{message}"
+        );
         assert!(message.contains("\"insulation\" (75, polygons)"), "{message}");
     }
     let run = coface(&["homology", argument(&mesh), "--relative", "70,74"]);

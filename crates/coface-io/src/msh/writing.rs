@@ -210,10 +210,8 @@ fn write_data(
         let row = data.real_row(member);
         row.iter().any(|x| !x.is_nan()).then(|| row.iter().map(|x| format!("{x:?}")).collect())
     };
-    let rows: Vec<(u64, Vec<String>)> = elements
-        .tags_of(data.kind())
-        .filter_map(|(tag, member)| Some((tag, row(member)?)))
-        .collect();
+    let rows: Vec<(u64, Vec<String>)> =
+        elements.tags_of(data.kind()).filter_map(|(tag, member)| Some((tag, row(member)?))).collect();
     let section = if data.kind() == GroupKind::Vertices { "NodeData" } else { "ElementData" };
     let (name, components) = (quotable(data.name()), data.components());
     text.extend_from_slice(

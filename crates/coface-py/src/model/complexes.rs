@@ -3,9 +3,9 @@
 use super::source_of;
 use crate::chain_complex::ChainComplex;
 use crate::errors::invalid;
+use crate::homology::{Chain, Generator};
 use crate::source::{Names, Naming, Source};
 use crate::work::run;
-use crate::homology::{Chain, Generator};
 use coface::algebra::chains;
 use coface::answers::{Domain, RelativeTo, named_groups};
 use coface::io::{Model, Structure};
@@ -81,12 +81,17 @@ pub(super) fn with_chain(
     let chain = chain.get();
     let is_own = matches!(&chain.naming.names, Names::Source(own) if Arc::ptr_eq(own, source));
     let Some(degree) = chain.degree.checked_sub(chain.naming.shift).filter(|_| is_own) else {
-        return Err(invalid(py, "the chain is not one of this model", "take chains of model.chain_complex(..)"));
+        return Err(invalid(
+            py,
+            "the chain is not one of this model",
+            "take chains of model.chain_complex(..)",
+        ));
     };
     run(py, None, || {
-        let terms = chain.terms.iter().map(|(cell, x)| {
-            (coface::CellId::new(chain.naming.cell(chain.degree, cell.index())), x.clone())
-        });
+        let terms = chain
+            .terms
+            .iter()
+            .map(|(cell, x)| (coface::CellId::new(chain.naming.cell(chain.degree, cell.index())), x.clone()));
         let on_model = chains::Chain::new(source.chains()?, degree, terms)?;
         source.producer()?.mesh_with_chains(source.model.clone(), &[(name, on_model)], chain.is_cochain)
     })

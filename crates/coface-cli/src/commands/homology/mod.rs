@@ -16,9 +16,7 @@ use crate::remarks::say_remarks;
 use clap::Args;
 use coface::answers::answer::GeneratorsFile;
 use coface::answers::text;
-use coface::answers::{
-    FoundHomology, GivenChain, GivenRealCochain, GivenVertexMap, HomologyRequest,
-};
+use coface::answers::{FoundHomology, GivenChain, GivenRealCochain, GivenVertexMap, HomologyRequest};
 use coface::io::{Format, Model, ReadOptions, check_output, write_path};
 use coface::topology::{AbelianGroup, Coefficients};
 use parts::PartsOptions;
@@ -106,7 +104,8 @@ impl Homology {
         let input = self.input.as_deref().ok_or_else(|| Failure::new("no model is named"))?;
         let loaded = input::read(input, common.reading(), &progress)?;
         let mesh_output = common.output.as_deref().filter(|place| is_msh(place));
-        let is_for_mesh = mesh_output.is_some() || self.generators.iter().flatten().any(|place| is_msh(place));
+        let is_for_mesh =
+            mesh_output.is_some() || self.generators.iter().flatten().any(|place| is_msh(place));
         let request = self.request(&loaded.model, &progress)?.for_mesh(is_for_mesh);
         let found = request.found(&loaded.name, loaded.model)?;
         for place in self.generators.iter().flatten().map(PathBuf::as_path).chain(mesh_output) {
@@ -216,7 +215,8 @@ impl Homology {
 /// Writes generators as JSON, into the mesh, or as a picture in the format that the name tells.
 fn save_generators(place: &Path, found: &FoundHomology) -> Result<(), Failure> {
     if is_msh(place) {
-        let mesh = found.mesh_with_generators().map_err(|error| error.in_file(place.display().to_string()))?;
+        let mesh =
+            found.mesh_with_generators().map_err(|error| error.in_file(place.display().to_string()))?;
         return Ok(write_path(&mesh, place, None)?);
     }
     if matches!(Format::from_path(place), None | Some(Format::Json)) {
