@@ -858,6 +858,8 @@ export interface HomologyAnswer {
   map?: InducedMaps | null;
   /** The parts that the complex was cut into. */
   parts?: PartsAnswer | null;
+  /** The groups of the mesh that was written, one a generator. */
+  physical_groups?: PhysicalGroup[] | null;
   /** What was assumed or left out. */
   remarks: Remark[];
   /** The long exact sequence of the pair. */
@@ -1386,6 +1388,18 @@ export interface PersistencePairAnswer {
   death_cell?: number[] | null;
   /** The degree of the class. */
   degree: number;
+}
+
+/** A generator as a physical group of a mesh. */
+export interface PhysicalGroup {
+  /** The degree of the generator: the dimension of the elements. */
+  degree: number;
+  /** The number of its elements: the cells of the generator, each as often as its coefficient says. */
+  elements: number;
+  /** The name of the group. */
+  name: string;
+  /** Its tag. */
+  tag?: number | null;
 }
 
 /** The fundamental group of each component, by generators and relators. */

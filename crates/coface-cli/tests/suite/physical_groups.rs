@@ -134,8 +134,9 @@ fn determinant(mut rows: Vec<Vec<f64>>) -> f64 {
         product *= rows[i][i];
         for r in i + 1..rows.len() {
             let factor = rows[r][i] / rows[i][i];
-            for c in i..rows.len() {
-                rows[r][c] -= factor * rows[i][c];
+            let pivot = rows[i].clone();
+            for (x, y) in rows[r].iter_mut().zip(pivot) {
+                *x -= factor * y;
             }
         }
     }
