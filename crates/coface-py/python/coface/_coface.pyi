@@ -262,8 +262,9 @@ class ChainComplex:
 
         Parameters
         ----------
-        terms : sequence of (int, cell), or vector
-            Coefficients and cells, a cell being its vertices in the order of its orientation, or its number; or one number for each cell.
+        terms : sequence of (int, cell), vector, or str
+            Coefficients and cells, a cell being its vertices in the order of its orientation, or its number; or one number for each cell; or the
+            name of a group of the mesh, whose elements count as often as they stand there, turned ones negatively.
         degree : int, optional
             The degree, where cells are numbers.
 
@@ -1787,6 +1788,26 @@ class Model:
             The model with the group.
         """
         ...
+    def with_chain(self, name: str, chain: Chain | Generator) -> Model:
+        """The mesh with one more group for a chain or cochain of it, as Gmsh writes generators of homology.
+
+        A cell of the chain stands as an element as often as its coefficient says, turned if it is negative. Of a cochain the values are data too:
+        at the first element of each cell, for its direction. ``write("out.msh")`` makes it a physical group, and
+        :meth:`ChainComplex.chain` reads it back by its name.
+
+        Parameters
+        ----------
+        name : str
+            The name of the group; Gmsh uses ``"H_1{1},{70,71}1"`` and ``"H^1{1},{70,71}1"``.
+        chain : Chain or Generator
+            A chain or cochain of a chain complex of this model.
+
+        Returns
+        -------
+        Model
+            The mesh with the group.
+        """
+        ...
     def with_lines(self, lines: ArrayLike) -> Model:
         """The model with these polylines instead of its own.
 
@@ -1867,13 +1888,23 @@ class Model:
             If a cell is no simplex.
         """
         ...
-    def chain_complex(self, relative: str | Model | Complex | ChainComplex | None = None, *, reduced: bool = False, progress: _Progress = ...) -> ChainComplex:
+    def chain_complex(
+        self,
+        relative: str | int | list[str | int] | Model | Complex | ChainComplex | None = None,
+        *,
+        domain: str | int | list[str | int] | None = None,
+        reduced: bool = False,
+        progress: _Progress = ...,
+    ) -> ChainComplex:
         """The chain complex of the cells, or of a pair.
 
         Parameters
         ----------
-        relative : "boundary" or Model, optional
-            A part that is divided out: the boundary, or the cells of a model with the same vertex numbers.
+        relative : "boundary", Model, str, int or list of these words, optional
+            A part that is divided out: the boundary of the domain, the cells of a model with the same vertex numbers, or groups of the mesh by
+            name or number, such as physical groups of a ``.msh``. A word that is a group and "boundary" is the group.
+        domain : str, int or list of these, optional
+            Groups of the mesh, by name or number, whose cells and faces are the complex; the whole model by default.
         reduced : bool
             Whether a cell of degree -1 below all vertices is added, so that a point has no homology. Degrees then count from it.
         progress : bool or callable, optional
