@@ -1888,14 +1888,7 @@ class Model:
             If a cell is no simplex.
         """
         ...
-    def chain_complex(
-        self,
-        relative: str | int | list[str | int] | Model | Complex | ChainComplex | None = None,
-        *,
-        domain: str | int | list[str | int] | None = None,
-        reduced: bool = False,
-        progress: _Progress = ...,
-    ) -> ChainComplex:
+    def chain_complex(self, relative: str | int | list[str | int] | Model | Complex | ChainComplex | None = None, *, domain: str | int | list[str | int] | None = None, reduced: bool = False, progress: _Progress = ...) -> ChainComplex:
         """The chain complex of the cells, or of a pair.
 
         Parameters
