@@ -16,9 +16,11 @@
 //!   basis of first cohomology, by crossing the cotree or by [slicing](slicing_cocycle) along loops; [`harmonic_forms`]
 //!   are the real ones of least energy.
 //! * A [`SurfaceHomotopy`] has the words of walks: it decides which can be contracted and which are homotopic.
+//! * A [`CanonicalCut`] has disjoint simple loops that cut the surface to its canonical polygon, drawn across edges and faces.
 //! * A [`CutGraph`] is the cut graph without loose ends, as seams. [`shortest_cycle`] and [`shortest_homology_basis`]
 //!   search from all vertices, [`shortest_loops`] from one.
 
+mod canonical;
 mod closed_walk;
 mod cocycle_basis;
 mod cut_graph;
@@ -35,6 +37,7 @@ mod surface_homology;
 mod surface_homotopy;
 mod tree_cotree;
 
+pub use canonical::{CanonicalComponent, CanonicalCurve, CanonicalCut, Carrier, CurveKind, Refinement};
 pub use closed_walk::ClosedWalk;
 pub use cocycle_basis::CocycleBasis;
 pub use cut_graph::{CutGraph, Seam, SeamKind};
