@@ -339,6 +339,10 @@ impl Surface {
     ///     The vertex that the graph is grown from.
     /// roles : bool
     ///     Whether ``roles`` is wanted: which edges are in the spanning tree, which the tree of faces crosses, and which close generators.
+    /// canonical : bool
+    ///     Whether edges and faces are split so that the cut is along disjoint simple loops through one vertex, and the word around the
+    ///     domain is canonical: ``a1 b1 a1^-1 b1^-1 a2 ..``, or ``c1 c1 c2 c2 ..`` where the surface is not orientable. ``refinement``
+    ///     has the new vertices.
     /// progress : bool or callable, optional
     ///     ``True`` shows a bar; a function is called with (stage, done, total).
     ///
@@ -353,7 +357,10 @@ impl Surface {
     /// >>> domain = coface.generate("torus", columns=5, rows=4).surface().cut()
     /// >>> domain.components[0]["euler_characteristic"]
     /// 1
-    #[pyo3(signature = (along=None, *, simplify=false, rounds=None, base=None, roles=false, progress=None))]
+    /// >>> double = coface.generate("genus", genus=2).surface()
+    /// >>> double.cut(canonical=True).components[0]["canonical"]
+    /// 'a1 b1 a1^-1 b1^-1 a2 b2 a2^-1 b2^-1'
+    #[pyo3(signature = (along=None, *, simplify=false, rounds=None, base=None, roles=false, canonical=false, progress=None))]
     #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
     fn cut(
         &self,
@@ -363,15 +370,20 @@ impl Surface {
         #[pyo3(from_py_with = whole_or_none)] rounds: Option<usize>,
         base: Option<u32>,
         roles: bool,
+        canonical: bool,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Domain> {
+        if canonical && (simplify || roles || rounds.is_some() || along.is_some()) {
+            let message = "a canonical cut has no path, no rounds and no roles, and is not simplified";
+            return Err(invalid(py, message, "leave along, simplify, rounds and roles out"));
+        }
         let along = along.map(|path| arrays::ids(path, "the path")).transpose()?;
         let (answer, model) = run(py, progress, || {
             let cut = match &along {
                 Some(path) => self.surface.cut_along(path)?,
                 None => {
                     let base = base.map(|base| self.surface.vertex_numbered(base)).transpose()?;
-                    self.surface.cut_open(&CutRequest { simplify, rounds, base, roles })?
+                    self.surface.cut_open(&CutRequest { simplify, rounds, base, roles, canonical })?
                 }
             };
             Ok((cut.answer(), cut.model()?))

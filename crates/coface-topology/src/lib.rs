@@ -61,10 +61,11 @@ pub use persistence::{
 mod curves;
 
 pub use curves::{
-    CanonicalComponent, CanonicalCurve, CanonicalCut, Carrier, CurveKind, Refinement, ClosedWalk, CocycleBasis, CutGraph, CutSurface, CycleKind, EdgeRole, Exactness, FundamentalDomain,
-    HarmonicForm, Seam, SeamKind, ShortestCycle, Slicing, SurfaceHomology, SurfaceHomotopy, TreeCotree,
-    TreeCotreeComponent, cotangent_weights, exactness, exactness_within, harmonic_forms, intersection_number,
-    shortest_cycle, shortest_cycle_through, shortest_homology_basis, shortest_loops, slicing_cocycle,
+    CanonicalComponent, CanonicalCurve, CanonicalCut, Carrier, ClosedWalk, CocycleBasis, CurveKind, CutGraph,
+    CutSurface, CycleKind, EdgeRole, Exactness, FundamentalDomain, HarmonicForm, Refinement, Seam, SeamKind,
+    ShortestCycle, Slicing, SurfaceHomology, SurfaceHomotopy, TreeCotree, TreeCotreeComponent,
+    cotangent_weights, exactness, exactness_within, harmonic_forms, intersection_number, shortest_cycle,
+    shortest_cycle_through, shortest_homology_basis, shortest_loops, slicing_cocycle,
 };
 
 mod groups;

@@ -23,8 +23,31 @@ pub struct CutAnswer {
     /// What each edge is in the tree-cotree decomposition; absent unless it was asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub roles: Option<TreesAnswer>,
+    /// Of a canonical cut what was added to the surface; the numbers of vertices in seams are those of the refined surface.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub refinement: Option<RefinementAnswer>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,
+}
+
+/// A surface that was refined.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct RefinementAnswer {
+    /// The numbers of vertices, edges and faces of the refined surface, before it is cut.
+    pub f_vector: Vec<usize>,
+    /// The new vertices.
+    pub vertices: Vec<RefinedVertex>,
+}
+
+/// A vertex that was added to a surface, on an edge or in a face.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct RefinedVertex {
+    /// Its number: those of the file come first.
+    pub vertex: u32,
+    /// The vertices of the file whose convex combination it is: the ends of its edge, or corners of its face.
+    pub of: Vec<u32>,
+    /// Their weights, which add up to 1.
+    pub weights: Vec<f64>,
 }
 
 /// A path along which a surface was cut.
@@ -67,6 +90,10 @@ pub struct FundamentalDomain {
     pub seams: Vec<SeamAnswer>,
     /// The seams around the disk: i for the i-th of them, counted from 1, -i backwards.
     pub word: Vec<i32>,
+    /// Of a canonical cut the word around the disk by the names of seams and of boundary loops: `a1 b1 a1^-1 b1^-1 ..` of handles,
+    /// `c1 c1 c2 c2 ..` of cross-caps, `e1 d1 e1^-1 ..` of boundary loops d1, .. to which seams e1, .. lead; `s1 s1^-1` of a sphere, `d1` of a disk.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub canonical: Option<String>,
 }
 
 /// A path of edges along which a component was cut.
@@ -74,6 +101,9 @@ pub struct FundamentalDomain {
 pub struct SeamAnswer {
     /// The number among all seams, counted from 1.
     pub number: usize,
+    /// Its name in the canonical word; absent unless the cut is canonical.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
     /// `handle`: with the others of this kind it opens the handles of an orientable component; `crosscap`: with the others it opens the
     /// cross-caps of one that is not orientable; `join`, `slit`.
     pub kind: String,
@@ -113,6 +143,7 @@ impl SurfaceCut<'_> {
             components: self.components().iter().map(|component| self.piece(component)).collect(),
             f_vector: self.f_vector(),
             roles: self.roles().cloned(),
+            refinement: self.refinement().cloned(),
             remarks: self.remarks(),
         }
     }
@@ -147,6 +178,7 @@ impl SurfaceCut<'_> {
                 relator: component.relator.as_ref().map(Word::letters).map(<[i32]>::to_vec),
                 seams: component.seams.iter().map(|&seam| self.seam(seam)).collect(),
                 word: component.word.clone(),
+                canonical: component.canonical.clone(),
             }),
         }
     }
@@ -155,6 +187,7 @@ impl SurfaceCut<'_> {
         let seam = &self.seams()[number];
         SeamAnswer {
             number: number + 1,
+            name: seam.name().map(str::to_owned),
             kind: seam.kind().to_owned(),
             glued: if seam.is_reversing() { "moebius" } else { "annulus" }.to_owned(),
             edges: seam.steps().len(),

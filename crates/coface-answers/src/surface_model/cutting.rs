@@ -1,7 +1,7 @@
 //! Surfaces cut open.
 
 use super::SurfaceModel;
-use crate::answer::TreesAnswer;
+use crate::answer::{RefinementAnswer, TreesAnswer};
 use crate::groups::roles_of_edges;
 use coface_algebra::progress::stage;
 use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, VertexId};
@@ -9,6 +9,7 @@ use coface_algebra::{RaggedArray, Sign, Word};
 use coface_complexes::surface::{GeneralizedMap, PathKind, Slice};
 use coface_io::{CellData, GroupKind, Model};
 use coface_topology::{CutGraph, CutSurface, TreeCotree};
+use std::borrow::Cow;
 
 /// How a surface is to be cut open.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,6 +22,9 @@ pub struct CutRequest {
     pub base: Option<VertexId>,
     /// Whether the tree, the cotree and the edges in neither are wanted.
     pub roles: bool,
+    /// Whether the surface is refined and cut along canonical curves, to a polygon with a canonical word around it. Then the base is the only
+    /// other wish that counts.
+    pub canonical: bool,
 }
 
 /// A surface cut open along edges: what came of each component, and the seams.
@@ -28,24 +32,26 @@ pub struct CutRequest {
 /// Made by [`SurfaceModel::cut_open`] and [`SurfaceModel::cut_along`].
 #[derive(Clone, Debug)]
 pub struct SurfaceCut<'s> {
-    surface: &'s SurfaceModel,
-    slice: Slice<GeneralizedMap>,
-    edges: Vec<EdgeId>,
-    seams: Vec<CutSeam>,
-    components: Vec<CutComponent>,
-    is_simplified: bool,
-    is_long: bool,
-    roles: Option<TreesAnswer>,
+    pub(super) surface: Cow<'s, SurfaceModel>,
+    pub(super) slice: Slice<GeneralizedMap>,
+    pub(super) edges: Vec<EdgeId>,
+    pub(super) seams: Vec<CutSeam>,
+    pub(super) components: Vec<CutComponent>,
+    pub(super) is_simplified: bool,
+    pub(super) is_long: bool,
+    pub(super) roles: Option<TreesAnswer>,
+    pub(super) refinement: Option<RefinementAnswer>,
 }
 
 /// A path of edges along which a surface is cut.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CutSeam {
-    kind: String,
-    is_reversing: bool,
-    steps: Vec<u32>,
-    length: Option<f64>,
-    component: usize,
+    pub(super) kind: String,
+    pub(super) name: Option<String>,
+    pub(super) is_reversing: bool,
+    pub(super) steps: Vec<u32>,
+    pub(super) length: Option<f64>,
+    pub(super) component: usize,
 }
 
 impl CutSeam {
@@ -66,6 +72,24 @@ impl CutSeam {
     /// ```
     pub fn kind(&self) -> &str {
         &self.kind
+    }
+
+    /// Its name in the canonical word, of a canonical cut.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CutRequest, SurfaceModel};
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cut = surface.cut_open(&CutRequest { canonical: true, ..CutRequest::default() })?;
+    /// assert_eq!(cut.seams()[0].name(), Some("a1"));
+    /// # Ok(()) }
+    /// ```
+    pub fn name(&self) -> Option<&str> {
+        self.name.as_deref()
     }
 
     /// Whether the disk, glued together again at this seam alone, becomes a Moebius band.
@@ -120,6 +144,8 @@ pub struct CutComponent {
     pub word: Vec<i32>,
     /// Which of all seams are its own.
     pub seams: Vec<usize>,
+    /// The canonical word around the disk, of a canonical cut.
+    pub canonical: Option<String>,
 }
 
 impl CutComponent {
@@ -150,7 +176,8 @@ impl SurfaceModel {
     /// Cuts each component to a disk.
     ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`] for a base that is no vertex of a component with faces.
+    /// [`ErrorKind::InvalidInput`] for a base that is no vertex of a component with faces; those of [`coface_topology::CanonicalCut::new`] of a
+    /// canonical cut.
     ///
     /// # Complexity
     /// $O(n \log n)$; each round of shortening takes as many steps for each seam.
@@ -171,6 +198,9 @@ impl SurfaceModel {
     /// # Ok(()) }
     /// ```
     pub fn cut_open(&self, request: &CutRequest) -> Result<SurfaceCut<'_>, Error> {
+        if request.canonical {
+            return self.cut_canonically(request.base);
+        }
         let map = self.map();
         let trees_stage = stage("finding spanning trees", 0);
         let lengths = self.edge_lengths();
@@ -204,6 +234,7 @@ impl SurfaceModel {
         };
         let seam = |seam: &coface_topology::Seam| CutSeam {
             kind: seam.kind().to_string(),
+            name: None,
             is_reversing: seam.is_reversing(),
             steps: seam.steps().to_vec(),
             length: lengths.as_ref().map(|_| seam.length()),
@@ -229,7 +260,17 @@ impl SurfaceModel {
             let numbers: Vec<u32> = (0..map.vertex_count()).map(|v| self.number(VertexId::new(v))).collect();
             roles_of_edges(map, &trees, &numbers)
         });
-        Ok(SurfaceCut { surface: self, slice, edges, seams, components, is_simplified, is_long, roles })
+        Ok(SurfaceCut {
+            surface: Cow::Borrowed(self),
+            slice,
+            edges,
+            seams,
+            components,
+            is_simplified,
+            is_long,
+            roles,
+            refinement: None,
+        })
     }
 
     /// Cuts along the path through these vertices, given by their numbers in the file; it is closed if the first is there again at the end.
@@ -269,9 +310,16 @@ impl SurfaceModel {
             _ => "open",
         };
         let is_reversing = slice.path_kind() == Some(PathKind::OneSided);
-        let seams = vec![CutSeam { kind: kind.to_owned(), is_reversing, steps, length: None, component: 0 }];
+        let seams = vec![CutSeam {
+            kind: kind.to_owned(),
+            name: None,
+            is_reversing,
+            steps,
+            length: None,
+            component: 0,
+        }];
         Ok(SurfaceCut {
-            surface: self,
+            surface: Cow::Borrowed(self),
             slice,
             edges,
             seams,
@@ -279,6 +327,7 @@ impl SurfaceModel {
             is_simplified: false,
             is_long: false,
             roles: None,
+            refinement: None,
         })
     }
 
@@ -480,6 +529,29 @@ impl SurfaceCut<'_> {
         self.roles.as_ref()
     }
 
+    /// The surface whose edges were cut: the one given, or its refinement of a canonical cut.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CutRequest, SurfaceModel};
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let cut = surface.cut_open(&CutRequest::default())?;
+    /// assert_eq!(cut.surface().map().vertex_count(), 7);
+    /// # Ok(()) }
+    /// ```
+    pub fn surface(&self) -> &SurfaceModel {
+        &self.surface
+    }
+
+    /// What was added to refine the surface, of a canonical cut.
+    pub(crate) fn refinement(&self) -> Option<&RefinementAnswer> {
+        self.refinement.as_ref()
+    }
+
     /// Whether seams were left longer than they could be because the surface is large.
     ///
     /// # Examples
@@ -594,7 +666,7 @@ pub(super) fn polygons_of_map(map: &GeneralizedMap) -> RaggedArray {
 }
 
 /// The counts of each component of the surface that was cut open.
-fn counted(
+pub(super) fn counted(
     map: &GeneralizedMap,
     slice: &Slice<GeneralizedMap>,
     edges: &[EdgeId],

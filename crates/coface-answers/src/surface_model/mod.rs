@@ -1,5 +1,6 @@
 //! A model as a surface, and the models of surfaces that are made from it.
 
+mod canonical;
 mod covering;
 mod cutting;
 

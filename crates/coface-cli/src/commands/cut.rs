@@ -19,6 +19,10 @@ use std::path::PathBuf;
 /// out what is not needed: a torus is cut along two loops that meet, a sphere along one edge, a disk not at all. Surfaces may
 /// have a boundary, and need not be orientable.
 ///
+/// --canonical cuts along disjoint simple loops through one vertex, so that the way around the disk is a1 b1 a1^-1 b1^-1 a2 .. of an
+/// orientable surface, and c1 c1 c2 c2 .. of one that is not; paths e1, e2, .. lead to boundary loops d1, d2, .. The loops go across edges and
+/// faces, which are split: new vertices have the numbers after those of the file, and --json says of which vertices they are means.
+///
 /// The mesh written with -o has the numbers of the file as data: "source" on vertices, "face" on polygons; the edges along
 /// which it was cut are lines, with "seam", counted from 1 (0 for loose ends), and "source", the ends in the file. Formats
 /// that keep data are .ply and .vtk; .json has the faces and "source".
@@ -30,6 +34,9 @@ pub(crate) struct Cut {
     /// Leave loose ends out and take short seams
     #[arg(long, conflicts_with = "along")]
     simplify: bool,
+    /// Refine the mesh and cut along canonical loops
+    #[arg(long, conflicts_with_all = ["simplify", "along", "roles"])]
+    canonical: bool,
     /// With --simplify: how often to go through all seams to make them shorter [default: 4, none on large models]
     #[arg(long, value_name = "N", requires = "simplify")]
     rounds: Option<usize>,
@@ -59,6 +66,7 @@ impl Cut {
             simplify: self.simplify,
             rounds: self.rounds,
             roles: self.roles,
+            canonical: self.canonical,
             base: self
                 .base
                 .map(|base| surface.vertex_numbered(base))
@@ -202,9 +210,9 @@ fn page(name: &str, cut: &SurfaceCut<'_>) -> String {
             let vertices = cut.seam_vertices(seam);
             let way: Vec<String> = vertices.iter().take(6).map(ToString::to_string).collect();
             let dots = if vertices.len() > way.len() { " .." } else { "" };
+            let name = shown.name().map_or_else(|| (seam + 1).to_string(), str::to_owned);
             let value = format!(
-                "{}: {}, {} through {}{dots}",
-                seam + 1,
+                "{name}: {}, {} through {}{dots}",
                 shown.kind(),
                 text::count(shown.steps().len(), "edge"),
                 way.join(" ")
@@ -216,7 +224,11 @@ fn page(name: &str, cut: &SurfaceCut<'_>) -> String {
         if rest > 0 {
             fact("", format!("and {rest} more (--json lists all)"), "");
         }
-        if !component.word.is_empty() && component.word.len() <= 60 {
+        if let Some(word) = &component.canonical {
+            if word.len() <= 400 {
+                fact("around it", word.clone(), "seams and boundary loops in the order of a walk");
+            }
+        } else if !component.word.is_empty() && component.word.len() <= 60 {
             let word = Word::from_letters(component.word.iter().copied());
             if word.len() == component.word.len() {
                 fact("around it", word.to_string(), "the seams of the component in the order of a walk");
@@ -228,6 +240,10 @@ fn page(name: &str, cut: &SurfaceCut<'_>) -> String {
     }
     if components.is_empty() {
         fact("surface", "none".to_owned(), "the model has no faces");
+    }
+    if let Some(refined) = cut.answer().refinement {
+        let new = text::count(refined.vertices.len(), "new vertex");
+        facts.push(("refined".to_owned(), new, "where seams cross edges".to_owned()));
     }
     text::facts(&format!("{name} cut open"), &facts)
 }

@@ -116,6 +116,63 @@ fn surfaces_are_cut_to_disks() {
 }
 
 #[test]
+fn surfaces_are_cut_to_canonical_polygons() {
+    let cut = |input: &str| reading(&["cut", "-", "--canonical", "--json"], input);
+    let annulus = "[[0,1,3],[1,4,3],[1,2,4],[2,5,4],[2,0,5],[0,3,5]]";
+    for (input, word, seams) in [
+        (TORUS, "a1 b1 a1^-1 b1^-1", 2),
+        (PLANE, "c1 c1", 1),
+        (OCTAHEDRON, "s1 s1^-1", 1),
+        ("[[0,1,2],[1,2,3]]", "d1", 0),
+        (annulus, "e1 d1 e1^-1 e2 d2 e2^-1", 2),
+    ] {
+        let answer = cut(input);
+        let component = &answer["components"][0];
+        assert_eq!((&component["canonical"], &component["euler_characteristic"]), (&json!(word), &json!(1)));
+        assert_eq!(component["seams"].as_array().unwrap().len(), seams);
+        // Each seam is on two sides of the disk; the rest of its boundary was there before.
+        let edges = |key: &str| component[key].as_i64().unwrap();
+        assert!(edges("boundary_edges") >= 2 * edges("cut_edges"));
+        let [v, e, f] = [0, 1, 2].map(|degree| answer["refinement"]["f_vector"][degree].as_i64().unwrap());
+        let whole = reading(&["info", "-", "--json"], input)["euler_characteristic"].clone();
+        assert_eq!(json!(v - e + f), whole);
+        for vertex in answer["refinement"]["vertices"].as_array().unwrap() {
+            let weights = vertex["weights"].as_array().unwrap().iter().map(|weight| weight.as_f64().unwrap());
+            assert!((weights.sum::<f64>() - 1.0).abs() < 1e-12);
+        }
+    }
+    let base = reading(&["cut", "-", "--canonical", "--json", "--base", "4"], TORUS);
+    assert_eq!(base["components"][0]["base"], 4);
+    for seam in base["components"][0]["seams"].as_array().unwrap() {
+        let vertices = seam["vertices"].as_array().unwrap();
+        assert_eq!((&vertices[0], &vertices[vertices.len() - 1]), (&json!(4), &json!(4)));
+    }
+    let refused = coface_reading(&["cut", "-", "--canonical", "--base", "1"], annulus.as_bytes());
+    assert!(refused.fails_with(1).contains("it is on the boundary"));
+    let page = coface_reading(&["cut", "-", "--canonical"], TORUS.as_bytes()).stdout;
+    assert!(page.contains("a1 b1 a1^-1 b1^-1") && page.contains("new vert"), "{page}");
+}
+
+#[test]
+fn canonical_polygons_of_real_surfaces() {
+    for (name, word) in [("spot.obj", "s1 s1^-1"), ("moebius.obj", "c1 c1 e1 d1 e1^-1")] {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("cut.ply");
+        let answer =
+            coface(&["cut", "--canonical", "--json", argument(&shipped(name)), "-o", argument(&out)]).json();
+        assert_eq!(answer["components"][0]["canonical"], word);
+        let report = coface(&["info", "--json", argument(&out)]).json();
+        assert_eq!((&report["name"], &report["f_vector"]), (&json!("disk"), &answer["f_vector"]));
+        // The surface is the same in space: no area is lost or covered twice.
+        let area = |path: &std::path::Path| {
+            coface(&["info", "--json", argument(path)]).json()["area"].as_f64().unwrap()
+        };
+        let (before, after) = (area(&shipped(name)), area(&out));
+        assert!((before - after).abs() < 1e-9 * before, "{before} {after}");
+    }
+}
+
+#[test]
 fn a_cut_mesh_says_where_it_comes_from() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);

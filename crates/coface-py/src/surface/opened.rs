@@ -27,6 +27,8 @@ answer! { Domain {
     simplified,
     /// The edges by ``tree``, ``cotree`` and ``generators``; ``None`` unless they were asked for.
     roles,
+    /// Of a canonical cut the ``f_vector`` of the refined surface and its new ``vertices``, each with the vertices ``of`` the file whose mean it is by ``weights``.
+    refinement,
     /// Of a cut along a path its ``kind`` and number of ``edges``.
     path,
 }

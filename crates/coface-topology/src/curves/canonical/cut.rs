@@ -212,7 +212,7 @@ pub struct CanonicalCut {
 }
 
 impl CanonicalCut {
-    /// Draws the curves of all components. They start at `base` in its component, and at the first vertex inside the surface that can be
+    /// Draws the curves of all components. They start at `base` in its component, unless that is a disk, and at the first vertex inside the surface that can be
     /// a base in others; where there is none, at a new vertex in the first face.
     ///
     /// Curves are crossings of as few edges as the spanning trees allow; edges are split evenly where curves cross them.
@@ -357,7 +357,9 @@ impl CanonicalCut {
         let ends = map.skeleton().edge_ends();
         let mut loop_at = vec![NONE; map.vertex_count()];
         let holes: Vec<Vec<u32>> = (map.boundary_loops().into_iter())
-            .map(|walk| walk.iter().map(|&(side, sign)| map.step(side) ^ u32::from(sign == Sign::Minus)).collect())
+            .map(|walk| {
+                walk.iter().map(|&(side, sign)| map.step(side) ^ u32::from(sign == Sign::Minus)).collect()
+            })
             .collect();
         for (hole, number) in holes.iter().zip(0..) {
             hole.iter().for_each(|&step| loop_at[ends[step as usize] as usize] = number);
@@ -398,7 +400,8 @@ impl CanonicalCut {
         for walk in slice.surface().boundary_loops() {
             let component = orientation.component(slice.surface().face(walk[0].0));
             let steps = walk.iter().map(|&(side, sign)| map.step(side) ^ u32::from(sign == Sign::Minus));
-            let word: Vec<i32> = steps.map(|step| letters[step as usize]).filter(|&letter| letter != 0).collect();
+            let word: Vec<i32> =
+                steps.map(|step| letters[step as usize]).filter(|&letter| letter != 0).collect();
             self.components[component].set_word(word);
         }
     }
@@ -411,7 +414,8 @@ impl CanonicalComponent {
         let loops: Vec<i32> = (1..=self.curves.len() as i32)
             .filter(|&letter| matches!(kind(letter, &self.curves), CurveKind::Handle | CurveKind::Crosscap))
             .collect();
-        let expected: Vec<i32> = match (loops.len(), loops.first().map(|&letter| kind(letter, &self.curves))) {
+        let expected: Vec<i32> = match (loops.len(), loops.first().map(|&letter| kind(letter, &self.curves)))
+        {
             (_, Some(CurveKind::Crosscap)) => loops.iter().flat_map(|&c| [c, c]).collect(),
             _ => loops.chunks_exact(2).flat_map(|pair| [pair[0], pair[1], -pair[0], -pair[1]]).collect(),
         };
@@ -514,15 +518,14 @@ fn placed_roots(
         }
         Root::new(map, flag).filter(|root| root.is_inside(map))
     };
-    let component_at = |vertex: VertexId| {
-        orientation.component(map.face(HalfedgeId::from_u32(flags[vertex.index()] >> 1)))
-    };
+    let component_at =
+        |vertex: VertexId| orientation.component(map.face(HalfedgeId::from_u32(flags[vertex.index()] >> 1)));
     let mut found: Vec<Option<Root>> = vec![None; surfaces.len()];
     if let Some(base) = base {
         let refused = |fault: &str| {
-            Error::invalid(format!("canonical loops cannot start at vertex {base}: {fault}"))
+            Error::invalid(format!("canonical loops cannot start at the base: {fault}"))
                 .with_cells([[base.to_u32()]])
-                .with_cure("give a vertex inside the surface, or no base")
+                .with_cure("give a vertex inside the surface")
         };
         match flags.get(base.index()) {
             None => {
@@ -531,10 +534,14 @@ fn placed_roots(
             Some(&NONE) => return Err(refused("it is on no face")),
             Some(_) => {}
         }
-        let root = root_at(base).ok_or_else(|| refused("it is on the boundary, or twice on a face or an edge"))?;
-        found[component_at(base)] = Some(root);
+        let root =
+            root_at(base).ok_or_else(|| refused("it is on the boundary, or twice on a face or an edge"))?;
+        if !is_disk(surfaces[component_at(base)]) {
+            found[component_at(base)] = Some(root);
+        }
     }
-    let mut missing = found.iter().zip(surfaces).filter(|(root, surface)| root.is_none() && !is_disk(**surface)).count();
+    let mut missing =
+        found.iter().zip(surfaces).filter(|(root, surface)| root.is_none() && !is_disk(**surface)).count();
     for vertex in (0..map.vertex_count()).map(VertexId::new).filter(|vertex| flags[vertex.index()] != NONE) {
         if missing == 0 {
             break;
@@ -706,7 +713,8 @@ fn draw_paths(
     }
     let mut walls = vec![false; map.edge_count()];
     loops.iter().flatten().flatten().for_each(|step| walls[(step >> 1) as usize] = true);
-    let wedges = with_paths.iter().filter_map(|&i| roots[i].clone()).map(|root| root.wedge(map, &walls)).collect();
+    let wedges =
+        with_paths.iter().filter_map(|&i| roots[i].clone()).map(|root| root.wedge(map, &walls)).collect();
     let disks = Disks::new(map, wedges, &walls);
     // One side of each boundary loop, the nearest one.
     let mut crossings = Crossings::default();
@@ -718,7 +726,8 @@ fn draw_paths(
             continue;
         }
         let sides = hole.iter().map(|&(side, _)| side);
-        let side = sides.min_by_key(|&side| (disks.depths[map.face(side).index()], side)).expect("a loop has sides");
+        let side =
+            sides.min_by_key(|&side| (disks.depths[map.face(side).index()], side)).expect("a loop has sides");
         spokes[component].push(crossings.strand_count);
         crossings.points.push((map.edge(side), vec![crossings.strands.len() as u32]));
         crossings.strands.push([crossings.strand_count as u32, NONE]);

@@ -205,7 +205,11 @@ impl Refinement {
     /// The surface with these points on its edges, `points.list(e)` from the start of edge e to its end, evenly spaced, and faces
     /// cut along the segments, which do not cross and come face by face. Points are numbered after the vertices. What triangles
     /// become is triangulated. With it come the steps along the segments.
-    pub(super) fn along(map: &GeneralizedMap, points: &RaggedArray, segments: &[Segment]) -> (Self, Vec<u32>) {
+    pub(super) fn along(
+        map: &GeneralizedMap,
+        points: &RaggedArray,
+        segments: &[Segment],
+    ) -> (Self, Vec<u32>) {
         let mut cutting = Cutting::new(map, points);
         let mut steps = Vec::with_capacity(segments.len());
         for segment in segments {
@@ -339,7 +343,9 @@ impl Cutting {
     /// The place of a mark around the face that is cut.
     fn place(&self, map: &GeneralizedMap, mark: Mark) -> u32 {
         match mark.point.checked_sub(self.vertex_count) {
-            Some(point) => self.places[point as usize][usize::from(map.first_side(map.edge(mark.side)) != mark.side)],
+            Some(point) => {
+                self.places[point as usize][usize::from(map.first_side(map.edge(mark.side)) != mark.side)]
+            }
             None => {
                 let first = map.skeleton().faces().start(map.face(mark.side).index());
                 self.side_places[mark.side.index() - first]

@@ -61,7 +61,12 @@ const TRIED: usize = 24;
 
 impl<'m> Schema<'m> {
     /// One loop for each of the edges around a disk, crossing it once; `around` are their sides in order.
-    pub(super) fn new(map: &'m GeneralizedMap, disks: &Disks<'_>, around: &[HalfedgeId], numbers: &[u32]) -> Self {
+    pub(super) fn new(
+        map: &'m GeneralizedMap,
+        disks: &Disks<'_>,
+        around: &[HalfedgeId],
+        numbers: &[u32],
+    ) -> Self {
         let number = |side: HalfedgeId| numbers[map.edge(side).index()] as usize;
         let mut places = vec![[NONE; 2]; around.len() / 2];
         for (place, &side) in around.iter().enumerate() {
@@ -332,7 +337,8 @@ impl<'m> Schema<'m> {
             point_count: point_count as usize,
             loops: (self.cut_off.iter())
                 .map(|own| {
-                    let kept = own.iter().filter_map(|crossing| Some((kept(&crossing.point)?, crossing.side)));
+                    let kept =
+                        own.iter().filter_map(|crossing| Some((kept(&crossing.point)?, crossing.side)));
                     kept.map(|(point, side)| Crossing { point, side }).collect()
                 })
                 .collect(),
@@ -367,12 +373,14 @@ impl<'m> Schema<'m> {
                 continue;
             }
             let [a, b] = if along[point as usize][1] == next { [point, next] } else { [next, point] };
-            let is_turn = along[a as usize][1] == b && self.map.mate(sides[a as usize]) == Some(sides[b as usize]);
+            let is_turn =
+                along[a as usize][1] == b && self.map.mate(sides[a as usize]) == Some(sides[b as usize]);
             if !is_turn {
                 continue;
             }
             (is_kept[a as usize], is_kept[b as usize]) = (false, false);
-            link(&mut along, [along[a as usize][0], along[b as usize][1]]);
+            let around = [along[a as usize][0], along[b as usize][1]];
+            link(&mut along, around);
             let around = [self.neighbors[point as usize][0], self.neighbors[next as usize][1]];
             link(&mut self.neighbors, around);
             open.extend(around.into_iter().filter(|&point| point != NONE));

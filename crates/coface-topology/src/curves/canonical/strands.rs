@@ -18,13 +18,17 @@ impl Root {
     /// The root at a vertex, if no face or edge is twice around it.
     pub(super) fn new(map: &GeneralizedMap, flag: u32) -> Option<Self> {
         let vertex = map.flag_vertex(flag);
-        let corners: Vec<[HalfedgeId; 2]> =
-            map.fan(flag).chunks_exact(2).map(|pair| [pair[0], pair[1]].map(|f| HalfedgeId::from_u32(f >> 1))).collect();
+        let corners: Vec<[HalfedgeId; 2]> = map
+            .fan(flag)
+            .chunks_exact(2)
+            .map(|pair| [pair[0], pair[1]].map(|f| HalfedgeId::from_u32(f >> 1)))
+            .collect();
         let mut faces: Vec<FaceId> = corners.iter().map(|corner| map.face(corner[0])).collect();
         faces.sort_unstable();
         let is_single = faces.windows(2).all(|pair| pair[0] != pair[1]);
         let is_loop = |side: HalfedgeId| map.source(side) == map.target(side);
-        (is_single && !corners.iter().flatten().any(|&side| is_loop(side))).then_some(Self { vertex, corners })
+        (is_single && !corners.iter().flatten().any(|&side| is_loop(side)))
+            .then_some(Self { vertex, corners })
     }
 
     /// Whether faces are all around it.
@@ -279,7 +283,9 @@ impl<'d, 'm> Drawing<'d, 'm> {
         let own: Vec<(u32, u32)> = if let Some(face) = self.disks.child(side) {
             let [start, count] = self.passed[face.index()];
             (start..start + count).map(|point| (self.strands[(point - first) as usize], point)).collect()
-        } else if let Some((edge, points)) = self.crossings.points.get(self.lists[map.edge(side).index()] as usize) {
+        } else if let Some((edge, points)) =
+            self.crossings.points.get(self.lists[map.edge(side).index()] as usize)
+        {
             let slot = usize::from(map.first_side(*edge) != side);
             let strand = |&point: &u32| {
                 (self.crossings.strands[point as usize][slot], map.vertex_count() as u32 + point)

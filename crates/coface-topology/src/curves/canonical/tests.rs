@@ -3,7 +3,9 @@ use coface_algebra::chains::TwoSkeleton;
 use coface_algebra::{EdgeId, FaceId, RaggedArray, Sign, VertexId};
 use coface_complexes::known_spaces;
 use coface_complexes::surface::GeneralizedMap;
-use coface_complexes::surface::samples::{all_kinds, genus, map_of, of_next, polygon, with_faces_turned, without_faces};
+use coface_complexes::surface::samples::{
+    all_kinds, genus, map_of, of_next, polygon, with_faces_turned, without_faces,
+};
 use proptest::prelude::*;
 
 /// The canonical word of a surface.
@@ -52,7 +54,12 @@ fn check_curves(cut: &CanonicalCut) {
                 assert_eq!(Some(VertexId::from_u32(at[0])), component.base());
                 at[1..].iter().for_each(|&vertex| times[vertex as usize] += 1);
             } else {
-                assert!(curve.steps().iter().all(|step| map.mate(map.first_side(EdgeId::from_u32(step >> 1))).is_none()));
+                assert!(
+                    curve
+                        .steps()
+                        .iter()
+                        .all(|step| map.mate(map.first_side(EdgeId::from_u32(step >> 1))).is_none())
+                );
                 at.iter().for_each(|&vertex| times[vertex as usize] += 1);
             }
         }
@@ -94,7 +101,9 @@ fn check_refinement(map: &GeneralizedMap, refined: &Refinement) {
         let points: Vec<[f64; 3]> = (refined.map().sides_of(face))
             .map(|side| {
                 let weights = refined.weights(refined.map().source(side));
-                let share = |corner: &VertexId| weights.iter().find(|(under, _)| under == corner).map_or(0.0, |w| w.1);
+                let share = |corner: &VertexId| {
+                    weights.iter().find(|(under, _)| under == corner).map_or(0.0, |w| w.1)
+                };
                 [share(&corners[0]), share(&corners[1]), share(&corners[2])]
             })
             .collect();
@@ -105,7 +114,10 @@ fn check_refinement(map: &GeneralizedMap, refined: &Refinement) {
         assert!(area > 1e-12, "no face is turned over or flat");
         shares[source.index()] += area;
     }
-    assert!(shares.iter().all(|&share| share == 0.0 || (share - 1.0_f64).abs() < 1e-9), "faces are covered once");
+    assert!(
+        shares.iter().all(|&share| share == 0.0 || (share - 1.0_f64).abs() < 1e-9),
+        "faces are covered once"
+    );
 }
 
 fn check(map: &GeneralizedMap, base: Option<VertexId>) -> CanonicalCut {
