@@ -7,6 +7,7 @@
 //! * A [`Refinement`] is the surface with edges and faces subdivided such that strands are walks on edges.
 //! * A [`CanonicalCut`] is all that of each component, with the words.
 
+mod component;
 mod cut;
 mod refinement;
 mod schema;
@@ -14,5 +15,6 @@ mod strands;
 #[cfg(test)]
 mod tests;
 
-pub use cut::{CanonicalComponent, CanonicalCurve, CanonicalCut, CurveKind};
+pub use component::{CanonicalComponent, CanonicalCurve, CurveKind};
+pub use cut::CanonicalCut;
 pub use refinement::{Carrier, Refinement};
