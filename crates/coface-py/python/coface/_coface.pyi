@@ -1039,6 +1039,10 @@ class Domain:
         """The edges by ``tree``, ``cotree`` and ``generators``; ``None`` unless they were asked for."""
         ...
     @property
+    def refinement(self) -> dict[str, Json] | None:
+        """Of a canonical cut the ``f_vector`` of the refined surface and its new ``vertices``, each with the vertices ``of`` the file whose mean it is by ``weights``."""
+        ...
+    @property
     def path(self) -> dict[str, Json] | None:
         """Of a cut along a path its ``kind`` and number of ``edges``."""
         ...
@@ -2981,7 +2985,7 @@ class Surface:
             ``name``, ``orientable``, ``genus``, ``boundary_loops``, ``euler_characteristic``, ``f_vector``.
         """
         ...
-    def cut(self, along: ArrayLike | None = None, *, simplify: bool = False, rounds: int | None = None, base: int | None = None, roles: bool = False, progress: _Progress = ...) -> Domain:
+    def cut(self, along: ArrayLike | None = None, *, simplify: bool = False, rounds: int | None = None, base: int | None = None, roles: bool = False, canonical: bool = False, progress: _Progress = ...) -> Domain:
         """The surface cut open to disks along a short graph, or along a path.
 
         Parameters
@@ -2996,6 +3000,10 @@ class Surface:
             The vertex that the graph is grown from.
         roles : bool
             Whether ``roles`` is wanted: which edges are in the spanning tree, which the tree of faces crosses, and which close generators.
+        canonical : bool
+            Whether edges and faces are split so that the cut is along disjoint simple loops through one vertex, and the word around the
+            domain is canonical: ``a1 b1 a1^-1 b1^-1 a2 ..``, or ``c1 c1 c2 c2 ..`` where the surface is not orientable. ``refinement``
+            has the new vertices.
         progress : bool or callable, optional
             ``True`` shows a bar; a function is called with (stage, done, total).
 
