@@ -242,8 +242,8 @@ fn page(name: &str, cut: &SurfaceCut<'_>) -> String {
         fact("surface", "none".to_owned(), "the model has no faces");
     }
     if let Some(refined) = cut.answer().refinement {
-        let new = text::count(refined.vertices.len(), "new vertex");
-        facts.push(("refined".to_owned(), new, "where seams cross edges".to_owned()));
+        let new = text::count(refined.vertices.len(), "vertex");
+        facts.push(("added".to_owned(), new, "where seams cross edges and faces".to_owned()));
     }
     text::facts(&format!("{name} cut open"), &facts)
 }

@@ -10,6 +10,9 @@ use coface_complexes::surface::{FaceOrientation, GeneralizedMap, Slice, SurfaceT
 
 const NONE: u32 = u32::MAX;
 
+/// The steps of the curves of one component.
+type Walks = Vec<Vec<u32>>;
+
 /// A surface refined such that each component can be cut along edges to its canonical polygon.
 ///
 /// The curves of a component are simple, start at one base, and have no other point in common. Cut along them it is a disk with one
@@ -369,7 +372,7 @@ fn draw_loops(
     map: &GeneralizedMap,
     surfaces: &[SurfaceType],
     roots: &[Option<Root>],
-) -> (Refinement, Vec<Vec<Vec<u32>>>) {
+) -> (Refinement, Vec<Walks>) {
     let with_loops: Vec<usize> =
         (0..roots.len()).filter(|&i| surfaces[i].genus() > 0 && roots[i].is_some()).collect();
     let chosen: Vec<Root> = with_loops.iter().filter_map(|&i| roots[i].clone()).collect();
@@ -460,8 +463,8 @@ fn draw_paths(
     map: &GeneralizedMap,
     surfaces: &[SurfaceType],
     roots: &[Option<Root>],
-    mut loops: Vec<Vec<Vec<u32>>>,
-) -> (Refinement, Vec<Vec<Vec<u32>>>, Vec<Vec<Vec<u32>>>) {
+    mut loops: Vec<Walks>,
+) -> (Refinement, Vec<Walks>, Vec<Walks>) {
     let with_paths: Vec<usize> =
         (0..roots.len()).filter(|&i| surfaces[i].boundary_count() > 0 && roots[i].is_some()).collect();
     let mut paths = vec![Vec::new(); roots.len()];

@@ -264,11 +264,8 @@ impl<'m> Schema<'m> {
         let mut best: Option<(usize, [usize; 4])> = None;
         for first in 0..self.polygon.len().min(TRIED) {
             let third = mates[first];
-            for second in first + 1..third {
-                let fourth = mates[second];
-                if fourth <= third {
-                    continue;
-                }
+            let ends = mates.iter().copied().enumerate().take(third).skip(first + 1);
+            for (second, fourth) in ends.filter(|&(_, fourth)| fourth > third) {
                 let (z, p, q, s) = (first, second - first, third - second, fourth - third);
                 let cost = 4 * z + p + 2 * q + 3 * s;
                 if best.is_none_or(|(least, _)| cost < least) {
