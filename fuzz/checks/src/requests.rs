@@ -179,8 +179,13 @@ fn ask(model: Model, question: &Question) {
         Question::Cut { simplify, rounds, base, path } => {
             let Ok(surface) = SurfaceModel::of(model) else { return };
             let base = base.and_then(|base| surface.vertex(vertex(base)));
-            let request =
-                CutRequest { simplify: *simplify, rounds: rounds.map(usize::from), base, roles: false };
+            let request = CutRequest {
+                simplify: *simplify,
+                rounds: rounds.map(usize::from),
+                base,
+                roles: false,
+                canonical: false,
+            };
             if let Ok(cut) = surface.cut_open(&request) {
                 assert!(cut.components().iter().all(|component| component.euler_characteristic() == 1));
                 to_json(&cut.answer());
