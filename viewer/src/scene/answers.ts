@@ -333,6 +333,8 @@ export interface CutAnswer {
   file?: string | null;
   /** The path along which the surface was cut; `null` when it was cut to disks. */
   path?: CutPath | null;
+  /** Of a canonical cut what was added to the surface; the numbers of vertices in seams are those of the refined surface. */
+  refinement?: RefinementAnswer | null;
   /** What was assumed or left out. */
   remarks: Remark[];
   /** What each edge is in the tree-cotree decomposition; absent unless it was asked for. */
@@ -369,6 +371,11 @@ export interface CutPiece {
   base?: number;
   /** The number of edges around it now. */
   boundary_edges: number;
+  /**
+   * Of a canonical cut the word around the disk by the names of seams and of boundary loops: `a1 b1 a1^-1 b1^-1 ..` of handles,
+   * `c1 c1 c2 c2 ..` of cross-caps, `e1 d1 e1^-1 ..` of boundary loops d1, .. to which seams e1, .. lead; `s1 s1^-1` of a sphere, `d1` of a disk.
+   */
+  canonical?: string | null;
   /** The number of edges along which it was cut. */
   cut_edges: number;
   /** Vertices minus edges plus faces: 1 of a disk. */
@@ -1667,6 +1674,24 @@ export interface ReferenceAnswer {
   srid?: number | null;
 }
 
+/** A vertex that was added to a surface, on an edge or in a face. */
+export interface RefinedVertex {
+  /** The vertices of the file whose convex combination it is: the ends of its edge, or corners of its face. */
+  of: number[];
+  /** Its number: those of the file come first. */
+  vertex: number;
+  /** Their weights, which add up to 1. */
+  weights: number[];
+}
+
+/** A surface that was refined. */
+export interface RefinementAnswer {
+  /** The numbers of vertices, edges and faces of the refined surface, before it is cut. */
+  f_vector: number[];
+  /** The new vertices. */
+  vertices: RefinedVertex[];
+}
+
 /**
  * One thing worth knowing about an answer: what was assumed, changed or left out, how often, and where first.
  *
@@ -1689,7 +1714,7 @@ export interface Remark {
 }
 
 /** What sort of remark a [`Remark`] is. The word in the JSON is the name in kebab case: `isolated-vertex`. */
-export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "reference-assumed" | "heights-left-out" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "invalid-polygon" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "ideal-vertices-cut" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "overlapping-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "property-missing" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "points-rounded" | "features-joined" | "thin-cells" | "beyond-range" | "data-left-out" | "merged-within-block" | "topology-repaired" | "curves-vanished" | "decision-uncertified" | "model-repaired" | "not-drawn" | "drawn-instead" | "positions-invented" | "earlier-run-ignored" | "input-refused";
+export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "reference-assumed" | "heights-left-out" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "invalid-polygon" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "ideal-vertices-cut" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "overlapping-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "property-missing" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "points-rounded" | "numbers-rounded" | "features-joined" | "thin-cells" | "beyond-range" | "data-left-out" | "merged-within-block" | "topology-repaired" | "curves-vanished" | "decision-uncertified" | "model-repaired" | "not-drawn" | "drawn-instead" | "positions-invented" | "earlier-run-ignored" | "input-refused";
 
 /** A still picture. */
 export interface RenderAnswer {
@@ -1783,6 +1808,8 @@ export interface SeamAnswer {
   kind: string;
   /** Its length in the unit of the file; `null` without positions. */
   length?: number | null;
+  /** Its name in the canonical word; absent unless the cut is canonical. */
+  name?: string | null;
   /** The number among all seams, counted from 1. */
   number: number;
   /** Its vertices in their order, by their numbers in the file. */
