@@ -34,11 +34,6 @@ const SURFACE: &str = "cli/src/surface.rs";
 
 /// A torus by the twins of the sides of a square.
 const TORUS: Files = &[("torus.json", r#"{"next":[1,2,3,0],"twin":[2,3,0,1]}"#)];
-/// The torus of seven vertices without the triangle 0, 1, 3.
-const HOLED: Files = &[(
-    "holed.json",
-    "[[0,3,2],[1,2,4],[1,4,3],[2,3,5],[2,5,4],[3,4,6],[3,6,5],[4,5,0],[4,0,6],[5,6,1],[5,1,0],[6,0,2],[6,2,1]]",
-)];
 /// Two triangles glued along all sides.
 const PILLOW: Files = &[(
     "pillow.json",
@@ -46,10 +41,6 @@ const PILLOW: Files = &[(
 )];
 
 pub(super) const CASES: &[Case] = &[
-    Case::new("curves/canonical/cut.rs", "give a vertex inside the surface")
-        .files(HOLED)
-        .refused("coface cut holed.json --canonical --base 0")
-        .cured(&[&["coface cut holed.json --canonical --base 4"]]),
     Case::new("src/editing/mod.rs", "make it halfedges: coface convert INPUT -o OUT.halfedges.json")
         .files(PILLOW)
         .refused("coface edit pillow.json --flip 0 -o flipped.json")
