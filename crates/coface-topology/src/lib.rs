@@ -62,10 +62,11 @@ mod curves;
 
 pub use curves::{
     CanonicalComponent, CanonicalCurve, CanonicalCut, Carrier, ClosedWalk, CocycleBasis, CurveKind, CutGraph,
-    CutSurface, CycleKind, EdgeRole, Exactness, FundamentalDomain, HarmonicForm, Refinement, Seam, SeamKind,
-    ShortestCycle, Slicing, SurfaceHomology, SurfaceHomotopy, TreeCotree, TreeCotreeComponent,
-    cotangent_weights, exactness, exactness_within, harmonic_forms, intersection_number, shortest_cycle,
-    shortest_cycle_through, shortest_homology_basis, shortest_loops, slicing_cocycle,
+    CutSurface, CycleBounds, CycleKind, EdgeRole, Exactness, FundamentalDomain, HarmonicForm, Refinement,
+    Seam, SeamKind, ShortestCycle, Slicing, SurfaceHomology, SurfaceHomotopy, TreeCotree,
+    TreeCotreeComponent, cotangent_weights, exactness, exactness_within, harmonic_forms, intersection_number,
+    shortest_cycle, shortest_cycle_through, shortest_cycle_until, shortest_homology_basis, shortest_loops,
+    slicing_cocycle,
 };
 
 mod groups;

@@ -18,13 +18,14 @@
 //! * A [`SurfaceHomotopy`] has the words of walks: it decides which can be contracted and which are homotopic.
 //! * A [`CanonicalCut`] has disjoint simple loops that cut the surface to its canonical polygon, drawn across edges and faces.
 //! * A [`CutGraph`] is the cut graph without loose ends, as seams. [`shortest_cycle`] and [`shortest_homology_basis`]
-//!   search from all vertices, [`shortest_loops`] from one.
+//!   search from the vertices of a short cut graph, which every cycle that cannot be contracted meets; [`shortest_loops`] from one vertex.
 
 mod canonical;
 mod closed_walk;
 mod cocycle_basis;
 mod cut_graph;
 mod cut_surface;
+mod cut_vertices;
 mod exactness;
 mod harmonic_forms;
 mod root_search;
@@ -44,7 +45,9 @@ pub use cut_graph::{CutGraph, Seam, SeamKind};
 pub use cut_surface::{CutSurface, FundamentalDomain};
 pub use exactness::{Exactness, exactness, exactness_within};
 pub use harmonic_forms::{HarmonicForm, cotangent_weights, harmonic_forms};
-pub use shortest_cycle::{CycleKind, ShortestCycle, shortest_cycle, shortest_cycle_through};
+pub use shortest_cycle::{
+    CycleBounds, CycleKind, ShortestCycle, shortest_cycle, shortest_cycle_through, shortest_cycle_until,
+};
 pub use shortest_homology_basis::shortest_homology_basis;
 pub use shortest_loops::shortest_loops;
 pub use slicing_cocycle::{Slicing, intersection_number, slicing_cocycle};

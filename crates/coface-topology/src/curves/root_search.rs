@@ -87,6 +87,11 @@ impl<'a> RootSearch<'a> {
         &self.reached
     }
 
+    /// The length of the path to a vertex that was reached.
+    pub(super) fn distance(&self, vertex: u32) -> f64 {
+        self.distances[vertex as usize]
+    }
+
     /// The last step of the path to a vertex; none for the root.
     pub(super) fn step_to(&self, vertex: u32) -> Option<u32> {
         Some(self.steps[vertex as usize]).filter(|&step| step != NONE)

@@ -1,5 +1,6 @@
 //! Shortest bases of the first homology over Z/2.
 
+use super::cut_vertices::cut_vertices;
 use super::root_search::RootSearch;
 use super::shortest_paths::checked_lengths;
 use super::{ClosedWalk, ShortestCycle, SurfaceHomology, TreeCotree};
@@ -13,14 +14,15 @@ use coface_complexes::surface::GeneralizedMap;
 /// candidates; of all of them the shortest independent ones are kept, distinguished by the classes of edges. On an
 /// orientable surface, closed or not, and on every surface with boundary they need not be a basis over Z. `lengths` has
 /// a length for each edge; without it, each edge has the length 1. Searches may reach `most` vertices in all, each
-/// counted as often as it is reached; they go only as far as half the length of the longest loop of the basis known.
+/// counted as often as it is reached; they start from the vertices of a short graph that leaves a disk of each component, and go only as far
+/// as half the length of the longest loop of the basis known.
 ///
 /// # Errors
 /// [`ErrorKind::Shape`] and [`ErrorKind::InvalidInput`] for lengths that are not one for each edge, finite and not
 /// negative; [`ErrorKind::TooLarge`] when more vertices than `most` are reached.
 ///
 /// # Complexity
-/// $O(n^2 \log n + n k^3)$ for n edges and k loops at most.
+/// $O(m (n \log n + k^3))$ for n edges, k loops and m vertices on the graph.
 ///
 /// # References
 /// J. Erickson, K. Whittlesey, *Greedy optimal homotopy and homology generators* (2005); O. Busaryev, S. Cabello, C.
@@ -63,8 +65,10 @@ pub fn shortest_homology_basis(
     let mut classes: Vec<Bits> = vec![Bits::default(); map.skeleton().vertex_count()];
     let ends = map.skeleton().edge_ends();
     let mut reached = 0usize;
-    let steps = stage("searching for a shortest basis", map.skeleton().vertex_count());
-    for root in 0..map.skeleton().vertex_count() as u32 {
+    // A cycle of a shortest basis cannot be contracted, and its class is a sum of loops at any vertex of it which are not longer.
+    let roots = cut_vertices(map, &lengths);
+    let steps = stage("searching for a shortest basis", roots.len());
+    for root in roots {
         steps.advance(1);
         let Some(component) = trees.component_of_vertex(VertexId::from_u32(root)) else { continue };
         let basis = &mut basis[component];
