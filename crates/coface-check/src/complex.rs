@@ -1,6 +1,7 @@
 //! Chain complexes of the input, made by the checker itself.
 
 use crate::json::{field, index, list};
+use crate::lists::Lists;
 use crate::{Fault, polygons, simplices};
 use serde_json::{Map, Value};
 use std::collections::{BTreeMap, HashMap};
@@ -9,7 +10,7 @@ use std::collections::{BTreeMap, HashMap};
 pub(crate) type Column = Vec<(u32, i64)>;
 
 /// For each degree the cells by their vertices: rising those of a simplex, around those of a polygon.
-pub(crate) type Names = Vec<Vec<Vec<u32>>>;
+pub(crate) type Names = Vec<Lists<u32>>;
 
 /// A chain complex over the integers: for each degree the number of cells and their boundaries.
 ///
@@ -19,7 +20,7 @@ pub(crate) type Names = Vec<Vec<Vec<u32>>>;
 pub struct Complex {
     counts: Vec<usize>,
     /// For each degree from 1 on the boundary of each cell.
-    columns: Vec<Vec<Column>>,
+    columns: Vec<Lists<(u32, i64)>>,
     /// None where cells have numbers alone.
     names: Option<Names>,
 }
@@ -97,7 +98,7 @@ impl Complex {
                 counts.push(rows);
             }
             counts.push(width);
-            columns.push(columns_of(entries, rows, width)?);
+            columns.push(columns_of(entries, rows, width)?.into_iter().collect());
         }
         if counts.is_empty() {
             return Err(Fault::new(step, "there is no boundary matrix"));
@@ -108,7 +109,7 @@ impl Complex {
     }
 
     /// From the boundaries of the cells of degrees 1, 2, ...
-    pub(crate) fn new(counts: Vec<usize>, columns: Vec<Vec<Column>>, names: Option<Names>) -> Self {
+    pub(crate) fn new(counts: Vec<usize>, columns: Vec<Lists<(u32, i64)>>, names: Option<Names>) -> Self {
         Self { counts, columns, names }
     }
 
@@ -152,7 +153,7 @@ impl Complex {
     /// # Examples
     /// See [`Complex::read`].
     pub fn boundary(&self, degree: usize, cell: usize) -> &[(u32, i64)] {
-        &self.columns[degree - 1][cell]
+        self.columns[degree - 1].get(cell)
     }
 
     /// The cells by their vertices, where they have such names.
@@ -223,8 +224,8 @@ impl Complex {
         let columns =
             (1..kept.len()).map(|k| kept[k].iter().map(|&cell| column(k, cell)).collect()).collect();
         let names = self.names.as_ref().map(|names| {
-            let of = |(names, kept): (&Vec<Vec<u32>>, &Vec<usize>)| {
-                kept.iter().map(|&cell| names[cell].clone()).collect()
+            let of = |(names, kept): (&Lists<u32>, &Vec<usize>)| {
+                kept.iter().map(|&cell| names.get(cell).to_vec()).collect()
             };
             names.iter().zip(kept).map(of).collect()
         });
@@ -266,7 +267,7 @@ impl<'a> Finder<'a> {
             };
         };
         let cell = self.cell(listed, step)?.1;
-        let name = &names[degree][cell as usize];
+        let name = names[degree].get(cell as usize);
         if name.len() == degree + 1 {
             let pairs = (0..listed.len()).flat_map(|j| (0..j).map(move |i| (listed[i], listed[j])));
             let place = |vertex| name.iter().position(|other| *other == vertex);
@@ -275,11 +276,11 @@ impl<'a> Finder<'a> {
         }
         let mut around = listed.to_vec();
         around.rotate_left(listed.iter().position(|vertex| *vertex == name[0]).unwrap_or(0));
-        if around == *name {
+        if around == name {
             return Ok((cell, 1));
         }
         around[1..].reverse();
-        match around == *name {
+        match around == name {
             true => Ok((cell, -1)),
             false => Err(Fault::new(step, format!("{listed:?} does not go around cell {cell}"))),
         }

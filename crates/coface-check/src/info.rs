@@ -72,8 +72,11 @@ fn facts(complex: &Complex) -> Result<Vec<(&'static str, Value)>, Fault> {
     let mut loops = Classes::new(counts[0]);
     let mut on_rim: BTreeSet<u32> = BTreeSet::new();
     for ridge in &rim {
-        on_rim.extend(&names[top - 1][*ridge]);
-        names[top - 1][*ridge].windows(2).for_each(|ends| loops.unite_named(&names[0], ends[0], ends[1]));
+        on_rim.extend(names[top - 1].get(*ridge));
+        names[top - 1]
+            .get(*ridge)
+            .windows(2)
+            .for_each(|ends| loops.unite_named(names[0].items(), ends[0], ends[1]));
     }
     // The vertices off the boundary are classes of their own.
     let loop_count = on_rim.len() + loops.count - counts[0];
@@ -85,7 +88,7 @@ fn facts(complex: &Complex) -> Result<Vec<(&'static str, Value)>, Fault> {
     }
     if top <= 3 {
         let is_manifold =
-            is_pure && links(&names[top], top).values().all(|link| is_ball_or_sphere(link, top - 1));
+            is_pure && links(names[top].iter(), top).values().all(|link| is_ball_or_sphere(link, top - 1));
         facts.push(("manifold", json!([if is_manifold { "yes" } else { "no" }, rim.is_empty()])));
         if let (true, 2, 1, Some(orientable)) = (is_manifold, top, pieces.count, is_orientable) {
             let twice = 2 - euler - loop_count as i64;
@@ -96,7 +99,7 @@ fn facts(complex: &Complex) -> Result<Vec<(&'static str, Value)>, Fault> {
 }
 
 /// For each vertex of cells of one dimension the cells that make its link: of a polygon the two neighbors of the vertex.
-fn links(cells: &[Vec<u32>], dimension: usize) -> BTreeMap<u32, Vec<Vec<u32>>> {
+fn links<'a>(cells: impl Iterator<Item = &'a [u32]>, dimension: usize) -> BTreeMap<u32, Vec<Vec<u32>>> {
     let mut links: BTreeMap<u32, Vec<Vec<u32>>> = BTreeMap::new();
     for cell in cells {
         for (i, vertex) in cell.iter().enumerate() {
@@ -115,9 +118,9 @@ fn is_ball_or_sphere(cells: &[Vec<u32>], dimension: usize) -> bool {
     if dimension == 0 {
         return cells.len() <= 2;
     }
-    let links = links(cells, dimension);
+    let links = links(cells.iter().map(Vec::as_slice), dimension);
     let mut classes = Classes::new(links.len());
-    let names: Vec<Vec<u32>> = links.keys().map(|vertex| vec![*vertex]).collect();
+    let names: Vec<u32> = links.keys().copied().collect();
     cells
         .iter()
         .for_each(|cell| cell.windows(2).for_each(|ends| classes.unite_named(&names, ends[0], ends[1])));
@@ -166,8 +169,8 @@ impl Classes {
     }
 
     /// Makes two vertices equal, by rising names.
-    fn unite_named(&mut self, names: &[Vec<u32>], a: u32, b: u32) {
-        let place = |vertex| names.binary_search_by(|name| name[0].cmp(&vertex)).unwrap_or(0) as u32;
+    fn unite_named(&mut self, names: &[u32], a: u32, b: u32) {
+        let place = |vertex| names.binary_search(&vertex).unwrap_or(0) as u32;
         self.unite(place(a), place(b), false);
     }
 }

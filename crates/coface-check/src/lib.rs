@@ -12,6 +12,7 @@ mod groups;
 mod homology;
 mod info;
 pub mod json;
+mod lists;
 mod matching;
 mod polygons;
 mod sha256;

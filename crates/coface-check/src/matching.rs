@@ -14,8 +14,8 @@ const MOST_BITS: usize = 4096;
 /// The pairs of one degree: a face and a cell each, with the incidence 1 or -1, in the order of elimination.
 struct Pairs {
     pairs: Vec<(u32, u32, i64)>,
-    /// For each face its position among the pairs.
-    position: BTreeMap<u32, usize>,
+    /// For each face its position among the pairs; beyond the last for those in none.
+    position: Vec<usize>,
 }
 
 /// The Morse complex: for each degree from 1 on the matrix from critical cells to critical faces.
@@ -63,7 +63,7 @@ impl Pairs {
         is_used: &mut [Vec<bool>],
     ) -> Result<Self, Fault> {
         let step = format!("matching of degree {degree}");
-        let (mut pairs, mut position) = (Vec::new(), BTreeMap::new());
+        let (mut pairs, mut position) = (Vec::new(), vec![usize::MAX; complex.counts()[degree - 1]]);
         for (i, pair) in list(given, "the list of pairs", &step)?.iter().enumerate() {
             let [face, cell] = list(pair, "a pair", &step)? else {
                 return Err(Fault::new(step, format!("pair {i} is not a face and a cell")));
@@ -87,12 +87,12 @@ impl Pairs {
                     format!("pair {i}: face {face} has no unit incidence in cell {cell}"),
                 ));
             };
-            position.insert(face, i);
+            position[face as usize] = i;
             pairs.push((face, cell, incidence));
         }
         for (i, (_, cell, _)) in pairs.iter().enumerate() {
             let faces = complex.boundary(degree, *cell as usize).iter();
-            if faces.filter_map(|(face, _)| position.get(face)).any(|other| *other < i) {
+            if faces.map(|(face, _)| position[*face as usize]).any(|other| other < i) {
                 let message =
                     format!("pair {i}: cell {cell} has the face of an earlier pair, so the order is wrong");
                 return Err(Fault::new(step, message));
@@ -113,8 +113,9 @@ impl Pairs {
         let mut add = |cell: u32, factor: &IBig, matched: &mut BTreeMap<usize, IBig>| {
             for (face, incidence) in complex.boundary(degree, cell as usize) {
                 let term = factor * IBig::from(*incidence);
-                if let Some(position) = self.position.get(face) {
-                    *matched.entry(*position).or_default() += term;
+                let position = self.position[*face as usize];
+                if position < self.pairs.len() {
+                    *matched.entry(position).or_default() += term;
                 } else if let Ok(row) = critical.binary_search(face) {
                     *rest.entry(row as u32).or_default() += term;
                 }

@@ -1,6 +1,7 @@
 //! Surfaces of polygons in OFF and OBJ: as little of these formats as files need, and a refusal for the rest.
 
 use crate::complex::Column;
+use crate::lists::Lists;
 use crate::{Complex, Fault, simplices};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -148,8 +149,8 @@ impl Surface {
         let all = self.polygons.iter().flat_map(|polygon| sides(polygon)).chain(self.edges.iter().copied());
         let mut numbers: BTreeMap<[u32; 2], u32> = all.map(|[a, b]| ([a.min(b), a.max(b)], 0)).collect();
         numbers.values_mut().zip(0..).for_each(|(number, i)| *number = i);
-        let edges = numbers.keys().map(|[a, b]| vec![(*a, -1), (*b, 1)]).collect();
-        let faces: Vec<Column> = self
+        let edges = numbers.keys().map(|[a, b]| [(*a, -1), (*b, 1)]).collect();
+        let faces: Lists<(u32, i64)> = self
             .polygons
             .iter()
             .map(|polygon| {
@@ -160,8 +161,9 @@ impl Surface {
             })
             .collect();
         let counts = vec![self.vertex_count, numbers.len(), faces.len()];
-        let vertices = (0..self.vertex_count as u32).map(|vertex| vec![vertex]).collect();
-        let names = vec![vertices, numbers.keys().map(|edge| edge.to_vec()).collect(), self.polygons];
+        let vertices = (0..self.vertex_count as u32).map(|vertex| [vertex]).collect();
+        let polygons = self.polygons.into_iter().collect();
+        let names = vec![vertices, numbers.keys().copied().collect(), polygons];
         Ok(Complex::new(counts, vec![edges, faces], Some(names)))
     }
 }

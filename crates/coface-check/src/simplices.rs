@@ -1,6 +1,7 @@
 //! The simplicial complex of a list of facets.
 
 use crate::complex::Column;
+use crate::lists::Lists;
 use crate::{Complex, Fault};
 
 /// The complex of facets whose vertices rise, and of more vertices; the file has so many bytes.
@@ -11,34 +12,44 @@ pub(crate) fn of_facets(facets: &[Vec<u32>], vertices: Vec<u32>, size: usize) ->
         return Err(Fault::new(step, "there is no cell"));
     }
     let mut budget = size.saturating_mul(64).saturating_add(1 << 16);
-    let mut levels: Vec<Vec<Vec<u32>>> = vec![Vec::new(); longest];
-    levels[0] = vertices.into_iter().map(|vertex| vec![vertex]).collect();
-    facets.iter().for_each(|facet| levels[facet.len() - 1].push(facet.clone()));
+    let of_length = |length: usize| facets.iter().filter(move |facet| facet.len() == length).cloned();
+    let (mut names, mut columns) = (Vec::new(), Vec::new());
+    // The simplices of one dimension: those of the file, then the faces of those above, of which each has `k + 2`.
+    let mut level: Lists<u32> = of_length(longest).collect();
     for k in (0..longest).rev() {
-        let (below, level) = levels.split_at_mut(k);
-        level[0].sort_unstable();
-        level[0].dedup();
-        if let Some(below) = below.last_mut() {
-            budget = budget
-                .checked_sub(level[0].len() * (k + 1))
-                .ok_or_else(|| Fault::new(step, "the facets have too many faces for the size of the file"))?;
-            below.extend(level[0].iter().flat_map(|simplex| (0..=k).map(|i| face(simplex, i))));
+        vertices.iter().filter(|_| k == 0).for_each(|&vertex| level.push([vertex]));
+        let given = level.len();
+        if let Some(above) = names.last() {
+            for simplex in above.iter() {
+                (0..k + 2).for_each(|i| level.push(face(simplex, i)));
+            }
         }
-    }
-    let column = |below: &[Vec<u32>], simplex: &Vec<u32>| -> Result<Column, Fault> {
-        let place = |i: usize| {
-            let place =
-                below.binary_search(&face(simplex, i)).ok().and_then(|place| u32::try_from(place).ok());
-            let row = place.ok_or_else(|| Fault::new(step, "more than 2^32 cells"))?;
-            Ok((row, if i.is_multiple_of(2) { 1 } else { -1 }))
-        };
+        let mut order: Vec<usize> = (0..level.len()).collect();
+        order.sort_unstable_by(|&a, &b| level.get(a).cmp(level.get(b)));
+        let mut place = vec![0u32; order.len()];
+        let mut kept: Lists<u32> = std::iter::empty::<[u32; 0]>().collect();
+        for &simplex in &order {
+            if kept.len() == 0 || kept.get(kept.len() - 1) != level.get(simplex) {
+                kept.push(level.get(simplex).iter().copied());
+            }
+            place[simplex] = kept.len() as u32 - 1;
+        }
         // Faces without a later vertex come first.
-        (0..simplex.len()).rev().map(place).collect()
-    };
-    let columns =
-        levels.windows(2).map(|pair| pair[1].iter().map(|simplex| column(&pair[0], simplex)).collect());
-    let columns = columns.collect::<Result<_, _>>()?;
-    Ok(Complex::new(levels.iter().map(Vec::len).collect(), columns, Some(levels)))
+        let incidence = |(i, place): (usize, &u32)| (*place, if i.is_multiple_of(2) { 1 } else { -1 });
+        let column = |places: &[u32]| places.iter().enumerate().rev().map(incidence).collect::<Column>();
+        columns.push(place[given..].chunks_exact(k + 2).map(column).collect());
+        budget = budget
+            .checked_sub(kept.len() * (k + 1))
+            .filter(|_| u32::try_from(level.len()).is_ok())
+            .ok_or_else(|| Fault::new(step, "the facets have too many faces for the size of the file"))?;
+        names.push(kept);
+        level = of_length(k).collect();
+    }
+    names.reverse();
+    columns.reverse();
+    // There is nothing above the simplices of the highest dimension.
+    columns.pop();
+    Ok(Complex::new(names.iter().map(Lists::len).collect(), columns, Some(names)))
 }
 
 /// The face without vertex i.
