@@ -13,7 +13,7 @@ pub(crate) fn of_facets(facets: &[Vec<u32>], vertices: Vec<u32>, size: usize) ->
     }
     let mut budget = size.saturating_mul(64).saturating_add(1 << 16);
     let of_length = |length: usize| facets.iter().filter(move |facet| facet.len() == length).cloned();
-    let (mut names, mut columns) = (Vec::new(), Vec::new());
+    let (mut names, mut columns) = (Vec::<Lists<u32>>::new(), Vec::new());
     // The simplices of one dimension: those of the file, then the faces of those above, of which each has `k + 2`.
     let mut level: Lists<u32> = of_length(longest).collect();
     for k in (0..longest).rev() {
