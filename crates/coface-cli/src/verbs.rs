@@ -126,7 +126,7 @@ fn word_that_is_no_verb(error: &clap::Error) -> Option<&str> {
 }
 
 /// Options whose value may be left out.
-const WITH_OR_WITHOUT_VALUE: [&str; 3] = ["--generators", "--repair", "--reset"];
+const WITH_OR_WITHOUT_VALUE: [&str; 4] = ["--cycles", "--generators", "--repair", "--reset"];
 
 /// The command line with the input before an option that took it for its value, as in `coface homology --generators FILE`.
 fn with_input_first(error: &clap::Error, words: &[OsString]) -> Option<Vec<OsString>> {

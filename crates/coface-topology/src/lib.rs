@@ -54,8 +54,8 @@ pub use hodge::{
 };
 pub use persistence::{
     Barcode, BarcodeMatching, Distances, Filtration, ImageConstruction, ImageDiagram, ImageFiltration,
-    ImagePair, PersistenceDiagram, PersistencePair, PersistenceSurface, RipsDiagram, RipsFiltration,
-    RipsPair, RipsSize, euler_characteristic_curve, persistence,
+    ImagePair, PersistenceDiagram, PersistencePair, PersistenceSurface, PersistentCycle, RipsDiagram,
+    RipsFiltration, RipsPair, RipsSize, euler_characteristic_curve, persistence, persistent_cycles,
 };
 
 mod curves;

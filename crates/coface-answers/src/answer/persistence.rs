@@ -1,6 +1,6 @@
 //! The answer of `persistence`: a diagram.
 
-use super::Remark;
+use super::{ChainTerm, Remark};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -39,4 +39,13 @@ pub struct PersistencePairAnswer {
     pub birth_cell: Vec<u32>,
     /// The cell by which it dies, by its vertices; of an image the voxel whose value the death is.
     pub death_cell: Option<Vec<u32>>,
+    /// A cycle of the class, there from the birth on. Only if cycles were asked for, as the following ones.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cycle: Option<Vec<ChainTerm>>,
+    /// The chain of the next degree, there from the death on, whose boundary the cycle is; of a class that dies.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bounding_chain: Option<Vec<ChainTerm>>,
+    /// A cocycle of the cells before the death, with the value 1 on the cycle.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cocycle: Option<Vec<ChainTerm>>,
 }

@@ -359,6 +359,9 @@ impl FoundImage {
                 death: pair.death(),
                 birth_cell,
                 death_cell,
+                cycle: None,
+                bounding_chain: None,
+                cocycle: None,
             }
         };
         PersistenceAnswer {

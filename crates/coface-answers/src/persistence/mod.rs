@@ -22,13 +22,17 @@ pub use given::GivenDiagram;
 pub use image::{FoundImage, GreyImage, ImageRequest};
 pub use points::{FoundRips, RipsRequest, TableForm};
 
-use crate::Producer;
 use crate::answer::{PersistenceAnswer, PersistencePairAnswer};
-use coface_algebra::chains::ChainComplex;
+use crate::{CellNames, Producer};
+use coface_algebra::chains::{Chain, ChainComplex};
 use coface_algebra::progress::stage;
-use coface_algebra::{CellId, Error, VertexId};
+use coface_algebra::{CellId, Error, Integer, VertexId};
 use coface_geometry::Positions;
-use coface_topology::{Coefficients, Filtration, PersistenceDiagram, PersistencePair, persistence};
+use coface_io::Model;
+use coface_topology::{
+    Coefficients, Filtration, PersistenceDiagram, PersistencePair, PersistentCycle, persistence,
+    persistent_cycles,
+};
 
 /// A function on the vertices of a model.
 #[derive(Clone, Debug, PartialEq)]
@@ -167,11 +171,13 @@ pub struct PersistenceRequest {
     coefficients: Coefficients,
     growth: Growth,
     min_persistence: f64,
+    cycles: bool,
 }
 
 impl Default for PersistenceRequest {
     fn default() -> Self {
-        Self { coefficients: Coefficients::Modulo(2), growth: Growth::Lower(None), min_persistence: 0.0 }
+        let coefficients = Coefficients::Modulo(2);
+        Self { coefficients, growth: Growth::Lower(None), min_persistence: 0.0, cycles: false }
     }
 }
 
@@ -230,6 +236,24 @@ impl PersistenceRequest {
         self
     }
 
+    /// Asks for cycles, bounding chains and cocycles of the pairs.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PersistenceRequest, Producer};
+    /// let path = Producer::of(coface_io::read(&b"[[0,2],[2,1]]"[..], coface_io::Format::Json)?)?;
+    /// let answer = PersistenceRequest::new().cycles(true).found("path", &path)?.answer();
+    /// // Vertex 1 is born, less vertex 0, and a path between them ends it.
+    /// assert_eq!(answer.diagram[1].cycle.as_ref().map(Vec::len), Some(2));
+    /// assert_eq!(answer.diagram[1].bounding_chain.as_ref().map(Vec::len), Some(2));
+    /// # Ok(()) }
+    /// ```
+    pub fn cycles(mut self, cycles: bool) -> Self {
+        self.cycles = cycles;
+        self
+    }
+
     /// Finds the diagram of a model with this name.
     ///
     /// # Errors
@@ -250,10 +274,15 @@ impl PersistenceRequest {
         let steps = stage("sorting cells", 0);
         let (function, star, filtration) = self.filtration(name, producer, &complex)?;
         drop(steps);
-        let _steps = stage("pairing cells", 0);
-        let diagram =
-            persistence(&complex, &filtration, self.coefficients)?.longer_than(self.min_persistence);
-        Ok(FoundDiagram { producer, name: name.to_owned(), function, star, diagram })
+        let steps = stage("pairing cells", 0);
+        let whole = persistence(&complex, &filtration, self.coefficients)?;
+        drop(steps);
+        let cycles = match self.cycles {
+            true => Some(persistent_cycles(&complex, &filtration, &whole, self.min_persistence)?),
+            false => None,
+        };
+        let diagram = whole.longer_than(self.min_persistence);
+        Ok(FoundDiagram { producer, name: name.to_owned(), function, star, diagram, cycles })
     }
 
     fn filtration(
@@ -309,6 +338,8 @@ pub struct FoundDiagram<'a> {
     function: String,
     star: Option<&'static str>,
     diagram: PersistenceDiagram,
+    /// In the order of the diagram.
+    cycles: Option<Vec<PersistentCycle>>,
 }
 
 impl FoundDiagram<'_> {
@@ -327,6 +358,56 @@ impl FoundDiagram<'_> {
         &self.diagram
     }
 
+    /// The cycles of the pairs, in the order of the diagram; `None` unless they were asked for.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PersistenceRequest, Producer};
+    /// let path = Producer::of(coface_io::read(&b"[[0,2],[2,1]]"[..], coface_io::Format::Json)?)?;
+    /// let found = PersistenceRequest::new().cycles(true).found("path", &path)?;
+    /// assert_eq!(found.cycles().map(<[_]>::len), Some(2));
+    /// # Ok(()) }
+    /// ```
+    pub fn cycles(&self) -> Option<&[PersistentCycle]> {
+        self.cycles.as_deref()
+    }
+
+    /// The cycles and bounding chains as a model on the vertices of the input, a group for each: `H1_0_from_1_to_5` with the place of the class in its
+    /// degree, its birth and its death, and `filling_H1_0` for the chain that it bounds.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if cycles were not asked for, and those of [`Producer::picture`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PersistenceRequest, Producer};
+    /// let mesh = &b"OFF\n3 1 0\n0 0 0\n1 1 0\n2 0 0\n3 0 1 2\n"[..];
+    /// let mesh = Producer::of(coface_io::read(mesh, coface_io::Format::Off)?)?;
+    /// let model = PersistenceRequest::new().cycles(true).found("mesh", &mesh)?.cycles_model()?;
+    /// assert_eq!(model.groups()[0].name(), "H0_0_from_0_to_inf");
+    /// # Ok(()) }
+    /// ```
+    pub fn cycles_model(&self) -> Result<Model, Error> {
+        let cycles = self.cycles.as_deref();
+        let cycles =
+            cycles.ok_or_else(|| Error::invalid("cycles were not asked for").with_cure("ask for cycles"))?;
+        let mut chains = Vec::new();
+        let mut places = vec![0; self.diagram.degree_count()];
+        for one in cycles {
+            let pair = one.pair();
+            let (degree, place) = (pair.degree(), places[pair.degree()]);
+            places[degree] += 1;
+            let death = pair.death().map_or("inf".to_owned(), |death| death.to_string());
+            chains.push((format!("H{degree}_{place}_from_{}_to_{death}", pair.birth()), one.cycle().clone()));
+            if let Some(bounding) = one.bounding_chain() {
+                chains.push((format!("filling_H{degree}_{place}"), bounding.clone()));
+            }
+        }
+        self.producer.picture(&chains)
+    }
+
     /// The answer as plain data, with the vertices of the cells.
     ///
     /// # Examples
@@ -340,12 +421,20 @@ impl FoundDiagram<'_> {
     /// ```
     pub fn answer(&self) -> PersistenceAnswer {
         let vertices = |degree, cell: CellId| self.producer.cell_vertices(degree, cell);
-        let pair = |pair: &PersistencePair| PersistencePairAnswer {
-            degree: pair.degree(),
-            birth: pair.birth(),
-            death: pair.death(),
-            birth_cell: vertices(pair.degree(), pair.birth_cell()),
-            death_cell: pair.death_cell().map(|cell| vertices(pair.degree() + 1, cell)),
+        let names = CellNames::of(self.producer);
+        let pair = |(place, pair): (usize, &PersistencePair)| {
+            let cycle = self.cycles.as_ref().map(|cycles| &cycles[place]);
+            let terms = |chain: &Chain<Integer>| names.terms(chain.degree(), chain.terms());
+            PersistencePairAnswer {
+                degree: pair.degree(),
+                birth: pair.birth(),
+                death: pair.death(),
+                birth_cell: vertices(pair.degree(), pair.birth_cell()),
+                death_cell: pair.death_cell().map(|cell| vertices(pair.degree() + 1, cell)),
+                cycle: cycle.map(|one| terms(one.cycle())),
+                bounding_chain: cycle.and_then(|one| one.bounding_chain()).map(terms),
+                cocycle: cycle.map(|one| names.terms(pair.degree(), one.cocycle().terms())),
+            }
         };
         PersistenceAnswer {
             file: self.name.clone(),
@@ -353,7 +442,7 @@ impl FoundDiagram<'_> {
             function: self.function.clone(),
             star: self.star.map(str::to_owned),
             threshold: None,
-            diagram: self.diagram.pairs().iter().map(pair).collect(),
+            diagram: self.diagram.pairs().iter().enumerate().map(pair).collect(),
             betti: self.diagram.betti_numbers(),
             remarks: Vec::new(),
         }

@@ -472,6 +472,9 @@ impl FoundRips {
             death: pair.death(),
             birth_cell: points(pair.birth_simplex()),
             death_cell: pair.death_simplex().map(points),
+            cycle: None,
+            bounding_chain: None,
+            cocycle: None,
         };
         PersistenceAnswer {
             file: self.name.clone(),

@@ -13,7 +13,8 @@ use clap::Args;
 use coface::algebra::escaped;
 use coface::answers::answer::{PersistenceAnswer, PersistencePairAnswer};
 use coface::answers::text;
-use coface::answers::{DiagramFormat, Growth, PersistenceRequest, write_diagram};
+use coface::answers::{DiagramFormat, FoundDiagram, Growth, PersistenceRequest, write_diagram};
+use coface::io::{Format, check_output, write_path};
 use coface::topology::Coefficients;
 use image::ImageArguments;
 use points::PointArguments;
@@ -30,7 +31,8 @@ use std::path::{Path, PathBuf};
 ///
 /// The file named by -o has the format of its extension: .pers as GUDHI reads, .txt as Ripser prints, .csv, or .json with
 /// the keys of --json: "field", "function", "star", "betti", and "diagram", a list of {"degree","birth","death","birth_cell",
-/// "death_cell"} where cells are given by their vertices and death is null for a class that stays.
+/// "death_cell"} where cells are given by their vertices and death is null for a class that stays. With --cycles each has its "cycle",
+/// "bounding_chain" and "cocycle", lists of [coefficient,[vertices..]].
 #[derive(Args)]
 pub(crate) struct Persistence {
     /// The model; - is standard input
@@ -52,6 +54,10 @@ pub(crate) struct Persistence {
     /// Only pairs whose persistence is greater than R; a negative R keeps all
     #[arg(long, value_name = "R", default_value = "0", allow_negative_numbers = true, value_parser = length)]
     min_persistence: f64,
+    /// Cycles of the classes, the chains that they bound at their deaths, and cocycles, over the field; written to OUT if given, as .json, or as a picture
+    /// in .vtk, .obj and other mesh formats with a group for each cycle and each chain. Not made short
+    #[arg(long, value_name = "OUT", num_args = 0..=1)]
+    cycles: Option<Option<PathBuf>>,
     #[command(flatten)]
     points: PointArguments,
     #[command(flatten)]
@@ -100,8 +106,13 @@ impl Persistence {
             Ok::<_, Failure>((path, format.ok_or_else(unknown)?))
         });
         let output = output.transpose()?;
+        if let Some(Some(place)) = &self.cycles {
+            // Before the work, not after it.
+            check_output(place)?;
+        }
         let progress = Progress::start(common.quiet);
         if self.points.rips {
+            self.refuse_cycles("of points")?;
             let found =
                 self.points.found(&self.input, common, self.coefficients, self.min_persistence, &progress)?;
             return self.give(common, output.as_ref(), progress, &found.answer(), |bytes, format| {
@@ -113,6 +124,7 @@ impl Persistence {
             let found =
                 self.image.found(&source, common, self.coefficients, self.min_persistence, &progress)?;
             if let Some(found) = found {
+                self.refuse_cycles("of the values of a volume")?;
                 return self.give(common, output.as_ref(), progress, &found.answer(), |bytes, format| {
                     found.write(bytes, format)
                 });
@@ -135,11 +147,27 @@ impl Persistence {
         let request = PersistenceRequest::new()
             .coefficients(self.coefficients)
             .growth(growth)
-            .min_persistence(self.min_persistence);
+            .min_persistence(self.min_persistence)
+            .cycles(self.cycles.is_some());
         let found = request.found(&name, &producer)?;
+        if let Some(Some(place)) = &self.cycles {
+            progress.stage(format!("writing {}", place.display()));
+            save_cycles(place, &found)?;
+        }
         self.give(common, output.as_ref(), progress, &found.answer(), |bytes, format| {
             write_diagram(found.diagram(), bytes, format)
         })
+    }
+
+    /// Cycles are known of complexes alone.
+    fn refuse_cycles(&self, what: &str) -> Result<(), Failure> {
+        if self.cycles.is_none() {
+            return Ok(());
+        }
+        Err(Failure::new(format!(
+            "{}: --cycles is for functions on complexes, not for persistence {what}; leave --cycles out",
+            input::name(&self.input)
+        )))
     }
 
     /// Whether a volume grows by its own values: nothing says that it is a model of voxels.
@@ -220,6 +248,14 @@ impl Persistence {
         }
         page
     }
+}
+
+/// Writes cycles as JSON, or as a picture in the format that the name tells.
+fn save_cycles(place: &Path, found: &FoundDiagram<'_>) -> Result<(), Failure> {
+    if matches!(Format::from_path(place), None | Some(Format::Json)) {
+        return write_json(place, &found.answer());
+    }
+    Ok(write_path(&found.cycles_model()?, place, None)?)
 }
 
 /// How long a class lives.

@@ -11,16 +11,21 @@
 //!   **diagonal**, depend on how ties are broken; the others do not.
 
 mod barcode;
+mod cycles;
 mod diagram;
+mod elimination;
 mod filtration;
 mod image;
 mod reduction;
 mod rips;
 
 #[cfg(test)]
+mod cycles_tests;
+#[cfg(test)]
 mod tests;
 
 pub use barcode::{Barcode, BarcodeMatching, PersistenceSurface, euler_characteristic_curve};
+pub use cycles::{PersistentCycle, persistent_cycles};
 pub use diagram::{PersistenceDiagram, PersistencePair};
 pub use filtration::Filtration;
 pub use image::{ImageConstruction, ImageDiagram, ImageFiltration, ImagePair};

@@ -73,7 +73,7 @@ pub(super) fn prime(coefficients: Coefficients) -> Result<u32, Error> {
 }
 
 /// No cell: of a place that is free.
-const NONE: u32 = u32::MAX;
+pub(super) const NONE: u32 = u32::MAX;
 
 fn over<F: Field>(
     field: &F,
@@ -241,26 +241,36 @@ impl<F: Field> Level<'_, F> {
 }
 
 /// Sparse columns in flat arrays, the rows of each rising.
-struct Columns<U> {
-    starts: Vec<usize>,
-    entries: Vec<(u32, U)>,
+pub(super) struct Columns<U> {
+    pub(super) starts: Vec<usize>,
+    pub(super) entries: Vec<(u32, U)>,
 }
 
 impl<U> Columns<U> {
-    fn column(&self, j: usize) -> &[(u32, U)] {
+    /// The columns with these entries, the rows of each rising.
+    pub(super) fn of(columns: impl Iterator<Item = Vec<(u32, U)>>) -> Self {
+        let (mut starts, mut entries) = (vec![0], Vec::new());
+        for column in columns {
+            entries.extend(column);
+            starts.push(entries.len());
+        }
+        Self { starts, entries }
+    }
+
+    pub(super) fn column(&self, j: usize) -> &[(u32, U)] {
         &self.entries[self.starts[j]..self.starts[j + 1]]
     }
 }
 
 /// A sum of columns whose terms are only added up when they are taken out.
-struct Sum<'a, F: Field> {
-    field: &'a F,
-    terms: BinaryHeap<Reverse<(u32, F::Unit)>>,
+pub(super) struct Sum<'a, F: Field> {
+    pub(super) field: &'a F,
+    pub(super) terms: BinaryHeap<Reverse<(u32, F::Unit)>>,
 }
 
 impl<F: Field> Sum<'_, F> {
     /// Takes the first term out whose coefficient is not zero.
-    fn pop(&mut self) -> Option<(u32, F::Unit)> {
+    pub(super) fn pop(&mut self) -> Option<(u32, F::Unit)> {
         while let Some(Reverse((row, first))) = self.terms.pop() {
             let mut total = Some(first);
             while let Some(&Reverse((next, x))) = self.terms.peek()

@@ -1,0 +1,111 @@
+use super::{Filtration, PersistentCycle, persistence, persistent_cycles};
+use crate::Coefficients;
+use coface_algebra::chains::{Chain, ChainComplex};
+use coface_algebra::{CellId, Integer};
+use coface_complexes::simplicial::SimplicialComplex;
+use proptest::prelude::*;
+
+/// That chains over F_p prove what they say of a class; cells are compared by value and then by the order of entrance.
+fn assert_proved(complex: &ChainComplex, filtration: &Filtration, prime: u32, found: &PersistentCycle) {
+    let pair = found.pair();
+    let degree = pair.degree();
+    let order = |degree: usize, cell: CellId| {
+        let value = filtration.values(degree)[cell.index()];
+        (if filtration.is_falling() { -value } else { value }, cell)
+    };
+    let is_zero = |x: &Integer| x.div_rem_floor(&Integer::from(i64::from(prime))).1 == Integer::ZERO;
+    let last = |chain: &Chain<Integer>| {
+        let cells = chain.support().map(|cell| order(chain.degree(), cell));
+        cells
+            .reduce(|a, b| if a.partial_cmp(&b) == Some(std::cmp::Ordering::Less) { b } else { a })
+            .map(|(_, cell)| cell)
+    };
+    let cycle = found.cycle();
+    assert_eq!(cycle.degree(), degree);
+    // A cycle, whose last cell makes the class.
+    let boundary = complex.boundary(cycle);
+    assert!(degree == 0 || boundary.unwrap().terms().iter().all(|(_, x)| is_zero(x)));
+    assert_eq!(last(cycle), Some(pair.birth_cell()));
+    // The chain bounds it, and its last cell ends the class.
+    assert_eq!(found.bounding_chain().is_some(), pair.death_cell().is_some());
+    if let Some(chain) = found.bounding_chain() {
+        let boundary = complex.boundary(chain).unwrap();
+        let mut rest: Vec<Integer> = vec![Integer::ZERO; complex.cell_count(degree)];
+        boundary.terms().iter().for_each(|(cell, x)| rest[cell.index()] += x);
+        cycle.terms().iter().for_each(|(cell, x)| rest[cell.index()] += &-x);
+        assert!(rest.iter().all(is_zero), "{boundary:?} {cycle:?}");
+        assert_eq!(last(chain), pair.death_cell());
+    }
+    // The cocycle is closed on what enters before the death, and has the value 1 on the cycle.
+    let cocycle = found.cocycle();
+    let value = cocycle.pairing(cycle).unwrap();
+    assert_eq!(value.map(|x| x.div_rem_floor(&Integer::from(i64::from(prime))).1), Some(Integer::ONE));
+    for (cell, _) in cocycle.terms() {
+        assert!(order(degree, *cell) >= order(degree, pair.birth_cell()));
+    }
+    for cell in (0..complex.cell_count(degree + 1)).map(CellId::new) {
+        if pair.death_cell().is_none_or(|death| order(degree + 1, cell) < order(degree + 1, death)) {
+            let whole = Chain::new(complex, degree + 1, [(cell, Integer::ONE)]).unwrap();
+            let value = cocycle.pairing(&complex.boundary(&whole).unwrap()).unwrap();
+            assert!(value.is_none_or(|x| is_zero(&x)), "the cocycle is not closed on {cell}");
+        }
+    }
+}
+
+proptest! {
+    /// Invariant 112.
+    #[test]
+    fn cycles_are_born_and_die_when_they_say(
+        facets in prop::collection::vec(prop::collection::btree_set(0..9u32, 1..5), 1..16),
+        heights in prop::collection::vec(-3..4i32, 9),
+        is_falling: bool,
+        prime in prop_oneof![Just(2u32), Just(3), Just(7)],
+    ) {
+        let facets = facets.iter().map(|facet| facet.iter().copied().collect::<Vec<_>>());
+        let complex = SimplicialComplex::from_facets(facets).unwrap().chain_complex().unwrap();
+        let values: Vec<f64> = heights.iter().take(complex.cell_count(0)).map(|&x| f64::from(x)).collect();
+        let star = if is_falling { Filtration::upper_star } else { Filtration::lower_star };
+        let filtration = star(&complex, &values).unwrap();
+        let diagram = persistence(&complex, &filtration, Coefficients::Modulo(prime.into())).unwrap();
+        let all = persistent_cycles(&complex, &filtration, &diagram, -1.0).unwrap();
+        prop_assert_eq!(all.len(), diagram.pairs().len());
+        for (found, pair) in all.iter().zip(diagram.pairs()) {
+            prop_assert_eq!(found.pair(), pair);
+            assert_proved(&complex, &filtration, prime, found);
+        }
+        // Those of long classes are the same when they alone are asked for.
+        let long = persistent_cycles(&complex, &filtration, &diagram, 1.0).unwrap();
+        let expected: Vec<&PersistentCycle> = all.iter().filter(|one| one.pair().persistence() > 1.0).collect();
+        prop_assert_eq!(long.iter().collect::<Vec<_>>(), expected);
+        let some = diagram.longer_than(0.0);
+        if some.pairs().len() < diagram.pairs().len() {
+            prop_assert!(persistent_cycles(&complex, &filtration, &some, 1.0).is_err());
+        }
+    }
+}
+
+/// The projective plane has a loop that never dies over F_2, and dies over F_3.
+#[test]
+fn loops_of_torsion_depend_on_the_field() {
+    let plane = [
+        [0, 1, 2],
+        [0, 2, 3],
+        [0, 3, 4],
+        [0, 4, 5],
+        [0, 5, 1],
+        [1, 2, 4],
+        [2, 3, 5],
+        [3, 4, 1],
+        [4, 5, 2],
+        [5, 1, 3],
+    ];
+    let complex = SimplicialComplex::from_facets(plane).unwrap().chain_complex().unwrap();
+    let filtration = Filtration::lower_star(&complex, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0]).unwrap();
+    for (prime, counts) in [(2, [1, 1, 1]), (3, [1, 0, 0])] {
+        let diagram = persistence(&complex, &filtration, Coefficients::Modulo(prime.into())).unwrap();
+        assert_eq!(diagram.betti_numbers(), counts);
+        for found in persistent_cycles(&complex, &filtration, &diagram, -1.0).unwrap() {
+            assert_proved(&complex, &filtration, prime, &found);
+        }
+    }
+}
