@@ -56,6 +56,7 @@ pub use persistence::{
     Barcode, BarcodeMatching, Distances, Filtration, ImageConstruction, ImageDiagram, ImageFiltration,
     ImagePair, PersistenceDiagram, PersistencePair, PersistenceSurface, PersistentCycle, RipsDiagram,
     RipsFiltration, RipsPair, RipsSize, euler_characteristic_curve, persistence, persistent_cycles,
+    torsion_primes,
 };
 
 mod curves;

@@ -22,6 +22,10 @@ pub struct PersistenceAnswer {
     pub diagram: Vec<PersistencePairAnswer>,
     /// The Betti numbers of the whole complex over the field, of points those at the threshold.
     pub betti: Vec<usize>,
+    /// The primes over whose fields other cells are paired than over the rational numbers: torsion comes or goes along the way. Only if cycles were asked
+    /// for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub torsion_primes: Option<Vec<u32>>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,
 }

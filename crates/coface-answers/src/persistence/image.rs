@@ -372,6 +372,7 @@ impl FoundImage {
             threshold: None,
             diagram: self.diagram.pairs().iter().map(pair).collect(),
             betti: self.diagram.betti_numbers(),
+            torsion_primes: None,
             remarks: Vec::new(),
         }
     }

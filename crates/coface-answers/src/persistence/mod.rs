@@ -277,12 +277,15 @@ impl PersistenceRequest {
         let steps = stage("pairing cells", 0);
         let whole = persistence(&complex, &filtration, self.coefficients)?;
         drop(steps);
-        let cycles = match self.cycles {
-            true => Some(persistent_cycles(&complex, &filtration, &whole, self.min_persistence)?),
-            false => None,
+        let (cycles, torsion_primes) = match self.cycles {
+            true => {
+                let cycles = persistent_cycles(&complex, &filtration, &whole, self.min_persistence)?;
+                (Some(cycles), Some(torsion_primes(&complex, &filtration)?))
+            }
+            false => (None, None),
         };
         let diagram = whole.longer_than(self.min_persistence);
-        Ok(FoundDiagram { producer, name: name.to_owned(), function, star, diagram, cycles })
+        Ok(FoundDiagram { producer, name: name.to_owned(), function, star, diagram, cycles, torsion_primes })
     }
 
     fn filtration(
@@ -340,6 +343,7 @@ pub struct FoundDiagram<'a> {
     diagram: PersistenceDiagram,
     /// In the order of the diagram.
     cycles: Option<Vec<PersistentCycle>>,
+    torsion_primes: Option<Vec<u32>>,
 }
 
 impl FoundDiagram<'_> {
@@ -444,6 +448,7 @@ impl FoundDiagram<'_> {
             threshold: None,
             diagram: self.diagram.pairs().iter().enumerate().map(pair).collect(),
             betti: self.diagram.betti_numbers(),
+            torsion_primes: self.torsion_primes.clone(),
             remarks: Vec::new(),
         }
     }

@@ -484,6 +484,7 @@ impl FoundRips {
             threshold: Some(self.diagram.threshold()),
             diagram: self.pairs.iter().map(pair).collect(),
             betti: self.diagram.betti_numbers(),
+            torsion_primes: None,
             remarks: Vec::new(),
         }
     }

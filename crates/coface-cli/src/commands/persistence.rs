@@ -219,6 +219,14 @@ impl Persistence {
             (None, Some(threshold)) => writeln!(page, "    {function}, diameters up to {threshold}"),
             (None, None) => writeln!(page, "    values: {function}"),
         };
+        if let Some(primes) = &answer.torsion_primes {
+            let _ = match &primes[..] {
+                [] => writeln!(page, "    the same pairs over every field: no torsion along the way"),
+                primes => {
+                    writeln!(page, "    other pairs than over Q for p in {primes:?}: torsion along the way")
+                }
+            };
+        }
         for degree in 0..answer.betti.len() {
             let mut pairs: Vec<&PersistencePairAnswer> =
                 answer.diagram.iter().filter(|pair| pair.degree == degree).collect();

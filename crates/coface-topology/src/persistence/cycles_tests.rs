@@ -1,4 +1,4 @@
-use super::{Filtration, PersistentCycle, persistence, persistent_cycles};
+use super::{Filtration, PersistentCycle, persistence, persistent_cycles, torsion_primes};
 use crate::Coefficients;
 use coface_algebra::chains::{Chain, ChainComplex};
 use coface_algebra::{CellId, Integer};
@@ -101,11 +101,51 @@ fn loops_of_torsion_depend_on_the_field() {
     ];
     let complex = SimplicialComplex::from_facets(plane).unwrap().chain_complex().unwrap();
     let filtration = Filtration::lower_star(&complex, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0]).unwrap();
+    assert_eq!(torsion_primes(&complex, &filtration).unwrap(), [2]);
     for (prime, counts) in [(2, [1, 1, 1]), (3, [1, 0, 0])] {
         let diagram = persistence(&complex, &filtration, Coefficients::Modulo(prime.into())).unwrap();
         assert_eq!(diagram.betti_numbers(), counts);
         for found in persistent_cycles(&complex, &filtration, &diagram, -1.0).unwrap() {
             assert_proved(&complex, &filtration, prime, &found);
+        }
+    }
+}
+
+/// A lens space of cells, and moments along the way: which primes matter depends on the order.
+#[test]
+fn primes_are_those_at_which_diagrams_differ() {
+    use coface_algebra::SparseMatrix;
+    for order in [1, 2, 6, 15, 97] {
+        let complex = ChainComplex::new(vec![
+            SparseMatrix::zero(1, 1).unwrap(),
+            SparseMatrix::from_entries(1, 1, [(0, 0, order)]).unwrap(),
+            SparseMatrix::zero(1, 1).unwrap(),
+        ])
+        .unwrap();
+        let filtration = Filtration::new(&complex, vec![vec![0.0], vec![1.0], vec![2.0], vec![3.0]]).unwrap();
+        let expected: Vec<u32> = [2, 3, 5, 97].into_iter().filter(|&p| order % p as i32 == 0).collect();
+        assert_eq!(torsion_primes(&complex, &filtration).unwrap(), expected);
+    }
+}
+
+proptest! {
+    /// Against diagrams over some fields: those over primes that are not named are those over a large one.
+    #[test]
+    fn primes_that_are_not_named_do_not_matter(
+        facets in prop::collection::vec(prop::collection::btree_set(0..8u32, 3..4), 1..20),
+        heights in prop::collection::vec(-3..4i32, 8),
+    ) {
+        let facets = facets.iter().map(|facet| facet.iter().copied().collect::<Vec<_>>());
+        let complex = SimplicialComplex::from_facets(facets).unwrap().chain_complex().unwrap();
+        let values: Vec<f64> = heights.iter().take(complex.cell_count(0)).map(|&x| f64::from(x)).collect();
+        let filtration = Filtration::lower_star(&complex, &values).unwrap();
+        let named = torsion_primes(&complex, &filtration).unwrap();
+        let pairs = |prime: u64| {
+            persistence(&complex, &filtration, Coefficients::Modulo(prime)).unwrap().pairs().to_vec()
+        };
+        let large = pairs(1_000_003);
+        for prime in [2u32, 3, 5, 7] {
+            prop_assert_eq!(pairs(prime.into()) != large, named.contains(&prime), "{} {:?}", prime, named);
         }
     }
 }

@@ -18,6 +18,7 @@ mod filtration;
 mod image;
 mod reduction;
 mod rips;
+mod torsion;
 
 #[cfg(test)]
 mod cycles_tests;
@@ -31,3 +32,4 @@ pub use filtration::Filtration;
 pub use image::{ImageConstruction, ImageDiagram, ImageFiltration, ImagePair};
 pub use reduction::persistence;
 pub use rips::{Distances, RipsDiagram, RipsFiltration, RipsPair, RipsSize};
+pub use torsion::torsion_primes;

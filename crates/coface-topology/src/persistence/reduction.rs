@@ -113,13 +113,13 @@ fn over<F: Field>(
 }
 
 /// The boundaries from one degree to the one below. Cells and faces have their numbers in the order of entrance.
-struct Level<'a, F> {
-    field: &'a F,
-    matrix: &'a SparseMatrix,
+pub(super) struct Level<'a, F> {
+    pub(super) field: &'a F,
+    pub(super) matrix: &'a SparseMatrix,
     /// The id of each cell in the order of entrance.
-    cells: &'a [u32],
+    pub(super) cells: &'a [u32],
     /// The id of each face in the order of entrance.
-    faces: &'a [u32],
+    pub(super) faces: &'a [u32],
 }
 
 impl<F: Field> Level<'_, F> {
@@ -134,7 +134,7 @@ impl<F: Field> Level<'_, F> {
 
     /// The pairs of a graph, for each edge its vertex or [`NONE`]: an edge that joins two trees kills the younger one.
     /// `None` unless the boundary of each edge is zero or a multiple of a difference of two vertices.
-    fn merge(&self) -> Option<Vec<u32>> {
+    pub(super) fn merge(&self) -> Option<Vec<u32>> {
         let numbers = self.numbers();
         let mut trees = UnionFind::new(self.faces.len());
         // The oldest vertex of the tree of each root.
