@@ -22,6 +22,7 @@ mod mass;
 mod nonfinite;
 mod outputs;
 mod persistence;
+mod persistence_cycles;
 mod persistence_images;
 mod persistence_points;
 mod physical_groups;

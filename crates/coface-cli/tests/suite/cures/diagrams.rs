@@ -4,6 +4,8 @@ use super::{Case, Files};
 
 const LINE: Files =
     &[("line.csv", "-inf,inf\n"), ("model.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")];
+/// Points of a line.
+const POINTS: Files = &[("points.csv", "0 0\n1 0\n3 0\n")];
 const TWO: Files = &[("a.csv", "0,inf\n1,3\n"), ("b.csv", "0,inf\n1,2\n")];
 
 pub(super) const CASES: &[Case] = &[
@@ -27,6 +29,10 @@ pub(super) const CASES: &[Case] = &[
         .files(TWO)
         .refused("coface diagram distance a.csv b.csv --order 2")
         .cured(&[&["coface diagram distance a.csv b.csv --order 2 --metric wasserstein"]]),
+    Case::new("commands/persistence.rs", "leave --cycles out")
+        .files(POINTS)
+        .refused("coface persistence points.csv --rips --cycles")
+        .cured(&[&["coface persistence points.csv --rips"]]),
     Case::new("commands/diagram.rs", "all values with -o or --json")
         .files(&[("many.csv", "0 1\n2 3\n4 5\n6 7\n8 9\n10 11\n12 13\n14 15\n16 17\n18 19\n20 21\n")])
         .answered("coface diagram betti many.csv")
