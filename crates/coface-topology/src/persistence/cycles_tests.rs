@@ -123,7 +123,7 @@ fn primes_are_those_at_which_diagrams_differ() {
         ])
         .unwrap();
         let filtration = Filtration::new(&complex, vec![vec![0.0], vec![1.0], vec![2.0], vec![3.0]]).unwrap();
-        let expected: Vec<u32> = [2, 3, 5, 97].into_iter().filter(|&p| order % p as i32 == 0).collect();
+        let expected: Vec<u32> = [2, 3, 5, 97].into_iter().filter(|&p| order % i64::from(p) == 0).collect();
         assert_eq!(torsion_primes(&complex, &filtration).unwrap(), expected);
     }
 }
