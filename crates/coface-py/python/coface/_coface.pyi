@@ -2080,11 +2080,102 @@ class Persistence:
     def to_gudhi(self) -> list[tuple[int, tuple[float, float]]]:
         """All pairs as ``(degree, (birth, death))``, as GUDHI's users have them."""
         ...
-    def betti_curve(self, degree: int, *, at: Any = None, end: float | None = None) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
-    def euler_curve(self, *, at: Any = None) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
-    def landscapes(self, degree: int, count: int = ..., *, at: Any = None, end: float | None = None) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
-    def silhouette(self, degree: int, power: float = 1.0, *, at: Any = None, end: float | None = None) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
-    def persistence_image(self, degree: int, *, resolution: tuple[int, int] = ..., bandwidth: float | None = None, births: tuple[float, float] | None = None, persistences: tuple[float, float] | None = None, power: float = 1.0, end: float | None = None) -> NDArray[np.float64]: ...
+    def betti_curve(self, degree: int, *, at: Any = None, end: float | None = None) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The Betti curve of a degree: how many classes live at a value.
+
+        Parameters
+        ----------
+        degree : int
+            The degree.
+        at : int or array_like, optional
+            Values, or the number of values from the first birth or death to the last; all births and deaths if not given.
+        end : float, optional
+            Where classes that never die, die.
+
+        Returns
+        -------
+        tuple of numpy.ndarray
+            The values and the numbers of classes, ``float64``.
+        """
+        ...
+    def euler_curve(self, *, at: Any = None) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The Euler characteristic curve: the alternating sum of the numbers of classes that live at a value.
+
+        Parameters
+        ----------
+        at : int or array_like, optional
+            Values, or the number of values from the first birth or death to the last; all births and deaths if not given.
+
+        Returns
+        -------
+        tuple of numpy.ndarray
+            The values and the Euler characteristics, ``float64``.
+        """
+        ...
+    def landscapes(self, degree: int, count: int = ..., *, at: Any = None, end: float | None = None) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The first persistence landscapes of a degree (Bubenik, 2015). GUDHI multiplies them by the root of 2.
+
+        Parameters
+        ----------
+        degree : int
+            The degree.
+        count : int
+            How many.
+        at : int or array_like, optional
+            Values, or the number of values from the first birth or death to the last; 100 if not given.
+        end : float, optional
+            Where classes that never die, die.
+
+        Returns
+        -------
+        tuple of numpy.ndarray
+            The values, and an array with a row for each landscape, from the largest one on.
+        """
+        ...
+    def silhouette(self, degree: int, power: float = 1.0, *, at: Any = None, end: float | None = None) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The silhouette of a degree: the mean of the tents over the intervals of births and deaths (Chazal et al., 2014).
+
+        Parameters
+        ----------
+        degree : int
+            The degree.
+        power : float
+            The power of the persistence that is the weight of a class.
+        at : int or array_like, optional
+            Values, or the number of values from the first birth or death to the last; 100 if not given.
+        end : float, optional
+            Where classes that never die, die; they are left out if not given.
+
+        Returns
+        -------
+        tuple of numpy.ndarray
+            The values and the silhouette.
+        """
+        ...
+    def persistence_image(self, degree: int, *, resolution: tuple[int, int] = ..., bandwidth: float | None = None, births: tuple[float, float] | None = None, persistences: tuple[float, float] | None = None, power: float = 1.0, end: float | None = None) -> NDArray[np.float64]:
+        """The persistence image of a degree (Adams et al., 2017).
+
+        Parameters
+        ----------
+        degree : int
+            The degree.
+        resolution : tuple of int
+            The numbers of pixels in the direction of births and of persistences.
+        bandwidth : float, optional
+            The standard deviation of the normal distribution around a class; the longer side of a pixel if not given.
+        births, persistences : tuple of float, optional
+            The first and the last; by default those of the classes, persistences from 0 on.
+        power : float
+            The power of the persistence that is the weight of a class.
+        end : float, optional
+            Where classes that never die, die; they are left out if not given.
+
+        Returns
+        -------
+        numpy.ndarray
+            ``float64``, a row for each range of persistences, from the shortest on, in which births run. A pixel is the volume over it.
+        """
+        ...
     def pairs(self, degree: int) -> NDArray[np.int64]:
         """The cells that make and end the classes of a degree.
 
