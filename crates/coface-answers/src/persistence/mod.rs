@@ -31,7 +31,7 @@ use coface_geometry::Positions;
 use coface_io::Model;
 use coface_topology::{
     Coefficients, Filtration, PersistenceDiagram, PersistencePair, PersistentCycle, persistence,
-    persistent_cycles,
+    persistent_cycles, torsion_primes,
 };
 
 /// A function on the vertices of a model.
