@@ -1381,6 +1381,11 @@ export interface PersistenceAnswer {
   star?: string | null;
   /** The largest diameter of the simplices that were looked at; `null` unless the input is points or distances. */
   threshold?: number | null;
+  /**
+   * The primes over whose fields other cells are paired than over the rational numbers: torsion comes or goes along the way. Only if cycles were asked
+   * for.
+   */
+  torsion_primes?: number[] | null;
 }
 
 /** A homology class that is born and dies, or stays. */
@@ -1389,6 +1394,12 @@ export interface PersistencePairAnswer {
   birth: number;
   /** The cell that gives birth to it, by its vertices; of an image the voxel whose value the birth is, by its place along each axis. */
   birth_cell: number[];
+  /** The chain of the next degree, there from the death on, whose boundary the cycle is; of a class that dies. */
+  bounding_chain?: [WholeNumber, number[]][] | null;
+  /** A cocycle of the cells before the death, with the value 1 on the cycle. */
+  cocycle?: [WholeNumber, number[]][] | null;
+  /** A cycle of the class, there from the birth on. Only if cycles were asked for, as the following ones. */
+  cycle?: [WholeNumber, number[]][] | null;
   /** The value at which it dies; `null` if it stays. */
   death?: number | null;
   /** The cell by which it dies, by its vertices; of an image the voxel whose value the death is. */
