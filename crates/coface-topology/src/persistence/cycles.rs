@@ -151,8 +151,8 @@ impl Entrance {
         self.numbers[cell.index()]
     }
 
-    /// The number from the last one to enter.
-    fn from_last(&self, number: u32) -> u32 {
+    /// The number counted from the last cell to enter; twice it is the number itself.
+    fn counted_back(&self, number: u32) -> u32 {
         self.cells.len() as u32 - 1 - number
     }
 }
@@ -264,7 +264,7 @@ impl<F: Field, N: Fn(F::Unit) -> i64> Over<'_, F, N> {
             let faces = matrix.column(next.cells[number] as usize);
             let mut column: Terms<F::Unit> = faces
                 .iter()
-                .filter_map(|(face, x)| Some((here.from_last(here.numbers[face]), self.field.unit(x)?)))
+                .filter_map(|(face, x)| Some((here.counted_back(here.numbers[face]), self.field.unit(x)?)))
                 .collect();
             column.sort_unstable();
             column
@@ -272,7 +272,7 @@ impl<F: Field, N: Fn(F::Unit) -> i64> Over<'_, F, N> {
         let mut owners = vec![NONE; here.cells.len()];
         for pair in level.all {
             if let Some(death) = pair.death_cell() {
-                owners[here.from_last(here.number(pair.birth_cell())) as usize] = next.number(death);
+                owners[here.counted_back(here.number(pair.birth_cell())) as usize] = next.number(death);
             }
         }
         let columns = Columns::of((0..next.cells.len()).map(column));
@@ -283,7 +283,8 @@ impl<F: Field, N: Fn(F::Unit) -> i64> Over<'_, F, N> {
             let reduced = elimination.reduced(number);
             let factor = self.to_one(reduced[0].1);
             let scaled = |&(number, x): &(u32, F::Unit)| (number, self.field.product(factor, x));
-            let cycle = reduced.iter().map(scaled).map(|(number, x)| (here.from_last(number), x)).collect();
+            let cycle =
+                reduced.iter().map(scaled).map(|(number, x)| (here.counted_back(number), x)).collect();
             Some((cycle, elimination.combination(number).iter().map(scaled).collect()))
         });
         let dying = dying.collect();
@@ -306,23 +307,23 @@ impl<F: Field, N: Fn(F::Unit) -> i64> Over<'_, F, N> {
         for (number, &cell) in next.cells.iter().enumerate() {
             for (face, x) in matrix.column(cell as usize).iter() {
                 if let Some(unit) = self.field.unit(x) {
-                    columns[here.from_last(here.numbers[face]) as usize].push((number as u32, unit));
+                    columns[here.counted_back(here.numbers[face]) as usize].push((number as u32, unit));
                 }
             }
         }
         let mut owners = vec![NONE; next.cells.len()];
         for pair in level.all {
             if let Some(death) = pair.death_cell() {
-                owners[next.number(death) as usize] = here.from_last(here.number(pair.birth_cell()));
+                owners[next.number(death) as usize] = here.counted_back(here.number(pair.birth_cell()));
             }
         }
         let columns = Columns::of(columns.into_iter());
         let mut elimination = Elimination::new(self.field, self.one, columns, owners);
         let steps = stage("finding cocycles", wanted.len());
         let cocycle = |pair: &&PersistencePair| {
-            let column = here.from_last(here.number(pair.birth_cell()));
+            let column = here.counted_back(here.number(pair.birth_cell()));
             let cochain = elimination.combination(column);
-            cochain.into_iter().map(|(number, x)| (here.from_last(number), x)).collect()
+            cochain.into_iter().map(|(number, x)| (here.counted_back(number), x)).collect()
         };
         steps.each(wanted.iter()).map(cocycle).collect()
     }
