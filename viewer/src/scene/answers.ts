@@ -2382,6 +2382,10 @@ export interface YinCombinationAnswer {
 
 /** The answer of `yin compare`. */
 export interface YinComparisonAnswer {
+  /** The greatest distance of the second boundary from the first along the normals of the first, up to twice the Hausdorff distance; null if no normal meets it so near. */
+  along_normals?: number | null;
+  /** An estimate from above of how far that is off. */
+  along_normals_error: number;
   /** The area of the first set less that of the second; null if it is infinite. */
   area_signed?: number | null;
   /** How far that is off at most by rounding. */
@@ -2392,12 +2396,20 @@ export interface YinComparisonAnswer {
   area_xor_error: number;
   /** The number of components of each set. */
   components: [number, number];
+  /** The greatest difference of the curvatures of both boundaries where normals meet, in the inverse of the unit; null if none does. */
+  curvature?: number | null;
+  /** An estimate from above of how far that is off. */
+  curvature_error: number;
   /** The names of the inputs. */
   files: string[];
   /** The Hausdorff distance of the boundaries; null if one set alone has a boundary. */
   hausdorff?: number | null;
+  /** An estimate from above of how far that is off. */
+  hausdorff_error: number;
   /** The number of holes of each set. */
   holes: [number, number];
+  /** The part of the places of the first boundary whose normals do not meet the second one so near. */
+  normals_left_out: number;
   /** What was assumed or left out. */
   remarks: Remark[];
 }
@@ -2784,6 +2796,10 @@ export interface YinSeriesAnswer {
 
 /** How far a set of a series is from the one that it is compared with. */
 export interface YinSeriesRow {
+  /** The greatest distance of the reference along the normals of the set; null if no normal meets it within twice the Hausdorff distance. */
+  along_normals?: number | null;
+  /** An estimate from above of how far that is off. */
+  along_normals_error: number;
   /** The power of the spacing by which that area has fallen since the row before; null in the first row and at the same spacing. */
   area_rate?: number | null;
   /** The area of the set less that of the reference; null if it is infinite. */
@@ -2796,10 +2812,18 @@ export interface YinSeriesRow {
   area_xor_error: number;
   /** The number of components. */
   components: number;
+  /** The greatest difference of curvatures where normals meet; null if none does. */
+  curvature?: number | null;
+  /** An estimate from above of how far that is off. */
+  curvature_error: number;
+  /** The power of the spacing by which that difference has fallen since the row before; null in the first row and at the same spacing. */
+  curvature_rate?: number | null;
   /** The name of the file. */
   file: string;
   /** The Hausdorff distance of the boundaries; null if one set alone has a boundary. */
   hausdorff?: number | null;
+  /** An estimate from above of how far that distance is off. */
+  hausdorff_error: number;
   /** The power of the spacing by which that distance has fallen since the row before; null in the first row and at the same spacing. */
   hausdorff_rate?: number | null;
   /** The number of holes. */

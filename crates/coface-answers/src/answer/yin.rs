@@ -199,6 +199,19 @@ pub struct YinComparisonAnswer {
     pub area_signed_error: f64,
     /// The Hausdorff distance of the boundaries; null if one set alone has a boundary.
     pub hausdorff: Option<f64>,
+    /// An estimate from above of how far that is off.
+    pub hausdorff_error: f64,
+    /// The greatest distance of the second boundary from the first along the normals of the first, up to twice the Hausdorff distance; null if
+    /// no normal meets it so near.
+    pub along_normals: Option<f64>,
+    /// An estimate from above of how far that is off.
+    pub along_normals_error: f64,
+    /// The part of the places of the first boundary whose normals do not meet the second one so near.
+    pub normals_left_out: f64,
+    /// The greatest difference of the curvatures of both boundaries where normals meet, in the inverse of the unit; null if none does.
+    pub curvature: Option<f64>,
+    /// An estimate from above of how far that is off.
+    pub curvature_error: f64,
     /// The number of components of each set.
     pub components: [usize; 2],
     /// The number of holes of each set.

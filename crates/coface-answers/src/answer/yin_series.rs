@@ -40,6 +40,18 @@ pub struct YinSeriesRow {
     pub hausdorff: Option<f64>,
     /// The power of the spacing by which that distance has fallen since the row before; null in the first row and at the same spacing.
     pub hausdorff_rate: Option<f64>,
+    /// An estimate from above of how far that distance is off.
+    pub hausdorff_error: f64,
+    /// The greatest distance of the reference along the normals of the set; null if no normal meets it within twice the Hausdorff distance.
+    pub along_normals: Option<f64>,
+    /// An estimate from above of how far that is off.
+    pub along_normals_error: f64,
+    /// The greatest difference of curvatures where normals meet; null if none does.
+    pub curvature: Option<f64>,
+    /// An estimate from above of how far that is off.
+    pub curvature_error: f64,
+    /// The power of the spacing by which that difference has fallen since the row before; null in the first row and at the same spacing.
+    pub curvature_rate: Option<f64>,
     /// The number of components.
     pub components: usize,
     /// The number of holes.

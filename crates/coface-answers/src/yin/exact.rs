@@ -1,10 +1,11 @@
 //! Disks and ellipses as sets right to rounding, and series of sets that come near one.
 
 use super::PlanarSet;
-use crate::answer::{YinSeriesAnswer, YinSeriesRow};
+use crate::answer::{Remark, RemarkCode, YinSeriesAnswer, YinSeriesRow};
 use coface_algebra::Error;
 use coface_geometry::{AffineMap, Angle};
-use coface_yin::{Curve, Order, YinSet};
+use coface_yin::{Curve, Order, VelocityExpression, YinSet};
+use std::f64::consts::TAU;
 
 /// The number of knots of exact shapes. Splines of order 8 through so many points of a circle are off by less than rounding.
 const KNOTS: usize = 256;
@@ -38,6 +39,45 @@ impl PlanarSet {
             .then(&AffineMap::rotation(2, [0, 1], angle)?)?
             .then(&AffineMap::translation(&center)?)?;
         Ok(Self::from_set(unit.transformed(&map)?))
+    }
+
+    /// What is inside of a closed curve, given by two expressions of `t` with a semicolon between them, as in `"2*cos(t); sin(t)"`, in the
+    /// words of [`VelocityExpression`]: t runs from 0 to $2 \\pi$, which is `T`. The boundary is a spline of order 8 that has the points of the
+    /// curve at 8 places of each piece, and as many pieces as it takes until it is off by rounding alone; where a curve is so rough that 8192
+    /// are not enough, a remark says by how much it is off. Whatever way the curve runs, its inside is the set.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for what cannot be read, for expressions that have no value
+    /// somewhere or name x or y, for curves that do not close, and for those that cross themselves.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::PlanarSet;
+    /// let ellipse = PlanarSet::function("2*cos(t); 0.5*sin(t)")?;
+    /// let area = ellipse.set().area().expect("an ellipse is bounded");
+    /// assert!((area - std::f64::consts::PI).abs() < 1e-13);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn function(text: &str) -> Result<Self, Error> {
+        /// The numbers of pieces that are tried.
+        const PIECES: std::ops::RangeInclusive<u32> = 6..=13;
+        let curve = VelocityExpression::parse(text, TAU)?;
+        let mut best: Option<(Curve<'static>, [f64; 2])> = None;
+        for exponent in PIECES {
+            let (found, off) = interpolated(&curve, 1 << exponent)?;
+            let is_done = off[0] <= off[1];
+            best = Some((found, off));
+            if is_done {
+                break;
+            }
+        }
+        let (found, [off, rounding]) = best.expect("some number of pieces is tried");
+        let mut made = Self::from_set(YinSet::oriented(&[found])?);
+        if off > rounding {
+            let message = format!("the spline that stands for {text} is off by about {off:.1e}");
+            made.remarks.push(Remark::new(RemarkCode::ArcsApproximated, message));
+        }
+        Ok(made)
     }
 
     /// How far sets are from this one, one after the other, and how fast they come near it: rates are exponents of the mean distance of
@@ -94,10 +134,115 @@ impl PlanarSet {
                 area_signed_error: found.area_signed_error,
                 hausdorff: found.hausdorff,
                 hausdorff_rate: rate(|row| row.hausdorff, found.hausdorff),
+                hausdorff_error: found.hausdorff_error,
+                along_normals: found.along_normals,
+                along_normals_error: found.along_normals_error,
+                curvature: found.curvature,
+                curvature_error: found.curvature_error,
+                curvature_rate: rate(|row| row.curvature, found.curvature),
                 components: found.components[0],
                 holes: found.holes[0],
             });
         }
         Ok(YinSeriesAnswer { reference: name.to_owned(), rows, remarks })
     }
+}
+
+/// The parameters at which a piece has the points of the curve: the extrema of a Chebyshev polynomial.
+fn nodes(count: usize) -> Vec<f64> {
+    let last = (count - 1) as f64;
+    (0..count).map(|i| 0.5 - 0.5 * (std::f64::consts::PI * i as f64 / last).cos()).collect()
+}
+
+/// The Bernstein polynomials of a degree at a parameter.
+fn bernstein(degree: usize, s: f64) -> Vec<f64> {
+    let mut values = vec![1.0];
+    for _ in 0..degree {
+        values.push(0.0);
+        for at in (0..values.len()).rev() {
+            let before = if at > 0 { values[at - 1] } else { 0.0 };
+            values[at] = (1.0 - s) * values[at] + s * before;
+        }
+    }
+    values
+}
+
+/// A closed spline of order 8 with so many pieces through points of a curve; how far it is off between them, and how far rounding lets it be.
+fn interpolated(curve: &VelocityExpression, pieces: usize) -> Result<(Curve<'static>, [f64; 2]), Error> {
+    /// Points may be off by so many times the last digit of the largest coordinate.
+    const ROUNDING: f64 = 32.0;
+    let order = Order::new(8)?;
+    let count = order.value();
+    let nodes = nodes(count);
+    let point = |t: f64| -> Result<[f64; 2], Error> {
+        let found = curve.velocity([f64::NAN; 2], t);
+        match found.iter().all(|x| x.is_finite()) {
+            true => Ok(found),
+            false => Err(Error::invalid(format!("the curve has no point at t = {t}"))
+                .with_cure("write expressions of t alone that have values from 0 to 2*pi")),
+        }
+    };
+    let start = point(0.0)?;
+    let step = TAU / pieces as f64;
+    let mut controls = vec![start];
+    let mut largest = 0.0f64;
+    let mut off = 0.0f64;
+    for piece in 0..pieces {
+        let at = |s: f64| step * (piece as f64 + s);
+        let mut rows: Vec<(Vec<f64>, [f64; 2])> = Vec::with_capacity(count);
+        for &s in &nodes {
+            rows.push((bernstein(count - 1, s), point(at(s))?));
+        }
+        let own = solved(rows);
+        largest = own.as_flattened().iter().fold(largest, |largest, x| largest.max(x.abs()));
+        for pair in nodes.windows(2) {
+            let s = 0.5 * (pair[0] + pair[1]);
+            let (there, weights) = (point(at(s))?, bernstein(count - 1, s));
+            for axis in 0..2 {
+                let value: f64 = weights.iter().zip(&own).map(|(weight, point)| weight * point[axis]).sum();
+                off = off.max((value - there[axis]).abs());
+            }
+        }
+        controls.extend(&own[1..]);
+    }
+    let rounding = ROUNDING * f64::EPSILON * largest;
+    let end = controls[controls.len() - 1];
+    if (0..2).any(|axis| (end[axis] - start[axis]).abs() > 1e-9 * largest) {
+        return Err(Error::invalid(format!(
+            "the curve does not close: it begins at ({}, {}) and ends at ({}, {})",
+            start[0], start[1], end[0], end[1]
+        ))
+        .with_cure("write expressions of t that have one value at 0 and 2*pi"));
+    }
+    let last = controls.len() - 1;
+    controls[last] = start;
+    let knots = (0..=pieces).map(|piece| step * piece as f64).collect();
+    Ok((Curve::from_controls(order, controls, knots)?, [off, rounding]))
+}
+
+/// The solution of linear equations with two right sides, by elimination with pivots.
+fn solved(mut rows: Vec<(Vec<f64>, [f64; 2])>) -> Vec<[f64; 2]> {
+    let count = rows.len();
+    for column in 0..count {
+        let pivot =
+            (column..count).max_by(|&a, &b| rows[a].0[column].abs().total_cmp(&rows[b].0[column].abs()));
+        rows.swap(column, pivot.expect("there are rows left"));
+        let (weights, right) = rows[column].clone();
+        for row in &mut rows[column + 1..] {
+            let factor = row.0[column] / weights[column];
+            for at in column..count {
+                row.0[at] -= factor * weights[at];
+            }
+            row.1 = [0, 1].map(|axis| row.1[axis] - factor * right[axis]);
+        }
+    }
+    let mut found = vec![[0.0; 2]; count];
+    for row in (0..count).rev() {
+        let (weights, right) = &rows[row];
+        found[row] = [0, 1].map(|axis| {
+            let known: f64 = (row + 1..count).map(|at| weights[at] * found[at][axis]).sum();
+            (right[axis] - known) / weights[row]
+        });
+    }
+    found
 }

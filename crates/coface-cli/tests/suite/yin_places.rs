@@ -219,6 +219,37 @@ fn fits_of_a_circle_come_near_it_at_order_four() {
     let turned = yin(&["compare", names[2], "--exact", "ellipse:3,0,2,2,30"]);
     let miss = turned["area_xor"].as_f64().unwrap() - one["area_xor"].as_f64().unwrap();
     assert!(miss.abs() < 1e-12, "{miss}");
+    for (key, truth) in [("hausdorff", 1e-5), ("along_normals", 1e-5)] {
+        let [found, off] = [key.to_owned(), format!("{key}_error")].map(|key| one[&key].as_f64().unwrap());
+        assert!(found < truth && off < 1e-2 * found, "{key} {found:e} {off:e}");
+    }
+    assert_eq!(one["normals_left_out"], json!(0.0));
+    let rate = rows[2]["curvature_rate"].as_f64().unwrap();
+    assert!((rate - 2.0).abs() < 0.2, "{rate}");
+    // The same circle by expressions, whatever way they run.
+    for function in ["function:3+2*cos(t); 2*sin(t)", "function:3+2*sin(t*2*pi/T); 2*cos(t)"] {
+        let same = yin(&["compare", names[2], "--exact", function]);
+        let miss = same["area_xor"].as_f64().unwrap() - one["area_xor"].as_f64().unwrap();
+        assert!(miss.abs() < 1e-12, "{function} {miss:e}");
+    }
+    for (function, said) in [
+        ("function:cos(t/2); sin(t)", "does not close"),
+        ("function:x*cos(t); sin(t)", "no point at t = 0"),
+        ("function:log(t); sin(t)", "no point at t = 0"),
+        ("function:cos(t)", "there is one expression"),
+        ("function:sin(t); sin(2*t)", "meets itself"),
+    ] {
+        let told = fails(&["compare", names[0], "--exact", function]);
+        assert!(told.contains("--exact") && told.contains(said), "{function}: {told}");
+    }
+    let rough = coface(&[
+        "yin",
+        "compare",
+        names[0],
+        "--exact",
+        "function:3+2*abs(cos(t-1))*cos(t); 2*abs(cos(t-1))*sin(t)",
+    ]);
+    assert!(rough.status == 1 || rough.stderr.contains("is off by about"), "{}", rough.stderr);
     // Without a shape the last file is what the others come near.
     let last = yin(&[&["compare", "--series"], &names[..]].concat());
     assert_eq!((last["rows"].as_array().unwrap().len(), last["reference"].as_str().is_some()), (2, true));

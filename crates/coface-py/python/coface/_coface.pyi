@@ -3489,7 +3489,9 @@ class YinSet:
     def compare(self, other: YinSet) -> SetComparison:
         """How far another set is from this one: ``area_xor`` (the area of the symmetric difference; ``None`` if it is infinite) and
         ``area_xor_error`` (an estimate from above, about 1e-14 of the box), ``area_signed``, ``area_signed_error``, ``hausdorff`` (of the
-        boundaries), ``components`` and ``holes`` of both.
+        boundaries), ``along_normals`` (the greatest distance along the normals of this boundary) and ``curvature`` (the greatest difference of
+        curvatures where these normals meet the other), each with its ``_error``; ``normals_left_out`` (the part of this boundary whose normals
+        do not meet the other within twice the Hausdorff distance), ``components`` and ``holes`` of both.
         """
         ...
     @classmethod

@@ -158,6 +158,12 @@ class SetComparison(TypedDict):
     area_signed: float | None
     area_signed_error: float | None
     hausdorff: float | None
+    hausdorff_error: float | None
+    along_normals: float | None
+    along_normals_error: float | None
+    normals_left_out: float | None
+    curvature: float | None
+    curvature_error: float | None
     components: list[int]
     holes: list[int]
     files: list[str]

@@ -5,19 +5,14 @@
 //! other, and nothing is lost below a resolution.
 
 use super::YinSet;
-use crate::curve::{bernstein, distance, distance_to, gauss_legendre, monotone_breaks};
+use super::gaps::{NormalGaps, farthest, normal_gaps};
+use crate::curve::{bernstein, gauss_legendre, monotone_breaks};
 use coface_algebra::Error;
-use coface_geometry::{AxisBox, BoxTree, Sum};
+use coface_geometry::Sum;
 use rayon::prelude::*;
 
 /// How deep a strip is halved.
 const DEEPEST: u32 = 44;
-
-/// At how many places of a piece distances are taken.
-const PLACES: usize = 16;
-
-/// How often the way around a place of greatest distance is narrowed.
-const NARROWINGS: u32 = 40;
 
 /// How far two sets are apart.
 ///
@@ -40,6 +35,8 @@ pub struct Comparison {
     area_signed: f64,
     area_signed_error: f64,
     hausdorff: f64,
+    hausdorff_error: f64,
+    normals: NormalGaps,
 }
 
 impl Comparison {
@@ -110,11 +107,101 @@ impl Comparison {
     pub fn hausdorff(&self) -> f64 {
         self.hausdorff
     }
+
+    /// An estimate from above of how far [`Self::hausdorff`] is off: what parabolas through places next to each other rise above all places,
+    /// and a bound on rounding.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Order, YinSet};
+    /// let circle = Curve::circle([0.0, 0.0], 1.0, 64, Order::CUBIC)?;
+    /// let moved = YinSet::new(&[circle.translated([1e-6, 0.0])])?;
+    /// let found = YinSet::new(&[circle])?.comparison(&moved)?;
+    /// assert!((found.hausdorff() - 1e-6).abs() <= found.hausdorff_error());
+    /// assert!(found.hausdorff_error() < 1e-10);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn hausdorff_error(&self) -> f64 {
+        self.hausdorff_error
+    }
+
+    /// The greatest distance of the second boundary from the first along the normals of the first: at 17 places of each piece of the first
+    /// boundary, how far from there its normal line meets the second one, to either side, up to twice the Hausdorff distance. None where no
+    /// normal line does.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Order, YinSet};
+    /// let disk = |radius: f64| YinSet::new(&[Curve::circle([0.0, 0.0], radius, 64, Order::CUBIC)?]);
+    /// let found = disk(1.0)?.comparison(&disk(1.01)?)?;
+    /// assert!(found.along_normals().is_some_and(|far| (far - 0.01).abs() < 1e-6));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn along_normals(&self) -> Option<f64> {
+        self.normals.is_matched().then_some(self.normals.distance)
+    }
+
+    /// An estimate from above of how far [`Self::along_normals`] is off, as [`Self::hausdorff_error`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Order, YinSet};
+    /// let found = YinSet::empty(Order::CUBIC).comparison(&YinSet::empty(Order::CUBIC))?;
+    /// assert_eq!((found.along_normals(), found.along_normals_error()), (None, 0.0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn along_normals_error(&self) -> f64 {
+        self.normals.distance_error
+    }
+
+    /// The part of the places of the first boundary whose normal lines do not meet the second one within twice the Hausdorff distance: what
+    /// [`Self::along_normals`] and [`Self::curvature`] say nothing about.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Order, YinSet};
+    /// let disk = |radius: f64| YinSet::new(&[Curve::circle([0.0, 0.0], radius, 64, Order::CUBIC)?]);
+    /// assert_eq!(disk(1.0)?.comparison(&disk(1.01)?)?.normals_left_out(), 0.0);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn normals_left_out(&self) -> f64 {
+        self.normals.left_out
+    }
+
+    /// The greatest difference of the curvatures of the two boundaries, taken where the normal lines of the first meet the second, in the
+    /// inverse of the unit of the coordinates; curvature is positive where a boundary turns left. None where no normal line does.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Order, YinSet};
+    /// let disk = |radius: f64| YinSet::new(&[Curve::circle([0.0, 0.0], radius, 256, Order::CUBIC)?]);
+    /// let found = disk(1.0)?.comparison(&disk(2.0)?)?;
+    /// assert!(found.curvature().is_some_and(|apart| (apart - 0.5).abs() < 1e-3));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn curvature(&self) -> Option<f64> {
+        self.normals.is_matched().then_some(self.normals.curvature)
+    }
+
+    /// An estimate from above of how far [`Self::curvature`] is off: as [`Self::hausdorff_error`], with what rounding of control points does to
+    /// second derivatives.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Order, YinSet};
+    /// let found = YinSet::empty(Order::CUBIC).comparison(&YinSet::empty(Order::CUBIC))?;
+    /// assert_eq!((found.curvature(), found.curvature_error()), (None, 0.0));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn curvature_error(&self) -> f64 {
+        self.normals.curvature_error
+    }
 }
 
 impl YinSet {
     /// How far another set is from this one: the area of the symmetric difference with an estimate of its error, about 1e-14 of the box
-    /// around both, the difference of the areas, and the Hausdorff distance of the boundaries. No resolution limits them: sets that are
+    /// around both, the difference of the areas, the Hausdorff distance of the boundaries, and their distance and difference of curvature along
+    /// the normals of this one. No resolution limits them: sets that are
     /// apart by 1e-10 of their size are right to five digits.
     ///
     /// # Errors
@@ -147,6 +234,8 @@ impl YinSet {
                 area_signed,
                 area_signed_error: 0.0,
                 hausdorff: 0.0,
+                hausdorff_error: 0.0,
+                normals: NormalGaps::default(),
             });
         };
         let extent = [0, 1].map(|axis| high[axis] - low[axis]);
@@ -157,9 +246,18 @@ impl YinSet {
         // Coordinates are taken from the middle of the box, so that large ones do no harm.
         let center = [0, 1].map(|axis| low[axis] + 0.5 * extent[axis]);
         let pieces = sets.map(|set| local_pieces(set, center));
-        let hausdorff = farthest(&pieces[0], &pieces[1]).max(farthest(&pieces[1], &pieces[0]));
-        let arcs: Vec<Arc> = pieces.iter().flatten().flat_map(|piece| arcs_of(piece)).collect();
         let largest = extent[0].max(extent[1]);
+        let (from, to) = (farthest(&pieces[0], &pieces[1]), farthest(&pieces[1], &pieces[0]));
+        let hausdorff = from.most.max(to.most);
+        let hausdorff_error = match hausdorff.is_finite() {
+            true => (from.peak.max(to.peak) - hausdorff).max(0.0) + 8.0 * f64::EPSILON * largest,
+            false => 0.0,
+        };
+        let normals = match hausdorff.is_finite() {
+            true => normal_gaps(&pieces[0], &pieces[1], 2.0 * hausdorff + 8.0 * f64::EPSILON * largest),
+            false => NormalGaps::default(),
+        };
+        let arcs: Vec<Arc> = pieces.iter().flatten().flat_map(|piece| arcs_of(piece)).collect();
         let signed = pieces.each_ref().map(|pieces| {
             let mut sum = Sum::default();
             pieces.iter().for_each(|piece| add_area(piece, &mut sum));
@@ -179,12 +277,14 @@ impl YinSet {
             },
             area_signed_error: area_signed_error.min(largest * largest * 64.0 * f64::EPSILON * 8.0),
             hausdorff,
+            hausdorff_error,
+            normals,
         })
     }
 }
 
 /// The control points of a piece, from the middle of all.
-type Controls = Vec<[f64; 2]>;
+pub(super) type Controls = Vec<[f64; 2]>;
 
 fn local_pieces(set: &YinSet, center: [f64; 2]) -> Vec<Controls> {
     let curves = (0..set.curve_count()).map(|curve| set.curve(curve));
@@ -422,62 +522,4 @@ fn hidden_area(halves: &[Integral; 2], [low, high]: [f64; 2], count: usize) -> f
         }
     }
     most
-}
-
-/// The greatest distance of points of the first pieces from the others.
-fn farthest(from: &[Controls], to: &[Controls]) -> f64 {
-    if from.is_empty() {
-        return 0.0;
-    }
-    if to.is_empty() {
-        return f64::INFINITY;
-    }
-    let boxes: Vec<AxisBox> = to
-        .iter()
-        .map(|piece| {
-            let [low, high] = bernstein::control_box(piece);
-            [[low[0], high[0]], [low[1], high[1]], [0.0; 2]]
-        })
-        .collect();
-    let tree = BoxTree::new(&boxes);
-    let nearest = |point: [f64; 2], guess: f64| {
-        let mut reach = guess;
-        loop {
-            let mut best = f64::INFINITY;
-            let query =
-                [[point[0] - reach, point[0] + reach], [point[1] - reach, point[1] + reach], [0.0; 2]];
-            tree.visit(&query, |piece| best = best.min(distance_to(&to[piece as usize], point, best)));
-            if best <= reach {
-                return best;
-            }
-            reach = if best.is_finite() { best } else { 4.0 * reach };
-        }
-    };
-    let of_piece = |piece: &Controls| {
-        let [low, high] = bernstein::control_box(piece);
-        let step = distance(low, high) / PLACES as f64;
-        let mut guess = step.max(f64::MIN_POSITIVE);
-        let mut at = |s: f64| {
-            let found = nearest(bernstein::value(piece, s), guess);
-            guess = (2.0 * found).max(1e-3 * step).max(f64::MIN_POSITIVE);
-            found
-        };
-        let places: Vec<f64> = (0..=PLACES).map(|i| at(i as f64 / PLACES as f64)).collect();
-        let Some(best) = (0..=PLACES).max_by(|&i, &j| places[i].total_cmp(&places[j])) else { return 0.0 };
-        let [mut low, mut high] =
-            [best.saturating_sub(1), (best + 1).min(PLACES)].map(|i| i as f64 / PLACES as f64);
-        let mut most = places[best];
-        for _ in 0..NARROWINGS {
-            let [a, b] = [1.0 / 3.0, 2.0 / 3.0].map(|part| low + part * (high - low));
-            let [of_a, of_b] = [at(a), at(b)];
-            most = most.max(of_a).max(of_b);
-            if of_a < of_b {
-                low = a;
-            } else {
-                high = b;
-            }
-        }
-        most
-    };
-    from.par_iter().with_min_len(8).map(of_piece).reduce(|| 0.0, f64::max)
 }

@@ -7,6 +7,7 @@ mod construction;
 mod curvature;
 mod curve_arena;
 mod fault;
+mod gaps;
 mod hasse_forest;
 mod jordan_curve;
 mod location;

@@ -122,3 +122,36 @@ fn comparisons_agree_with_booleans() {
         assert!(nearest(curve.point(0.123)) <= found.hausdorff() + 1e-2, "{seed}");
     }
 }
+
+/// A circle and one around it, an ellipse and a circle: distances along normals and curvatures in closed form.
+#[test]
+fn normals_and_curvatures_are_those_of_closed_forms() {
+    let disk = |radius: f64, count: usize| {
+        YinSet::new(&[Curve::circle([0.5, -2.0], radius, count, Order::new(8).unwrap()).unwrap()]).unwrap()
+    };
+    for by in [0.5, 1e-2, 1e-5, 1e-8] {
+        let found = disk(1.0, 64).comparison(&disk(1.0 + by, 64)).unwrap();
+        let (far, apart) = (found.along_normals().unwrap(), found.curvature().unwrap());
+        assert!((far - by).abs() <= found.along_normals_error() + 1e-11, "{by:e} {far:e}");
+        assert!(
+            (found.hausdorff() - by).abs() <= found.hausdorff_error() + 1e-11,
+            "{by:e} {:e}",
+            found.hausdorff()
+        );
+        assert!((apart - by / (1.0 + by)).abs() <= found.curvature_error() + 1e-7, "{by:e} {apart:e}");
+        assert_eq!(found.normals_left_out(), 0.0, "{by:e}");
+    }
+    let order = Order::new(8).unwrap();
+    let ellipse = YinSet::new(&[Curve::ellipse([0.0, 0.0], [1.1, 1.0], 256, order).unwrap()]).unwrap();
+    let circle = YinSet::new(&[Curve::circle([0.0, 0.0], 1.0, 256, order).unwrap()]).unwrap();
+    let found = circle.comparison(&ellipse).unwrap();
+    assert!((found.along_normals().unwrap() - 0.1).abs() <= found.along_normals_error() + 1e-9);
+    // The curvature of the ellipse at the end of its longer axis.
+    assert!((found.curvature().unwrap() - 0.1).abs() <= found.curvature_error() + 1e-6);
+    let nothing = circle.comparison(&YinSet::empty(order)).unwrap();
+    assert_eq!((nothing.along_normals(), nothing.curvature(), nothing.normals_left_out()), (None, None, 1.0));
+    // A circle far away: most normals do not come to it.
+    let moved = YinSet::new(&[circle.curve(0).translated([9.0, 0.0])]).unwrap();
+    let far = circle.comparison(&moved).unwrap();
+    assert!(far.normals_left_out() > 0.5 && far.normals_left_out() < 1.0, "{}", far.normals_left_out());
+}

@@ -19,11 +19,13 @@ use std::path::PathBuf;
 ///
 /// With --json, and with -o FILE.json: "area_xor" (null if it is infinite), "area_xor_error" (an estimate from above), "area_signed" (the
 /// first less the second), "area_signed_error", "hausdorff" (the greatest distance of a point of one boundary from the other),
-/// "components" and "holes" of both.
+/// "along_normals" (the greatest distance along the normals of the first boundary), "curvature" (the greatest difference of curvatures where
+/// these normals meet the second), each with its "_error", "normals_left_out" (the part of the first boundary whose normals do not meet the
+/// second within twice the Hausdorff distance), "components" and "holes" of both.
 ///
 /// With --exact the sets are compared with a shape instead of a last file; with --series any number of them, one after the other: a table
 /// of convergence with the rates at which areas and distances fall with the mean distance of knots. With --json: "reference", "rows" (each
-/// with "file", "knots", "spacing", the keys above, "area_rate" and "hausdorff_rate").
+/// with "file", "knots", "spacing", the keys above, "area_rate", "hausdorff_rate" and "curvature_rate").
 #[derive(Args)]
 pub(super) struct Compare {
     /// The two sets, or those of a series and the one that they come near; - is standard input
@@ -31,7 +33,8 @@ pub(super) struct Compare {
     inputs: Vec<PathBuf>,
     #[command(flatten)]
     options: SetOptions,
-    /// Compare with a shape, right to rounding: circle:X,Y,RADIUS or ellipse:X,Y,A,B,DEGREES with half axes A and B
+    /// Compare with a shape, right to rounding: circle:X,Y,RADIUS, ellipse:X,Y,A,B,DEGREES with half axes A and B, or the curve of two
+    /// expressions of t from 0 to 2*pi, as in "function:2*cos(t); sin(t)", with the words of `coface yin advect --velocity`
     #[arg(long, value_name = "SHAPE", value_parser = shape)]
     exact: Option<Shape>,
     /// Compare any number of sets, each with the last one or with --exact, in a table with rates
@@ -39,22 +42,29 @@ pub(super) struct Compare {
     series: bool,
 }
 
-/// An ellipse as the command line names it.
+/// A shape as the command line names it.
 #[derive(Clone)]
 struct Shape {
     name: String,
-    center: [f64; 2],
-    half_axes: [f64; 2],
-    degrees: f64,
+    outline: Outline,
+}
+
+#[derive(Clone)]
+enum Outline {
+    Ellipse { center: [f64; 2], half_axes: [f64; 2], degrees: f64 },
+    Function(String),
 }
 
 fn shape(text: &str) -> Result<Shape, String> {
     let fault = || {
         format!(
-            "\"{text}\" is no shape: write circle:X,Y,RADIUS or ellipse:X,Y,A,B[,DEGREES] with positive lengths"
+            "\"{text}\" is no shape: write circle:X,Y,RADIUS or ellipse:X,Y,A,B[,DEGREES] with positive lengths, or function:X(t); Y(t)"
         )
     };
     let (kind, numbers) = text.split_once(':').ok_or_else(fault)?;
+    if kind == "function" {
+        return Ok(Shape { name: text.to_owned(), outline: Outline::Function(numbers.to_owned()) });
+    }
     let numbers: Option<Vec<f64>> =
         numbers.split(',').map(|word| word.trim().parse().ok().filter(|x: &f64| x.is_finite())).collect();
     let (center, half_axes, degrees) = match (kind, numbers.ok_or_else(fault)?.as_slice()) {
@@ -66,12 +76,20 @@ fn shape(text: &str) -> Result<Shape, String> {
     if half_axes.iter().any(|axis| *axis <= 0.0) {
         return Err(fault());
     }
-    Ok(Shape { name: text.to_owned(), center, half_axes, degrees })
+    Ok(Shape { name: text.to_owned(), outline: Outline::Ellipse { center, half_axes, degrees } })
 }
 
 impl Shape {
-    fn set(&self) -> Result<PlanarSet, coface::Error> {
-        PlanarSet::ellipse(self.center, self.half_axes, Angle::degrees(self.degrees)?)
+    fn set(&self) -> Result<PlanarSet, Failure> {
+        match &self.outline {
+            Outline::Ellipse { center, half_axes, degrees } => {
+                Ok(PlanarSet::ellipse(*center, *half_axes, Angle::degrees(*degrees)?)?)
+            }
+            Outline::Function(text) => {
+                let found = PlanarSet::function(text);
+                found.map_err(|error| Failure::new(format!("--exact: {error}")))
+            }
+        }
     }
 }
 
@@ -140,7 +158,8 @@ impl Compare {
 fn table(answer: &YinSeriesAnswer) -> String {
     let real = |number: Option<f64>| number.map_or("infinite".to_owned(), |number| format!("{number:.3e}"));
     let rate = |rate: Option<f64>| rate.map_or("-".to_owned(), |rate| format!("{rate:.2}"));
-    let titles = ["set", "knots", "area of xor", "off by at most", "rate", "Hausdorff", "rate"];
+    let titles =
+        ["set", "knots", "area of xor", "off by at most", "rate", "Hausdorff", "rate", "curvature", "rate"];
     let mut rows = vec![titles.map(str::to_owned).to_vec()];
     rows.extend(answer.rows.iter().map(|row| {
         vec![
@@ -151,6 +170,8 @@ fn table(answer: &YinSeriesAnswer) -> String {
             rate(row.area_rate),
             real(row.hausdorff),
             rate(row.hausdorff_rate),
+            row.curvature.map_or("-".to_owned(), |apart| format!("{apart:.3e}")),
+            rate(row.curvature_rate),
         ]
     }));
     let widths: Vec<usize> =
@@ -170,15 +191,19 @@ fn table(answer: &YinSeriesAnswer) -> String {
 fn page(answer: &YinComparisonAnswer) -> String {
     let real = |number: Option<f64>| number.map_or("infinite".to_owned(), text::number);
     let error = |error: f64| format!("off by at most about {error:.1e}");
+    let normal = |number: Option<f64>| number.map_or("unknown".to_owned(), text::number);
+    let normals = |off: f64| match answer.normals_left_out {
+        0.0 => error(off),
+        1.0 => "no normal of the first boundary meets the second near by".to_owned(),
+        part => format!("{}; without {:.1} % of the first boundary", error(off), 100.0 * part),
+    };
     let pair = |[a, b]: [usize; 2]| format!("{} and {}", text::grouped(a), text::grouped(b));
     let facts = [
         ("area of a xor b", real(answer.area_xor), error(answer.area_xor_error)),
         ("area a less b", real(answer.area_signed), error(answer.area_signed_error)),
-        (
-            "Hausdorff",
-            real(answer.hausdorff),
-            "greatest distance of a point of one boundary from the other".to_owned(),
-        ),
+        ("Hausdorff", real(answer.hausdorff), error(answer.hausdorff_error)),
+        ("along normals", normal(answer.along_normals), normals(answer.along_normals_error)),
+        ("curvature", normal(answer.curvature), normals(answer.curvature_error)),
         ("components", pair(answer.components), String::new()),
         ("holes", pair(answer.holes), String::new()),
     ];
