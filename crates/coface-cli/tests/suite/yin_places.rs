@@ -237,7 +237,7 @@ fn fits_of_a_circle_come_near_it_at_order_four() {
         ("function:x*cos(t); sin(t)", "no point at t = 0"),
         ("function:log(t); sin(t)", "no point at t = 0"),
         ("function:cos(t)", "there is one expression"),
-        ("function:sin(t); sin(2*t)", "meets itself"),
+        ("function:sin(t); sin(2*t)", "more than once"),
     ] {
         let told = fails(&["compare", names[0], "--exact", function]);
         assert!(told.contains("--exact") && told.contains(said), "{function}: {told}");
