@@ -43,7 +43,7 @@ impl PlanarSet {
 
     /// What is inside of a closed curve, given by two expressions of `t` with a semicolon between them, as in `"2*cos(t); sin(t)"`, in the
     /// words of [`VelocityExpression`]: t runs from 0 to $2 \\pi$, which is `T`. The boundary is a spline of order 8 that has the points of the
-    /// curve at 8 places of each piece, and as many pieces as it takes until it is off by rounding alone; where a curve is so rough that 8192
+    /// curve at 8 places of each piece, and as many pieces as it takes until it is off by rounding alone; where a curve is so rough that 2048
     /// are not enough, a remark says by how much it is off. Whatever way the curve runs, its inside is the set.
     ///
     /// # Errors
@@ -60,7 +60,7 @@ impl PlanarSet {
     /// ```
     pub fn function(text: &str) -> Result<Self, Error> {
         /// The numbers of pieces that are tried.
-        const PIECES: std::ops::RangeInclusive<u32> = 6..=13;
+        const PIECES: std::ops::RangeInclusive<u32> = 6..=11;
         let curve = VelocityExpression::parse(text, TAU)?;
         let mut best: Option<(Curve<'static>, [f64; 2])> = None;
         for exponent in PIECES {

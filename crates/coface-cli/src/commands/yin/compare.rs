@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::{is_json, print_json, print_text, write_json};
 use crate::progress::Progress;
+use crate::remarks::say_remarks;
 use clap::Args;
 use coface::answers::answer::{YinComparisonAnswer, YinSeriesAnswer};
 use coface::answers::{PlanarSet, text};
@@ -124,7 +125,9 @@ impl Compare {
             sets.push((input::name(path), self.options.read(path, common, false, &progress)?));
         }
         if let Some(shape) = &self.exact {
-            sets.push((shape.name.clone(), shape.set()?));
+            let set = shape.set()?;
+            say_remarks(set.remarks(), common);
+            sets.push((shape.name.clone(), set));
         }
         progress.stage("comparing");
         let (reference, last) = sets.pop().expect("there are two sets at least");
