@@ -156,10 +156,10 @@ fn nodes(count: usize) -> Vec<f64> {
 
 /// The Bernstein polynomials of a degree at a parameter.
 fn bernstein(degree: usize, s: f64) -> Vec<f64> {
-    let mut values = vec![1.0];
-    for _ in 0..degree {
-        values.push(0.0);
-        for at in (0..values.len()).rev() {
+    let mut values = vec![0.0; degree + 1];
+    values[0] = 1.0;
+    for raised in 1..=degree {
+        for at in (0..=raised).rev() {
             let before = if at > 0 { values[at - 1] } else { 0.0 };
             values[at] = (1.0 - s) * values[at] + s * before;
         }
@@ -230,8 +230,8 @@ fn solved(mut rows: Vec<(Vec<f64>, [f64; 2])>) -> Vec<[f64; 2]> {
         let (weights, right) = rows[column].clone();
         for row in &mut rows[column + 1..] {
             let factor = row.0[column] / weights[column];
-            for at in column..count {
-                row.0[at] -= factor * weights[at];
+            for (own, weight) in row.0.iter_mut().zip(&weights).skip(column) {
+                *own -= factor * weight;
             }
             row.1 = [0, 1].map(|axis| row.1[axis] - factor * right[axis]);
         }
