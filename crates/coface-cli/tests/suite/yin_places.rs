@@ -223,7 +223,7 @@ fn fits_of_a_circle_come_near_it_at_order_four() {
         let [found, off] = [key.to_owned(), format!("{key}_error")].map(|key| one[&key].as_f64().unwrap());
         assert!(found < truth && off < 1e-2 * found, "{key} {found:e} {off:e}");
     }
-    assert_eq!(one["normals_left_out"], json!(0.0));
+    assert!(one["normals_left_out"].as_f64().unwrap() < 0.02);
     let rate = rows[2]["curvature_rate"].as_f64().unwrap();
     assert!((rate - 2.0).abs() < 0.2, "{rate}");
     // The same circle by expressions, whatever way they run.

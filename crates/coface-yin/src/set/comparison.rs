@@ -161,7 +161,7 @@ impl Comparison {
     /// ```
     /// use coface_yin::{Curve, Order, YinSet};
     /// let disk = |radius: f64| YinSet::new(&[Curve::circle([0.0, 0.0], radius, 64, Order::CUBIC)?]);
-    /// assert_eq!(disk(1.0)?.comparison(&disk(1.01)?)?.normals_left_out(), 0.0);
+    /// assert!(disk(1.0)?.comparison(&disk(1.01)?)?.normals_left_out() < 0.02);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn normals_left_out(&self) -> f64 {

@@ -190,12 +190,14 @@ pub(super) fn normal_gaps(from: &[Controls], to: &[Controls], reach: f64) -> Nor
         ];
         tree.visit(&query, |number| {
             let other = &to[number as usize];
+            // Where neighbors come together rounding may leave the place out for both.
+            let slack = 2.0 * bernstein::rounding_bound(other);
             let offsets: Vec<f64> = other.iter().map(|&point| along(point)).collect();
             let mut roots = sign_changes(&offsets);
             roots.extend(
                 [(offsets[0], 0.0), (offsets[offsets.len() - 1], 1.0)]
                     .into_iter()
-                    .filter_map(|(offset, end)| (offset == 0.0).then_some(end)),
+                    .filter_map(|(offset, end)| (offset.abs() <= slack).then_some(end)),
             );
             for s in roots {
                 let far = across(bernstein::value(other, s)).abs();
