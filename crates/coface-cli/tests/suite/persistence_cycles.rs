@@ -89,7 +89,7 @@ fn cycles_of_a_mesh_prove_its_diagram() {
         }
     }
     let obj = std::fs::read_to_string(place.join("torus.obj")).unwrap();
-    assert!(obj.contains("H1_0_from_"), "{obj}");
+    assert!(obj.contains("g H2_0_from_1_to_inf"), "{obj}");
 }
 
 #[test]
