@@ -2382,7 +2382,10 @@ export interface YinCombinationAnswer {
 
 /** The answer of `yin compare`. */
 export interface YinComparisonAnswer {
-  /** The greatest distance of the second boundary from the first along the normals of the first, up to twice the Hausdorff distance; null if no normal meets it so near. */
+  /**
+   * The greatest distance of the second boundary from the first along the normals of the first, up to twice the Hausdorff distance; null if
+   * no normal meets it so near.
+   */
   along_normals?: number | null;
   /** An estimate from above of how far that is off. */
   along_normals_error: number;

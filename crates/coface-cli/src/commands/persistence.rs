@@ -55,7 +55,7 @@ pub(crate) struct Persistence {
     #[arg(long, value_name = "R", default_value = "0", allow_negative_numbers = true, value_parser = length)]
     min_persistence: f64,
     /// Cycles of the classes, the chains that they bound at their deaths, and cocycles, over the field; written to OUT if given, as .json, or as a picture
-    /// in .vtk, .obj and other mesh formats with a group for each cycle and each chain. Not made short
+    /// in .vtk, .obj and other mesh formats, with groups of triangles and cells. Not made short
     #[arg(long, value_name = "OUT", num_args = 0..=1)]
     cycles: Option<Option<PathBuf>>,
     #[command(flatten)]

@@ -52,7 +52,7 @@ enum Place {
 
 fn place(text: &str) -> Result<Place, String> {
     if let Some((name, knot)) = text.rsplit_once(':')
-        && let (Err(_), Ok(knot)) = (name.trim().parse::<u32>(), knot.trim().parse())
+        && let (Err(_), Ok(knot)) = (name.trim().parse::<f64>(), knot.trim().parse())
         && !name.is_empty()
     {
         return Ok(Place::OnNamed(name.to_owned(), knot));

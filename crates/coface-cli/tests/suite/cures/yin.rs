@@ -123,10 +123,10 @@ pub(super) const CASES: &[Case] = &[
         .files(DROP)
         .refused("coface yin kinks drop.json --erase-near 1,1")
         .cured(&[&["coface yin kinks drop.json"]]),
-    Case::new("yin/making.rs", "take the number of the curve")
-        .files(DROP)
-        .refused("coface yin kinks drop.json --insert rim:1")
-        .cured(&[&["coface yin kinks drop.json --insert 0:1"]]),
+    Case::new("yin/compare.rs", "--exact: {error}")
+        .files(DISK)
+        .refused("coface yin compare disk.svg --exact 'function:5+3*cos(t/2); 5+3*sin(t)'")
+        .cured(&[&["coface yin compare disk.svg --exact 'function:5+3*cos(t); 5+3*sin(t)'"]]),
     Case::new("yin/mod.rs", "--picture draws an SVG: name it with -o FILE.svg")
         .files(DISK)
         .refused("coface yin info disk.svg --picture forest")
