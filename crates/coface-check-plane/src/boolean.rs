@@ -110,6 +110,9 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     let mut proved = vec![title, format!("the result is {} of the inputs, numbered from 0", formula.shown)];
     claim(&mut proved, answer, "components", &json!(components))?;
     claim(&mut proved, answer, "pinches", &json!(pinches))?;
+    // A face has a closed boundary, and so has a union of faces.
+    claim(&mut proved, answer, "closed", &json!(true))?;
+    claim(&mut proved, answer, "dimension", &json!(2))?;
     if pinches == 0 {
         // The boundary is circles; each component has one outer one.
         claim(&mut proved, answer, "holes", &json!(circles(&plane.edges, &boundary) - components))?;
@@ -129,7 +132,7 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
         areas_in_some_order(said, &plane, &walks)?;
         proved.push("measures, the areas of the components in some order, to one part in 10^13".to_owned());
     }
-    let mut known = vec!["components", "pinches", "measure"];
+    let mut known = vec!["components", "pinches", "measure", "closed", "dimension"];
     known.extend((pinches == 0).then_some("holes"));
     known.extend((answer["polygons"] == json!(components)).then_some("measures"));
     Ok(Verdict::of(proved, answer, &known))

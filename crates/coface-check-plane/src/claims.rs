@@ -67,6 +67,7 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
         ("dangling_edges", json!(dangling(&plane))),
         // The boundary of a face is made of closed walks.
         ("products_zero", json!(true)),
+        ("dimension", json!(2)),
     ] {
         claim(&mut proved, answer, key, &found)?;
     }
@@ -112,11 +113,12 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
         "inside",
         "measures",
         "products_zero",
+        "dimension",
     ];
     Ok(Verdict::of(proved, answer, &known))
 }
 
-/// The number of edges that go when ends with one edge are taken away one by one.
+/// The number of edges that go when ends with one edge are removed one by one.
 fn dangling(plane: &Subdivision) -> usize {
     let mut degrees: Vec<usize> = plane.around.iter().map(Vec::len).collect();
     let mut is_gone = vec![false; plane.edges.len()];

@@ -62,14 +62,14 @@ impl Complex {
 
     fn of_json(value: &Value, size: usize) -> Result<Self, Fault> {
         let Some(object) = value.as_object() else {
-            return simplices::of_facets(&facets_of(value)?, Vec::new(), size);
+            return simplices::of_facets(&facets_of(value)?, &[], size);
         };
         let of_other = object.keys().find(|key| !["name", "facets", "boundaries"].contains(&key.as_str()));
         if let Some(key) = of_other {
             return Err(Fault::new("input", format!("the checker does not know the key {key:?}")));
         }
         match (object.get("facets"), object.get("boundaries")) {
-            (Some(facets), None) => simplices::of_facets(&facets_of(facets)?, Vec::new(), size),
+            (Some(facets), None) => simplices::of_facets(&facets_of(facets)?, &[], size),
             (None, Some(matrices)) => Self::of_matrices(list(matrices, "\"boundaries\"", "input")?),
             _ => Err(Fault::new("input", "the object needs one of \"facets\" and \"boundaries\"")),
         }

@@ -139,8 +139,8 @@ impl Surface {
         }
         if are_triangles {
             facets.extend(self.edges.iter().map(|[a, b]| vec![*a.min(b), *a.max(b)]));
-            let vertices = (0..self.vertex_count).filter_map(|v| u32::try_from(v).ok()).collect();
-            return simplices::of_facets(&facets, vertices, size);
+            let vertices: Vec<u32> = (0..self.vertex_count).filter_map(|v| u32::try_from(v).ok()).collect();
+            return simplices::of_facets(&facets, &vertices, size);
         }
         let sides = |polygon: &[u32]| -> Vec<[u32; 2]> {
             let next = polygon.iter().cycle().skip(1);

@@ -5,7 +5,7 @@ use crate::lists::Lists;
 use crate::{Complex, Fault};
 
 /// The complex of facets whose vertices rise, and of more vertices; the file has so many bytes.
-pub(crate) fn of_facets(facets: &[Vec<u32>], vertices: Vec<u32>, size: usize) -> Result<Complex, Fault> {
+pub(crate) fn of_facets(facets: &[Vec<u32>], vertices: &[u32], size: usize) -> Result<Complex, Fault> {
     let step = "input";
     let longest = facets.iter().map(Vec::len).max().unwrap_or(usize::from(!vertices.is_empty()));
     if longest == 0 {

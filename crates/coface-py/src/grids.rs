@@ -3,7 +3,8 @@
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
 use crate::errors::{OrRaise, invalid, whole};
-use crate::model::{Model, source_of};
+use crate::given::source_of;
+use crate::model::Model;
 use crate::work::run;
 use coface::algebra::chains::ProductComplex;
 use coface::algebra::{RaggedArray, Sign};

@@ -3,8 +3,8 @@
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
 use crate::errors::{OrRaise, invalid, whole, whole_or_none};
+use crate::given::source_of;
 use crate::memory::owned_matrix;
-use crate::model::source_of;
 use crate::work::run;
 use coface::Error;
 use coface::algebra::chains;

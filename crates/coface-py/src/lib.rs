@@ -18,6 +18,7 @@ mod diagrams;
 mod dissolve;
 mod errors;
 mod generate;
+mod given;
 mod graph;
 mod grids;
 mod homology;

@@ -58,16 +58,6 @@ pub(crate) struct Model {
     pub(crate) source: Arc<Source>,
 }
 
-impl Model {
-    pub(crate) fn of(model: io::Model) -> Self {
-        Self { source: Source::new(model) }
-    }
-
-    fn model(&self) -> &io::Model {
-        &self.source.model
-    }
-}
-
 #[pymethods]
 impl Model {
     #[new]
@@ -1004,21 +994,4 @@ impl Model {
         let rebuild = py.import("coface._coface")?.getattr("_model")?;
         Ok((rebuild, PyTuple::new(py, [pickling::parts(py, self)?])?))
     }
-}
-
-/// The model behind what users give as one: a model, a simplicial complex or a chain complex.
-pub(crate) fn source_of(value: &Bound<'_, PyAny>) -> PyResult<Arc<Source>> {
-    let py = value.py();
-    if let Ok(model) = value.cast::<Model>() {
-        return Ok(Arc::clone(&model.get().source));
-    }
-    if let Ok(complex) = value.cast::<Complex>() {
-        return Ok(Source::new(complex.get().to_model()));
-    }
-    if let Ok(complex) = value.cast::<ChainComplex>() {
-        let complex = complex.get().complex.as_ref().clone();
-        return Ok(Source::new(io::Model::from_structure(Structure::Chains(complex))));
-    }
-    let name = value.get_type().name()?;
-    Err(invalid(py, format!("a {name} is no model"), "give a Model, a Complex or a ChainComplex"))
 }

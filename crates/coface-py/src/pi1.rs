@@ -2,8 +2,9 @@
 
 use crate::arrays;
 use crate::errors::{invalid, whole};
+use crate::given::source_of;
 use crate::homology::Homology;
-use crate::model::{Model, source_of};
+use crate::model::Model;
 use crate::source::Source;
 use crate::surface::numbers_of;
 use crate::work::run;

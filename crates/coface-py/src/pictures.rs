@@ -2,8 +2,8 @@
 
 use crate::chain_complex::ChainComplex;
 use crate::errors::invalid;
+use crate::given::source_of;
 use crate::json::from_python;
-use crate::model::source_of;
 use crate::work::run;
 use coface::Error;
 use coface::answers::{GeometryCheck, Report, ReportRequest};

@@ -3,8 +3,8 @@
 use crate::arrays;
 use crate::chain_complex::{ChainComplex, ring};
 use crate::errors::{OrRaise, invalid, whole, whole_or_none};
+use crate::given::source_of;
 use crate::homology::Homology;
-use crate::model::source_of;
 use crate::work::run;
 use coface::algebra::chains::{AcyclicMatching, Chain as Cycle, Cochain};
 use coface::algebra::{Integer, smith_form};

@@ -1,8 +1,8 @@
 //! Complexes larger than memory: shards as bytes and in folders.
 
 use crate::errors::OrRaise;
+use crate::given::source_of;
 use crate::homology::Homology;
-use crate::model::source_of;
 use crate::work::run;
 use coface::scale::shards;
 use coface::scale::shards::{FolderLevel, ShardFolder, ShardPlace, ShardRequest};

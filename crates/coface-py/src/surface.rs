@@ -185,7 +185,7 @@ impl Surface {
         boundary: bool,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        surface_of(py, &crate::model::source_of(model)?, boundary, progress)
+        surface_of(py, &crate::given::source_of(model)?, boundary, progress)
     }
 
     /// The numbers of vertices, edges and faces.

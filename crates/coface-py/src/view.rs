@@ -1,7 +1,7 @@
 //! The page of `coface view`.
 
 use crate::errors::OrRaise;
-use crate::model::source_of;
+use crate::given::source_of;
 use crate::work::run;
 use coface::answers::Report;
 use coface::pictures::Scene;

@@ -4,6 +4,7 @@ mod curve;
 mod cut_cells;
 mod flow;
 mod interface;
+mod kink_request;
 mod kinks;
 
 pub(crate) use curve::{_curve, Curve};
@@ -12,6 +13,7 @@ pub(crate) use interface::{_feature_sets, _interface, _label_sets, Interface};
 pub(crate) use kinks::Kinks;
 
 use self::flow::UserFlow;
+use self::kink_request::kinks_of;
 use crate::answer::answer;
 use crate::arrangement::{formula, named_format, rule_of};
 use crate::arrays;
@@ -23,7 +25,7 @@ use crate::pictures::flat_file;
 use crate::source::Source;
 use crate::work::run;
 use coface::answers::answer::{YinDecision, YinProvenance, YinSetAnswer};
-use coface::answers::{KinkRequest, PlanarSet, SetRequest};
+use coface::answers::{PlanarSet, SetRequest};
 use coface::io;
 use coface::io::Format;
 use coface::pictures::{SetPicture, set_picture};
@@ -73,35 +75,6 @@ fn ends_of(py: Python<'_>, ends: &str) -> PyResult<EndCondition> {
 /// What the class of a value is called.
 fn type_name(value: &Bound<'_, PyAny>) -> String {
     value.get_type().name().map_or_else(|_| "value".to_owned(), |name| name.to_string())
-}
-
-fn kinks_of(kinks: &Bound<'_, PyAny>) -> PyResult<KinkRequest> {
-    let py = kinks.py();
-    if let Ok(word) = kinks.cast::<PyString>() {
-        return match word.to_str()? {
-            "none" => Ok(KinkRequest::None),
-            "all" => Ok(KinkRequest::All),
-            other => Err(invalid(
-                py,
-                format!("kinks are {other:?}"),
-                "give \"none\", \"all\", an angle, or pairs (curve, knot)",
-            )),
-        };
-    }
-    if let Ok(degrees) = kinks.extract::<f64>() {
-        if (0.0..=180.0).contains(&degrees) {
-            return Ok(KinkRequest::Detected(degrees.to_radians()));
-        }
-        return Err(invalid(
-            py,
-            format!("kinks are detected at {degrees} degrees"),
-            "give an angle between 0 and 180",
-        ));
-    }
-    let pairs: Vec<(u32, u32)> = kinks.extract().map_err(|_| {
-        invalid(py, format!("kinks are {kinks}"), "give \"none\", \"all\", an angle, or pairs (curve, knot)")
-    })?;
-    Ok(KinkRequest::Listed(pairs.into_iter().map(|(curve, knot)| KnotIndex { curve, knot }).collect()))
 }
 
 /// A set of the plane that is regular, open and semianalytic: bounded by polylines or splines, itself bounded or not.

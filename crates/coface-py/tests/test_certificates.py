@@ -58,7 +58,7 @@ def test_drawings_are_proved(tmp_path: Path) -> None:
         proof = coface.certificate([a, b], "boolean", operation=operation)
         said = json.loads(proof)["answer"]
         found = coface.boolean(operation, a, b)
-        assert said["measure"] == pytest.approx(found.area)
+        assert said["measure"] == pytest.approx(found.measure)
         assert any(claim.startswith("measure = ") for claim in coface.check(proof, a, b)["proved"])
     with pytest.raises(coface.InvalidInputError, match="operation"):
         coface.certificate([a, b], "boolean")

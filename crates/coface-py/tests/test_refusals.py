@@ -119,13 +119,14 @@ def test_clockwise_curves_are_told() -> None:
     with pytest.warns(coface.AssumptionWarning, match="clockwise.*rule=\"evenodd\""):
         outside = coface.YinSet.from_rings([clockwise])
     assert outside.area == np.inf
-    with pytest.warns(coface.AssumptionWarning, match=r"clockwise.*curve.reversed\(\)"):
+    with pytest.warns(coface.AssumptionWarning, match="clockwise.*orient=True"):
         coface.YinSet(outside.curves)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         # The cures, and sets that mean their outside.
         assert coface.YinSet.from_rings([clockwise], rule="evenodd").area == 4.0
         assert coface.YinSet([curve.reversed() for curve in outside.curves]).area == 4.0
+        assert coface.YinSet(outside.curves, orient=True).area == 4.0
         inside = coface.YinSet.from_rings([SQUARE])
         assert (~inside).area == np.inf and ((~inside) ^ outside).is_empty
         hole = [[0.5, 0.5], [0.5, 1.5], [1.5, 1.5], [1.5, 0.5]]

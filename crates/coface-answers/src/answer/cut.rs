@@ -1,6 +1,6 @@
 //! The answer of `cut`: surfaces cut open.
 
-use super::{Place, Remark, RemarkCode, TreesAnswer};
+use super::{Place, RefinementAnswer, Remark, RemarkCode, TreesAnswer};
 use crate::{CutComponent, SurfaceCut};
 use coface_algebra::Word;
 use schemars::JsonSchema;
@@ -28,26 +28,6 @@ pub struct CutAnswer {
     pub refinement: Option<RefinementAnswer>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,
-}
-
-/// A surface that was refined.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct RefinementAnswer {
-    /// The numbers of vertices, edges and faces of the refined surface, before it is cut.
-    pub f_vector: Vec<usize>,
-    /// The new vertices.
-    pub vertices: Vec<RefinedVertex>,
-}
-
-/// A vertex that was added to a surface, on an edge or in a face.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct RefinedVertex {
-    /// Its number: those of the file come first.
-    pub vertex: u32,
-    /// The vertices of the file whose convex combination it is: the ends of its edge, or corners of its face.
-    pub of: Vec<u32>,
-    /// Their weights, which add up to 1.
-    pub weights: Vec<f64>,
 }
 
 /// A path along which a surface was cut.

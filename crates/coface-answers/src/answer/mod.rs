@@ -31,6 +31,7 @@ mod map;
 mod persistence;
 mod pi1;
 mod picture;
+mod refinement;
 mod remark;
 mod schema;
 mod shards;
@@ -44,7 +45,7 @@ mod yin_places;
 mod yin_series;
 
 pub use cover::{CoverAnswer, DoubleCoverAnswer};
-pub use cut::{CutAnswer, CutPath, CutPiece, FundamentalDomain, RefinedVertex, RefinementAnswer, SeamAnswer};
+pub use cut::{CutAnswer, CutPath, CutPiece, FundamentalDomain, SeamAnswer};
 pub use dissolve::{DissolveAnswer, DissolvedGroupAnswer};
 pub use edit::EditAnswer;
 pub use groups::{GroupAnswer, HomologyGroup, WholeNumber};
@@ -55,6 +56,7 @@ pub use homology::{
     PhysicalGroup, RealTerm, SequenceAnswer,
 };
 pub use incidence::IncidenceAnswer;
+pub use refinement::{RefinedVertex, RefinementAnswer};
 
 pub use arrange::{
     AttributeColumn, CongruentSheets, DegeneratePolygons, DrawingInput, InsideMethod, JoinedFeatures,

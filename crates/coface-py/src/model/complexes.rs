@@ -1,8 +1,8 @@
 //! Chain complexes of models and their pairs, and models in a line.
 
-use super::source_of;
 use crate::chain_complex::ChainComplex;
 use crate::errors::invalid;
+use crate::given::source_of;
 use crate::homology::{Chain, Generator};
 use crate::source::{Names, Naming, Source};
 use crate::work::run;

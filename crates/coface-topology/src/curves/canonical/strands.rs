@@ -37,7 +37,7 @@ impl Root {
         map.edge(first) == map.edge(last) && map.mate(first).is_some()
     }
 
-    /// The corners around the first edge, as far as the next walls.
+    /// The corners around the first edge, as far as the next barriers.
     pub(super) fn wedge(mut self, map: &GeneralizedMap, walls: &[bool]) -> Self {
         let is_wall = |corner: &[HalfedgeId; 2]| walls[map.edge(corner[0]).index()];
         // Where walls stand before corners.
@@ -104,7 +104,7 @@ pub(super) struct Drawn {
 }
 
 impl<'m> Disks<'m> {
-    /// Breadth-first from all faces at the roots, not through walls.
+    /// Breadth-first from all faces at the roots, not across barriers.
     pub(super) fn new(map: &'m GeneralizedMap, roots: Vec<Root>, walls: &[bool]) -> Self {
         let count = map.face_count();
         let mut disks = Self {
