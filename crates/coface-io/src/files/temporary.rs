@@ -330,7 +330,11 @@ impl Drop for MadeFolders {
             unfinished.made.remove(folder);
         });
         // From the inside out; the first one with something in it stays, and with it the others.
-        let _ = self.0.iter().try_for_each(fs::remove_dir);
+        // Another run may have removed one before.
+        let _ = self.0.iter().try_for_each(|folder| match fs::remove_dir(folder) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+            removed => removed,
+        });
     }
 }
 

@@ -20,7 +20,7 @@ pub enum Version {
     FourOne,
 }
 
-/// The tags of the physical groups that [`write`] gives the groups of a model, in their order: a group keeps its
+/// The tags of the physical groups that [`write()`] gives the groups of a model, in their order: a group keeps its
 /// [number](Group::number), or the number that its name is; the others get tags that are free among groups of their kind.
 ///
 /// # Examples

@@ -69,7 +69,7 @@ impl CanonicalCut {
     /// use coface_complexes::surface::GeneralizedMap;
     /// use coface_topology::CanonicalCut;
     /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let bottle = known_spaces::klein_bottle_grid(5, 5)?;
+    /// let bottle = known_spaces::klein_grid(5, 5)?;
     /// let bottle = GeneralizedMap::new(bottle.freeze().two_skeleton()?)?;
     /// let cut = CanonicalCut::new(&bottle, None)?;
     /// assert_eq!(cut.components()[0].word(), [1, 1, 2, 2]);
