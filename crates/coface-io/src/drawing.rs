@@ -303,12 +303,15 @@ impl Drawing {
             unlisted,
             "more lines or rings are single points and kept as such",
         );
-        remark(
-            &mut self.remarks,
-            RemarkCode::SinglePoint,
-            self.lone_holes,
-            "holes of polygons whose outer rings are single points; they bound nothing, and are kept as lines",
-        );
+        if self.lone_holes > 0 {
+            let message = match self.lone_holes {
+                1 => "1 hole of a polygon whose outer ring is a single point bounds nothing, and is kept as a line".to_owned(),
+                count => format!(
+                    "{count} holes of polygons whose outer rings are single points bound nothing, and are kept as lines"
+                ),
+            };
+            self.remarks.push(Remark::new(RemarkCode::SinglePoint, message).at(self.lone_holes, []));
+        }
         remark(
             &mut self.remarks,
             RemarkCode::DataLeftOut,

@@ -198,6 +198,12 @@ impl Producer {
                     ))
                     .with_cure("write the generators as .json")
                 })?;
+                if kind == GroupKind::Vertices && !are_cochains && value != 1 {
+                    return Err(Error::invalid(format!(
+                        "{name:?} has the coefficient {coefficient} on a vertex, and a group holds a point once"
+                    ))
+                    .with_cure("write the generators as .json"));
+                }
                 // Points are not turned.
                 let own = if kind == GroupKind::Vertices { value } else { value.abs() } as f64;
                 for time in 0..value.unsigned_abs().max(1) {

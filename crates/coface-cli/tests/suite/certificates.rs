@@ -384,6 +384,11 @@ fn holes_of_polygons_without_area_bound_nothing() {
     let answer =
         coface(&["boolean", "union", argument(&drawing), "--certificate", argument(&place), "--json"]).json();
     assert_eq!((&answer["measure"], &answer["polygons"]), (&json!(0.5), &json!(1)));
-    assert!(answer["remarks"].to_string().contains("whose outer rings are single points"), "{answer}");
+    assert!(
+        answer["remarks"]
+            .to_string()
+            .contains("1 hole of a polygon whose outer ring is a single point bounds nothing"),
+        "{answer}"
+    );
     assert_eq!(checked(&place, &drawing)["verified"], true);
 }

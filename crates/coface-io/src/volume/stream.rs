@@ -313,7 +313,10 @@ impl<'r> VolumeStream<'r> {
         })?;
         let rounded = values.rounded.get() as usize;
         if rounded > 0 {
-            let message = format!("{rounded} integers beyond 2^53 are rounded to the nearest doubles");
+            let message = match rounded {
+                1 => "1 integer beyond 2^53 is rounded to the nearest double".to_owned(),
+                count => format!("{count} integers beyond 2^53 are rounded to the nearest doubles"),
+            };
             remarks.push(Remark::new(RemarkCode::NumbersRounded, message).at(rounded, []));
         }
         Ok((numbers, remarks))

@@ -9,6 +9,7 @@ use coface_algebra::chains::TwoSkeleton;
 use coface_algebra::progress::stage;
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_complexes::surface::GeneralizedMap;
+use std::borrow::Cow;
 
 /// What a shortest cycle must not be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -198,14 +199,7 @@ pub fn shortest_cycle_until(
     is_over: &dyn Fn() -> bool,
 ) -> Result<CycleBounds, Error> {
     let lengths = checked_lengths(map, lengths)?;
-    let filled;
-    let map = match kind {
-        CycleKind::NonContractible => map,
-        CycleKind::NonSeparating => {
-            filled = with_holes_filled(map);
-            &filled
-        }
-    };
+    let map = &*searched(map, kind);
     let trees = TreeCotree::new(map);
     let tests = Tests::new(map, &trees, kind)?;
     let mut search = CycleSearch::new(map, &lengths, &tests, most);
@@ -359,14 +353,7 @@ pub(super) fn search(
     most: usize,
 ) -> Result<Option<ShortestCycle>, Error> {
     let lengths = checked_lengths(map, lengths)?;
-    let filled;
-    let map = match kind {
-        CycleKind::NonContractible => map,
-        CycleKind::NonSeparating => {
-            filled = with_holes_filled(map);
-            &filled
-        }
-    };
+    let map = &*searched(map, kind);
     let trees = TreeCotree::new(map);
     let tests = Tests::new(map, &trees, kind)?;
     let mut search = CycleSearch::new(map, &lengths, &tests, most);
@@ -374,6 +361,14 @@ pub(super) fn search(
         search.look_from(root, search.bound())?;
     }
     Ok(search.best)
+}
+
+/// The surface on which cycles of a kind are searched for: one around a hole separates nothing but the disk that fills it.
+fn searched(map: &GeneralizedMap, kind: CycleKind) -> Cow<'_, GeneralizedMap> {
+    match kind {
+        CycleKind::NonContractible => Cow::Borrowed(map),
+        CycleKind::NonSeparating => Cow::Owned(with_holes_filled(map)),
+    }
 }
 
 /// The surface with a face in each hole; vertices and edges keep their numbers.

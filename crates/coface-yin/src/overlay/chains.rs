@@ -100,17 +100,12 @@ impl Chains<'_> {
         ))
     }
 
-    /// Unites chains between the same nodes that are nowhere farther apart than rounding of results: what is between them could not be
-    /// written.
+    /// Unites chains from one node to another that are nowhere farther apart than rounding of results: what is between them could not be
+    /// written. Chains that run against each other, where sets touch from outside, are left: one edge would join the sets.
     fn unite_thin(&self, equal: &mut ParityUnionFind, report: &mut Vec<UncertifiedDecision>) {
         let limit = THIN * self.boundaries.rounding;
-        let mut parallel: Vec<([u32; 2], u32)> = Vec::new();
-        for chain in 0..self.nodes.breaks.len() as u32 {
-            let [from, to] = self.ends(chain);
-            if from != to {
-                parallel.push(([from.min(to), from.max(to)], chain));
-            }
-        }
+        let chains = (0..self.nodes.breaks.len() as u32).map(|chain| (self.ends(chain), chain));
+        let mut parallel: Vec<([u32; 2], u32)> = chains.filter(|([from, to], _)| from != to).collect();
         parallel.sort_unstable();
         let arc = |chain: u32| {
             let [from, to] = self.breaks(chain);
@@ -123,8 +118,7 @@ impl Chains<'_> {
                     if is_one || !self.boundaries.are_near([arc(a), arc(b)], limit) {
                         continue;
                     }
-                    let sign = if self.ends(a) == self.ends(b) { Sign::Plus } else { Sign::Minus };
-                    if equal.unite(a, b, sign) != ParityUnion::Contradicts {
+                    if equal.unite(a, b, Sign::Plus) != ParityUnion::Contradicts {
                         let place = self.nodes.points[self.breaks(a)[0].node as usize];
                         let other = self.parts(b).next().expect("chains are longer than the resolution");
                         let decision =

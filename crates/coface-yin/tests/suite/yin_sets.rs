@@ -252,9 +252,10 @@ fn curves_of_any_direction_bound_their_inside() {
                 .map(|(at, curve)| if mask >> at & 1 == 0 { curve.clone() } else { curve.reversed() })
                 .collect();
             let found = YinSet::oriented(&given).unwrap();
+            // Knots that are turned twice are off by rounding, the curves are not.
             assert_eq!(found.curve_counts(), right.curve_counts(), "{order} {mask}");
-            let [found, right] = [&found, &right].map(|set| set.area().unwrap());
-            assert!((found - right).abs() < 1e-12 * right, "{order} {mask}");
+            assert_eq!(found.area(), right.area(), "{order} {mask}");
+            assert!(found.has_points_of(&right).unwrap(), "{order} {mask}");
         }
     }
     assert!(YinSet::oriented(&[]).is_err());
