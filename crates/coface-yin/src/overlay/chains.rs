@@ -100,12 +100,14 @@ impl Chains<'_> {
         ))
     }
 
-    /// Unites chains from one node to another that are nowhere farther apart than rounding of results: what is between them could not be
-    /// written. Chains that run against each other, where sets touch from outside, are left: one edge would join the sets.
+    /// Unites chains between the same nodes that are nowhere farther apart than rounding of results: what is between them could not be
+    /// written. Those of two curves that run against each other, where sets touch from outside, are left: one edge would join the sets.
     fn unite_thin(&self, equal: &mut ParityUnionFind, report: &mut Vec<UncertifiedDecision>) {
         let limit = THIN * self.boundaries.rounding;
         let chains = (0..self.nodes.breaks.len() as u32).map(|chain| (self.ends(chain), chain));
-        let mut parallel: Vec<([u32; 2], u32)> = chains.filter(|([from, to], _)| from != to).collect();
+        let chains = chains.filter(|([from, to], _)| from != to);
+        let mut parallel: Vec<([u32; 2], u32)> =
+            chains.map(|([from, to], chain)| ([from.min(to), from.max(to)], chain)).collect();
         parallel.sort_unstable();
         let arc = |chain: u32| {
             let [from, to] = self.breaks(chain);
@@ -114,11 +116,13 @@ impl Chains<'_> {
         for group in parallel.chunk_by(|a, b| a.0 == b.0) {
             for (at, &(_, a)) in group.iter().enumerate() {
                 for &(_, b) in &group[at + 1..] {
+                    let sign = if self.ends(a) == self.ends(b) { Sign::Plus } else { Sign::Minus };
+                    let is_touching = sign == Sign::Minus && self.curve_of(a) != self.curve_of(b);
                     let is_one = equal.find(a).0 == equal.find(b).0;
-                    if is_one || !self.boundaries.are_near([arc(a), arc(b)], limit) {
+                    if is_touching || is_one || !self.boundaries.are_near([arc(a), arc(b)], limit) {
                         continue;
                     }
-                    if equal.unite(a, b, Sign::Plus) != ParityUnion::Contradicts {
+                    if equal.unite(a, b, sign) != ParityUnion::Contradicts {
                         let place = self.nodes.points[self.breaks(a)[0].node as usize];
                         let other = self.parts(b).next().expect("chains are longer than the resolution");
                         let decision =
