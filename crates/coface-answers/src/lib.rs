@@ -65,14 +65,14 @@ pub use repair::{
     polygon_model, repaired, repaired_surface, triangulated, truncated, welded,
 };
 pub use signatures::SignatureRequest;
-pub use simplices::{model_of_simplices, simplicial_complex};
+pub use simplices::{Neighborhood, model_of_simplices, simplicial_complex};
 pub use simplification::{SimplifiedManifold, gluing_model};
 pub use spatial::{
     CongruentScene, InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest,
     SpatialScene,
 };
 pub use surface_model::{
-    CutComponent, CutRequest, CutSeam, LayoutChoice, PlacedCover, SurfaceCover, SurfaceCut, SurfaceModel,
+    CutComponent, CutRequest, CutSeam, LayoutChoice, PlacedCover, PolygonSchema, SurfaceCover, SurfaceCut, SurfaceModel,
     edge_lengths,
 };
 pub use yin::{

@@ -56,6 +56,72 @@ pub fn simplicial_complex(model: &Model) -> Result<SimplicialComplex, Error> {
     SimplicialComplex::from_facets(facets)
 }
 
+/// What simplices have around them in a complex.
+///
+/// # Examples
+/// ```
+/// use coface_answers::Neighborhood;
+/// use coface_complexes::simplicial::{Simplex, SimplexSet, SimplicialComplex};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let triangle = SimplicialComplex::from_facets([[0, 1, 2]])?;
+/// let vertex: SimplexSet = [Simplex::from([0])].into_iter().collect();
+/// assert_eq!(Neighborhood::Star.found(&triangle, &vertex)?.f_vector(), [1, 2, 1]);
+/// assert_eq!(Neighborhood::Closure.found(&triangle, &vertex)?.f_vector(), [1]);
+/// assert_eq!(Neighborhood::Link.found(&triangle, &vertex)?.f_vector(), [2, 1]);
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Neighborhood {
+    /// All simplices that have one of them as a face.
+    Star,
+    /// They and all their faces.
+    Closure,
+    /// The closure of the star minus the star of the closure.
+    Link,
+}
+
+impl Neighborhood {
+    /// The word for it, which is that of the verb.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_answers::Neighborhood::Link.name(), "link");
+    /// ```
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Star => "star",
+            Self::Closure => "closure",
+            Self::Link => "link",
+        }
+    }
+
+    /// What these simplices of a complex have around them.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotInComplex`] if one of them is not in the complex.
+    ///
+    /// # Complexity
+    /// That of [`SimplicialComplex::star`], [`closure`](SimplicialComplex::closure) and [`link`](SimplicialComplex::link).
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_complexes::simplicial::{Simplex, SimplexSet, SimplicialComplex};
+    /// let triangle = SimplicialComplex::from_facets([[0, 1, 2]])?;
+    /// let edge: SimplexSet = [Simplex::from([0, 1])].into_iter().collect();
+    /// let link = coface_answers::Neighborhood::Link.found(&triangle, &edge)?;
+    /// assert!(link.contains(&Simplex::from([2])) && link.f_vector() == [1]);
+    /// # Ok(()) }
+    /// ```
+    pub fn found(self, complex: &SimplicialComplex, simplices: &SimplexSet) -> Result<SimplexSet, Error> {
+        Ok(match self {
+            Self::Star => complex.star(simplices)?,
+            Self::Closure => SimplexSet::from(&complex.closure(simplices)?),
+            Self::Link => SimplexSet::from(&complex.link(simplices)?),
+        })
+    }
+}
+
 /// That the polygons with these numbers of sides are simplices.
 pub(super) fn require_triangles(
     side_counts: impl Iterator<Item = usize>,

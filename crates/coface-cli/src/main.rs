@@ -15,6 +15,7 @@ mod groups;
 mod input;
 mod limits;
 mod output;
+mod pictures;
 mod progress;
 mod remarks;
 mod simplices;

@@ -39,7 +39,7 @@ impl FromStr for SimplexList {
 
 impl SimplexList {
     /// The simplices; one that repeats a vertex is a fault.
-    fn simplices(&self) -> Result<SimplexSet, Error> {
+    pub(crate) fn simplices(&self) -> Result<SimplexSet, Error> {
         self.0.iter().map(|vertices| Simplex::from_numbers(vertices)).collect()
     }
 }

@@ -1,12 +1,13 @@
 //! Still pictures: models, boundary matrices.
 
 use crate::chain_complex::ChainComplex;
+use crate::complex::simplex_set;
 use crate::errors::invalid;
 use crate::given::source_of;
 use crate::json::from_python;
 use crate::work::run;
 use coface::Error;
-use coface::answers::{GeometryCheck, Report, ReportRequest};
+use coface::answers::{GeometryCheck, Neighborhood, Report, ReportRequest};
 use coface::pictures::{Camera, FlatPicture, Picture, PictureStyle, Scene, matrix_picture, spin_png};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -42,6 +43,10 @@ const POINTS: f64 = 0.75;
 ///     The widths of the lines of answers and of edges, in points; 2.25 and 0.45 if left out.
 /// label : sequence of {"vertices", "edges", "faces"}
 ///     Cells whose numbers are written beside them.
+/// star, closure, link : simplices, optional
+///     Simplices; what they have around them is drawn over the pale complex.
+/// legend : bool
+///     Whether the names of what is drawn over the model stand above it.
 /// spin : int, optional
 ///     So many frames, in which the model turns once about what is up: an animated PNG, 24 frames a second.
 /// witness : bool
@@ -56,7 +61,7 @@ const POINTS: f64 = 0.75;
 /// bytes
 ///     The content of the file.
 #[pyfunction]
-#[pyo3(signature = (model, format="svg", *, results=Vec::new(), size=(1200, 900), camera=None, up=None, perspective=None, edges=None, dark=false, transparent=false, line_width=None, edge_width=None, label=Vec::new(), spin=None, witness=false, title="model", progress=None))]
+#[pyo3(signature = (model, format="svg", *, results=Vec::new(), size=(1200, 900), camera=None, up=None, perspective=None, edges=None, dark=false, transparent=false, line_width=None, edge_width=None, label=Vec::new(), star=None, closure=None, link=None, legend=false, spin=None, witness=false, title="model", progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn render<'py>(
     py: Python<'py>,
@@ -73,6 +78,10 @@ pub(crate) fn render<'py>(
     line_width: Option<f64>,
     edge_width: Option<f64>,
     label: Vec<String>,
+    star: Option<Bound<'py, PyAny>>,
+    closure: Option<Bound<'py, PyAny>>,
+    link: Option<Bound<'py, PyAny>>,
+    legend: bool,
     spin: Option<u32>,
     witness: bool,
     title: &str,
@@ -99,6 +108,12 @@ pub(crate) fn render<'py>(
         return Err(invalid(py, "an angle of view is between 1 and 170 degrees", "give such an angle"));
     }
     let source = source_of(model)?;
+    let asked = [(Neighborhood::Star, star), (Neighborhood::Closure, closure), (Neighborhood::Link, link)];
+    let asked = asked
+        .iter()
+        .filter_map(|(neighborhood, simplices)| Some((*neighborhood, simplices.as_ref()?)))
+        .map(|(neighborhood, simplices)| Ok((neighborhood, simplex_set(py, simplices)?)))
+        .collect::<PyResult<Vec<_>>>()?;
     let results = results.iter().map(from_python).collect::<PyResult<Vec<_>>>()?;
     let bytes = run(py, progress, || {
         let mut scene = Scene::of(title, &source.model)?;
@@ -109,8 +124,12 @@ pub(crate) fn render<'py>(
             let request = ReportRequest::new().geometry(GeometryCheck::Never);
             scene = scene.with_report(&Report::answering(source.model.clone(), &request)?.answer(100));
         }
+        if !asked.is_empty() {
+            scene.add_neighborhoods(&source.model, &asked)?;
+        }
         let mut style = PictureStyle::default();
         style.size = [size.0, size.1];
+        style.has_legend = legend || !asked.is_empty();
         style.is_dark = dark;
         style.edges = edges;
         style.is_transparent = transparent;

@@ -138,3 +138,15 @@ def test_models_have_numbers_widths_and_animations() -> None:
         coface.render(torus, label="cells")
     with pytest.raises(coface.InvalidInputError, match="animation"):
         coface.render(torus, spin=3)
+
+
+def test_stars_closures_and_links_are_drawn() -> None:
+    octahedron = coface.Complex([[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 1, 4], [5, 1, 2], [5, 2, 3], [5, 3, 4], [5, 1, 4]])
+    picture = coface.render(octahedron, star=[0], closure=[[5, 1]], link=[0]).decode()
+    for name in ("open star of {0}", "closure of {1, 5}", "link of {0}"):
+        assert picture.count(f">{name}<") == 2
+    assert coface.render(octahedron, "png", star=[0]).startswith(b"\x89PNG")
+    with pytest.raises(ValueError, match="not in the complex"):
+        coface.render(octahedron, star=[[0, 5]])
+    with pytest.raises(ValueError, match="4 sides"):
+        coface.render(coface.generate("cube"), link=[0])

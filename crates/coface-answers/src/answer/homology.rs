@@ -2,7 +2,7 @@
 
 use super::{GroupAnswer, HomologyGroup, Remark, WholeNumber};
 use coface_io::Group;
-use coface_topology::{AbelianGroup, Coefficients};
+use coface_topology::{AbelianGroup, Coefficients, HomologyMap};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -65,7 +65,7 @@ impl HomologyAnswer {
     /// # Examples
     /// ```
     /// use coface_answers::answer::HomologyAnswer;
-    /// use coface_topology::{AbelianGroup, Coefficients};
+    /// use coface_topology::{AbelianGroup, Coefficients, HomologyMap};
     /// let point = [AbelianGroup::new(1, vec![])];
     /// let answer = HomologyAnswer::of("point.off", Coefficients::Integers, false, &point);
     /// assert_eq!((answer.homology[0].betti, answer.coefficients.as_str()), (1, "Z"));
@@ -210,8 +210,44 @@ pub struct SequenceAnswer {
     pub projection: Vec<Option<Vec<Vec<WholeNumber>>>>,
     /// For each degree the map of the pair to the subcomplex, one degree below.
     pub connecting: Vec<Option<Vec<Vec<WholeNumber>>>>,
+    /// What is known of each map that is there, in the order of the sequence: from the top degree down.
+    #[serde(default)]
+    pub maps: Vec<SequenceMap>,
     /// Whether the sequence was checked to be exact.
     pub exact: bool,
+}
+
+/// A map of a long exact sequence.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct SequenceMap {
+    /// `inclusion`, `projection` or `connecting`.
+    pub map: String,
+    /// The degree of its source.
+    pub degree: usize,
+    /// The rank of its image.
+    pub rank: usize,
+    /// Its image, which is the kernel of the next map.
+    pub image: GroupAnswer,
+    /// Whether its kernel is zero.
+    pub injective: bool,
+    /// Whether its image is the target.
+    pub surjective: bool,
+}
+
+impl SequenceMap {
+    /// What is known of a map.
+    pub(crate) fn of(name: &str, degree: usize, map: &HomologyMap) -> Self {
+        let image = GroupAnswer::from(&map.image_group());
+        Self {
+            map: name.to_owned(),
+            degree,
+            rank: image.betti,
+            image,
+            injective: map.is_injective(),
+            surjective: map.is_surjective(),
+        }
+    }
 }
 
 /// Cup products of a basis of degree p with one of degree q, in a basis of degree p + q.

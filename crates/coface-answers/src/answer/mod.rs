@@ -53,7 +53,7 @@ pub use halfedges::HalfedgePointers;
 pub use homology::{
     ChainTerm, CupProducts, CycleClass, GeneratorAnswer, GeneratorsFile, HarmonicCochain, HodgeNorms,
     HodgeParts, HomologyAnswer, InducedMap, InducedMaps, IntersectionFormAnswer, LevelAnswer, PartsAnswer,
-    PhysicalGroup, RealTerm, SequenceAnswer,
+    PhysicalGroup, RealTerm, SequenceAnswer, SequenceMap,
 };
 pub use incidence::IncidenceAnswer;
 pub use refinement::{RefinedVertex, RefinementAnswer};
@@ -103,7 +103,7 @@ pub use persistence::{PersistenceAnswer, PersistencePairAnswer};
 pub use pi1::{
     ClosedPath, GroupCounts, HomomorphismAnswer, Pi1Answer, Pi1Component, SubgroupCount, WalkAnswer, WalkPair,
 };
-pub use picture::RenderAnswer;
+pub use picture::{RenderAnswer, SchemaAnswer};
 pub(crate) use remark::remarks_of_file;
 pub use remark::{Place, Remark, RemarkCode};
 #[doc(hidden)]

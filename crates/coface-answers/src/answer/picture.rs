@@ -14,8 +14,23 @@ pub struct RenderAnswer {
     pub picture: Option<String>,
     /// The size of the picture in bytes.
     pub bytes: usize,
+    /// The polygons that were drawn, of a picture of them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub schemas: Vec<SchemaAnswer>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,
+}
+
+/// A polygon whose sides are glued by letters.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct SchemaAnswer {
+    /// The letters of its sides, counterclockwise: `a b a^-1 b^-1`.
+    pub word: String,
+    /// The surface that it is glued to; `null` if a letter is at three sides or more.
+    pub surface: Option<String>,
+    /// For each corner the number of its class: those of one class are glued to one point. Side i runs from corner i to the next.
+    pub corner_classes: Vec<usize>,
 }
 
 impl RenderAnswer {
@@ -27,6 +42,6 @@ impl RenderAnswer {
     /// assert_eq!((answer.file.as_str(), answer.bytes), ("a.off", 7));
     /// ```
     pub fn new(file: String, picture: Option<String>, bytes: usize) -> Self {
-        Self { file, picture, bytes, remarks: Vec::new() }
+        Self { file, picture, bytes, schemas: Vec::new(), remarks: Vec::new() }
     }
 }

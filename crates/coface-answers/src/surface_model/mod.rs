@@ -3,9 +3,11 @@
 mod canonical;
 mod covering;
 mod cutting;
+mod schema;
 
 pub use covering::{LayoutChoice, PlacedCover, SurfaceCover};
 pub use cutting::{CutComponent, CutRequest, CutSeam, SurfaceCut};
+pub use schema::PolygonSchema;
 
 use crate::producer::{Cells, Producer};
 use coface_algebra::RaggedArray;

@@ -4,7 +4,7 @@ use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::simplices::{Request, SimplexList};
 use clap::Args;
-use coface::complexes::simplicial::SimplexSet;
+use coface::answers::Neighborhood;
 use std::path::PathBuf;
 
 /// Closure: the given simplices with all their faces.
@@ -23,6 +23,6 @@ pub(crate) struct Closure {
 impl Closure {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         Request { verb: "closure", input: &self.input, simplices: Some(&self.simplices) }
-            .serve(common, |complex, set| Ok(SimplexSet::from(&complex.closure(set)?)))
+            .serve(common, |complex, set| Neighborhood::Closure.found(complex, set))
     }
 }

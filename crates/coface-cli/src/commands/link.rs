@@ -4,7 +4,7 @@ use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::simplices::{Request, SimplexList};
 use clap::Args;
-use coface::complexes::simplicial::SimplexSet;
+use coface::answers::Neighborhood;
 use std::path::PathBuf;
 
 /// Link: what the neighborhood of the given simplices leaves when everything touching them is taken away.
@@ -23,6 +23,6 @@ pub(crate) struct Link {
 impl Link {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         Request { verb: "link", input: &self.input, simplices: Some(&self.simplices) }
-            .serve(common, |complex, set| Ok(SimplexSet::from(&complex.link(set)?)))
+            .serve(common, |complex, set| Neighborhood::Link.found(complex, set))
     }
 }

@@ -4,6 +4,7 @@ use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::simplices::{Request, SimplexList};
 use clap::Args;
+use coface::answers::Neighborhood;
 use std::path::PathBuf;
 
 /// Star: all simplices that have one of the given ones as a face.
@@ -22,6 +23,6 @@ pub(crate) struct Star {
 impl Star {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         Request { verb: "star", input: &self.input, simplices: Some(&self.simplices) }
-            .serve(common, |complex, set| complex.star(set))
+            .serve(common, |complex, set| Neighborhood::Star.found(complex, set))
     }
 }

@@ -10,6 +10,7 @@ mod congruence;
 mod cures;
 mod diagrams;
 mod exports;
+mod figures;
 mod generate;
 mod homology;
 mod incidence;

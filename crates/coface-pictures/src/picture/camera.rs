@@ -116,6 +116,12 @@ impl Projection {
         Ok(projection)
     }
 
+    /// The same picture so many pixels lower.
+    pub(super) fn moved_down(mut self, pixels: f64) -> Self {
+        self.middle[1] += pixels;
+        self
+    }
+
     /// The pixel of a point, and its depth.
     pub(super) fn project(&self, point: [f64; 3]) -> [f64; 3] {
         let offset = [0, 1, 2].map(|i| point[i] - self.center[i]);

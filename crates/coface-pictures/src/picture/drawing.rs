@@ -5,7 +5,8 @@ use super::flat::{Anchor, FlatPicture, Step};
 use super::painting::painting_order;
 use super::palette::Color;
 use super::scene_picture::{
-    DOT_WIDTH, HIDDEN_OF_LINE, HIDDEN_SHARE, LABELS, POINT_WIDTH, TEXT_SIZE, WIRE_OF_EDGE, beside, shown,
+    DOT_WIDTH, HIDDEN_OF_LINE, HIDDEN_SHARE, HOLE_WIDTH, LABELS, POINT_WIDTH, TEXT_SIZE, WIRE_OF_EDGE, beside,
+    point_width, shown,
 };
 use super::sight::Sight;
 use coface_algebra::progress::stage;
@@ -72,8 +73,9 @@ impl Picture<'_> {
         );
         let sight = Sight { raster: &raster, factor: FACTOR as f64, slack: 1.5 * self.reach };
         let wire_width = WIRE_OF_EDGE * self.edge_width;
+        let [edge_color, wire_color] = self.edge_colors();
         for (edges, width, color) in
-            [(&self.edges, self.edge_width, self.theme.edge), (&self.wires, wire_width, self.theme.ink)]
+            [(&self.edges, self.edge_width, edge_color), (&self.wires, wire_width, wire_color)]
         {
             let lines = edges.iter().map(|edge| edge.map(|vertex| self.place(vertex)));
             let [seen, _] = paths(&sight, lines);
@@ -108,7 +110,16 @@ impl Picture<'_> {
                 drawing.fill(heads, color, 1.0);
             }
             for &point in &layer.points {
-                draw_dot(&sight, self.place_in(layer, point), POINT_WIDTH, color, &mut drawing);
+                draw_dot(&sight, self.place_in(layer, point), point_width(layer), color, &mut drawing);
+            }
+            for &point in &layer.rings {
+                let place = self.place_in(layer, point);
+                if sight.is_seen(place) {
+                    let width = 0.5 * (POINT_WIDTH - HOLE_WIDTH);
+                    let at = rounded([place[0], place[1]]);
+                    let radius = 0.25 * (POINT_WIDTH + HOLE_WIDTH);
+                    drawing.disk(at, radius, self.theme.background, Some((color, width)));
+                }
             }
             for (point, label) in &layer.labels {
                 let place = self.place_in(layer, *point);
@@ -117,6 +128,10 @@ impl Picture<'_> {
                 }
                 drawing.text(rounded(beside(place)), Anchor::Start, TEXT_SIZE, color, label.clone());
             }
+        }
+        if let Some(legend) = &self.legend {
+            drawing.begin_group("legend");
+            legend.draw(&mut drawing);
         }
         drawing
     }

@@ -1,6 +1,7 @@
 //! Flat pictures: diagrams, matrices, sets of the plane.
 
 use super::canvas::Canvas;
+use super::formula::Formula;
 use super::letters;
 use super::palette::{Color, packed};
 use super::style::{SAMPLES, check_size};
@@ -75,6 +76,12 @@ pub(super) enum Form {
         anchor: Anchor,
         size: f64,
         text: String,
+    },
+    Formula {
+        at: [f64; 2],
+        anchor: Anchor,
+        size: f64,
+        formula: Formula,
     },
 }
 
@@ -185,6 +192,18 @@ impl FlatPicture {
         text: impl Into<String>,
     ) {
         self.push(Form::Text { at, anchor, size, text: text.into() }, Some(color), None, 1.0);
+    }
+
+    /// Writes a formula on a baseline.
+    pub(crate) fn formula(
+        &mut self,
+        at: [f64; 2],
+        anchor: Anchor,
+        size: f64,
+        color: Color,
+        formula: Formula,
+    ) {
+        self.push(Form::Formula { at, anchor, size, formula }, Some(color), None, 1.0);
     }
 
     /// Width and height of the picture in its own unit.
@@ -332,6 +351,13 @@ impl FlatPicture {
                         paint_line(canvas, &line, false, STROKE_OF_TEXT * size * scale, color);
                     }
                 }
+                Form::Formula { at, anchor, size, formula } => {
+                    let color = packed(part.fill.unwrap_or_default());
+                    for (width, line) in formula_strokes(*at, *anchor, *size, formula) {
+                        let line: Vec<[f64; 2]> = line.into_iter().map(place).collect();
+                        paint_line(canvas, &line, false, width * scale, color);
+                    }
+                }
             }
         }
     }
@@ -357,6 +383,22 @@ pub(super) fn text_strokes(at: [f64; 2], anchor: Anchor, size: f64, text: &str) 
     let mut strokes = letters::strokes(text);
     for [x, y] in strokes.iter_mut().flatten() {
         (*x, *y) = (left + size * *x, at[1] - size * *y);
+    }
+    strokes
+}
+
+/// The strokes of a formula on a baseline, each with its width.
+pub(super) fn formula_strokes(
+    at: [f64; 2],
+    anchor: Anchor,
+    size: f64,
+    formula: &Formula,
+) -> Vec<(f64, Vec<[f64; 2]>)> {
+    let left = anchor.left(at[0], formula.width * size);
+    let mut strokes = formula.strokes();
+    for (width, line) in &mut strokes {
+        *width *= size;
+        line.iter_mut().for_each(|[x, y]| (*x, *y) = (left + size * *x, at[1] - size * *y));
     }
     strokes
 }

@@ -1,6 +1,7 @@
 //! Flat pictures as SVG.
 
 use super::flat::{Anchor, FlatPicture, Form, Part, Step};
+use super::formula::{Face, Formula};
 use super::palette::{Color, hex, packed};
 use super::svg_text::{escaped, push_point, push_short};
 use std::fmt::Write;
@@ -114,8 +115,36 @@ impl Part {
                     escaped(words)
                 );
             }
+            Form::Formula { at, anchor, size, formula } => {
+                push_formula(*at, *anchor, *size, formula, &style, text);
+            }
         }
     }
+}
+
+/// A formula as one text, each run at its own place.
+fn push_formula(
+    at: [f64; 2],
+    anchor: Anchor,
+    size: f64,
+    formula: &Formula,
+    style: &str,
+    text: &mut String,
+) {
+    let left = anchor.left(at[0], size * formula.width);
+    let _ = write!(text, "<text font-family=\"Times New Roman, Times, serif\"{style}>");
+    for run in &formula.runs {
+        let [x, y] = [left + size * run.at[0], at[1] - size * run.at[1]];
+        let face = match run.face {
+            Face::Upright => "",
+            Face::Italic => " font-style=\"italic\"",
+            Face::Bold => " font-weight=\"bold\"",
+        };
+        let size = (100.0 * size * run.size).round() / 100.0;
+        let words = escaped(&run.text);
+        let _ = write!(text, "<tspan x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"{size}\"{face}>{words}</tspan>");
+    }
+    text.push_str("</text>\n");
 }
 
 /// Two numbers; whole ones short, others with two decimals.

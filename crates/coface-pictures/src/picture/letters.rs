@@ -91,6 +91,13 @@ fn glyph(letter: char) -> &'static str {
         '!' => "2825 2322",
         '?' => "07183847362524 2322",
         '|' => "2820",
+        '\u{2212}' => "0444",
+        '\u{2295}' => "163645433212030516 0444 2622",
+        '\u{2202}' => "172838464432120304153544",
+        '\u{2245}' => "06173647 0444 0242",
+        '\u{2192}' => "0444 364432",
+        '\u{d7}' => "0642 0246",
+        '\u{2217}' => "2327 0644 0446",
         // Of what has no strokes here, a box.
         _ => "0802424808",
     }
@@ -129,7 +136,7 @@ mod tests {
 
     #[test]
     fn every_stroke_is_pairs_of_digits_on_the_grid() {
-        for letter in (' '..='~').chain(['\u{e9}']) {
+        for letter in (' '..='~').chain(['\u{e9}', '\u{2212}', '\u{2295}', '\u{2202}', '\u{2245}']) {
             for stroke in glyph(letter).split(' ').filter(|stroke| !stroke.is_empty()) {
                 assert!(stroke.len().is_multiple_of(2) && stroke.len() >= 4, "{letter} {stroke}");
                 for pair in stroke.as_bytes().chunks_exact(2) {

@@ -4,7 +4,10 @@
 pub(crate) type Color = [f32; 3];
 
 /// Colors that can be told apart with any sort of color vision: those of M. Okabe and K. Ito (2008) without black and yellow.
-const PALETTE: [u32; 6] = [0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0xe69f00, 0x56b4e9];
+const PALETTE: [u32; PALETTE_LENGTH] = [0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0xe69f00, 0x56b4e9];
+
+/// So many colors can be told apart.
+pub(super) const PALETTE_LENGTH: usize = 6;
 
 /// For what is wrong.
 pub(super) const ALARM: Color = of(0xd0021b);
@@ -12,19 +15,24 @@ pub(super) const ALARM: Color = of(0xd0021b);
 /// For numbers of cells, dark and light backgrounds alike.
 pub(super) const NEUTRAL: Color = of(0x8a5a00);
 
+/// For the vertices of a complex that lies under other things, dark and light backgrounds alike.
+pub(super) const FAINT: Color = of(0x8b959f);
+
 /// The colors of a picture.
 pub(super) struct Theme {
     pub(super) background: Color,
     pub(super) surface: Color,
     pub(super) edge: Color,
+    /// For edges under other things.
+    pub(super) pale: Color,
     /// For lines and points that lie on no surface, and for texts.
     pub(super) ink: Color,
 }
 
 pub(super) const LIGHT: Theme =
-    Theme { background: of(0xffffff), surface: of(0xd9dee4), edge: of(0x5c6670), ink: of(0x22272d) };
+    Theme { background: of(0xffffff), surface: of(0xd9dee4), edge: of(0x5c6670), pale: of(0xa3acb5), ink: of(0x22272d) };
 pub(super) const DARK: Theme =
-    Theme { background: of(0x15181c), surface: of(0x7d8792), edge: of(0x2b3138), ink: of(0xe4e8ec) };
+    Theme { background: of(0x15181c), surface: of(0x7d8792), edge: of(0x2b3138), pale: of(0x4c555e), ink: of(0xe4e8ec) };
 
 /// A color by its number as in style sheets.
 pub(crate) const fn of(rgb: u32) -> Color {

@@ -1,7 +1,9 @@
 //! Flat pictures as PDF (ISO 32000-1): one page, one stream of drawing operators, and a font that every reader has.
 
 use super::flat::{Anchor, FlatPicture, Form, Part, STROKE_OF_TEXT, Step, Stroke, text_strokes};
+use super::formula::{Face, Formula, symbol, width};
 use super::palette::Color;
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 #[cfg(feature = "compression")]
 use std::io::Write as _;
@@ -52,6 +54,28 @@ struct Page {
     operators: String,
     /// Opacities in thousandths, in the order in which they were needed.
     opacities: Vec<u16>,
+    /// The fonts that formulas needed, beside the one of texts.
+    fonts: BTreeSet<Font>,
+}
+
+/// Fonts of formulas.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Font {
+    Letters(Face),
+    Symbol,
+}
+
+impl Font {
+    /// Its name in the page, the name that readers know it by, and what its codes are.
+    fn words(self) -> [&'static str; 3] {
+        const LATIN: &str = " /Encoding /WinAnsiEncoding";
+        match self {
+            Self::Letters(Face::Upright) => ["R", "Times-Roman", LATIN],
+            Self::Letters(Face::Italic) => ["I", "Times-Italic", LATIN],
+            Self::Letters(Face::Bold) => ["B", "Times-Bold", LATIN],
+            Self::Symbol => ["S", "Symbol", ""],
+        }
+    }
 }
 
 /// A number with at most three decimals, none of them a zero at the end.
@@ -104,6 +128,9 @@ impl Page {
             Form::Disk { center, radius } => self.painted(&circle(*center, *radius), part),
             Form::Text { at, anchor, size, text } => {
                 self.text(*at, *anchor, *size, text, part.fill.unwrap_or_default());
+            }
+            Form::Formula { at, anchor, size, formula } => {
+                self.formula(*at, *anchor, *size, formula, part.fill.unwrap_or_default());
             }
         }
         if opacity < 1.0 {
@@ -182,6 +209,37 @@ impl Page {
         );
     }
 
+    fn formula(&mut self, at: [f64; 2], anchor: Anchor, size: f64, formula: &Formula, color: Color) {
+        let left = anchor.left(at[0], size * formula.width);
+        self.color(color, "rg");
+        for run in &formula.runs {
+            let [mut x, y] = [left + size * run.at[0], at[1] - size * run.at[1]];
+            let font_of = |letter: char| {
+                if symbol(letter).is_some() { Font::Symbol } else { Font::Letters(run.face) }
+            };
+            let letters: Vec<char> = run.text.chars().collect();
+            for same in letters.chunk_by(|&a, &b| font_of(a) == font_of(b)) {
+                let font = font_of(same[0]);
+                self.fonts.insert(font);
+                let mut words = String::new();
+                for &letter in same {
+                    let code = symbol(letter).map_or(u32::from(letter), |(code, _)| u32::from(code));
+                    // What no font has here is a question.
+                    let code = u8::try_from(code).unwrap_or(b'?');
+                    let _ = write!(words, "{code:02X}");
+                }
+                let [name, ..] = font.words();
+                let size = Short(size * run.size);
+                let [at_x, at_y] = [Short(x), Short(y)];
+                let _ = writeln!(
+                    self.operators,
+                    "BT /{name} {size} Tf 1 0 0 -1 {at_x} {at_y} Tm <{words}> Tj ET"
+                );
+                x += size.0 * same.iter().map(|&letter| width(run.face, letter)).sum::<f64>();
+            }
+        }
+    }
+
     /// The file: catalog, pages, the page, its operators, the font, the title, and where each of them begins.
     fn file(self, title: &str, [width, height]: [f64; 2]) -> Vec<u8> {
         let mut states = String::new();
@@ -193,15 +251,24 @@ impl Page {
             let _ = write!(text, "{unit:04X}");
             text
         });
-        let (operators, filter) = packed(self.operators.into_bytes());
+        let (operators, filter) = packed(self.operators.as_bytes());
         let mut stream = format!("<< /Length {}{filter} >>\nstream\n", operators.len()).into_bytes();
         stream.extend(operators);
         stream.extend(b"\nendstream");
-        let objects = [
+        let mut fonts = String::new();
+        for (number, font) in (7..).zip(&self.fonts) {
+            let [name, ..] = font.words();
+            let _ = write!(fonts, " /{name} {number} 0 R");
+        }
+        let of_formulas = self.fonts.iter().map(|font| {
+            let [_, name, codes] = font.words();
+            format!("<< /Type /Font /Subtype /Type1 /BaseFont /{name}{codes} >>").into_bytes()
+        });
+        let mut objects = vec![
             b"<< /Type /Catalog /Pages 2 0 R >>".to_vec(),
             b"<< /Type /Pages /Kids [3 0 R] /Count 1 >>".to_vec(),
             format!(
-                "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 {} {}] /Contents 4 0 R /Resources << /Font << /F 5 0 R >> /ExtGState <<{states} >> >> >>",
+                "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 {} {}] /Contents 4 0 R /Resources << /Font << /F 5 0 R{fonts} >> /ExtGState <<{states} >> >> >>",
                 Short(width),
                 Short(height)
             )
@@ -210,6 +277,7 @@ impl Page {
             b"<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >>".to_vec(),
             format!("<< /Title <{title}> /Producer (coface) >>").into_bytes(),
         ];
+        objects.extend(of_formulas);
         let mut file = b"%PDF-1.4\n%\xE2\xE3\xCF\xD3\n".to_vec();
         let mut places = String::new();
         for (number, object) in (1..).zip(&objects) {
@@ -230,18 +298,18 @@ impl Page {
 
 /// A stream and what its dictionary says of how it is packed.
 #[cfg(feature = "compression")]
-fn packed(bytes: Vec<u8>) -> (Vec<u8>, &'static str) {
+fn packed(bytes: &[u8]) -> (Vec<u8>, &'static str) {
     let mut encoder = flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::default());
-    match encoder.write_all(&bytes).and_then(|()| encoder.finish()) {
+    match encoder.write_all(bytes).and_then(|()| encoder.finish()) {
         Ok(short) => (short, " /Filter /FlateDecode"),
         // Memory takes whatever is written: this does not happen.
-        Err(_) => (bytes, ""),
+        Err(_) => (bytes.to_vec(), ""),
     }
 }
 
 #[cfg(not(feature = "compression"))]
-fn packed(bytes: Vec<u8>) -> (Vec<u8>, &'static str) {
-    (bytes, "")
+fn packed(bytes: &[u8]) -> (Vec<u8>, &'static str) {
+    (bytes.to_vec(), "")
 }
 
 fn circle([x, y]: [f64; 2], radius: f64) -> [Step; 6] {

@@ -3,7 +3,8 @@
 use super::camera::{Camera, Projection, cross, dot, unit};
 use super::canvas::Canvas;
 use super::flat::{Anchor, FlatPicture};
-use super::palette::{ALARM, Color, NEUTRAL, Theme, color, of as color_of, packed};
+use super::legend::Legend;
+use super::palette::{ALARM, Color, FAINT, NEUTRAL, Theme, color, of as color_of, packed};
 use super::raster::{Ink, NOTHING, Raster};
 use super::sight::Sight;
 use super::style::{PictureStyle, SAMPLES, check_size, check_widths};
@@ -21,9 +22,16 @@ pub(super) const HIDDEN_OF_LINE: f64 = 0.5;
 /// Widths in pixels.
 pub(super) const DOT_WIDTH: f64 = 5.0;
 pub(super) const POINT_WIDTH: f64 = 8.0;
+pub(super) const HOLE_WIDTH: f64 = 4.5;
 pub(super) const TEXT_SIZE: f64 = 14.0;
 /// The group of layers whose texts are left out where the model hides them.
 pub(crate) const LABELS: &str = "labels";
+/// The group of the layer of dots at the vertices of a complex.
+pub(crate) const COMPLEX: &str = "complex";
+/// The group of stars, closures and links: their triangles are paler than their edges and vertices.
+pub(crate) const NEIGHBORHOOD: &str = "neighborhood";
+/// How much of its color a triangle of a neighborhood has.
+const TINT: f32 = 0.45;
 /// Of 256, what is seen of hidden lines through what hides them.
 pub(super) const HIDDEN_SHARE: u32 = 96;
 
@@ -62,6 +70,7 @@ pub struct Picture<'a> {
     pub(super) is_transparent: bool,
     pub(super) line_width: f64,
     pub(super) edge_width: f64,
+    pub(super) legend: Option<Legend>,
 }
 
 impl std::fmt::Debug for Picture<'_> {
@@ -107,11 +116,18 @@ impl<'a> Picture<'a> {
         let camera = style.camera.unwrap_or(usual);
         let own = shown(scene).flat_map(|(layer, _)| layer.positions.iter().flatten());
         let points: Vec<[f64; 3]> = scene.positions().iter().chain(own).copied().collect();
-        let projection = Projection::new(&camera, style.turn, &points, style.size)?;
+        let legend = style.has_legend.then(|| Legend::of(scene, style.size, style.theme()));
+        let strip = legend.as_ref().map_or(0, Legend::height);
+        let below = [style.size[0], style.size[1] - strip];
+        let projection = Projection::new(&camera, style.turn, &points, below)?.moved_down(strip as f64);
         let depths = points.iter().map(|&point| projection.project(point)[2]);
         let (low, high) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| (l.min(d), h.max(d)));
-        let (edges, wires, dots) = lines_of(scene);
-        let shows_edges = style.edges.unwrap_or(scene.triangles().len() <= EDGES_UP_TO);
+        let (mut edges, mut wires, dots) = lines_of(scene);
+        let [_, has_wires_only] = scene.is_pale();
+        if has_wires_only {
+            edges.append(&mut wires);
+        }
+        let shows_edges = style.edges.unwrap_or(has_wires_only || scene.triangles().len() <= EDGES_UP_TO);
         let mut picture = Self {
             scene,
             size: style.size,
@@ -125,6 +141,7 @@ impl<'a> Picture<'a> {
             is_transparent: style.is_transparent,
             line_width: style.line_width,
             edge_width: style.edge_width,
+            legend,
         };
         picture.add_facets();
         Ok(picture)
@@ -140,14 +157,17 @@ impl<'a> Picture<'a> {
             });
             facets.push(Facet { corners, color });
         };
-        let steps = stage("shading triangles", self.scene.triangles().len());
-        for &triangle in steps.each(self.scene.triangles()) {
+        let [_, has_wires_only] = self.scene.is_pale();
+        let triangles = if has_wires_only { &[] } else { self.scene.triangles() };
+        let steps = stage("shading triangles", triangles.len());
+        for &triangle in steps.each(triangles) {
             add(triangle.map(|vertex| self.scene.positions()[vertex as usize]), self.theme.surface, 0.0);
         }
         for (layer, color) in shown(self.scene) {
+            let color = fill_of(layer, color, self.theme);
             for &triangle in &layer.triangles {
                 let own = layer.positions.as_deref().unwrap_or(self.scene.positions());
-                add(triangle.map(|point| own[point as usize]), color, 0.5);
+                add(triangle.map(|point| own[point as usize]), color, 0.5 + lift(layer));
             }
         }
         self.facets = facets;
@@ -204,9 +224,10 @@ impl<'a> Picture<'a> {
             raster.faint_line([scaled(a, 0.0), scaled(b, 0.0)], width, ink, HIDDEN_SHARE);
         }
         let wire_width = WIRE_OF_EDGE * self.edge_width;
+        let [edge_color, wire_color] = self.edge_colors();
         for (edges, width, color, forward) in [
-            (&self.edges, self.edge_width, self.theme.edge, 1.0),
-            (&self.wires, wire_width, self.theme.ink, 1.5),
+            (&self.edges, self.edge_width, edge_color, 1.0),
+            (&self.wires, wire_width, wire_color, 1.5),
         ] {
             let steps = stage("drawing edges", edges.len());
             for edge in steps.each(edges) {
@@ -219,14 +240,20 @@ impl<'a> Picture<'a> {
         }
         for (layer, color) in shown(self.scene) {
             for pair in layer.lines.iter().flat_map(|line| line.windows(2)) {
-                let ends = [pair[0], pair[1]].map(|point| scaled(self.place_in(layer, point), 2.0));
+                let ends = [pair[0], pair[1]].map(|point| scaled(self.place_in(layer, point), 2.0 + lift(layer)));
                 raster.line(ends, self.line_width * factor, ink(color));
             }
             for corners in self.arrowheads(layer) {
                 raster.triangle(corners.map(|corner| scaled(corner, 2.5)), ink(color));
             }
             for &point in &layer.points {
-                raster.disk(scaled(self.place_in(layer, point), 3.0), POINT_WIDTH * factor, ink(color));
+                let place = scaled(self.place_in(layer, point), 3.0 + lift(layer));
+                raster.disk(place, point_width(layer) * factor, ink(color));
+            }
+            for &point in &layer.rings {
+                let [outer, inner] = [2.9, 2.95].map(|forward| scaled(self.place_in(layer, point), forward + lift(layer)));
+                raster.disk(outer, POINT_WIDTH * factor, ink(color));
+                raster.disk(inner, HOLE_WIDTH * factor, ink(self.theme.background));
             }
         }
         let mut labels = FlatPicture::new("", self.size.map(|side| side as f64), self.theme.background);
@@ -240,8 +267,19 @@ impl<'a> Picture<'a> {
                 labels.text(beside(place), Anchor::Start, TEXT_SIZE, color, text.clone());
             }
         }
+        if let Some(legend) = &self.legend {
+            legend.draw(&mut labels);
+        }
         labels.paint(&mut raster.canvas, factor, [0.0, 0.0]);
         raster.canvas
+    }
+
+    /// The colors of sides of polygons and of other edges.
+    pub(super) fn edge_colors(&self) -> [Color; 2] {
+        match self.scene.is_pale() {
+            [true, _] => [self.theme.pale; 2],
+            _ => [self.theme.edge, self.theme.ink],
+        }
     }
 
     /// The facets in pixels, `factor` by `factor` for each of the picture; what is seen is the number of a facet.
@@ -334,6 +372,25 @@ pub(super) fn lines_of(scene: &Scene) -> (Vec<[u32; 2]>, Vec<[u32; 2]>, Vec<u32>
     (sides, wires, dots)
 }
 
+/// The color of the triangles of a layer.
+pub(super) fn fill_of(layer: &Layer, color: Color, theme: &Theme) -> Color {
+    if layer.group != NEIGHBORHOOD {
+        return color;
+    }
+    [0, 1, 2].map(|part| TINT * color[part] + (1.0 - TINT) * theme.background[part])
+}
+
+/// How far a layer is in front of the usual: of neighborhoods a later one lies over an earlier one.
+fn lift(layer: &Layer) -> f64 {
+    let place = layer.color.filter(|_| layer.group == NEIGHBORHOOD);
+    place.map_or(0.0, |place| 0.15 * f64::from(place + 1))
+}
+
+/// The width of the disks at the points of a layer.
+pub(super) fn point_width(layer: &Layer) -> f64 {
+    if layer.group == COMPLEX { DOT_WIDTH } else { POINT_WIDTH }
+}
+
 /// Where a text beside a place begins: above it and to the right, within the picture.
 pub(super) fn beside([x, y, _]: [f64; 3]) -> [f64; 2] {
     [x + 6.0, (y - 6.0).max(TEXT_SIZE)]
@@ -349,6 +406,7 @@ pub(super) fn shown(scene: &Scene) -> impl Iterator<Item = (&Layer, Color)> {
             match layer.group.as_str() {
                 "witness" | "boundary" => return (layer, ALARM),
                 LABELS => return (layer, NEUTRAL),
+                COMPLEX => return (layer, FAINT),
                 _ => {}
             }
             let place = layer.color.map_or(next, |place| place as usize);

@@ -22,6 +22,8 @@ pub struct PictureStyle {
     pub line_width: f64,
     /// The width of edges in pixels; 0.6 is usual. Edges that are sides of no polygon are wider.
     pub edge_width: f64,
+    /// Whether the names of the layers that are shown stand above the model, with their colors.
+    pub has_legend: bool,
     /// The degrees by which the eye has gone around the model, about what is up, to the left of its place; with them the model has one size in
     /// the picture wherever the eye is, as frames of an animation need it.
     pub turn: Option<f64>,
@@ -37,6 +39,7 @@ impl Default for PictureStyle {
             is_transparent: false,
             line_width: 3.0,
             edge_width: 0.6,
+            has_legend: false,
             turn: None,
         }
     }

@@ -39,6 +39,7 @@ impl Hidden {
         }
         layer.lines = RaggedArray::from_lists(layer.lines.iter().flat_map(|walk| self.seen_parts(walk)));
         layer.points.retain(|&vertex| !self.has(vertex));
+        layer.rings.retain(|&vertex| !self.has(vertex));
         layer.triangles.retain(|triangle| self.has_none_of(triangle));
         layer.labels.retain(|label| !self.has(label.0));
         layer

@@ -24,6 +24,8 @@ pub struct Layer {
     pub lines: RaggedArray,
     /// Points with a mark.
     pub points: Vec<u32>,
+    /// Points with a ring: they bound what is shown and are not in it.
+    pub rings: Vec<u32>,
     /// Triangles of points.
     pub triangles: Vec<[u32; 3]>,
     /// Texts at points.
@@ -92,12 +94,13 @@ impl Layer {
     /// assert!(!layer.is_empty());
     /// ```
     pub fn is_empty(&self) -> bool {
-        self.lines.is_empty() && self.points.is_empty() && self.triangles.is_empty() && self.labels.is_empty()
+        let has_points = !self.points.is_empty() || !self.rings.is_empty();
+        !has_points && self.lines.is_empty() && self.triangles.is_empty() && self.labels.is_empty()
     }
 
     /// The highest point that is used.
     pub(super) fn last_point(&self) -> Option<u32> {
-        let used = self.lines.items().iter().chain(&self.points).chain(self.triangles.as_flattened());
+        let used = self.lines.items().iter().chain(&self.points).chain(&self.rings).chain(self.triangles.as_flattened());
         used.copied().chain(self.labels.iter().map(|label| label.0)).max()
     }
 }

@@ -21,6 +21,7 @@ mod labels;
 mod layers;
 mod layout;
 mod model;
+mod neighborhood;
 mod numbering;
 mod parts;
 mod persistence;

@@ -45,6 +45,10 @@ pub struct Scene {
     pub(super) cell_of_triangle: Vec<u32>,
     pub(super) layers: Vec<Layer>,
     pub(super) panes: Vec<Pane>,
+    /// Whether the model is drawn pale, as the ground for its layers.
+    pub(super) is_pale: bool,
+    /// Whether no triangle of the model is drawn: they would hide its layers.
+    pub(super) has_wires_only: bool,
 }
 
 impl Scene {
@@ -148,6 +152,8 @@ impl Scene {
             cell_of_triangle: Vec::new(),
             layers: Vec::new(),
             panes: Vec::new(),
+            is_pale: false,
+            has_wires_only: false,
         }
     }
 
@@ -260,6 +266,11 @@ impl Scene {
     /// ```
     pub fn remarks(&self) -> Vec<Remark> {
         [self.assumed.clone(), self.hidden.remark(), self.parts.remark()].into_iter().flatten().collect()
+    }
+
+    /// Whether the model is drawn pale, and whether by its edges alone.
+    pub(crate) fn is_pale(&self) -> [bool; 2] {
+        [self.is_pale, self.has_wires_only]
     }
 
     /// Whether this vertex of the model is left out.

@@ -51,6 +51,7 @@ impl Numbering {
         }
         layer.lines = RaggedArray::from_lists(layer.lines.iter().map(|walk| self.of_list(walk)));
         layer.points = self.of_list(&layer.points);
+        layer.rings = self.of_list(&layer.rings);
         layer.triangles.as_flattened_mut().iter_mut().for_each(|vertex| *vertex = self.of(*vertex));
         layer.labels.iter_mut().for_each(|label| label.0 = self.of(label.0));
         layer

@@ -114,6 +114,10 @@ def render(
     line_width: float | None = None,
     edge_width: float | None = None,
     label: Sequence[str] | str = (),
+    star: Any = None,
+    closure: Any = None,
+    link: Any = None,
+    legend: bool = False,
     spin: int | None = None,
     witness: bool = False,
     title: str = "model",
@@ -146,6 +150,12 @@ def render(
         The widths of the lines of answers and of edges, in points; 2.25 and 0.45 if left out.
     label
         ``"vertices"``, ``"edges"`` or ``"faces"``, or several of them: the numbers of these cells are written beside them.
+    star, closure, link
+        A simplex, ``[0, 1]``, or several, ``[[0, 1], [3]]``: what they have around them is drawn over the pale complex, each in a color of
+        its own. A star is open: vertices that bound it are rings.
+    legend
+        Whether the names of what is drawn over the model stand above it, with their colors; with ``star``, ``closure`` and ``link`` they
+        do anyway.
     spin
         So many frames, in which the model turns once about what is up: an animated PNG, 24 frames a second.
     witness
@@ -164,6 +174,8 @@ def render(
     --------
     >>> import coface
     >>> coface.render(coface.cocycles(coface.generate("torus"))).startswith(b"<svg")
+    True
+    >>> b"link of {0}" in coface.render(coface.generate("csaszar"), star=[0], link=[0])
     True
     """
     if not results and isinstance(x, Persistence):
@@ -192,6 +204,10 @@ def render(
         line_width=line_width,
         edge_width=edge_width,
         label=[label] if isinstance(label, str) else list(label),
+        star=star,
+        closure=closure,
+        link=link,
+        legend=legend,
         spin=spin,
         witness=witness,
         title=title,

@@ -204,6 +204,20 @@ impl HomologyMap {
         self.cokernel().is_trivial()
     }
 
+    /// The image as a group of its own: the source modulo the kernel.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::HomologyMap;
+    /// // Z to Z/4, the generator going to twice the generator.
+    /// let map = HomologyMap::new(vec![None], vec![Some(4.into())], vec![vec![2.into()]]);
+    /// assert_eq!(map.image_group().to_string(), "Z/2");
+    /// ```
+    pub fn image_group(&self) -> AbelianGroup {
+        let vanishing = [relations(&self.source_orders), self.kernel_elements()].concat();
+        group(self.source_orders.len(), &vanishing)
+    }
+
     /// Whether the kernel of the next map is the image of this one.
     ///
     /// # Panics

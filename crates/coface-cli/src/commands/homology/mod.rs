@@ -10,17 +10,20 @@ use crate::commands::merge::Question;
 use crate::domain::{DomainOptions, is_msh};
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{give, print_json, print_text, write_json};
+use crate::output::{give, print_json, print_text, write_file, write_json};
+use crate::pictures::PictureFormat;
 use crate::progress::Progress;
 use crate::remarks::say_remarks;
 use clap::Args;
 use coface::answers::answer::GeneratorsFile;
 use coface::answers::text;
 use coface::answers::{FoundHomology, GivenChain, GivenRealCochain, GivenVertexMap, HomologyRequest};
+use coface::pictures::sequence_picture;
 use coface::io::{Format, Model, ReadOptions, check_output, write_path};
 use coface::topology::{AbelianGroup, Coefficients};
 use parts::PartsOptions;
 use serde_json::Value;
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 /// Homology groups: how many components, loops and cavities a model has, and its torsion.
@@ -48,7 +51,7 @@ pub(crate) struct Homology {
     reduced: bool,
     #[command(flatten)]
     domain: DomainOptions,
-    /// The long exact sequence of the pair over Z, with the connecting map
+    /// The long exact sequence of the pair over Z, with the connecting map; -o OUT.svg, .png or .pdf draws its diagram
     #[arg(long, requires = "relative")]
     sequence: bool,
     /// Short cycles (cocycles with --cohomology) that generate the groups; written to OUT if given: as .json, as physical
@@ -104,6 +107,13 @@ impl Homology {
         let input = self.input.as_deref().ok_or_else(|| Failure::new("no model is named"))?;
         let loaded = input::read(input, common.reading(), &progress)?;
         let mesh_output = common.output.as_deref().filter(|place| is_msh(place));
+        let diagram = common.output.as_deref().and_then(|place| Some((place, PictureFormat::of(place)?)));
+        if let Some((place, _)) = diagram.filter(|_| !self.sequence) {
+            return Err(Failure::new(format!(
+                "{}: a picture of homology is the diagram of a long exact sequence; ask for it with --relative boundary --sequence",
+                place.display()
+            )));
+        }
         let is_for_mesh =
             mesh_output.is_some() || self.generators.iter().flatten().any(|place| is_msh(place));
         let request = self.request(&loaded.model, &progress)?.for_mesh(is_for_mesh);
@@ -118,15 +128,22 @@ impl Homology {
             certified::save(place, &files, |inputs| found.certificate(inputs))?;
         }
         let answer = found.answer();
+        if let Some((place, format)) = diagram
+            && let Some(sequence) = &answer.sequence
+        {
+            let (domain, pair) = self.domain.words();
+            let title = format!("long exact sequence of {domain}{}{pair}", file_name(&answer.file));
+            write_file(place, &format.bytes(&sequence_picture(&title, sequence), None)?)?;
+        }
         drop(progress);
         say_remarks(&answer.remarks, common);
         let page = self.page(&answer.file, found.groups())
             + &page::details(answer, found.cell_names(), &self.cycle, self.decompose.as_deref());
-        match (mesh_output, common.json) {
-            (None, _) => give(common, answer, &page),
-            (Some(_), true) => print_json(answer),
-            (Some(_), false) if common.quiet => Ok(()),
-            (Some(_), false) => print_text(&page),
+        match (mesh_output.is_some() || diagram.is_some(), common.json) {
+            (false, _) => give(common, answer, &page),
+            (true, true) => print_json(answer),
+            (true, false) if common.quiet => Ok(()),
+            (true, false) => print_text(&page),
         }
     }
 
@@ -210,6 +227,11 @@ impl Homology {
         let title = format!("{what} of {domain}{name} over {}{pair}", self.coefficients);
         text::groups(&title, groups, symbol, self.coefficients)
     }
+}
+
+/// The name of a file without its folder: the same picture wherever it lies.
+fn file_name(name: &str) -> Cow<'_, str> {
+    Path::new(name).file_name().map_or(Cow::Borrowed(name), |name| name.to_string_lossy())
 }
 
 /// Writes generators as JSON, into the mesh, or as a picture in the format that the name tells.

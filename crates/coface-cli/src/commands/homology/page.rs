@@ -4,7 +4,7 @@ use coface::algebra::escaped;
 use coface::answers::CellNames;
 use coface::answers::answer::{
     ChainTerm, CupProducts, CycleClass, GeneratorAnswer, HarmonicCochain, HodgeParts, HomologyAnswer,
-    HomologyGroup, InducedMaps, IntersectionFormAnswer, SequenceAnswer, WholeNumber,
+    HomologyGroup, InducedMaps, IntersectionFormAnswer, SequenceAnswer, SequenceMap, WholeNumber,
 };
 use std::path::Path;
 
@@ -103,6 +103,22 @@ fn words_of_map(columns: &[Vec<WholeNumber>]) -> String {
     columns.iter().map(|column| format!("({})", joined(column, " "))).collect::<Vec<_>>().join(" ")
 }
 
+/// What is known of a map: nothing of one from or to zero that its group does not say.
+fn kind_of_map(map: &SequenceMap) -> String {
+    let words = match (map.injective, map.surjective) {
+        (true, true) => "isomorphism",
+        (true, false) => "injective",
+        (false, true) => "surjective",
+        (false, false) => "",
+    };
+    let rank = if map.image.betti + map.image.torsion.len() == 0 {
+        String::new()
+    } else {
+        format!(", image {}", map.image)
+    };
+    if words.is_empty() { rank } else { format!("{rank}, {words}") }
+}
+
 fn sequence(sequence: &SequenceAnswer) -> String {
     let mut page =
         "  long exact sequence, checked to be exact; columns are images of generators\n".to_owned();
@@ -111,13 +127,15 @@ fn sequence(sequence: &SequenceAnswer) -> String {
     };
     for degree in (0..sequence.complex.len()).rev() {
         let below = degree.checked_sub(1).map_or("0".to_owned(), |below| format!("H_{below}(L)"));
-        for (name, groups, maps, next) in [
-            ("L", &sequence.subcomplex, &sequence.inclusion, format!("H_{degree}(K)")),
-            ("K", &sequence.complex, &sequence.projection, format!("H_{degree}(K, L)")),
-            ("K, L", &sequence.pair, &sequence.connecting, below),
+        for (name, groups, maps, known, next) in [
+            ("L", &sequence.subcomplex, &sequence.inclusion, "inclusion", format!("H_{degree}(K)")),
+            ("K", &sequence.complex, &sequence.projection, "projection", format!("H_{degree}(K, L)")),
+            ("K, L", &sequence.pair, &sequence.connecting, "connecting", below),
         ] {
             let map = maps.get(degree).and_then(Option::as_ref);
-            let arrow = map.map_or(String::new(), |map| format!(" -> {next}: {}", words_of_map(map)));
+            let known = sequence.maps.iter().find(|map| map.map == known && map.degree == degree);
+            let kind = known.map_or(String::new(), kind_of_map);
+            let arrow = map.map_or(String::new(), |map| format!(" -> {next}: {}{kind}", words_of_map(map)));
             page += &format!("    H_{degree}({name}) = {}{arrow}\n", group(groups, degree));
         }
     }

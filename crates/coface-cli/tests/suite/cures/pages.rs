@@ -43,7 +43,7 @@ const TETRAHEDRON: Files =
     &[("t.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")];
 
 pub(super) const CASES: &[Case] = &[
-    Case::new("commands/render.rs", "--spin: an animation is a PNG; name the output *.png")
+    Case::new("render/mod.rs", "--spin: an animation is a PNG; name the output *.png")
         .files(TRIANGLES)
         .refused("coface render a.json --spin -o a.svg")
         .cured(&[&["coface render a.json --spin=2 --size 40x30 -o a.png"]]),

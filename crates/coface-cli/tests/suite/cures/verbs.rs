@@ -103,15 +103,24 @@ pub(super) const CASES: &[Case] = &[
         .files(LARGE)
         .refused("coface info large.json --memory 8M")
         .cured(&[&["coface info large.json --memory 2G"]]),
+    Case::new("homology/mod.rs", "ask for it with --relative boundary --sequence")
+        .files(BOOK)
+        .refused("coface homology book.json -o book.svg")
+        .cured(&[&["coface homology book.json --relative boundary --sequence -o book.svg"]]),
+    Case::new("render/mod.rs", "--word \"{word}\"")
+        .files(BOOK)
+        .refused("coface render --word 'a b 3'")
+        .cured(&[&["coface render --word 'a b a^-1 b^-1'"]])
+        .shows("torus"),
     Case::new("homology/mod.rs", "--cycle \"{argument}\"")
         .files(BOOK)
         .refused("coface homology book.json --cycle '0 1'")
         .cured(&[&["coface homology book.json --cycle '0 1; 1 2; -1*0 2'"]]),
-    Case::new("commands/render.rs", "--pane draws it instead")
+    Case::new("render/mod.rs", "--pane draws it instead")
         .before(&["coface generate torus -o a.off", "coface cut a.off -o cut.json"])
         .answered("coface render a.off --with cut.json -o a.svg")
         .cured(&[&["coface render a.off --with cut.json --pane -o a.svg"]]),
-    Case::new("commands/render.rs", "coface cut -o and coface cover -o write some that have, as .json")
+    Case::new("render/mod.rs", "coface cut -o and coface cover -o write some that have, as .json")
         .before(&["coface generate torus -o a.off", "coface homology a.off --generators g.json"])
         .refused("coface render a.off --with g.json --pane -o a.svg")
         .cured(&[
@@ -121,11 +130,11 @@ pub(super) const CASES: &[Case] = &[
                 "coface render a.off --with cover.json --pane -o a.svg",
             ],
         ]),
-    Case::new("commands/render.rs", "there is no such picture; there is")
+    Case::new("render/mod.rs", "there is no such picture; there is")
         .before(&["coface generate torus -o a.off", "coface cut a.off -o cut.json"])
         .refused("coface render a.off --with cut.json --pane=nothing -o a.svg")
         .cured(&[&["coface render a.off --with cut.json --pane=domain -o a.svg"]]),
-    Case::new("commands/render.rs", "give what coface persistence wrote")
+    Case::new("render/diagram.rs", "give what coface persistence wrote")
         .files(TRIANGLE)
         .with(&[("diagram.json", "{\"diagram\":[{}]}")])
         .refused("coface render diagram.json --diagram -o a.svg")

@@ -1,43 +1,53 @@
 //! `coface render`: still pictures.
 
+mod diagram;
+
 use super::view::read_result;
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::filtration::read_function;
 use crate::input::{self, Source};
 use crate::output::{print_bytes, print_json, write_file};
+use crate::pictures::PictureFormat;
 use crate::progress::Progress;
 use crate::remarks::say_remarks;
+use crate::simplices::SimplexList;
+use crate::surface;
 use clap::{Args, ValueEnum};
 use coface::answers::answer::{Remark, RemarkCode, RenderAnswer};
 use coface::answers::{
-    GeometryCheck, Growth, PersistenceRequest, PlanarSet, Report, ReportRequest, SetRequest,
+    GeometryCheck, Growth, Neighborhood, PersistenceRequest, PlanarSet, PolygonSchema, Report, ReportRequest, SetRequest,
 };
+use coface::complexes::simplicial::SimplexSet;
 use coface::io::Format;
 use coface::pictures::{
     Camera, DiagramPoint, FlatPicture, Pane, Picture, PictureStyle, Scene, SetPicture, diagram_picture,
-    matrix_picture, pane_picture, set_picture, spin_png,
+    matrix_picture, pane_picture, schema_picture, set_picture, spin_png,
 };
-use serde::Deserialize;
+use diagram::{points_of_result, read_pers};
 use std::path::{Path, PathBuf};
 
 /// Draw a model as PNG, SVG or PDF, without a browser.
 ///
 /// The picture is shaded, with edges where there is room for them, and with what --with gives drawn over it: generators, seams, loops, cocycles,
 /// sets of simplices. What is hidden is left out; hidden parts of lines given by --with are thin and faint. Sets of the plane are drawn with
-/// their curves, knots and kinks. --matrix, --diagram and --forest draw other pictures of the input.
+/// their curves, knots and kinks. --matrix, --diagram, --schema and --forest draw other pictures of the input; --word draws a polygon.
+///
+/// --star, --closure and --link draw what simplices have around them, as coface star, closure and link find it, each in a color of its own over
+/// the pale complex. A star is open: vertices that bound it are rings, and tetrahedra in it do not reach their faces. Of complexes with
+/// tetrahedra the edges alone are drawn.
 ///
 /// The file named by -o has the format of its extension, .png, .svg or .pdf; without -o an SVG goes to standard output. PDF has vectors: a
 /// pixel is 0.75 points.
 #[derive(Args)]
 pub(crate) struct Render {
     /// The model; - is standard input
-    #[arg(value_name = "INPUT")]
-    input: PathBuf,
+    #[arg(value_name = "INPUT", required_unless_present = "word")]
+    input: Option<PathBuf>,
     /// Draw an answer of coface over the model: the JSON of another verb; may be given several times
     #[arg(long, value_name = "RESULT.json")]
     with: Vec<PathBuf>,
-    /// Width and height in pixels [default: 1200x900; that of its content for SVG of --matrix, --diagram, --forest and sets]
+    /// Width and height in pixels [default: 1200x900; that of its content for SVG of --matrix, --diagram, --schema, --forest and sets]
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<[usize; 2]>,
     /// The direction from the model to the eye
@@ -73,6 +83,18 @@ pub(crate) struct Render {
     /// Let the model turn once about what is up: an animated PNG of so many frames, 24 a second
     #[arg(long, value_name = "FRAMES", num_args = 0..=1, default_missing_value = "72", require_equals = true)]
     spin: Option<u32>,
+    /// Draw the open star of simplices, by their vertices: "0 1; 3" is the edge {0, 1} and the vertex 3
+    #[arg(long, value_name = "LIST")]
+    star: Option<SimplexList>,
+    /// Draw the closure of simplices
+    #[arg(long, value_name = "LIST")]
+    closure: Option<SimplexList>,
+    /// Draw the link of simplices
+    #[arg(long, value_name = "LIST")]
+    link: Option<SimplexList>,
+    /// Write the names of what is drawn over the model above it, with their colors; --star, --closure and --link have that anyway
+    #[arg(long)]
+    legend: bool,
     /// Mark what is wrong: the witness of the report
     #[arg(long)]
     witness: bool,
@@ -91,13 +113,20 @@ pub(crate) struct Render {
     /// With --diagram: grow by superlevel sets, from high values to low ones
     #[arg(long, requires = "diagram")]
     upper_star: bool,
-    /// Draw a set of the plane and the forest of its curves: which lies in which
+    /// Draw the canonical polygon of each component of a surface: 4g sides of genus g, two for each cross-cap, with the sides that are glued in one
+    /// color, their letters and arrows
     #[arg(long, conflicts_with_all = SCENE_OPTIONS, conflicts_with_all = ["matrix", "diagram"])]
+    schema: bool,
+    /// Draw the polygon with these letters at its sides instead of a model: "a b a^-1 b^-1", "abAB", "a1 a1 a2 a2"
+    #[arg(long, value_name = "WORD", conflicts_with_all = SCENE_OPTIONS, conflicts_with_all = ["input", "matrix", "diagram", "forest"])]
+    word: Option<String>,
+    /// Draw a set of the plane and the forest of its curves: which lies in which
+    #[arg(long, conflicts_with_all = SCENE_OPTIONS, conflicts_with_all = ["matrix", "diagram", "schema"])]
     forest: bool,
 }
 
 /// Options of pictures in space.
-const SCENE_OPTIONS: [&str; 13] = [
+const SCENE_OPTIONS: [&str; 17] = [
     "with",
     "from",
     "up",
@@ -111,6 +140,10 @@ const SCENE_OPTIONS: [&str; 13] = [
     "edge_width",
     "label",
     "spin",
+    "star",
+    "closure",
+    "link",
+    "legend",
 ];
 
 /// Cells whose numbers are written.
@@ -145,32 +178,30 @@ fn direction(text: &str) -> Result<[f64; 3], String> {
         .ok_or_else(|| "give three numbers with commas between them, not all 0, like 1,0.5,2".to_owned())
 }
 
-/// What a picture is written as.
-#[derive(Clone, Copy, PartialEq)]
-enum PictureFormat {
-    Png,
-    Svg,
-    Pdf,
-}
-
 /// A picture without a size asked for has this.
 const SIZE: [usize; 2] = [1200, 900];
 
 impl Render {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
-        let format = picture_format(common.output.as_deref())?;
+        let format = PictureFormat::of_output(common.output.as_deref())?;
         if self.perspective.is_some_and(|angle| !(1.0..=170.0).contains(&angle)) {
             return Err(Failure::new("an angle of view is between 1 and 170 degrees"));
         }
         let progress = Progress::start(common.quiet);
-        let source = Source::of(&self.input)?;
-        let mut remarks = Vec::new();
-        let bytes = match self.flat(&source, common, &progress)? {
-            Some(picture) => {
-                progress.stage("drawing");
-                self.bytes_of(picture, format)?
+        let mut answer = RenderAnswer::new(self.name(), None, 0);
+        let bytes = if let Some(schemas) = self.schemas(common, &progress)? {
+            progress.stage("drawing");
+            answer.schemas = schemas.iter().map(PolygonSchema::answer).collect();
+            self.bytes_of(schema_picture(&self.title(), &schemas)?, format)?
+        } else {
+            let source = Source::of(self.input())?;
+            match self.flat(&source, common, &progress)? {
+                Some(picture) => {
+                    progress.stage("drawing");
+                    self.bytes_of(picture, format)?
+                }
+                None => self.scene(&source, format, common, &progress, &mut answer.remarks)?,
             }
-            None => self.scene(&source, format, common, &progress, &mut remarks)?,
         };
         progress.stage("writing");
         match &common.output {
@@ -183,9 +214,8 @@ impl Render {
         }
         drop(progress);
         if common.json {
-            let picture = common.output.as_ref().map(|path| path.display().to_string());
-            let mut answer = RenderAnswer::new(input::name(&self.input), picture, bytes.len());
-            answer.remarks = remarks;
+            answer.picture = common.output.as_ref().map(|path| path.display().to_string());
+            answer.bytes = bytes.len();
             print_json(&answer)?;
         }
         Ok(())
@@ -198,7 +228,7 @@ impl Render {
         common: &Common,
         progress: &Progress,
     ) -> Result<Option<FlatPicture>, Failure> {
-        let name = input::name(&self.input);
+        let name = self.name();
         if self.matrix {
             let (_, producer) = input::identify(source.model(common.reading(), progress)?, progress)?;
             let complex = producer.into_chain_complex().map_err(|error| error.in_file(name.clone()))?;
@@ -222,6 +252,8 @@ impl Render {
             || self.edges
             || self.no_edges
             || !self.label.is_empty()
+            || self.has_neighborhoods()
+            || self.legend
             || has_widths;
         if is_in_space || has_marks || !may_be_a_set(source, common) {
             return Ok(None);
@@ -237,10 +269,42 @@ impl Render {
         Ok(Some(set_picture(&set, SetPicture::Kinks)?))
     }
 
+    /// What is drawn: a file, or nothing where a word is.
+    fn input(&self) -> &Path {
+        self.input.as_deref().unwrap_or(Path::new("-"))
+    }
+
+    /// The name of what is drawn, for people.
+    fn name(&self) -> String {
+        self.word.clone().unwrap_or_else(|| input::name(self.input()))
+    }
+
     /// The input without its folder: the same picture wherever the file lies.
     fn title(&self) -> String {
-        let name = self.input.file_name().filter(|_| self.input.as_os_str() != "-");
-        name.map_or_else(|| input::name(&self.input), |name| name.to_string_lossy().into_owned())
+        let file = self.input.as_deref().filter(|input| input.as_os_str() != "-").and_then(Path::file_name);
+        file.map_or_else(|| self.name(), |name| name.to_string_lossy().into_owned())
+    }
+
+    /// The polygons of --word or --schema.
+    fn schemas(
+        &self,
+        common: &Common,
+        progress: &Progress,
+    ) -> Result<Option<Vec<PolygonSchema>>, Failure> {
+        if let Some(word) = &self.word {
+            let schema: PolygonSchema =
+                word.parse().map_err(|error: coface::Error| error.in_file(format!("--word \"{word}\"")))?;
+            return Ok(Some(vec![schema]));
+        }
+        if !self.schema {
+            return Ok(None);
+        }
+        let (name, surface) = surface::read(self.input(), false, common, progress)?;
+        let schemas = surface.schemas();
+        if schemas.is_empty() {
+            return Err(Failure::new(format!("{name}: there is no surface to draw; give one with faces")));
+        }
+        Ok(Some(schemas))
     }
 
     fn set(&self, source: &Source<'_>, common: &Common) -> Result<PlanarSet, coface::Error> {
@@ -254,14 +318,14 @@ impl Render {
         common: &Common,
         progress: &Progress,
     ) -> Result<Vec<DiagramPoint>, Failure> {
-        let extension = self.input.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+        let extension = self.input().extension().and_then(|extension| extension.to_str()).unwrap_or_default();
         let is_computed = self.function.is_some() || self.upper_star || common.format.is_some();
         if !is_computed && extension.eq_ignore_ascii_case("pers") {
-            return read_pers(&self.input);
+            return read_pers(self.input());
         }
         if !is_computed
             && extension.eq_ignore_ascii_case("json")
-            && let Some(points) = points_of_result(&self.input)?
+            && let Some(points) = points_of_result(self.input())?
         {
             return Ok(points);
         }
@@ -296,6 +360,11 @@ impl Render {
         remarks.extend(left_out);
         for path in &self.with {
             scene.add_result(&input::name(path), &read_result(path)?)?;
+        }
+        if self.has_neighborhoods() {
+            progress.stage("making the complex");
+            scene.add_neighborhoods(&loaded.model, &self.neighborhoods()?).map_err(in_file)?;
+            progress.stage("drawing");
         }
         if let Some(name) = &self.pane {
             let pane = pane_named(&scene, name)?;
@@ -337,14 +406,30 @@ impl Render {
         })
     }
 
+    fn has_neighborhoods(&self) -> bool {
+        self.star.is_some() || self.closure.is_some() || self.link.is_some()
+    }
+
+    /// The stars, closures and links that are asked for.
+    fn neighborhoods(&self) -> Result<Vec<(Neighborhood, SimplexSet)>, Failure> {
+        let asked = [
+            (Neighborhood::Star, &self.star),
+            (Neighborhood::Closure, &self.closure),
+            (Neighborhood::Link, &self.link),
+        ];
+        let given = asked.into_iter().filter_map(|(neighborhood, list)| Some((neighborhood, list.as_ref()?)));
+        given
+            .map(|(neighborhood, list)| {
+                let in_option = |error: coface::Error| error.in_file(format!("--{}", neighborhood.name()));
+                Ok((neighborhood, list.simplices().map_err(in_option)?))
+            })
+            .collect()
+    }
+
     /// A flat picture as a file.
     fn bytes_of(&self, picture: FlatPicture, format: PictureFormat) -> Result<Vec<u8>, Failure> {
         let picture = if self.transparent { picture.transparent() } else { picture };
-        Ok(match format {
-            PictureFormat::Png => picture.png(self.size.unwrap_or_else(|| usual_size(&picture)))?,
-            PictureFormat::Svg => picture.svg(self.size)?.into_bytes(),
-            PictureFormat::Pdf => picture.pdf(self.size)?,
-        })
+        format.bytes(&picture, self.size)
     }
 
     fn style(&self, scene: &Scene) -> PictureStyle {
@@ -352,6 +437,7 @@ impl Render {
         style.size = self.size.unwrap_or(SIZE);
         style.is_dark = self.dark;
         style.is_transparent = self.transparent;
+        style.has_legend = self.legend || self.has_neighborhoods();
         style.line_width = self.line_width.map_or(style.line_width, |points| points / POINTS);
         style.edge_width = self.edge_width.map_or(style.edge_width, |points| points / POINTS);
         style.edges = match (self.edges, self.no_edges) {
@@ -400,97 +486,4 @@ fn may_be_a_set(source: &Source<'_>, common: &Common) -> bool {
     let format = format_of(source, common);
     let formats = [Format::Json, Format::Dat, Format::Svg, Format::GeoJson, Format::Wkt];
     format.is_none_or(|format| formats.contains(&format))
-}
-
-/// The format of a picture of this name; SVG without a name.
-fn picture_format(output: Option<&Path>) -> Result<PictureFormat, Failure> {
-    let Some(path) = output else { return Ok(PictureFormat::Svg) };
-    match path.extension().map(|extension| extension.to_ascii_lowercase()).as_deref() {
-        Some(extension) if extension == "png" => Ok(PictureFormat::Png),
-        Some(extension) if extension == "svg" => Ok(PictureFormat::Svg),
-        Some(extension) if extension == "pdf" => Ok(PictureFormat::Pdf),
-        Some(other) => Err(Failure::new(format!(
-            "{}: no picture has the extension {}; name the output *.png, *.svg or *.pdf",
-            path.display(),
-            other.display()
-        ))),
-        None => Err(Failure::new(format!("{}: name the output *.png, *.svg or *.pdf", path.display()))),
-    }
-}
-
-/// Twice the size that a picture has by itself, so that letters are clear, but not beyond 4000 pixels.
-fn usual_size(picture: &FlatPicture) -> [usize; 2] {
-    let size = picture.size();
-    let scale = (4000.0 / size[0].max(size[1])).min(2.0);
-    size.map(|side| (scale * side).round().max(1.0) as usize)
-}
-
-/// What is drawn of the JSON of `coface persistence`.
-#[derive(Deserialize)]
-struct Diagram {
-    diagram: Vec<Pair>,
-}
-
-#[derive(Deserialize)]
-struct Pair {
-    degree: usize,
-    birth: f64,
-    death: Option<f64>,
-}
-
-/// The classes in the JSON of `coface persistence`; none if it is other JSON.
-fn points_of_result(path: &Path) -> Result<Option<Vec<DiagramPoint>>, Failure> {
-    if !path.is_file() {
-        return Ok(None);
-    }
-    let result = read_result(path)?;
-    if result.get("diagram").is_none() {
-        return Ok(None);
-    }
-    let found = Diagram::deserialize(result).map(|found| found.diagram);
-    let pairs = found.ok().filter(|pairs| pairs.iter().all(|pair| pair.degree < MOST_DEGREES));
-    let point = |pair: Pair| DiagramPoint { degree: pair.degree, birth: pair.birth, death: pair.death };
-    let points = pairs.map(|pairs| pairs.into_iter().map(point).collect());
-    points.map(Some).ok_or_else(|| {
-        Failure::new(format!(
-            "{}: an entry of \"diagram\" has no \"degree\", \"birth\" and \"death\"; give what coface persistence wrote",
-            path.display()
-        ))
-    })
-}
-
-/// No complex here has more degrees.
-const MOST_DEGREES: usize = 64;
-
-/// The classes in a `.pers` file: a line for each, with the field (which may be left out), the degree, birth and death.
-fn read_pers(path: &Path) -> Result<Vec<DiagramPoint>, Failure> {
-    let text = std::fs::read_to_string(path)
-        .map_err(|error| Failure::new(format!("{}: cannot be read: {error}", path.display())))?;
-    let mut points = Vec::new();
-    for (number, line) in text.lines().enumerate() {
-        let line = line.split('#').next().unwrap_or_default();
-        let words: Vec<&str> = line.split_whitespace().collect();
-        let point = match words[..] {
-            [] => continue,
-            [degree, birth, death] | [_, degree, birth, death] => degree
-                .parse()
-                .ok()
-                .filter(|&degree| degree < MOST_DEGREES)
-                .zip(birth.parse().ok())
-                .zip(death.parse().ok())
-                .map(|((degree, birth), death)| (degree, birth, death)),
-            _ => None,
-        };
-        let Some((degree, birth, death)) =
-            point.filter(|(_, birth, death): &(usize, f64, f64)| birth.is_finite() && !death.is_nan())
-        else {
-            return Err(Failure::new(format!(
-                "{}:{}: this is no class; a line is \"field degree birth death\"",
-                path.display(),
-                number + 1
-            )));
-        };
-        points.push(DiagramPoint { degree, birth, death: Some(death).filter(|death| death.is_finite()) });
-    }
-    Ok(points)
 }
