@@ -3,7 +3,7 @@
 //! * `answer` has the answers as plain data: what the program prints as JSON, with their schema.
 //! * `producer` makes the chain complex of a model and names its cells; `facts` reports on it; `repair` makes it ready for
 //!   other questions.
-//! * `homology`, `groups`, `cocycles`, `persistence`, `incidence`, `surface_model` (cuts and covers), `simplices`, `planar`, `spatial`,
+//! * `homology`, `groups`, `cocycles`, `persistence`, `incidence`, `surface_model` (cuts and covers), `simplices`, `matrix_blocks`, `planar`, `spatial`,
 //!   `congruence`, `signatures` and `yin` each answer the requests of some verbs.
 //! * `text` lays answers out for people.
 //!
@@ -18,6 +18,7 @@ mod groups;
 mod homology;
 mod incidence;
 mod isomorphism;
+mod matrix_blocks;
 mod near;
 mod parts;
 mod persistence;
@@ -48,6 +49,7 @@ pub use homology::{
 };
 pub use incidence::{FoundOperator, OperatorKind, OperatorRequest};
 pub use isomorphism::isomorphic;
+pub use matrix_blocks::{BlockedMatrix, MatrixBlocks};
 pub use parts::RegionSource;
 pub use persistence::{
     CurveValues, DiagramCurveKind, DiagramCurvesRequest, DiagramDistanceRequest, DiagramFormat,
@@ -72,8 +74,8 @@ pub use spatial::{
     SpatialScene,
 };
 pub use surface_model::{
-    CutComponent, CutRequest, CutSeam, LayoutChoice, PlacedCover, PolygonSchema, SurfaceCover, SurfaceCut, SurfaceModel,
-    edge_lengths,
+    CutComponent, CutRequest, CutSeam, LayoutChoice, PlacedCover, PolygonSchema, SurfaceCover, SurfaceCut,
+    SurfaceModel, edge_lengths,
 };
 pub use yin::{
     CutCellsRequest, KinkRequest, LabelImage, MotionRequest, NamedSet, PlanarInterface, PlanarMotion,

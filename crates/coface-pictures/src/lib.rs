@@ -8,8 +8,9 @@ mod scene;
 mod set_picture;
 
 pub use picture::{
-    Camera, Coloring, DiagramPoint, FlatPicture, GltfForm, Picture, PictureStyle, colored, diagram_picture,
-    gltf, matrix_picture, palette_color, pane_picture, schema_picture, sequence_picture, spin_png, vertex_colors,
+    Camera, Coloring, DiagramPoint, FlatPicture, GltfForm, Picture, PictureStyle, blocked_matrix_picture,
+    colored, diagram_picture, gltf, matrix_picture, palette_color, pane_picture, schema_picture,
+    sequence_picture, spin_png, vertex_colors,
 };
 pub use scene::{
     LabelDocument, Layer, LayerDocument, PackedLists, PackedTriangles, Pane, PaneDocument, Scene,

@@ -103,7 +103,7 @@ pub use persistence::{PersistenceAnswer, PersistencePairAnswer};
 pub use pi1::{
     ClosedPath, GroupCounts, HomomorphismAnswer, Pi1Answer, Pi1Component, SubgroupCount, WalkAnswer, WalkPair,
 };
-pub use picture::{RenderAnswer, SchemaAnswer};
+pub use picture::{BlockAnswer, MatrixAnswer, RenderAnswer, SchemaAnswer};
 pub(crate) use remark::remarks_of_file;
 pub use remark::{Place, Remark, RemarkCode};
 #[doc(hidden)]

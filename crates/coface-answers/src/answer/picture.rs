@@ -17,8 +17,34 @@ pub struct RenderAnswer {
     /// The polygons that were drawn, of a picture of them.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub schemas: Vec<SchemaAnswer>,
+    /// The boundary matrix that was drawn in blocks, of a picture of one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub matrix: Option<MatrixAnswer>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,
+}
+
+/// A boundary matrix in blocks.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct MatrixAnswer {
+    /// The degree of the cells of columns; rows are cells of the degree below.
+    pub degree: usize,
+    /// The blocks of rows in their order.
+    pub rows: Vec<BlockAnswer>,
+    /// The blocks of columns in their order.
+    pub columns: Vec<BlockAnswer>,
+    /// The number of entries that are not zero.
+    pub entries_count: usize,
+}
+
+/// A block of rows or columns of a matrix.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct BlockAnswer {
+    /// What its cells are.
+    pub name: String,
+    /// The number of its cells.
+    pub size: usize,
 }
 
 /// A polygon whose sides are glued by letters.
@@ -42,6 +68,6 @@ impl RenderAnswer {
     /// assert_eq!((answer.file.as_str(), answer.bytes), ("a.off", 7));
     /// ```
     pub fn new(file: String, picture: Option<String>, bytes: usize) -> Self {
-        Self { file, picture, bytes, schemas: Vec::new(), remarks: Vec::new() }
+        Self { file, picture, bytes, schemas: Vec::new(), matrix: None, remarks: Vec::new() }
     }
 }

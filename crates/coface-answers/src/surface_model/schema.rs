@@ -126,7 +126,7 @@ impl PolygonSchema {
     pub fn corner_classes(&self) -> Vec<usize> {
         let count = self.sides.len();
         let mut classes = UnionFind::new(count);
-        let mut firsts = vec![None; self.names.len()];
+        let mut firsts: Vec<Option<[u32; 2]>> = vec![None; self.names.len()];
         for (place, &side) in self.sides.iter().enumerate() {
             let ends = [place as u32, ((place + 1) % count) as u32];
             let ends = if side > 0 { ends } else { [ends[1], ends[0]] };
@@ -165,7 +165,9 @@ impl PolygonSchema {
     /// ```
     pub fn surface(&self) -> Option<SurfaceType> {
         let mut uses = vec![[0usize; 2]; self.names.len()];
-        self.sides.iter().for_each(|&side| uses[side.unsigned_abs() as usize - 1][usize::from(side < 0)] += 1);
+        self.sides
+            .iter()
+            .for_each(|&side| uses[side.unsigned_abs() as usize - 1][usize::from(side < 0)] += 1);
         if uses.iter().any(|[along, against]| along + against > 2) {
             return None;
         }
@@ -353,7 +355,9 @@ mod tests {
     #[test]
     fn one_word_has_many_spellings() {
         let usual = schema("a b a^-1 b^-1");
-        for word in ["abAB", "a b a' b'", "a b a^{-1} b^{-1}", "ab a\u{207b}\u{b9}, b\u{207b}\u{b9}", " a*b*A*B "] {
+        for word in
+            ["abAB", "a b a' b'", "a b a^{-1} b^{-1}", "ab a\u{207b}\u{b9}, b\u{207b}\u{b9}", " a*b*A*B "]
+        {
             assert_eq!(schema(word), usual, "{word}");
         }
         for word in ["a1 b2 a1^-1", "a_1b_2A_1", "a_{1} b_{2} a_{1}^{-1}"] {
@@ -394,7 +398,11 @@ mod tests {
             ("a b a c", "Moebius band"),
             ("a a b b c c", "non-orientable surface with 3 crosscaps"),
         ] {
-            assert_eq!(schema(word).surface().map(|surface| surface.to_string()).as_deref(), Some(name), "{word}");
+            assert_eq!(
+                schema(word).surface().map(|surface| surface.to_string()).as_deref(),
+                Some(name),
+                "{word}"
+            );
         }
     }
 
@@ -407,7 +415,16 @@ mod tests {
         let torus: Vec<[u32; 3]> =
             (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]).collect();
         let plane = [
-            [0, 1, 2], [0, 1, 5], [0, 2, 4], [0, 3, 4], [0, 3, 5], [1, 2, 3], [1, 3, 4], [1, 4, 5], [2, 3, 5], [2, 4, 5],
+            [0, 1, 2],
+            [0, 1, 5],
+            [0, 2, 4],
+            [0, 3, 4],
+            [0, 3, 5],
+            [1, 2, 3],
+            [1, 3, 4],
+            [1, 4, 5],
+            [2, 3, 5],
+            [2, 4, 5],
         ];
         let sphere = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]];
         let two = [[0, 1, 2], [3, 4, 5]];
@@ -415,7 +432,8 @@ mod tests {
         for facets in [&torus[..], &torus[1..], &plane, &plane[1..], &sphere, &sphere[1..], &two, &annulus] {
             let surface = model(facets);
             let cut = surface.cut_open(&CutRequest { canonical: true, ..CutRequest::default() }).unwrap();
-            let words: Vec<String> = cut.components().iter().filter_map(|part| part.canonical.clone()).collect();
+            let words: Vec<String> =
+                cut.components().iter().filter_map(|part| part.canonical.clone()).collect();
             let schemas: Vec<String> = surface.schemas().iter().map(ToString::to_string).collect();
             assert_eq!(schemas, words);
         }

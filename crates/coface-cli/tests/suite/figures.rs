@@ -56,9 +56,14 @@ fn a_star_is_open_and_its_link_goes_around_it() {
     let link = group(&picture, "link of {4}");
     assert_eq!((link.matches("<circle").count(), link.matches('L').count()), (6, 6));
     // Each in a color of its own, with a line of the legend.
-    for (name, color) in [("open star of {4}", "#0072b2"), ("closure of {0, 1}", "#d55e00"), ("link of {4}", "#009e73")] {
+    for (name, color) in
+        [("open star of {4}", "#0072b2"), ("closure of {0, 1}", "#d55e00"), ("link of {4}", "#009e73")]
+    {
         assert!(group(&picture, name).contains(color), "{name}");
-        assert!(group(&picture, "legend").contains(&format!(">{name}</text>")) && group(&picture, "legend").contains(color));
+        assert!(
+            group(&picture, "legend").contains(&format!(">{name}</text>"))
+                && group(&picture, "legend").contains(color)
+        );
     }
     for name in ["a.png", "a.pdf", "a.svg"] {
         let out = folder.path().join(name);
@@ -77,7 +82,11 @@ fn a_star_is_open_and_its_link_goes_around_it() {
 #[test]
 fn neighborhoods_are_drawn_of_complexes_without_positions_and_refused_of_squares() {
     let folder = tempfile::tempdir().unwrap();
-    let plane = file(&folder, "rp2.json", "[[0,1,2],[0,1,5],[0,2,4],[0,3,4],[0,3,5],[1,2,3],[1,3,4],[1,4,5],[2,3,5],[2,4,5]]");
+    let plane = file(
+        &folder,
+        "rp2.json",
+        "[[0,1,2],[0,1,5],[0,2,4],[0,3,4],[0,3,5],[1,2,3],[1,3,4],[1,4,5],[2,3,5],[2,4,5]]",
+    );
     let picture = svg(&[argument(&plane), "--star", "0", "--link", "0"]);
     assert_eq!(group(&picture, "vertices").matches("<circle").count(), 6);
     assert_eq!(group(&picture, "legend").matches("<text").count(), 2);
@@ -137,7 +146,15 @@ fn a_long_exact_sequence_is_a_diagram() {
     let band = file(&folder, "band.json", "[[0,1,2],[1,2,3],[2,3,4],[3,4,0],[4,0,1]]");
     let line = |name: &str| {
         let out = folder.path().join(name);
-        let run = coface(&["homology", argument(&band), "--relative", "boundary", "--sequence", "-o", argument(&out)]);
+        let run = coface(&[
+            "homology",
+            argument(&band),
+            "--relative",
+            "boundary",
+            "--sequence",
+            "-o",
+            argument(&out),
+        ]);
         assert_eq!(run.status, 0, "{}", run.stderr);
         assert!(has_header(&out), "{name}");
         (out, run.stdout)
@@ -151,10 +168,14 @@ fn a_long_exact_sequence_is_a_diagram() {
     // Nine groups and two zeros; eight maps and those from and to zero.
     assert_eq!(drawn.matches("<title>H_").count() + drawn.matches("<title>0</title>").count(), 9 + 2);
     assert_eq!(drawn.matches("stroke-linecap").count(), 8 + 2);
-    let answer = coface(&["homology", argument(&band), "--relative", "boundary", "--sequence", "--json"]).json();
+    let answer =
+        coface(&["homology", argument(&band), "--relative", "boundary", "--sequence", "--json"]).json();
     let maps = answer["sequence"]["maps"].as_array().unwrap();
     let doubled = maps.iter().find(|map| map["map"] == "inclusion" && map["degree"] == 1).unwrap();
-    assert_eq!((&doubled["rank"], &doubled["injective"], &doubled["surjective"]), (&1.into(), &true.into(), &false.into()));
+    assert_eq!(
+        (&doubled["rank"], &doubled["injective"], &doubled["surjective"]),
+        (&1.into(), &true.into(), &false.into())
+    );
     let none = coface(&["homology", argument(&band), "-o", argument(&folder.path().join("b.svg"))]);
     assert!(none.fails_with(1).contains("--relative boundary --sequence"));
 }

@@ -5,8 +5,8 @@ use super::flat::{Anchor, FlatPicture, Step};
 use super::painting::painting_order;
 use super::palette::Color;
 use super::scene_picture::{
-    DOT_WIDTH, HIDDEN_OF_LINE, HIDDEN_SHARE, HOLE_WIDTH, LABELS, POINT_WIDTH, TEXT_SIZE, WIRE_OF_EDGE, beside,
-    point_width, shown,
+    DOT_WIDTH, HIDDEN_OF_LINE, HIDDEN_SHARE, HOLE_WIDTH, LABELS, POINT_WIDTH, TEXT_SIZE, WIRE_OF_EDGE,
+    beside, point_width, shown,
 };
 use super::sight::Sight;
 use coface_algebra::progress::stage;

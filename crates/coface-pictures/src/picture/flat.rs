@@ -76,6 +76,8 @@ pub(super) enum Form {
         anchor: Anchor,
         size: f64,
         text: String,
+        /// In degrees, counterclockwise about its place.
+        turn: f64,
     },
     Formula {
         at: [f64; 2],
@@ -191,7 +193,13 @@ impl FlatPicture {
         color: Color,
         text: impl Into<String>,
     ) {
-        self.push(Form::Text { at, anchor, size, text: text.into() }, Some(color), None, 1.0);
+        self.push(Form::Text { at, anchor, size, text: text.into(), turn: 0.0 }, Some(color), None, 1.0);
+    }
+
+    /// Writes a text upwards to the right.
+    pub(super) fn slanted_text(&mut self, at: [f64; 2], size: f64, color: Color, text: String) {
+        let form = Form::Text { at, anchor: Anchor::Start, size, text, turn: 45.0 };
+        self.push(form, Some(color), None, 1.0);
     }
 
     /// Writes a formula on a baseline.
@@ -344,9 +352,9 @@ impl FlatPicture {
                         paint_line(canvas, &circle, true, stroke.width * scale, packed(stroke.color));
                     }
                 }
-                Form::Text { at, anchor, size, text } => {
+                Form::Text { at, anchor, size, text, turn } => {
                     let color = packed(part.fill.unwrap_or_default());
-                    for line in text_strokes(*at, *anchor, *size, text) {
+                    for line in text_strokes(*at, *anchor, *size, text, *turn) {
                         let line: Vec<[f64; 2]> = line.into_iter().map(place).collect();
                         paint_line(canvas, &line, false, STROKE_OF_TEXT * size * scale, color);
                     }
@@ -378,11 +386,19 @@ impl Anchor {
 pub(super) const STROKE_OF_TEXT: f64 = 0.1;
 
 /// The strokes of a text on a baseline.
-pub(super) fn text_strokes(at: [f64; 2], anchor: Anchor, size: f64, text: &str) -> Vec<Vec<[f64; 2]>> {
-    let left = anchor.left(at[0], letters::width(text) * size);
+pub(super) fn text_strokes(
+    at: [f64; 2],
+    anchor: Anchor,
+    size: f64,
+    text: &str,
+    turn: f64,
+) -> Vec<Vec<[f64; 2]>> {
+    let left = anchor.left(0.0, letters::width(text) * size);
+    let (sine, cosine) = turn.to_radians().sin_cos();
     let mut strokes = letters::strokes(text);
     for [x, y] in strokes.iter_mut().flatten() {
-        (*x, *y) = (left + size * *x, at[1] - size * *y);
+        let (right, up) = (left + size * *x, size * *y);
+        (*x, *y) = (at[0] + cosine * right - sine * up, at[1] - sine * right - cosine * up);
     }
     strokes
 }

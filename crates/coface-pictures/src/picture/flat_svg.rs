@@ -102,13 +102,16 @@ impl Part {
                 let [x, y] = center;
                 let _ = writeln!(text, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius}\"{style}/>");
             }
-            Form::Text { at, anchor, size, text: words } => {
+            Form::Text { at, anchor, size, text: words, turn } => {
                 let anchor = match anchor {
                     Anchor::Start => "",
                     Anchor::Middle => " text-anchor=\"middle\"",
                     Anchor::End => " text-anchor=\"end\"",
                 };
                 let [x, y] = at;
+                if *turn != 0.0 {
+                    let _ = write!(style, " transform=\"rotate({} {x:.1} {y:.1})\"", -turn);
+                }
                 let _ = writeln!(
                     text,
                     "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"{size}\"{anchor}{style}>{}</text>",
@@ -123,14 +126,7 @@ impl Part {
 }
 
 /// A formula as one text, each run at its own place.
-fn push_formula(
-    at: [f64; 2],
-    anchor: Anchor,
-    size: f64,
-    formula: &Formula,
-    style: &str,
-    text: &mut String,
-) {
+fn push_formula(at: [f64; 2], anchor: Anchor, size: f64, formula: &Formula, style: &str, text: &mut String) {
     let left = anchor.left(at[0], size * formula.width);
     let _ = write!(text, "<text font-family=\"Times New Roman, Times, serif\"{style}>");
     for run in &formula.runs {

@@ -2,6 +2,7 @@
 
 use super::flat::{Anchor, FlatPicture, Step};
 use super::palette::{LIGHT, color};
+use coface_algebra::SparseMatrix;
 use coface_algebra::chains::ChainComplex;
 
 /// The side of a matrix, and what is around it.
@@ -47,33 +48,51 @@ pub fn matrix_picture(title: &str, complex: &ChainComplex) -> FlatPicture {
         let bin = longest.div_ceil(SIDE);
         let bins = [rows.div_ceil(bin), columns.div_ceil(bin)];
         let side = SIDE as f64 / longest.div_ceil(bin) as f64;
-        let mut counts = vec![[0u32; 2]; bins[0] * bins[1]];
-        for column in 0..columns {
-            for (row, entry) in matrix.column(column).iter() {
-                let count = &mut counts[(row / bin) * bins[1] + column / bin];
-                count[usize::from(entry < 0)] += 1;
-            }
-        }
-        let most = counts.iter().map(|[p, n]| p + n).max().unwrap_or(1).max(1);
         let corner = [(GAP + place * (SIDE + GAP)) as f64, GAP as f64];
         let words = format!("degree {}: {rows} x {columns}, {} entries", place + 1, matrix.entry_count());
         picture.text([corner[0], corner[1] - 10.0], Anchor::Start, 14.0, LIGHT.ink, words);
-        let mut squares = vec![Vec::new(); 2 * SHADES];
-        for (at, &[positive, negative]) in counts.iter().enumerate().filter(|(_, [p, n])| p + n > 0) {
-            let share = f64::from(positive + negative) / f64::from(most);
-            let shade = ((share * SHADES as f64).ceil() as usize).clamp(1, SHADES) - 1;
-            let color = usize::from(positive < negative);
-            let low = [corner[0] + side * (at % bins[1]) as f64, corner[1] + side * (at / bins[1]) as f64];
-            squares[color * SHADES + shade].extend(rectangle(low, [side, side]));
-        }
-        for (at, squares) in squares.into_iter().enumerate().filter(|(_, squares)| !squares.is_empty()) {
-            let opacity = 0.25 + 0.75 * (at % SHADES + 1) as f32 / SHADES as f32;
-            picture.fill(squares, color(at / SHADES), opacity);
-        }
+        let natural = |count: usize| (0..count as u32).collect::<Vec<_>>();
+        let orders = [&natural(rows)[..], &natural(columns)];
+        draw_entries(&mut picture, matrix, orders, corner, [bin; 2], [side; 2]);
         let frame = rectangle(corner, [side * bins[1] as f64, side * bins[0] as f64]);
         picture.stroke(frame.to_vec(), LIGHT.edge, 1.0);
     }
     picture
+}
+
+/// The entries of a matrix, rows and columns in these orders: squares from a corner on, each of so many columns and rows and with these sides.
+pub(super) fn draw_entries(
+    picture: &mut FlatPicture,
+    matrix: &SparseMatrix,
+    [rows, columns]: [&[u32]; 2],
+    corner: [f64; 2],
+    bin: [usize; 2],
+    side: [f64; 2],
+) {
+    let bins = [columns.len().div_ceil(bin[0]), rows.len().div_ceil(bin[1])];
+    let mut places = vec![0; rows.len()];
+    rows.iter().enumerate().for_each(|(place, &row)| places[row as usize] = place);
+    let mut counts = vec![[0u32; 2]; bins[0] * bins[1]];
+    for (place, &column) in columns.iter().enumerate() {
+        for (row, entry) in matrix.column(column as usize).iter() {
+            let count = &mut counts[(places[row] / bin[1]) * bins[0] + place / bin[0]];
+            count[usize::from(entry < 0)] += 1;
+        }
+    }
+    let most = counts.iter().map(|[p, n]| p + n).max().unwrap_or(1).max(1);
+    let mut squares = vec![Vec::new(); 2 * SHADES];
+    for (at, &[positive, negative]) in counts.iter().enumerate().filter(|(_, [p, n])| p + n > 0) {
+        let share = f64::from(positive + negative) / f64::from(most);
+        let shade = ((share * SHADES as f64).ceil() as usize).clamp(1, SHADES) - 1;
+        let color = usize::from(positive < negative);
+        let place = [at % bins[0], at / bins[0]];
+        let low = [0, 1].map(|axis| corner[axis] + side[axis] * place[axis] as f64);
+        squares[color * SHADES + shade].extend(rectangle(low, side));
+    }
+    for (at, squares) in squares.into_iter().enumerate().filter(|(_, squares)| !squares.is_empty()) {
+        let opacity = 0.25 + 0.75 * (at % SHADES + 1) as f32 / SHADES as f32;
+        picture.fill(squares, color(at / SHADES), opacity);
+    }
 }
 
 /// A rectangle by its corner and its sides.

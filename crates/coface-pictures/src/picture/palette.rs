@@ -29,10 +29,20 @@ pub(super) struct Theme {
     pub(super) ink: Color,
 }
 
-pub(super) const LIGHT: Theme =
-    Theme { background: of(0xffffff), surface: of(0xd9dee4), edge: of(0x5c6670), pale: of(0xa3acb5), ink: of(0x22272d) };
-pub(super) const DARK: Theme =
-    Theme { background: of(0x15181c), surface: of(0x7d8792), edge: of(0x2b3138), pale: of(0x4c555e), ink: of(0xe4e8ec) };
+pub(super) const LIGHT: Theme = Theme {
+    background: of(0xffffff),
+    surface: of(0xd9dee4),
+    edge: of(0x5c6670),
+    pale: of(0xa3acb5),
+    ink: of(0x22272d),
+};
+pub(super) const DARK: Theme = Theme {
+    background: of(0x15181c),
+    surface: of(0x7d8792),
+    edge: of(0x2b3138),
+    pale: of(0x4c555e),
+    ink: of(0xe4e8ec),
+};
 
 /// A color by its number as in style sheets.
 pub(crate) const fn of(rgb: u32) -> Color {

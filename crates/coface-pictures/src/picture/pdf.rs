@@ -126,8 +126,20 @@ impl Page {
             Form::Path(steps) => self.painted(steps, part),
             Form::Triangles(triangles) => self.triangles(triangles),
             Form::Disk { center, radius } => self.painted(&circle(*center, *radius), part),
-            Form::Text { at, anchor, size, text } => {
-                self.text(*at, *anchor, *size, text, part.fill.unwrap_or_default());
+            Form::Text { at, anchor, size, text, turn } => {
+                let color = part.fill.unwrap_or_default();
+                if text.bytes().all(|byte| matches!(byte, b' '..=b'~')) {
+                    self.color(color, "rg");
+                    self.text(*at, *anchor, *size, text, *turn);
+                } else {
+                    self.stroke(Stroke {
+                        color,
+                        width: STROKE_OF_TEXT * size,
+                        opacity: 1.0,
+                        has_round_ends: true,
+                    });
+                    self.strokes(&text_strokes(*at, *anchor, *size, text, *turn));
+                }
             }
             Form::Formula { at, anchor, size, formula } => {
                 self.formula(*at, *anchor, *size, formula, part.fill.unwrap_or_default());
@@ -185,27 +197,31 @@ impl Page {
         }
     }
 
-    fn text(&mut self, at: [f64; 2], anchor: Anchor, size: f64, text: &str, color: Color) {
-        if !text.bytes().all(|byte| matches!(byte, b' '..=b'~')) {
-            self.stroke(Stroke { color, width: STROKE_OF_TEXT * size, opacity: 1.0, has_round_ends: true });
-            for line in text_strokes(at, anchor, size, text) {
-                for (place, point) in line.into_iter().enumerate() {
-                    self.point(point, if place == 0 { "m" } else { "l" });
-                }
-                self.operators.push_str("S\n");
+    fn strokes(&mut self, lines: &[Vec<[f64; 2]>]) {
+        for line in lines {
+            for (place, point) in line.iter().enumerate() {
+                self.point(*point, if place == 0 { "m" } else { "l" });
             }
-            return;
+            self.operators.push_str("S\n");
         }
+    }
+
+    /// A text of ASCII, turned by an angle in degrees.
+    fn text(&mut self, at: [f64; 2], anchor: Anchor, size: f64, text: &str, turn: f64) {
         let width: f64 = text.bytes().map(|byte| f64::from(WIDTHS[usize::from(byte - b' ')])).sum();
-        let x = anchor.left(at[0], 1e-3 * size * width);
-        self.color(color, "rg");
+        let left = anchor.left(0.0, 1e-3 * size * width);
+        let (sine, cosine) = turn.to_radians().sin_cos();
         let words = text.replace('\\', "\\\\").replace('(', "\\(").replace(')', "\\)");
         let _ = writeln!(
             self.operators,
-            "BT /F {} Tf 1 0 0 -1 {} {} Tm ({words}) Tj ET",
+            "BT /F {} Tf {} {} {} {} {} {} Tm ({words}) Tj ET",
             Short(size),
-            Short(x),
-            Short(at[1])
+            Short(cosine),
+            Short(-sine),
+            Short(-sine),
+            Short(-cosine),
+            Short(at[0] + cosine * left),
+            Short(at[1] - sine * left)
         );
     }
 

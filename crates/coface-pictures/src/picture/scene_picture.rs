@@ -225,10 +225,9 @@ impl<'a> Picture<'a> {
         }
         let wire_width = WIRE_OF_EDGE * self.edge_width;
         let [edge_color, wire_color] = self.edge_colors();
-        for (edges, width, color, forward) in [
-            (&self.edges, self.edge_width, edge_color, 1.0),
-            (&self.wires, wire_width, wire_color, 1.5),
-        ] {
+        for (edges, width, color, forward) in
+            [(&self.edges, self.edge_width, edge_color, 1.0), (&self.wires, wire_width, wire_color, 1.5)]
+        {
             let steps = stage("drawing edges", edges.len());
             for edge in steps.each(edges) {
                 let ends = edge.map(|vertex| scaled(self.place(vertex), forward));
@@ -240,7 +239,8 @@ impl<'a> Picture<'a> {
         }
         for (layer, color) in shown(self.scene) {
             for pair in layer.lines.iter().flat_map(|line| line.windows(2)) {
-                let ends = [pair[0], pair[1]].map(|point| scaled(self.place_in(layer, point), 2.0 + lift(layer)));
+                let ends =
+                    [pair[0], pair[1]].map(|point| scaled(self.place_in(layer, point), 2.0 + lift(layer)));
                 raster.line(ends, self.line_width * factor, ink(color));
             }
             for corners in self.arrowheads(layer) {
@@ -251,7 +251,8 @@ impl<'a> Picture<'a> {
                 raster.disk(place, point_width(layer) * factor, ink(color));
             }
             for &point in &layer.rings {
-                let [outer, inner] = [2.9, 2.95].map(|forward| scaled(self.place_in(layer, point), forward + lift(layer)));
+                let [outer, inner] =
+                    [2.9, 2.95].map(|forward| scaled(self.place_in(layer, point), forward + lift(layer)));
                 raster.disk(outer, POINT_WIDTH * factor, ink(color));
                 raster.disk(inner, HOLE_WIDTH * factor, ink(self.theme.background));
             }

@@ -48,8 +48,7 @@ pub fn schema_picture(title: &str, schemas: &[PolygonSchema]) -> Result<FlatPict
         return Err(Error::new(ErrorKind::TooLarge, message).with_cure("draw components one by one"));
     }
     if let Some(schema) = schemas.iter().find(|schema| schema.sides().len() > MOST_SIDES) {
-        let message =
-            format!("{} sides are more than the {MOST_SIDES} that are drawn", schema.sides().len());
+        let message = format!("{} sides are more than the {MOST_SIDES} that are drawn", schema.sides().len());
         return Err(Error::new(ErrorKind::TooLarge, message).with_cure("draw a polygon of fewer sides"));
     }
     let columns = (1..).find(|n| n * n >= schemas.len()).unwrap_or(1);
@@ -142,8 +141,11 @@ impl Polygon<'_> {
         // The arrow is in the middle, along the letter.
         let angle = self.angle(side as f64 + 0.5);
         let half = points.len() / 2;
-        let middle =
-            if points.len() == 2 { [0, 1].map(|i| f64::midpoint(points[0][i], points[1][i])) } else { points[half] };
+        let middle = if points.len() == 2 {
+            [0, 1].map(|i| f64::midpoint(points[0][i], points[1][i]))
+        } else {
+            points[half]
+        };
         let forward = if letter > 0 { 1.0 } else { -1.0 };
         let along = [-forward * angle.sin(), -forward * angle.cos()];
         let length = (0.4 * TAU * RADIUS / self.count() as f64).min(18.0);
@@ -180,7 +182,8 @@ impl Polygon<'_> {
     /// The surface in the middle, and the word below.
     fn draw_words(&self, picture: &mut FlatPicture) {
         let classes = self.schema.corner_classes().iter().max().map_or(0, |most| most + 1);
-        let name = self.schema.surface().map_or_else(|| "not a surface".to_owned(), |surface| surface.to_string());
+        let name =
+            self.schema.surface().map_or_else(|| "not a surface".to_owned(), |surface| surface.to_string());
         let [x, y] = self.middle;
         // Long names in two lines.
         let (first, second) = match name.find(" with ").or_else(|| name.find(" and ")) {
@@ -290,7 +293,9 @@ mod tests {
 
     #[test]
     fn all_sorts_of_polygons_are_drawn() {
-        for (word, sides) in [("a", 1), ("a a^-1", 2), ("a a", 2), ("a a a", 3), ("a1 b1 a1^-1 b1^-1 e1 d1 e1^-1", 7)] {
+        for (word, sides) in
+            [("a", 1), ("a a^-1", 2), ("a a", 2), ("a a a", 3), ("a1 b1 a1^-1 b1^-1 e1 d1 e1^-1", 7)]
+        {
             let svg = svg(&[word]);
             assert_eq!(side_colors(&svg).len(), sides, "{word}");
             assert!(!svg.contains("NaN"), "{word}");

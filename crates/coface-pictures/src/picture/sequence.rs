@@ -55,9 +55,11 @@ pub fn sequence_picture(title: &str, sequence: &SequenceAnswer) -> FlatPicture {
     for (row, degree) in (0..degrees).rev().enumerate() {
         let y = TOP + row as f64 * ROW;
         let groups = [&sequence.subcomplex, &sequence.complex, &sequence.pair];
-        let halves = [0, 1, 2].map(|column| draw_group(&mut picture, [COLUMNS[column], y], degree, column, groups[column]));
+        let halves = [0, 1, 2]
+            .map(|column| draw_group(&mut picture, [COLUMNS[column], y], degree, column, groups[column]));
         for (column, map) in ["inclusion", "projection"].into_iter().enumerate() {
-            let ends = [COLUMNS[column] + halves[column] + GAP, COLUMNS[column + 1] - halves[column + 1] - GAP];
+            let ends =
+                [COLUMNS[column] + halves[column] + GAP, COLUMNS[column + 1] - halves[column + 1] - GAP];
             let drawn = Map::of(sequence, map, degree);
             drawn.arrow(&mut picture, &[[ends[0], y], [ends[1], y]]);
             drawn.words(&mut picture, [f64::midpoint(ends[0], ends[1]), y]);
@@ -196,9 +198,7 @@ impl<'s> Map<'s> {
         let [dx, dy] = along(*before, *tip);
         let head = |back: f64| {
             let end = [tip[0] - back * dx, tip[1] - back * dy];
-            let wing = |side: f64| {
-                [end[0] - 8.0 * dx - 4.0 * side * dy, end[1] - 8.0 * dy + 4.0 * side * dx]
-            };
+            let wing = |side: f64| [end[0] - 8.0 * dx - 4.0 * side * dy, end[1] - 8.0 * dy + 4.0 * side * dx];
             [Step::Move(wing(1.0)), Step::Line(end), Step::Line(wing(-1.0))]
         };
         let mut steps = vec![Step::Move(path[0])];
@@ -260,8 +260,12 @@ impl<'s> Map<'s> {
         }
         for side in [-1.0, 1.0] {
             let [outer, inner] = [half + 2.0, half - 1.0].map(|reach| x + side * reach);
-            let bracket =
-                vec![Step::Move([inner, top]), Step::Line([outer, top]), Step::Line([outer, bottom]), Step::Line([inner, bottom])];
+            let bracket = vec![
+                Step::Move([inner, top]),
+                Step::Line([outer, top]),
+                Step::Line([outer, bottom]),
+                Step::Line([inner, bottom]),
+            ];
             picture.stroke(bracket, ink, 1.0);
         }
     }
@@ -302,7 +306,8 @@ mod tests {
     #[test]
     fn torsion_is_a_summand() {
         let group: HomologyGroup =
-            serde_json::from_value(serde_json::json!({"degree": 1, "betti": 2, "torsion": [2, 2, 6]})).unwrap();
+            serde_json::from_value(serde_json::json!({"degree": 1, "betti": 2, "torsion": [2, 2, 6]}))
+                .unwrap();
         let words: String = group_formula(&group).runs.iter().map(|run| run.text.as_str()).collect();
         assert_eq!(words, "Z2\u{2295}(Z/2)2\u{2295}Z/6");
     }

@@ -100,7 +100,13 @@ impl Layer {
 
     /// The highest point that is used.
     pub(super) fn last_point(&self) -> Option<u32> {
-        let used = self.lines.items().iter().chain(&self.points).chain(&self.rings).chain(self.triangles.as_flattened());
+        let used = self
+            .lines
+            .items()
+            .iter()
+            .chain(&self.points)
+            .chain(&self.rings)
+            .chain(self.triangles.as_flattened());
         used.copied().chain(self.labels.iter().map(|label| label.0)).max()
     }
 }

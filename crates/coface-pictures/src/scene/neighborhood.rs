@@ -84,7 +84,8 @@ impl Scene {
             simplex.numbers().iter().map(|&vertex| self.numbering.of(vertex)).collect()
         };
         let is_seen = |vertices: &Vec<u32>| {
-            let is_drawn = |&vertex: &u32| (vertex as usize) < self.positions.len() && !self.is_hidden(vertex);
+            let is_drawn =
+                |&vertex: &u32| (vertex as usize) < self.positions.len() && !self.is_hidden(vertex);
             vertices.iter().all(is_drawn)
         };
         simplices.iter().map(numbered).filter(is_seen)
@@ -104,7 +105,8 @@ impl Scene {
             let mut positions = self.positions.clone();
             for tetrahedron in self.drawn(of(3)) {
                 let corners = tetrahedron.iter().map(|&vertex| self.positions[vertex as usize]);
-                let middle = [0, 1, 2].map(|axis| corners.clone().map(|corner| corner[axis] / 4.0).sum::<f64>());
+                let middle =
+                    [0, 1, 2].map(|axis| corners.clone().map(|corner| corner[axis] / 4.0).sum::<f64>());
                 let first = positions.len() as u32;
                 positions.extend(corners.map(|corner| {
                     [0, 1, 2].map(|axis| middle[axis] + TETRAHEDRON * (corner[axis] - middle[axis]))
@@ -148,7 +150,8 @@ mod tests {
     fn layers_have_the_simplices_of_their_sets() {
         let model = read(OCTAHEDRON, Format::Json).unwrap();
         let mut scene = Scene::of("octahedron", &model).unwrap();
-        let asked = [Neighborhood::Star, Neighborhood::Closure, Neighborhood::Link].map(|n| (n, set(&[&[0]])));
+        let asked =
+            [Neighborhood::Star, Neighborhood::Closure, Neighborhood::Link].map(|n| (n, set(&[&[0]])));
         scene.add_neighborhoods(&model, &asked).unwrap();
         let [dots, star, closure, link] = scene.layers() else { panic!("four layers") };
         assert_eq!(dots.points.len(), 6);

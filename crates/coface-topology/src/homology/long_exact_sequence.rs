@@ -364,7 +364,9 @@ mod tests {
             let rows = (0..count).filter(|&cell| cells(cell)).map(|cell| {
                 let mut row = self.boundary(degree, cell);
                 let below = row.iter_mut().enumerate();
-                below.filter(|(face, _)| modulo && self.is_inside[degree - 1][*face]).for_each(|(_, x)| *x = 0);
+                below
+                    .filter(|(face, _)| modulo && self.is_inside[degree - 1][*face])
+                    .for_each(|(_, x)| *x = 0);
                 row.extend((0..count).map(|other| i64::from(other == cell)));
                 row
             });
@@ -399,14 +401,15 @@ mod tests {
             let relative = [boundaries, self.inner_chains(degree)].concat();
             let projection = rank_modulo(&self.cycles(degree, all, false), &relative);
             let Some(below) = degree.checked_sub(1) else { return [inclusion, projection, 0] };
-            let images = self.cycles(degree, |cell| !self.inside(degree)(cell), true).into_iter().map(|chain| {
-                let mut image = vec![0; self.complex.cell_count(below)];
-                for (cell, x) in chain.into_iter().enumerate().filter(|(_, x)| *x != 0) {
-                    let boundary = self.boundary(degree, cell);
-                    image.iter_mut().zip(boundary).for_each(|(sum, y)| *sum = (*sum + x * y) % PRIME);
-                }
-                image
-            });
+            let images =
+                self.cycles(degree, |cell| !self.inside(degree)(cell), true).into_iter().map(|chain| {
+                    let mut image = vec![0; self.complex.cell_count(below)];
+                    for (cell, x) in chain.into_iter().enumerate().filter(|(_, x)| *x != 0) {
+                        let boundary = self.boundary(degree, cell);
+                        image.iter_mut().zip(boundary).for_each(|(sum, y)| *sum = (*sum + x * y) % PRIME);
+                    }
+                    image
+                });
             let inner = self.boundaries(below, self.inside(degree));
             [inclusion, projection, rank_modulo(&images.collect(), &inner)]
         }

@@ -16,13 +16,15 @@ use crate::surface;
 use clap::{Args, ValueEnum};
 use coface::answers::answer::{Remark, RemarkCode, RenderAnswer};
 use coface::answers::{
-    GeometryCheck, Growth, Neighborhood, PersistenceRequest, PlanarSet, PolygonSchema, Report, ReportRequest, SetRequest,
+    BlockedMatrix, GeometryCheck, Growth, MatrixBlocks, Neighborhood, PersistenceRequest, PlanarSet,
+    PolygonSchema, Report, ReportRequest, SetRequest,
 };
 use coface::complexes::simplicial::SimplexSet;
 use coface::io::Format;
 use coface::pictures::{
-    Camera, DiagramPoint, FlatPicture, Pane, Picture, PictureStyle, Scene, SetPicture, diagram_picture,
-    matrix_picture, pane_picture, schema_picture, set_picture, spin_png,
+    Camera, DiagramPoint, FlatPicture, Pane, Picture, PictureStyle, Scene, SetPicture,
+    blocked_matrix_picture, diagram_picture, matrix_picture, pane_picture, schema_picture, set_picture,
+    spin_png,
 };
 use diagram::{points_of_result, read_pers};
 use std::path::{Path, PathBuf};
@@ -101,9 +103,13 @@ pub(crate) struct Render {
     /// Draw a flat picture that an answer has beside the model instead: a domain, a cover, a forest; with a part of its name if there are several
     #[arg(long, value_name = "NAME", num_args = 0..=1, default_missing_value = "", require_equals = true, requires = "with")]
     pane: Option<String>,
-    /// Draw the sparsity of the boundary matrices
-    #[arg(long, conflicts_with_all = SCENE_OPTIONS)]
-    matrix: bool,
+    /// Draw the sparsity of the boundary matrices, or of that of degree K with its rows and columns in blocks
+    #[arg(long, value_name = "K", num_args = 0..=1, value_parser = degree, conflicts_with_all = SCENE_OPTIONS)]
+    matrix: Option<Option<usize>>,
+    /// With --matrix K: what is a block. Components of the complex, groups of the mesh (cells in the closure of each), or what an acyclic matching
+    /// makes of cells, which are matched or critical [default: components]
+    #[arg(long, value_name = "BLOCKS", requires = "matrix")]
+    blocks: Option<Blocks>,
     /// Draw the persistence diagram of the input: what `coface persistence` wrote (.json, .pers), or a model that grows as --function says
     #[arg(long, conflicts_with_all = SCENE_OPTIONS, conflicts_with = "matrix")]
     diagram: bool,
@@ -146,6 +152,14 @@ const SCENE_OPTIONS: [&str; 17] = [
     "legend",
 ];
 
+/// What the blocks of a matrix are.
+#[derive(Clone, Copy, ValueEnum)]
+enum Blocks {
+    Components,
+    Groups,
+    Matching,
+}
+
 /// Cells whose numbers are written.
 #[derive(Clone, Copy, ValueEnum)]
 enum Labeled {
@@ -160,6 +174,12 @@ const POINTS: f64 = 0.75;
 fn width(text: &str) -> Result<f64, String> {
     let width: Option<f64> = text.parse().ok().filter(|&width| width > 0.0 && width <= 700.0);
     width.ok_or_else(|| "give a width in points above 0, such as 1.5".to_owned())
+}
+
+fn degree(text: &str) -> Result<usize, String> {
+    text.parse().map_err(|_| {
+        "this is no degree; name the model before --matrix, or give a degree as in --matrix=2".to_owned()
+    })
 }
 
 fn size(text: &str) -> Result<[usize; 2], String> {
@@ -195,7 +215,7 @@ impl Render {
             self.bytes_of(schema_picture(&self.title(), &schemas)?, format)?
         } else {
             let source = Source::of(self.input())?;
-            match self.flat(&source, common, &progress)? {
+            match self.flat(&source, common, &progress, &mut answer)? {
                 Some(picture) => {
                     progress.stage("drawing");
                     self.bytes_of(picture, format)?
@@ -227,12 +247,22 @@ impl Render {
         source: &Source<'_>,
         common: &Common,
         progress: &Progress,
+        answer: &mut RenderAnswer,
     ) -> Result<Option<FlatPicture>, Failure> {
         let name = self.name();
-        if self.matrix {
-            let (_, producer) = input::identify(source.model(common.reading(), progress)?, progress)?;
-            let complex = producer.into_chain_complex().map_err(|error| error.in_file(name.clone()))?;
-            return Ok(Some(matrix_picture(&format!("boundary matrices of {}", self.title()), &complex)));
+        match self.matrix {
+            Some(Some(degree)) => {
+                return self.blocked_matrix(degree, source, common, progress, answer).map(Some);
+            }
+            Some(None) if self.blocks.is_some() => {
+                return Err(Failure::new("--blocks: name the degree of a matrix, as in --matrix=1"));
+            }
+            Some(None) => {
+                let (_, producer) = input::identify(source.model(common.reading(), progress)?, progress)?;
+                let complex = producer.into_chain_complex().map_err(|error| error.in_file(name.clone()))?;
+                return Ok(Some(matrix_picture(&format!("boundary matrices of {}", self.title()), &complex)));
+            }
+            None => {}
         }
         if self.diagram {
             let points = self.diagram_points(source, common, progress)?;
@@ -269,6 +299,30 @@ impl Render {
         Ok(Some(set_picture(&set, SetPicture::Kinks)?))
     }
 
+    /// A boundary matrix in blocks.
+    fn blocked_matrix(
+        &self,
+        degree: usize,
+        source: &Source<'_>,
+        common: &Common,
+        progress: &Progress,
+        answer: &mut RenderAnswer,
+    ) -> Result<FlatPicture, Failure> {
+        let blocks = match self.blocks {
+            None | Some(Blocks::Components) => MatrixBlocks::Components,
+            Some(Blocks::Groups) => MatrixBlocks::Groups,
+            Some(Blocks::Matching) => MatrixBlocks::Matching,
+        };
+        let loaded = source.model(common.reading(), progress)?;
+        let model = loaded.model.clone();
+        let (name, producer) = input::identify(loaded, progress)?;
+        progress.stage("putting cells in blocks");
+        let found =
+            BlockedMatrix::of(&producer, &model, degree, blocks).map_err(|error| error.in_file(name))?;
+        answer.matrix = Some(found.answer());
+        Ok(blocked_matrix_picture(&format!("boundary matrix of {}", self.title()), &found))
+    }
+
     /// What is drawn: a file, or nothing where a word is.
     fn input(&self) -> &Path {
         self.input.as_deref().unwrap_or(Path::new("-"))
@@ -286,11 +340,7 @@ impl Render {
     }
 
     /// The polygons of --word or --schema.
-    fn schemas(
-        &self,
-        common: &Common,
-        progress: &Progress,
-    ) -> Result<Option<Vec<PolygonSchema>>, Failure> {
+    fn schemas(&self, common: &Common, progress: &Progress) -> Result<Option<Vec<PolygonSchema>>, Failure> {
         if let Some(word) = &self.word {
             let schema: PolygonSchema =
                 word.parse().map_err(|error: coface::Error| error.in_file(format!("--word \"{word}\"")))?;
