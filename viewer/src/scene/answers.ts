@@ -28,6 +28,14 @@ export interface BatchAnswer {
   resumed: number;
 }
 
+/** A block of rows or columns of a matrix. */
+export interface BlockAnswer {
+  /** What its cells are. */
+  name: string;
+  /** The number of its cells. */
+  size: number;
+}
+
 /** Vertices of one block that became one. */
 export interface BlockMergeAnswer {
   /** The block. */
@@ -1288,6 +1296,18 @@ export interface MassAnswer {
   volume?: number | null;
 }
 
+/** A boundary matrix in blocks. */
+export interface MatrixAnswer {
+  /** The blocks of columns in their order. */
+  columns: BlockAnswer[];
+  /** The degree of the cells of columns; rows are cells of the degree below. */
+  degree: number;
+  /** The number of entries that are not zero. */
+  entries_count: number;
+  /** The blocks of rows in their order. */
+  rows: BlockAnswer[];
+}
+
 /** What was repaired, by the vertices and polygons of the input. */
 export interface MeshRepairAnswer {
   /** The new vertices, each with the vertex that it is a copy of. */
@@ -1733,10 +1753,14 @@ export interface RenderAnswer {
   bytes: number;
   /** The name of the file that is shown. */
   file: string;
+  /** The boundary matrix that was drawn in blocks, of a picture of one. */
+  matrix?: MatrixAnswer | null;
   /** The file of the picture; null if none was written. */
   picture?: string | null;
   /** What was assumed or left out. */
   remarks: Remark[];
+  /** The polygons that were drawn, of a picture of them. */
+  schemas?: SchemaAnswer[];
 }
 
 /**
@@ -1806,6 +1830,16 @@ export interface RowAnswer {
   warnings: string[];
 }
 
+/** A polygon whose sides are glued by letters. */
+export interface SchemaAnswer {
+  /** For each corner the number of its class: those of one class are glued to one point. Side i runs from corner i to the next. */
+  corner_classes: number[];
+  /** The surface that it is glued to; `null` if a letter is at three sides or more. */
+  surface?: string | null;
+  /** The letters of its sides, counterclockwise: `a b a^-1 b^-1`. */
+  word: string;
+}
+
 /** A path of edges along which a component was cut. */
 export interface SeamAnswer {
   /** The number of its edges. */
@@ -1837,12 +1871,30 @@ export interface SequenceAnswer {
   exact: boolean;
   /** For each degree the map of the subcomplex into the complex. */
   inclusion: (WholeNumber[][] | null)[];
+  /** What is known of each map that is there, in the order of the sequence: from the top degree down. */
+  maps?: SequenceMap[];
   /** The homology of the pair. */
   pair: HomologyGroup[];
   /** For each degree the map of the complex to the pair. */
   projection: (WholeNumber[][] | null)[];
   /** The homology of the subcomplex. */
   subcomplex: HomologyGroup[];
+}
+
+/** A map of a long exact sequence. */
+export interface SequenceMap {
+  /** The degree of its source. */
+  degree: number;
+  /** Its image, which is the kernel of the next map. */
+  image: GroupAnswer;
+  /** Whether its kernel is zero. */
+  injective: boolean;
+  /** `inclusion`, `projection` or `connecting`. */
+  map: string;
+  /** The rank of its image. */
+  rank: number;
+  /** Whether its image is the target. */
+  surjective: boolean;
 }
 
 /** How much of a set of the plane a file holds. */

@@ -57,7 +57,7 @@ fn a_star_is_open_and_its_link_goes_around_it() {
     assert_eq!((link.matches("<circle").count(), link.matches('L').count()), (6, 6));
     // Each in a color of its own, with a line of the legend.
     for (name, color) in
-        [("open star of {4}", "#0072b2"), ("closure of {0, 1}", "#d55e00"), ("link of {4}", "#009e73")]
+        [("open star of {4}", "#0072b2"), ("closure of {0, 1}", "#009e73"), ("link of {4}", "#d55e00")]
     {
         assert!(group(&picture, name).contains(color), "{name}");
         assert!(

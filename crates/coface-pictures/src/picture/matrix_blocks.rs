@@ -4,13 +4,16 @@ use super::flat::{Anchor, FlatPicture, Step};
 use super::matrix::{draw_entries, rectangle};
 use super::palette::{LIGHT, color};
 use coface_answers::BlockedMatrix;
+use std::f64::consts::FRAC_1_SQRT_2;
 
-/// The longer side of a matrix, the room to the left and above for names, to the right and below for sizes, and for words.
+/// The longer side of a matrix, the room around it, that above for the title, and that below.
 const SIDE: f64 = 640.0;
-const LEFT: f64 = 190.0;
-const TOP: f64 = 150.0;
-const RIGHT: f64 = 60.0;
+const MARGIN: f64 = 16.0;
+const TITLE: f64 = 60.0;
 const BOTTOM: f64 = 50.0;
+/// From a name to the matrix, and the width of a letter at most, for a size of 1.
+const TICK: f64 = 18.0;
+const LETTER: f64 = 0.6;
 /// No side is shorter, so that its words have room.
 const LEAST: f64 = 120.0;
 /// The size of names, and how far two of them are from each other at least.
@@ -42,9 +45,14 @@ pub fn blocked_matrix_picture(title: &str, blocks: &BlockedMatrix) -> FlatPictur
     let counts = [matrix.column_count(), matrix.row_count()];
     let longest = counts[0].max(counts[1]).max(1);
     let sides = counts.map(|count| (SIDE * count as f64 / longest as f64).max(LEAST));
-    let size = [LEFT + sides[0] + RIGHT, TOP + sides[1] + BOTTOM];
+    let longest_name = |own: &[(String, usize)]| {
+        own.iter().map(|block| LETTER * NAME * named(block).chars().count() as f64).fold(0.0, f64::max)
+    };
+    // Names above go up as far as to the right.
+    let (left, above) = (longest_name(blocks.row_blocks()), longest_name(blocks.column_blocks()) * FRAC_1_SQRT_2);
+    let corner = [MARGIN + left + TICK, TITLE + above + TICK + NAME];
+    let size = [corner[0] + sides[0] + above + MARGIN, corner[1] + sides[1] + BOTTOM];
     let mut picture = FlatPicture::new(title, size, LIGHT.background);
-    let corner = [LEFT, TOP];
     picture.begin_group("title");
     picture.text([16.0, 28.0], Anchor::Start, 16.0, LIGHT.ink, title);
     let words = format!(
@@ -107,8 +115,8 @@ fn draw_names(
         start += size;
     }
     let end = corner[axis] + scale * start as f64;
-    for ((name, size), (middle, at)) in blocks.iter().zip(middles.iter().zip(spread(&middles, end))) {
-        let words = format!("{} ({size})", shortened(name));
+    for (block, (middle, at)) in blocks.iter().zip(middles.iter().zip(spread(&middles, end))) {
+        let words = named(block);
         let (tick, name_at) = match axis {
             // Above: names go up and to the right.
             0 => ([[*middle, corner[1] - 3.0], [at, corner[1] - 14.0]], [at, corner[1] - 18.0]),
@@ -120,6 +128,11 @@ fn draw_names(
             _ => picture.text(name_at, Anchor::End, NAME, LIGHT.ink, words),
         }
     }
+}
+
+/// The name and the size of a block.
+fn named((name, size): &(String, usize)) -> String {
+    format!("{} ({size})", shortened(name))
 }
 
 fn shortened(name: &str) -> String {

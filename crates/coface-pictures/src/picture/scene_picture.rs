@@ -158,10 +158,14 @@ impl<'a> Picture<'a> {
             facets.push(Facet { corners, color });
         };
         let [_, has_wires_only] = self.scene.is_pale();
+        let surface = match self.scene.is_pale() {
+            [true, _] => [0, 1, 2].map(|part| f32::midpoint(self.theme.surface[part], self.theme.background[part])),
+            _ => self.theme.surface,
+        };
         let triangles = if has_wires_only { &[] } else { self.scene.triangles() };
         let steps = stage("shading triangles", triangles.len());
         for &triangle in steps.each(triangles) {
-            add(triangle.map(|vertex| self.scene.positions()[vertex as usize]), self.theme.surface, 0.0);
+            add(triangle.map(|vertex| self.scene.positions()[vertex as usize]), surface, 0.0);
         }
         for (layer, color) in shown(self.scene) {
             let color = fill_of(layer, color, self.theme);
@@ -381,7 +385,7 @@ pub(super) fn fill_of(layer: &Layer, color: Color, theme: &Theme) -> Color {
     [0, 1, 2].map(|part| TINT * color[part] + (1.0 - TINT) * theme.background[part])
 }
 
-/// How far a layer is in front of the usual: of neighborhoods a later one lies over an earlier one.
+/// How far a layer is in front of the usual: of neighborhoods one of a later color lies over one of an earlier color.
 fn lift(layer: &Layer) -> f64 {
     let place = layer.color.filter(|_| layer.group == NEIGHBORHOOD);
     place.map_or(0.0, |place| 0.15 * f64::from(place + 1))

@@ -59,11 +59,16 @@ impl Scene {
             self.add_layer(dots);
         }
         let has_star = asked.iter().any(|(neighborhood, _)| *neighborhood == Neighborhood::Star);
-        for (place, (neighborhood, simplices)) in (0..).zip(asked) {
+        // Closures are the smallest, stars the largest: what is drawn later hides the others.
+        let kinds = [Neighborhood::Star, Neighborhood::Link, Neighborhood::Closure];
+        let of_kinds = (0..).zip(kinds).flat_map(|(color, kind)| {
+            asked.iter().filter(move |(neighborhood, _)| *neighborhood == kind).map(move |asked| (color, asked))
+        });
+        for (color, (neighborhood, simplices)) in of_kinds {
             let set = neighborhood.found(&complex, simplices)?;
             let mut layer = Layer::new(NEIGHBORHOOD, title(*neighborhood, simplices));
             layer.detail = set.f_vector().iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-            (layer.is_on, layer.color) = (true, Some(place));
+            (layer.is_on, layer.color) = (true, Some(color));
             let is_star = *neighborhood == Neighborhood::Star;
             // Triangles would hide what lies behind them.
             let has_triangles = !self.has_wires_only || !is_star && !has_star;
@@ -153,7 +158,7 @@ mod tests {
         let asked =
             [Neighborhood::Star, Neighborhood::Closure, Neighborhood::Link].map(|n| (n, set(&[&[0]])));
         scene.add_neighborhoods(&model, &asked).unwrap();
-        let [dots, star, closure, link] = scene.layers() else { panic!("four layers") };
+        let [dots, star, link, closure] = scene.layers() else { panic!("four layers") };
         assert_eq!(dots.points.len(), 6);
         assert_eq!((star.triangles.len(), star.lines.len(), star.points.as_slice()), (4, 4, &[0][..]));
         assert_eq!(star.rings, [1, 2, 3, 4]);
