@@ -4171,7 +4171,7 @@ def fundamental_groups(model: Any, *, simplify: bool = True, base: int | None = 
         One for each component.
     """
     ...
-def render(model: Any, format: str = "svg", *, results: Sequence[Any] = ..., size: tuple[int, int] = ..., camera: Sequence[float] | None = None, up: Sequence[float] | None = None, perspective: float | None = None, edges: bool | None = None, dark: bool = False, transparent: bool = False, line_width: float | None = None, edge_width: float | None = None, label: Sequence[str] = ..., spin: int | None = None, witness: bool = False, title: str = "model", progress: _Progress = ...) -> bytes:
+def render(model: Any, format: str = "svg", *, results: Sequence[Any] = ..., size: tuple[int, int] = ..., camera: Sequence[float] | None = None, up: Sequence[float] | None = None, perspective: float | None = None, edges: bool | None = None, dark: bool = False, transparent: bool = False, line_width: float | None = None, edge_width: float | None = None, label: Sequence[str] = ..., star: Any = None, closure: Any = None, link: Any = None, legend: bool = False, spin: int | None = None, witness: bool = False, title: str = "model", progress: _Progress = ...) -> bytes:
     """A still picture of a model, hidden lines removed, or an animation.
 
     Parameters
@@ -4200,6 +4200,10 @@ def render(model: Any, format: str = "svg", *, results: Sequence[Any] = ..., siz
         The widths of the lines of answers and of edges, in points; 2.25 and 0.45 if left out.
     label : sequence of {"vertices", "edges", "faces"}
         Cells whose numbers are written beside them.
+    star, closure, link : simplices, optional
+        Simplices; what they have around them is drawn over the pale complex.
+    legend : bool
+        Whether the names of what is drawn over the model stand above it.
     spin : int, optional
         So many frames, in which the model turns once about what is up: an animated PNG, 24 frames a second.
     witness : bool
