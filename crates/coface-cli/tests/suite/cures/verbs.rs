@@ -107,6 +107,14 @@ pub(super) const CASES: &[Case] = &[
         .files(BOOK)
         .refused("coface homology book.json -o book.svg")
         .cured(&[&["coface homology book.json --relative boundary --sequence -o book.svg"]]),
+    Case::new("render/mod.rs", "name the model before --matrix, or give a degree as in --matrix=2")
+        .files(BOOK)
+        .misused("coface render --matrix book.json")
+        .cured(&[&["coface render book.json --matrix"], &["coface render book.json --matrix=2"]]),
+    Case::new("render/mod.rs", "--blocks: name the degree of a matrix")
+        .files(BOOK)
+        .refused("coface render book.json --matrix --blocks matching")
+        .cured(&[&["coface render book.json --matrix=1 --blocks matching"]]),
     Case::new("render/mod.rs", "--word \"{word}\"")
         .files(BOOK)
         .refused("coface render --word 'a b 3'")
