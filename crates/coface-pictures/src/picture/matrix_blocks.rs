@@ -49,7 +49,8 @@ pub fn blocked_matrix_picture(title: &str, blocks: &BlockedMatrix) -> FlatPictur
         own.iter().map(|block| LETTER * NAME * named(block).chars().count() as f64).fold(0.0, f64::max)
     };
     // Names above go up as far as to the right.
-    let (left, above) = (longest_name(blocks.row_blocks()), longest_name(blocks.column_blocks()) * FRAC_1_SQRT_2);
+    let (left, above) =
+        (longest_name(blocks.row_blocks()), longest_name(blocks.column_blocks()) * FRAC_1_SQRT_2);
     let corner = [MARGIN + left + TICK, TITLE + above + TICK + NAME];
     let size = [corner[0] + sides[0] + above + MARGIN, corner[1] + sides[1] + BOTTOM];
     let mut picture = FlatPicture::new(title, size, LIGHT.background);

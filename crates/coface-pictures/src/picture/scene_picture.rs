@@ -159,7 +159,9 @@ impl<'a> Picture<'a> {
         };
         let [_, has_wires_only] = self.scene.is_pale();
         let surface = match self.scene.is_pale() {
-            [true, _] => [0, 1, 2].map(|part| f32::midpoint(self.theme.surface[part], self.theme.background[part])),
+            [true, _] => {
+                [0, 1, 2].map(|part| f32::midpoint(self.theme.surface[part], self.theme.background[part]))
+            }
             _ => self.theme.surface,
         };
         let triangles = if has_wires_only { &[] } else { self.scene.triangles() };

@@ -62,7 +62,10 @@ impl Scene {
         // Closures are the smallest, stars the largest: what is drawn later hides the others.
         let kinds = [Neighborhood::Star, Neighborhood::Link, Neighborhood::Closure];
         let of_kinds = (0..).zip(kinds).flat_map(|(color, kind)| {
-            asked.iter().filter(move |(neighborhood, _)| *neighborhood == kind).map(move |asked| (color, asked))
+            asked
+                .iter()
+                .filter(move |(neighborhood, _)| *neighborhood == kind)
+                .map(move |asked| (color, asked))
         });
         for (color, (neighborhood, simplices)) in of_kinds {
             let set = neighborhood.found(&complex, simplices)?;
