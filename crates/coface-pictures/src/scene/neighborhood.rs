@@ -167,8 +167,7 @@ mod tests {
         assert_eq!(star.rings, [1, 2, 3, 4]);
         assert_eq!((closure.points.as_slice(), closure.lines.len()), (&[0][..], 0));
         assert_eq!((link.triangles.len(), link.lines.len(), link.points.len()), (0, 4, 4));
-        let mut style = PictureStyle::default();
-        style.has_legend = true;
+        let style = PictureStyle { has_legend: true, ..PictureStyle::default() };
         let svg = Picture::new(&scene, &style).unwrap().svg();
         for words in [">open star of {0}<", ">closure of {0}<", ">link of {0}<"] {
             assert_eq!(svg.matches(words).count(), 2, "a name of a group and a line of the legend: {words}");
