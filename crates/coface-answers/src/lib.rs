@@ -52,7 +52,7 @@ pub use isomorphism::isomorphic;
 pub use matrix_blocks::{BlockedMatrix, MatrixBlocks};
 pub use parts::RegionSource;
 pub use persistence::{
-    CurveValues, DiagramCurveKind, DiagramCurvesRequest, DiagramDistanceRequest, DiagramFormat,
+    AlphaFiltration, CurveValues, DiagramCurveKind, DiagramCurvesRequest, DiagramDistanceRequest, DiagramFormat,
     DiagramImageRequest, DiagramMetric, FoundDiagram, FoundImage, FoundRips, GivenDiagram, GreyImage, Growth,
     ImageRequest, PersistenceRequest, RipsRequest, TableForm, VertexFunction, write_diagram,
 };

@@ -1,8 +1,9 @@
 //! The options that verbs share.
 
+use crate::failure::Failure;
 use clap::Args;
 use coface::complexes::cubical::CubicalVolume;
-use coface::io::{Format, ReadOptions, VolumeReading, VoxelRule};
+use coface::io::{AlphaReading, Format, ReadOptions, VolumeReading, VoxelRule};
 use coface::scale::workers::{parse_bytes, parse_duration};
 use coface::topology::Coefficients;
 use serde::{Deserialize, Serialize};
@@ -56,6 +57,42 @@ pub(crate) struct Common {
     pub(crate) pseudomanifold: bool,
     #[command(flatten)]
     pub(crate) voxels: VoxelArguments,
+    #[command(flatten)]
+    pub(crate) alpha: AlphaArguments,
+}
+
+/// How points are read as their alpha complex.
+#[derive(Args, Clone, Copy, Debug, Default)]
+pub(crate) struct AlphaArguments {
+    /// Take points, the rows of a table (.csv, .txt, .npy) or the vertices of a model, as their alpha complex in dimension 1, 2 or 3: the simplices of
+    /// the Delaunay triangulation that enter at the value A or before, or all. Values are squared radii, as in GUDHI's AlphaComplex
+    #[arg(long, value_name = "A", num_args = 0..=1, global = true, help_heading = "Alpha complexes",
+          allow_negative_numbers = true, value_parser = number)]
+    alpha: Option<Option<f64>>,
+    /// The last number of each row is the weight of the point, a squared radius: the simplices are those of the regular triangulation
+    #[arg(long, global = true, help_heading = "Alpha complexes", requires = "alpha")]
+    weighted: bool,
+    /// A and all values are radii instead of squared radii (GUDHI: output_squared_values=False)
+    #[arg(long, global = true, help_heading = "Alpha complexes", requires = "alpha")]
+    radii: bool,
+}
+
+impl AlphaArguments {
+    /// How points are read, if they are to be.
+    pub(crate) fn reading(self) -> Option<AlphaReading> {
+        let bound = self.alpha?;
+        Some(AlphaReading { bound, weighted: self.weighted, radii: self.radii })
+    }
+
+    /// Refuses points for what takes files as they are.
+    pub(crate) fn refuse(self, verb: &str) -> Result<(), Failure> {
+        match self.alpha {
+            None => Ok(()),
+            Some(_) => Err(Failure::new(format!(
+                "coface {verb} takes no --alpha; write the complex first: coface convert POINTS --alpha -o COMPLEX.vtk"
+            ))),
+        }
+    }
 }
 
 /// Which voxels of a volume are set.
@@ -179,6 +216,7 @@ impl Common {
             .allow_outside(self.allow_outside)
             .lod(self.lod)
             .pseudomanifold(self.pseudomanifold)
+            .alpha(self.alpha.reading())
     }
 }
 

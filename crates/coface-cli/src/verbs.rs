@@ -126,7 +126,7 @@ fn word_that_is_no_verb(error: &clap::Error) -> Option<&str> {
 }
 
 /// Options whose value may be left out.
-const WITH_OR_WITHOUT_VALUE: [&str; 4] = ["--cycles", "--generators", "--repair", "--reset"];
+const WITH_OR_WITHOUT_VALUE: [&str; 5] = ["--alpha", "--cycles", "--generators", "--repair", "--reset"];
 
 /// The command line with the input before an option that took it for its value, as in `coface homology --generators FILE`.
 fn with_input_first(error: &clap::Error, words: &[OsString]) -> Option<Vec<OsString>> {
@@ -175,8 +175,18 @@ const WITHOUT_VOLUMES: [&str; 12] = [
 const WITHOUT_INPUTS: [&str; 4] = ["check", "diagram", "completions", "man"];
 
 /// The options that say how a model is read.
-const OF_INPUTS: [&str; 7] =
-    ["format", "flatten", "strict", "partial", "allow_outside", "lod", "pseudomanifold"];
+const OF_INPUTS: [&str; 10] = [
+    "format",
+    "flatten",
+    "strict",
+    "partial",
+    "allow_outside",
+    "lod",
+    "pseudomanifold",
+    "alpha",
+    "weighted",
+    "radii",
+];
 
 const AFTER_HELP: &str = "\
 Vertices are numbered from 0 in the order of the file, whatever the format does.

@@ -9,11 +9,13 @@
 //! * [`surface`]: polygon meshes, halfedge meshes and generalized maps.
 //! * [`cell_mesh`]: tetrahedra, hexahedra, wedges and pyramids with shared faces.
 //! * [`lar`]: cells as lists of vertices, incidence operators, oriented boundaries.
+//! * [`alpha`]: alpha complexes of points, from Delaunay triangulations.
 //! * [`grids`], [`cubical`], [`shapes`]: products of intervals, voxels, and mapped grids with positions.
 //! * [`families`]: the shapes and known spaces by name, with their parameters.
 //!
 #![doc = include_str!("../README.md")]
 
+pub mod alpha;
 pub mod cell_mesh;
 mod cells;
 mod coherence;

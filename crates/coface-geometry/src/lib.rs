@@ -9,6 +9,7 @@
 //! * [`predicates`]: exact decisions about points: orientation, side of a line or plane, order of crossings that are
 //!   never computed.
 //! * [`triangulation`]: triangles of a polygon with holes, by exact predicates alone.
+//! * A [`RegularTriangulation`]: the Delaunay triangulation of points, also with weights, exact.
 //! * Measures: [`polygon_area`], [`enclosed_volume`]; the integrals of monomials are [`surface_moment`] and
 //!   [`enclosed_moment`]; [`MassProperties`] are volume, center and inertia tensor of a solid of density 1.
 //! * Boxes: a [`BoxTree`] finds the boxes that meet a given box.
@@ -42,6 +43,7 @@
 mod affine;
 mod angle;
 mod box_tree;
+mod delaunay;
 mod measure;
 mod moments;
 mod pair_tree;
@@ -53,6 +55,7 @@ pub mod triangulation;
 pub use affine::AffineMap;
 pub use angle::Angle;
 pub use box_tree::{AxisBox, BoxTree, boxes_meet, frame_around};
+pub use delaunay::RegularTriangulation;
 #[doc(hidden)]
 pub use measure::{Scaled, Sum};
 pub use measure::{cross, determinant, dot, enclosed_volume, polygon_area};

@@ -15,6 +15,7 @@
 #![doc = include_str!("../README.md")]
 
 pub mod abaqus;
+mod alpha;
 mod assembly;
 mod blocks;
 mod cells_not_balls;
@@ -81,6 +82,7 @@ pub mod wkt;
 mod xml_text;
 pub mod yin;
 
+pub use alpha::{AlphaPoints, AlphaReading, vertices_of_path};
 pub use cells_not_balls::cells_not_balls;
 pub use data::CellData;
 #[doc(hidden)]

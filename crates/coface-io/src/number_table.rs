@@ -193,6 +193,44 @@ impl NumberTable {
         Ok(Self::from_rows((0..count).map(point)))
     }
 
+    /// How many coordinates the points have that are the rows; 0 without rows.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) with the line of a row of another length, for which this is the cure, and of one
+    /// with a coordinate that is not finite.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::NumberTable;
+    /// assert_eq!(NumberTable::from_rows([[1.0, 2.0], [3.0, 4.0]]).point_dimension("").expect("points"), 2);
+    /// let uneven = NumberTable::from_rows([vec![1.0], vec![1.0, 2.0]]);
+    /// assert!(uneven.point_dimension("give each point as many numbers").is_err());
+    /// ```
+    pub fn point_dimension(&self, cure: &str) -> Result<usize, Error> {
+        let dimension = if self.row_count() == 0 { 0 } else { self.row(0).len() };
+        for row in 0..self.row_count() {
+            let fault = |message: String, cure: &str| {
+                let error = Error::invalid(message).with_cure(cure);
+                match self.line(row) {
+                    Some(line) => error.at_line(line),
+                    None => error,
+                }
+            };
+            let point = self.row(row);
+            if point.len() != dimension {
+                let count = point.len();
+                let coordinates = if count == 1 { "coordinate" } else { "coordinates" };
+                let message = format!("point {row} has {count} {coordinates}, and point 0 has {dimension}");
+                return Err(fault(message, cure));
+            }
+            if let Some(number) = point.iter().find(|number| !number.is_finite()) {
+                let message = format!("a coordinate of point {row} is {number}");
+                return Err(fault(message, "give finite coordinates, or leave the point out"));
+            }
+        }
+        Ok(dimension)
+    }
+
     /// Writes the table as a NumPy array of two axes: numbers of 8 bytes, a row after the other.
     ///
     /// # Errors

@@ -1,7 +1,9 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 35] = [
+const PHRASES: [(&str, &str); 37] = [
+    ("coface persistence POINTS --rips", "coface.rips(points)"),
+    ("leave out --radii, or --weighted", "leave out radii, or weights"),
     ("give the range of values (--range A B)", "give values: at=array"),
     ("(--births A B --persistences A B)", "(births=(a, b), persistences=(a, b))"),
     (

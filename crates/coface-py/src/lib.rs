@@ -92,6 +92,8 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(yin::_feature_sets, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::persistence, module)?)?;
     module.add_function(wrap_pyfunction!(diagrams::_diagram_distance, module)?)?;
+    module.add_function(wrap_pyfunction!(persistence::alpha, module)?)?;
+    module.add_function(wrap_pyfunction!(persistence::alpha_complex, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::rips, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::cubical, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::_values_of_volume, module)?)?;

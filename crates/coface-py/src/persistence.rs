@@ -5,7 +5,8 @@ use crate::chain_complex::{ChainComplex, ring};
 use crate::diagrams::{self, Curves};
 use crate::errors::{OrRaise, invalid, warn, whole};
 use crate::pictures::flat_file;
-use crate::source::Naming;
+use crate::model::Model;
+use crate::source::{Names, Naming};
 use crate::work::run;
 use coface::algebra::Integer;
 use coface::algebra::chains::ChainComplex as Chains;
@@ -14,7 +15,7 @@ use coface::answers::{
     ImageRequest, RipsRequest, TableForm, write_diagram,
 };
 use coface::complexes::cubical::CubicalVolume;
-use coface::io::{NumberTable, ReadOptions, VolumeReading};
+use coface::io::{AlphaReading, NumberTable, ReadOptions, VolumeReading};
 use coface::pictures::{DiagramPoint, diagram_picture};
 use coface::topology;
 use coface::topology::{Barcode, Coefficients, Filtration, PersistenceDiagram, PersistencePair};
@@ -172,11 +173,9 @@ pub(crate) fn rips(
     least: f64,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Persistence> {
-    let rows: Vec<Vec<f64>> =
-        table.try_iter()?.map(|row| arrays::real_list(&row?, "table")).collect::<PyResult<_>>()?;
+    let table = rows(table)?;
     let field = coefficients.map_or(Ok(Coefficients::Modulo(2)), ring)?;
     let dimension = dimension.map_or(Ok(1), whole)?;
-    let table = NumberTable::from_rows(rows);
     let (form, said) = match form {
         Some(form) => (TableForm::from_name(form).or_raise(py)?, None),
         None => TableForm::of(&table),
@@ -189,6 +188,97 @@ pub(crate) fn rips(
         request.threshold(threshold).min_persistence(least).found("points", &form.distances(&table)?)
     })?;
     Ok(Persistence { diagram: Diagram::Points(found) })
+}
+
+/// Persistent homology of the alpha complex of points.
+///
+/// Parameters
+/// ----------
+/// table : array_like of float
+///     Rows of at most three coordinates, and the weight behind them if points have weights.
+/// weighted : bool
+///     Whether points have weights.
+/// bound : float, optional
+///     The value at which the complex ends.
+/// radii : bool
+///     Whether values are radii instead of squared radii.
+/// coefficients : str or int
+///     A prime field: ``"f2"``, ``"f3"``, ...
+/// least : float
+///     Classes that live no longer than this are left out.
+/// progress : bool or callable, optional
+///     ``True`` shows a bar; a function is called with (stage, done, total).
+///
+/// Returns
+/// -------
+/// Persistence
+///     The diagram.
+#[pyfunction]
+#[pyo3(signature = (table, *, weighted=false, bound=None, radii=false, coefficients=None, least=0.0, progress=None), text_signature = "(table, *, weighted=False, bound=None, radii=False, coefficients='f2', least=0.0, progress=False)")]
+#[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
+pub(crate) fn alpha(
+    py: Python<'_>,
+    table: &Bound<'_, PyAny>,
+    weighted: bool,
+    bound: Option<f64>,
+    radii: bool,
+    coefficients: Option<&Bound<'_, PyAny>>,
+    least: f64,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Persistence> {
+    let table = rows(table)?;
+    let field = coefficients.map_or(Ok(Coefficients::Modulo(2)), ring)?;
+    let (diagram, simplices, complex) = run(py, progress, || {
+        let points = AlphaReading { bound, weighted, radii }.points(&table)?;
+        let (_, alpha) = points.into_parts();
+        let (simplices, values) = alpha.into_parts();
+        let complex = simplices.chain_complex()?;
+        let filtration = Filtration::new(&complex, values)?;
+        Ok((topology::persistence(&complex, &filtration, field)?.longer_than(least), simplices, complex))
+    })?;
+    let naming = Arc::new(Naming::of(Names::Simplices(Arc::new(simplices))));
+    Ok(Persistence { diagram: Diagram::Complex { diagram, naming, complex: Arc::new(complex) } })
+}
+
+/// The alpha complex of points as a model.
+///
+/// Parameters
+/// ----------
+/// table : array_like of float
+///     As of :func:`alpha`.
+/// weighted : bool
+///     As of :func:`alpha`.
+/// bound : float, optional
+///     As of :func:`alpha`.
+/// radii : bool
+///     As of :func:`alpha`.
+///
+/// Returns
+/// -------
+/// Model
+///     Tetrahedra, triangles, edges and points.
+#[pyfunction]
+#[pyo3(signature = (table, *, weighted=false, bound=None, radii=false))]
+pub(crate) fn alpha_complex(
+    py: Python<'_>,
+    table: &Bound<'_, PyAny>,
+    weighted: bool,
+    bound: Option<f64>,
+    radii: bool,
+) -> PyResult<Model> {
+    let table = rows(table)?;
+    let model = run(py, None, || Ok(AlphaReading { bound, weighted, radii }.points(&table)?.into_model()))?;
+    for remark in model.remarks() {
+        warn(py, &remark.message)?;
+    }
+    Ok(Model::of(model))
+}
+
+/// The rows of a table.
+fn rows(table: &Bound<'_, PyAny>) -> PyResult<NumberTable> {
+    let rows: Vec<Vec<f64>> =
+        table.try_iter()?.map(|row| arrays::real_list(&row?, "table")).collect::<PyResult<_>>()?;
+    Ok(NumberTable::from_rows(rows))
 }
 
 /// Persistent homology of the sublevel or superlevel sets of an image.

@@ -3,11 +3,13 @@
 //! * [`PersistenceRequest`] says over which field, and how the model grows: by a [`Growth`].
 //! * [`FoundDiagram`] has the diagram and makes the [`PersistenceAnswer`].
 //! * A [`RipsRequest`] asks for that of points or distances, which a [`TableForm`] reads from a table; [`FoundRips`] has the diagram.
+//! * An [`AlphaFiltration`] has the simplices and the values of the alpha complex of points, for a [`PersistenceRequest`].
 //! * An [`ImageRequest`] asks for that of a [`GreyImage`], whose numbers are those of an array or a volume file; [`FoundImage`] has the diagram.
 //! * A [`GivenDiagram`] is one that was written before. A [`DiagramDistanceRequest`] asks how far two are from each other, a [`DiagramCurvesRequest`]
 //!   and a [`DiagramImageRequest`] for curves and images.
 //! * [`write_diagram`] writes a diagram as the text that other programs read.
 
+mod alpha;
 mod curves;
 mod diagram;
 mod distance;
@@ -15,6 +17,7 @@ mod given;
 mod image;
 mod points;
 
+pub use alpha::AlphaFiltration;
 pub use curves::{CurveValues, DiagramCurveKind, DiagramCurvesRequest, DiagramImageRequest};
 pub use diagram::{DiagramFormat, write_diagram};
 pub use distance::{DiagramDistanceRequest, DiagramMetric};

@@ -119,29 +119,7 @@ fn in_row(error: Error, table: &NumberTable, row: usize) -> Error {
 
 fn of_points(table: &NumberTable) -> Result<Distances, Error> {
     let count = table.row_count();
-    let dimension = if count == 0 { 0 } else { table.row(0).len() };
-    for row in 0..count {
-        let point = table.row(row);
-        if point.len() != dimension {
-            let error = Error::invalid(format!(
-                "point {row} has {}, and point 0 has {dimension}",
-                text::count(point.len(), "coordinate")
-            ));
-            return Err(in_row(
-                error.with_cure("give each point as many numbers, or say what they are by --distances lower"),
-                table,
-                row,
-            ));
-        }
-        if let Some(number) = point.iter().find(|number| !number.is_finite()) {
-            let error = Error::invalid(format!("a coordinate of point {row} is {number}"));
-            return Err(in_row(
-                error.with_cure("give finite coordinates, or leave the point out"),
-                table,
-                row,
-            ));
-        }
-    }
+    table.point_dimension("give each point as many numbers, or say what they are by --distances lower")?;
     memory::require((count as u64).saturating_mul(count as u64).saturating_mul(4), || {
         format!("the distances of {} points", text::grouped(count))
     })?;

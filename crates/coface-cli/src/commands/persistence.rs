@@ -9,12 +9,15 @@ use crate::filtration::{read_function, read_values};
 use crate::input::{self, Source};
 use crate::output::{is_json, print_json, print_text, write_file, write_json};
 use crate::progress::Progress;
+use crate::remarks;
 use clap::Args;
 use coface::algebra::escaped;
 use coface::answers::answer::{PersistenceAnswer, PersistencePairAnswer};
 use coface::answers::text;
-use coface::answers::{DiagramFormat, FoundDiagram, Growth, PersistenceRequest, write_diagram};
-use coface::io::{Format, check_output, write_path};
+use coface::answers::{
+    AlphaFiltration, DiagramFormat, FoundDiagram, Growth, PersistenceRequest, Producer, write_diagram,
+};
+use coface::io::{AlphaReading, Format, NumberTable, check_output, write_path};
 use coface::topology::Coefficients;
 use image::ImageArguments;
 use points::PointArguments;
@@ -24,7 +27,7 @@ use std::path::{Path, PathBuf};
 /// Persistent homology: which components, loops and cavities are born and die as a model grows.
 ///
 /// The model grows by sublevel sets of a function on vertices (each cell enters with its highest vertex), or by values
-/// given for cells; points, with --rips, as balls around them meet; a volume (.npy, NRRD, NIfTI) by its grey values: each class has the
+/// given for cells; points, with --rips or --alpha, as balls around them meet; a volume (.npy, NRRD, NIfTI) by its grey values: each class has the
 /// voxels whose values its birth and death are. A volume whose voxels are chosen (--threshold, --below, --between, --value), or that
 /// has a --function, is the model of its set voxels. Without --function the function is the last coordinate, the height; without positions it is the
 /// vertex number. Pairs of persistence 0 are left out unless --min-persistence says otherwise.
@@ -112,6 +115,9 @@ impl Persistence {
         }
         let progress = Progress::start(common.quiet);
         if self.points.rips {
+            if common.alpha.reading().is_some() {
+                return Err(Failure::new("--rips and --alpha are two filtrations of points; give one of them"));
+            }
             self.refuse_cycles("of points")?;
             let found =
                 self.points.found(&self.input, common, self.coefficients, self.min_persistence, &progress)?;
@@ -120,6 +126,9 @@ impl Persistence {
             });
         }
         let source = Source::of(&self.input)?;
+        if let Some(reading) = common.alpha.reading().filter(|_| !self.is_of_a_function()) {
+            return self.run_alpha(&source, reading, common, output.as_ref(), progress);
+        }
         if self.is_of_values(common) {
             let found =
                 self.image.found(&source, common, self.coefficients, self.min_persistence, &progress)?;
@@ -144,17 +153,57 @@ impl Persistence {
                 if self.upper_star { Growth::Upper(function) } else { Growth::Lower(function) }
             }
         };
+        self.give_complex(common, output.as_ref(), progress, (&name, &producer, growth))
+    }
+
+    /// The diagram of points as their alpha complex grows.
+    fn run_alpha(
+        &self,
+        source: &Source<'_>,
+        reading: AlphaReading,
+        common: &Common,
+        output: Option<&(&Path, Output)>,
+        progress: Progress,
+    ) -> Result<(), Failure> {
+        let name = input::name(&self.input);
+        let given = [self.image.given(), common.voxels.rule_given()];
+        if let Some(option) = given.into_iter().flatten().next() {
+            return Err(Failure::new(format!(
+                "{name}: {option} is for volumes; to end the alpha complex at the value A give --alpha A"
+            )));
+        }
+        progress.stage(format!("reading {name}"));
+        let points = match source {
+            Source::File(path) => reading.points_of_path(path, &common.reading())?,
+            Source::Bytes(bytes) => NumberTable::read(&bytes[..])
+                .and_then(|table| reading.points(&table))
+                .map_err(|error| error.in_file(name.clone()))?,
+        };
+        let alpha = AlphaFiltration::new(points, reading.radii);
+        remarks::take(&name, alpha.producer().remarks());
+        let growth = alpha.growth();
+        self.give_complex(common, output, progress, (&name, alpha.producer(), growth))
+    }
+
+    /// The diagram of a complex that grows.
+    fn give_complex(
+        &self,
+        common: &Common,
+        output: Option<&(&Path, Output)>,
+        progress: Progress,
+        (name, producer, growth): (&str, &Producer, Growth),
+    ) -> Result<(), Failure> {
         let request = PersistenceRequest::new()
             .coefficients(self.coefficients)
             .growth(growth)
             .min_persistence(self.min_persistence)
             .cycles(self.cycles.is_some());
-        let found = request.found(&name, &producer)?;
+        let found = request.found(name, producer)?;
         if let Some(Some(place)) = &self.cycles {
             progress.stage(format!("writing {}", place.display()));
             save_cycles(place, &found)?;
         }
-        self.give(common, output.as_ref(), progress, &found.answer(), |bytes, format| {
+        self.give(common, output, progress, &found.answer(), |bytes, format| {
             write_diagram(found.diagram(), bytes, format)
         })
     }
@@ -172,8 +221,12 @@ impl Persistence {
 
     /// Whether a volume grows by its own values: nothing says that it is a model of voxels.
     fn is_of_values(&self, common: &Common) -> bool {
-        let is_model = self.function.is_some() || self.values.is_some() || self.upper_star;
-        !is_model && common.voxels.rule_given().is_none()
+        !self.is_of_a_function() && common.voxels.rule_given().is_none()
+    }
+
+    /// Whether a function or values of cells are given.
+    fn is_of_a_function(&self) -> bool {
+        self.function.is_some() || self.values.is_some() || self.upper_star
     }
 
     /// Writes the file that was asked for, and prints.

@@ -23,6 +23,7 @@ mod mass;
 mod nonfinite;
 mod outputs;
 mod persistence;
+mod persistence_alpha;
 mod persistence_cycles;
 mod persistence_images;
 mod persistence_points;

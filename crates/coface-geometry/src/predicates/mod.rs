@@ -34,12 +34,17 @@ mod plane_filter;
 #[cfg(test)]
 mod samples;
 mod short_dyadic;
+mod smallest_sphere;
 mod spatial_planes;
 mod spatial_point;
 mod spatial_quotient;
 mod spatial_signs;
 #[cfg(test)]
 mod spatial_tests;
+mod sphere;
+#[cfg(test)]
+mod sphere_tests;
+mod weighted_point;
 
 #[doc(hidden)]
 pub use dyadic::Dyadic;
@@ -49,9 +54,13 @@ pub use planar_point::PlanarPoint;
 #[doc(hidden)]
 pub use planar_point::approximate_area;
 pub use plane_filter::PlaneFilter;
+pub use smallest_sphere::{smallest_sphere, smallest_sphere_side};
 pub use spatial_planes::{are_coplanar, direction_side, normals_turn, plane_axis, spatial_orientation};
 pub use spatial_point::{PointDefinition, SpatialPoint};
 pub use spatial_signs::{normal_sign, orientation_of_points};
+pub use sphere::{circle_side, sphere_side};
+pub(crate) use sphere::{ordinary_circle_side, ordinary_sphere_side};
+pub use weighted_point::WeightedPoint;
 
 /// A directed line through two different points, or the segment between them.
 pub type PlanarLine = [[f64; 2]; 2];

@@ -93,6 +93,8 @@ from coface._interfaces import interface
 from coface._models import as_chain_complex, as_complex, as_model, as_surface
 from coface._models import geo_interface as _geo_interface
 from coface._questions import (
+    alpha,
+    alpha_complex,
     arrange,
     boolean,
     bottleneck,
@@ -205,6 +207,8 @@ __all__ = [
     "Verified",
     "YinSet",
     "__version__",
+    "alpha",
+    "alpha_complex",
     "arrange",
     "as_chain_complex",
     "as_complex",

@@ -996,6 +996,115 @@ def rips(
     return found
 
 
+def _with_weights(points: Any, weights: Any) -> NDArray[np.float64]:
+    """Points with their weights behind them, if they have weights."""
+    rows = numbers(points, "points")
+    if rows.ndim != 2 and rows.size:
+        raise_invalid(f"points have the shape {rows.shape}", "give an array of two axes, a row for each point")
+    rows = rows.reshape(len(rows), -1)
+    if weights is None:
+        return rows
+    behind = numbers(weights, "weights")
+    if behind.shape != (len(rows),):
+        raise_invalid(f"weights have the shape {behind.shape} for {len(rows)} points", "give one weight for each point")
+    return np.column_stack([rows, behind])
+
+
+@in_words
+def alpha(
+    points: Any,
+    weights: Any = None,
+    *,
+    bound: float | None = None,
+    radii: bool = False,
+    coefficients: str | int = "f2",
+    least: float = 0.0,
+    progress: Any = False,
+) -> Persistence:
+    """Persistent homology of the alpha complex of points of at most three coordinates.
+
+    Values are squared radii, as those of ``gudhi.AlphaComplex``; each is the number nearest to the exact one. They are those at which balls around the
+    points meet, so that :func:`rips`, whose values are diameters, has at least twice the radii.
+
+    Parameters
+    ----------
+    points
+        An array of shape ``(points, coordinates)``.
+    weights
+        A weight for each point, a squared radius that is added to that of its ball: the simplices are those of the regular triangulation.
+    bound
+        The value at which the complex ends, as ``max_alpha_square`` of GUDHI.
+    radii
+        Whether values, and the bound, are radii instead of squared radii, as with ``output_squared_values=False`` of GUDHI.
+    coefficients
+        A prime field: ``"f2"``, ``"f3"``, ...
+    least
+        Classes that live no longer than this are left out.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    Persistence
+        ``diagram(degree)`` is an array ``(n, 2)`` of births and deaths, ``simplices(degree)`` has the points that make and end each class.
+
+    Examples
+    --------
+    The corners of a rectangle:
+
+    >>> import coface
+    >>> coface.alpha([[0, 0], [6, 0], [6, 8], [0, 8]]).diagram(1)
+    array([[16., 25.]])
+    >>> coface.alpha([[0, 0], [6, 0], [6, 8], [0, 8]], radii=True).diagram(1)
+    array([[4., 5.]])
+    """
+    found: Persistence = asked(
+        "alpha",
+        _with_weights(points, weights),
+        weighted=weights is not None,
+        bound=bound,
+        radii=radii,
+        coefficients=coefficients,
+        least=least,
+        progress=progress,
+    )
+    return found
+
+
+@in_words
+def alpha_complex(points: Any, weights: Any = None, bound: float | None = None, *, radii: bool = False) -> Model:
+    """The alpha complex of points at a value, or their whole Delaunay triangulation, as a model.
+
+    Parameters
+    ----------
+    points
+        As for :func:`alpha`.
+    weights
+        As for :func:`alpha`.
+    bound
+        The value: a squared radius, or a radius if `radii` is true. Without it the model is the whole triangulation.
+    radii
+        As for :func:`alpha`.
+
+    Returns
+    -------
+    Model
+        Tetrahedra, the triangles and edges in none of them, and points. Where points are in no simplex, because they equal others or weights hide
+        them, the others are numbered anew, and data ``point`` has their numbers; a warning says so.
+
+    Examples
+    --------
+    >>> import coface
+    >>> corners = [[0, 0], [6, 0], [6, 8], [0, 8]]
+    >>> coface.homology(coface.alpha_complex(corners, bound=16)).betti_numbers
+    (1, 1)
+    >>> coface.alpha_complex(corners).faces.shape
+    (2, 3)
+    """
+    table = _with_weights(points, weights)
+    return _coface.alpha_complex(table, weighted=weights is not None, bound=bound, radii=radii)
+
+
 @in_words
 def cubical(
     x: Any,

@@ -21,6 +21,8 @@ mod rips;
 mod torsion;
 
 #[cfg(test)]
+mod alpha_tests;
+#[cfg(test)]
 mod cycles_tests;
 #[cfg(test)]
 mod tests;

@@ -2,7 +2,7 @@
 //!
 //! The process that was called reads no model and no shard: it hands out requests, one a line, and shows what comes back.
 
-use crate::arguments::{Common, Limit, VoxelArguments, memory_limit};
+use crate::arguments::{AlphaArguments, Common, Limit, VoxelArguments, memory_limit};
 use crate::commands::merge::{Answer, Question};
 use crate::commands::shard::{Cut, CutRequest, GridArguments, cut_input, fingerprint};
 use crate::failure::Failure;
@@ -60,6 +60,7 @@ impl PartsOptions {
     /// Answers the question about an input.
     pub(super) fn run(&self, input: &Path, question: &Question, common: &Common) -> Result<(), Failure> {
         question.check()?;
+        common.alpha.refuse("homology --parts")?;
         if let Some(memory) = self.memory().filter(|&memory| memory < LEAST) {
             return Err(Failure::new(format!(
                 "{} of memory is too little for any part; give --memory {} or more",
@@ -445,6 +446,7 @@ fn shard(task: &ShardTask) -> Result<Reply, Failure> {
         lod: task.lod,
         pseudomanifold: task.pseudomanifold,
         voxels: task.voxels.clone(),
+        alpha: AlphaArguments::default(),
     };
     let progress = Progress::start(true);
     let asked = CutRequest {

@@ -8,7 +8,7 @@ use crate::remarks;
 use clap::Args;
 use coface::answers::answer::Remark;
 use coface::answers::{FoundRips, RipsRequest, TableForm};
-use coface::io::{Format, NumberTable};
+use coface::io::{NumberTable, vertices_of_path};
 use coface::topology::{Coefficients, Distances};
 use std::path::Path;
 
@@ -74,12 +74,11 @@ impl PointArguments {
         let name = input::name(path);
         let in_file = |error: coface::Error| Failure::from(error.in_file(name.clone()));
         let form = self.distances.or_else(|| form_of_extension(path));
-        if matches!(form, None | Some(TableForm::Points)) && self.delay.is_none() && is_model(path, common) {
-            let (_, producer) = input::produce(path, common.reading(), progress)?;
-            producer.require_finite().map_err(in_file)?;
-            let positions = producer.positions();
-            let table = NumberTable::from_rows(positions.as_flat().chunks(positions.dimension().max(1)));
-            return Ok((TableForm::Points.distances(&table).map_err(in_file)?, None));
+        if matches!(form, None | Some(TableForm::Points))
+            && self.delay.is_none()
+            && let Some(vertices) = vertices_of_path(path, &common.reading())?
+        {
+            return Ok((TableForm::Points.distances(&vertices).map_err(in_file)?, None));
         }
         let table = match Source::of(path)? {
             Source::File(path) => NumberTable::read_path(path)?,
@@ -107,17 +106,5 @@ fn form_of_extension(path: &Path) -> Option<TableForm> {
         Some("upper_distance_matrix") => Some(TableForm::Upper),
         Some("distance_matrix") => Some(TableForm::Square),
         _ => None,
-    }
-}
-
-/// Whether a file is read as a model, whose vertices are the points.
-fn is_model(path: &Path, common: &Common) -> bool {
-    let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or("");
-    let format = common.format.or_else(|| Format::from_name(extension).ok());
-    match format {
-        None | Some(Format::Npy) => false,
-        // Atoms have names, and tables of points have any number of columns.
-        Some(Format::Points) => extension.eq_ignore_ascii_case("xyz"),
-        Some(_) => true,
     }
 }

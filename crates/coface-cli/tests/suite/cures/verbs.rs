@@ -9,7 +9,36 @@ const TRIANGLE: Files = &[("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0
 /// The boundary of a tetrahedron.
 const SPHERE: Files = &[("sphere.json", "[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]")];
 
+/// Points of the plane, or, with a weight, of a line.
+const POINTS: Files = &[("points.csv", "0,0,1\n6,0,1\n6,8,1\n")];
+
 pub(super) const CASES: &[Case] = &[
+    Case::new("io/src/alpha.rs", "ask for their Vietoris-Rips filtration: coface persistence POINTS --rips")
+        .files(&[("points.csv", "1,2,3,4\n5,6,7,9\n")])
+        .refused("coface persistence points.csv --alpha")
+        .cured(&[&["coface persistence points.csv --rips"]]),
+    Case::new("io/src/alpha.rs", "leave out --radii, or --weighted")
+        .files(POINTS)
+        .refused("coface persistence points.csv --alpha --radii --weighted")
+        .cured(&[
+            &["coface persistence points.csv --alpha --weighted"],
+            &["coface persistence points.csv --alpha --radii"],
+        ]),
+    Case::new("commands/persistence.rs", "to end the alpha complex at the value A give --alpha A")
+        .files(POINTS)
+        .refused("coface persistence points.csv --alpha --threshold 9")
+        .cured(&[&["coface persistence points.csv --alpha 9"]]),
+    Case::new("commands/persistence.rs", "--rips and --alpha are two filtrations of points; give one of them")
+        .files(POINTS)
+        .refused("coface persistence points.csv --alpha --rips")
+        .cured(&[
+            &["coface persistence points.csv --alpha"],
+            &["coface persistence points.csv --rips"],
+        ]),
+    Case::new("src/arguments.rs", "write the complex first: coface convert POINTS --alpha -o COMPLEX.vtk")
+        .files(POINTS)
+        .refused("coface shard points.csv --alpha -o parts")
+        .cured(&[&["coface convert points.csv --alpha -o complex.vtk", "coface shard complex.vtk -o parts"]]),
     Case::new("persistence/points.rs", "or say what they are by --distances lower")
         .files(&[("a.csv", "1\n2 3\n")])
         .refused("coface persistence a.csv --rips")

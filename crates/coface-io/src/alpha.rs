@@ -1,0 +1,370 @@
+//! Points that are read as their alpha complex.
+
+use crate::number_table::NumberTable;
+use crate::readers::{ReadOptions, read_path_with};
+use crate::{CellData, Format, GroupKind, Model, ModelParts, Place, Remark, RemarkCode};
+use coface_algebra::{Error, RaggedArray, VertexId, memory};
+use coface_complexes::alpha::AlphaComplex;
+use coface_complexes::cell_mesh::CellShape;
+use coface_geometry::Positions;
+use coface_geometry::predicates::{orientation, spatial_orientation};
+use std::io::Read;
+use std::path::Path;
+
+/// How points become an alpha complex.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AlphaReading {
+    /// The value up to which simplices are kept; all without it.
+    pub bound: Option<f64>,
+    /// Whether the last number of each row is the weight of the point, a squared radius.
+    pub weighted: bool,
+    /// Whether values, and the bound, are radii instead of squared radii.
+    pub radii: bool,
+}
+
+impl AlphaReading {
+    /// The alpha complex of the points of a file: of the rows of a table, or the vertices of a model.
+    ///
+    /// # Errors
+    /// As of [`Self::points`] and [`read_path_with`]; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a model where
+    /// points have weights, which only tables have.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{AlphaReading, ReadOptions};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let path = std::env::temp_dir().join("coface-alpha.csv");
+    /// std::fs::write(&path, "0,0\n6,0\n0,8\n")?;
+    /// let found = AlphaReading::default().points_of_path(&path, &ReadOptions::new())?;
+    /// assert_eq!(found.complex().values(1), [9.0, 16.0, 25.0]);
+    /// # std::fs::remove_file(&path)?;
+    /// # Ok(()) }
+    /// ```
+    pub fn points_of_path(&self, path: impl AsRef<Path>, options: &ReadOptions) -> Result<AlphaPoints, Error> {
+        let path = path.as_ref();
+        let named = |error: Error| error.in_file(path.display().to_string());
+        let table = match vertices_of_path(path, options)? {
+            Some(_) if self.weighted => {
+                return Err(named(
+                    Error::invalid("a model has no weights of its vertices here")
+                        .with_cure("give a table with a row of coordinates and the weight for each point"),
+                ));
+            }
+            Some(vertices) => vertices,
+            None => NumberTable::read_path(path)?,
+        };
+        self.points(&table).map_err(named)
+    }
+
+    /// The alpha complex of the rows of a table.
+    ///
+    /// # Errors
+    /// Those of [`NumberTable::point_dimension`] and [`AlphaComplex::new`]; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) where
+    /// points with weights are to have radii, which may be roots of negative numbers; [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) where the memory
+    /// that is free would not do.
+    ///
+    /// # Examples
+    /// Two points of the plane, of which the first one has the weight 9.
+    /// ```
+    /// use coface_io::{AlphaReading, NumberTable};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let table = NumberTable::from_rows([[0.0, 0.0, 9.0], [6.0, 0.0, 0.0]]);
+    /// let reading = AlphaReading { weighted: true, ..AlphaReading::default() };
+    /// assert_eq!(reading.points(&table)?.complex().values(0), [-9.0, 0.0]);
+    /// # Ok(()) }
+    /// ```
+    pub fn points(&self, table: &NumberTable) -> Result<AlphaPoints, Error> {
+        if self.weighted && self.radii {
+            return Err(Error::invalid("with weights squared radii may be negative, and have no roots")
+                .with_cure("leave out --radii, or --weighted"));
+        }
+        let columns = table.point_dimension("give each point as many numbers")?;
+        let weights = usize::from(self.weighted);
+        let dimension = columns.saturating_sub(weights);
+        if table.row_count() > 0 && dimension == 0 {
+            return Err(Error::invalid("rows of one number have no room for a weight behind the coordinates")
+                .with_cure("write coordinates, and the weight behind them"));
+        }
+        if dimension > 3 {
+            return Err(Error::invalid(format!(
+                "points of {dimension} coordinates have no alpha complex here: it is made in dimension 1, 2 and 3"
+            ))
+            .with_cure("ask for their Vietoris-Rips filtration: coface persistence POINTS --rips"));
+        }
+        require_memory(table.row_count(), dimension)?;
+        let rows = || (0..table.row_count()).map(|row| table.row(row));
+        let flat = rows().flat_map(|row| row[..dimension].iter().copied()).collect();
+        let positions = Positions::from_flat(if columns == 0 { 0 } else { dimension }, flat)?;
+        let weights: Option<Vec<f64>> =
+            self.weighted.then(|| rows().map(|row| row[dimension]).collect());
+        let mut complex = AlphaComplex::new(&positions, weights.as_deref())?;
+        if self.radii {
+            complex = complex.with_radii();
+        }
+        if let Some(bound) = self.bound {
+            complex = complex.up_to(bound);
+        }
+        Ok(AlphaPoints { positions, complex })
+    }
+}
+
+/// Refuses points whose triangulation, if they are spread evenly, has no room.
+fn require_memory(count: usize, dimension: usize) -> Result<(), Error> {
+    let each = if dimension > 2 { SPATIAL_BYTES } else { PLANAR_BYTES };
+    memory::require((count as u64).saturating_mul(each), || {
+        format!("the alpha complex of {count} points of {dimension} coordinates")
+    })
+    .map_err(|error| error.with_cure("take fewer points, or allow more memory"))
+}
+
+/// Bytes for each point of space, and for each of the plane, as measured.
+const SPATIAL_BYTES: u64 = 2500;
+const PLANAR_BYTES: u64 = 600;
+
+/// The vertices of the model in a file as a table; `None` for a file that is a table of numbers by its name.
+///
+/// # Errors
+/// As of [`read_path_with`]; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a coordinate that is not finite.
+///
+/// # Examples
+/// ```
+/// use coface_io::{ReadOptions, vertices_of_path};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let path = std::env::temp_dir().join("coface-vertices.obj");
+/// std::fs::write(&path, "v 0 0 1\nv 2 0 0\n")?;
+/// let vertices = vertices_of_path(&path, &ReadOptions::new())?.expect("a model");
+/// assert_eq!(vertices.row(1), [2.0, 0.0, 0.0]);
+/// # std::fs::remove_file(&path)?;
+/// # Ok(()) }
+/// ```
+pub fn vertices_of_path(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Option<NumberTable>, Error> {
+    let path = path.as_ref();
+    let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or("");
+    let format = options.format.or_else(|| Format::from_name(extension).ok());
+    let is_model = match format {
+        None | Some(Format::Npy) => false,
+        // Atoms have names, and tables of points have any number of columns.
+        Some(Format::Points) => extension.eq_ignore_ascii_case("xyz"),
+        Some(_) => true,
+    };
+    if !is_model {
+        return Ok(None);
+    }
+    let model = read_path_with(path, &options.alpha(None))?;
+    model.require_finite().map_err(|error| error.in_file(path.display().to_string()))?;
+    let positions = model.positions();
+    Ok(Some(NumberTable::from_rows(positions.as_flat().chunks(positions.dimension().max(1)))))
+}
+
+/// Points with their alpha complex, up to a bound if there is one.
+#[derive(Clone, Debug)]
+pub struct AlphaPoints {
+    positions: Positions,
+    complex: AlphaComplex,
+}
+
+impl AlphaPoints {
+    /// The points.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{AlphaReading, NumberTable};
+    /// let found = AlphaReading::default().points(&NumberTable::from_rows([[0.0], [6.0]]));
+    /// assert_eq!(found.expect("an alpha complex").positions().len(), 2);
+    /// ```
+    pub fn positions(&self) -> &Positions {
+        &self.positions
+    }
+
+    /// The alpha complex.
+    ///
+    /// # Examples
+    /// See [`AlphaReading::points`].
+    pub fn complex(&self) -> &AlphaComplex {
+        &self.complex
+    }
+
+    /// What was left out: points that equal others, or that weights hide.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{AlphaReading, NumberTable};
+    /// let found = AlphaReading::default().points(&NumberTable::from_rows([[0.0], [6.0], [6.0]]));
+    /// assert_eq!(found.expect("an alpha complex").remark().expect("a point twice").count, 1);
+    /// ```
+    pub fn remark(&self) -> Option<Remark> {
+        let hidden = self.complex.hidden();
+        let (&first, count) = (hidden.first()?, hidden.len());
+        let what = if count == 1 { "1 point is".to_owned() } else { format!("{count} points are") };
+        let message = format!(
+            "{what} in no simplex, because each equals another point or is hidden by weights; the first one is point {}",
+            first.index()
+        );
+        Some(Remark::new(RemarkCode::InputReading, message).at(count, []))
+    }
+
+    /// The points and the complex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{AlphaReading, NumberTable};
+    /// let found = AlphaReading::default().points(&NumberTable::from_rows([[0.0], [6.0]]));
+    /// let (positions, complex) = found.expect("an alpha complex").into_parts();
+    /// assert_eq!((positions.len(), complex.values(1)), (2, &[9.0][..]));
+    /// ```
+    pub fn into_parts(self) -> (Positions, AlphaComplex) {
+        (self.positions, self.complex)
+    }
+
+    /// The complex as a mesh: tetrahedra, the triangles and edges that are in none, and points. Triangles of the plane run counterclockwise, and
+    /// tetrahedra are positive. Where points are in no simplex, the others are numbered anew, and data `point` has their numbers.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{AlphaReading, NumberTable};
+    /// let found = AlphaReading::default().points(&NumberTable::from_rows([[0.0, 0.0], [6.0, 0.0], [0.0, 8.0]]));
+    /// let model = found.expect("an alpha complex").into_model();
+    /// assert_eq!((model.vertex_count(), model.polygons().len()), (3, 1));
+    /// ```
+    pub fn into_model(self) -> Model {
+        let remarks: Vec<Remark> = self.remark().into_iter().collect();
+        let used = self.complex.complex().flat(0);
+        let is_whole = used.len() == self.positions.len();
+        let number = |id: u32| match is_whole {
+            true => id,
+            false => used.binary_search(&id).expect("a point of a simplex") as u32,
+        };
+        let dimension = self.positions.dimension().max(if used.is_empty() { 0 } else { 2 });
+        let coordinates = |id: u32| {
+            let point = self.positions.point(VertexId::new(id as usize));
+            (0..dimension).map(move |axis| point.get(axis).copied().unwrap_or(0.0))
+        };
+        let (mut polygons, mut cells) = (RaggedArray::new(), RaggedArray::new());
+        let (mut lines, mut points) = (RaggedArray::new(), Vec::new());
+        for facet in self.complex.facets_up_to(f64::INFINITY).iter() {
+            let mut corners = facet.to_vec();
+            if is_turned(&self.positions, facet) {
+                corners.swap(0, 1);
+            }
+            let corners: Vec<u32> = corners.into_iter().map(number).collect();
+            match corners[..] {
+                [point] => points.push(VertexId::new(point as usize)),
+                [_, _] => lines.push(&corners),
+                [_, _, _] => polygons.push(&corners),
+                _ => cells.push(&corners),
+            }
+        }
+        let flat = used.iter().flat_map(|&id| coordinates(id)).collect();
+        let positions = Positions::from_flat(dimension, flat).expect("points have finite coordinates");
+        let mut data = Vec::new();
+        if !is_whole {
+            let numbers = used.iter().map(|&id| i64::from(id)).collect();
+            let named = CellData::integers("point", GroupKind::Vertices, 1, numbers);
+            data.push(named.expect("one number for each point"));
+        }
+        let shapes = vec![CellShape::Tetrahedron; cells.len()];
+        ModelParts {
+            format: Some(Format::Points),
+            vertex_count: used.len(),
+            positions,
+            polygons,
+            shapes,
+            cells,
+            lines,
+            points,
+            data,
+            remarks,
+            ..ModelParts::default()
+        }
+        .into_model()
+    }
+}
+
+/// Whether a triangle of the plane or a tetrahedron runs the wrong way.
+fn is_turned(positions: &Positions, corners: &[u32]) -> bool {
+    let point = |id: u32| positions.point(VertexId::new(id as usize));
+    match *corners {
+        [a, b, c] if positions.dimension() == 2 => {
+            let [a, b, c] = [a, b, c].map(|id| [point(id)[0], point(id)[1]]);
+            orientation(a, b, c).is_lt()
+        }
+        [a, b, c, d] => {
+            let [a, b, c, d] = [a, b, c, d].map(|id| [point(id)[0], point(id)[1], point(id)[2]]);
+            spatial_orientation(a, b, c, d).is_lt()
+        }
+        _ => false,
+    }
+}
+
+/// The model of the points in a file, if they are to be read as an alpha complex.
+pub(crate) fn model_of_path(path: &Path, options: &ReadOptions) -> Option<Result<Model, Error>> {
+    let alpha = options.alpha?;
+    let read = || {
+        let model = alpha.points_of_path(path, options)?.into_model();
+        options.accept(model.remarks()).map_err(|error| error.in_file(path.display().to_string()))?;
+        Ok(model)
+    };
+    Some(read())
+}
+
+/// The model of the points in a stream, if they are to be read as an alpha complex.
+pub(crate) fn model_of_stream(input: &mut dyn Read, options: &ReadOptions) -> Option<Result<Model, Error>> {
+    let alpha = options.alpha?;
+    let read = || {
+        let model = alpha.points(&NumberTable::read(input)?)?.into_model();
+        options.accept(model.remarks())?;
+        Ok(model)
+    };
+    Some(read())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::read_with;
+
+    fn read(text: &str, alpha: AlphaReading) -> Result<Model, Error> {
+        read_with(text.as_bytes(), &ReadOptions::new().alpha(alpha))
+    }
+
+    #[test]
+    fn points_that_are_hidden_leave_no_vertex() {
+        let model = read("0 0\n6 0\n6 0\n0 8\n", AlphaReading::default()).unwrap();
+        assert_eq!((model.vertex_count(), model.polygons().len(), model.remarks().len()), (3, 1, 1));
+        assert_eq!(model.data_named("point", GroupKind::Vertices).unwrap().integer_row(2), Some(vec![3]));
+        model.check().unwrap();
+        let strict = ReadOptions::new().alpha(AlphaReading::default()).strict(true);
+        assert!(read_with(&b"0 0\n0 0\n"[..], &strict).is_err());
+    }
+
+    #[test]
+    fn bounds_are_values() {
+        let count = |bound: f64, radii: bool| {
+            let alpha = AlphaReading { bound: Some(bound), radii, ..AlphaReading::default() };
+            let model = read("0 0 0\n6 0 0\n0 8 0\n0 0 1\n", alpha).unwrap();
+            model.check().unwrap();
+            (model.cells().len(), model.polygons().len(), model.lines().len(), model.points().len())
+        };
+        assert_eq!(count(0.0, false), (0, 0, 0, 4));
+        assert_eq!(count(9.0, false).2, count(3.0, true).2);
+        assert_eq!(count(1e9, false), (1, 0, 0, 0));
+    }
+
+    #[test]
+    fn nothing_is_an_empty_model() {
+        assert!(read("", AlphaReading::default()).unwrap().is_empty());
+        assert_eq!(read("5 5 5\n", AlphaReading::default()).unwrap().vertex_count(), 1);
+        assert_eq!(read("5\n7\n", AlphaReading::default()).unwrap().lines().len(), 1);
+    }
+
+    #[test]
+    fn faults_are_named() {
+        let fault = |text: &str, alpha| read(text, alpha).unwrap_err().to_string();
+        let weighted = AlphaReading { weighted: true, ..AlphaReading::default() };
+        assert!(fault("1 2 3 4\n", AlphaReading::default()).contains("--rips"));
+        assert!(fault("1 2\n1 2 3\n", AlphaReading::default()).contains("point 1 has 3 coordinates"));
+        assert!(fault("1 2\n1 nan\n", AlphaReading::default()).contains("NaN"));
+        assert!(fault("1\n", weighted).contains("the weight behind them"));
+        assert!(fault("1 2 1\n", AlphaReading { radii: true, ..weighted }).contains("leave out --radii"));
+    }
+}

@@ -1,0 +1,131 @@
+//! Diagrams of alpha complexes against those of Čech complexes, which the nerve theorem says are the same.
+
+use super::{Filtration, persistence};
+use crate::homology::Coefficients;
+use coface_algebra::{RaggedArray, VertexId};
+use coface_complexes::alpha::AlphaComplex;
+use coface_complexes::simplicial::FrozenComplex;
+use coface_geometry::Positions;
+use coface_geometry::predicates::{
+    WeightedPoint, orientation, smallest_sphere, smallest_sphere_side, spatial_orientation, sphere_side,
+};
+use proptest::prelude::*;
+
+/// Whether points are affinely independent.
+fn are_independent(points: &[WeightedPoint]) -> bool {
+    let at = |i: usize| points[i].point();
+    let is_turn = |axis: usize| {
+        let [a, b, c] = [0, 1, 2].map(|i| [at(i)[axis], at(i)[(axis + 1) % 3]]);
+        orientation(a, b, c).is_ne()
+    };
+    match points.len() {
+        1 => true,
+        2 => at(0) != at(1),
+        3 => (0..3).any(is_turn),
+        _ => spatial_orientation(at(0), at(1), at(2), at(3)).is_ne(),
+    }
+}
+
+/// Whether a point is outside of the smallest sphere of others.
+fn is_outside(through: &[WeightedPoint], q: WeightedPoint) -> bool {
+    match *through {
+        [a, b, c, d] => {
+            let run = spatial_orientation(a.point(), b.point(), c.point(), d.point());
+            sphere_side(if run.is_lt() { [b, a, c, d] } else { [a, b, c, d] }, q).is_lt()
+        }
+        _ => smallest_sphere_side(through, q).is_lt(),
+    }
+}
+
+/// The squared radius at which the balls of these points have a common point: that of the smallest of the spheres of some of them that no other one is
+/// outside of.
+fn ball(points: &[WeightedPoint]) -> f64 {
+    let mut least = f64::INFINITY;
+    for chosen in 1u32..1 << points.len() {
+        let some: Vec<WeightedPoint> =
+            (0..points.len()).filter(|i| chosen >> i & 1 == 1).map(|i| points[i]).collect();
+        let is_supported = some.len() <= 4
+            && are_independent(&some)
+            && !(0..points.len()).any(|i| chosen >> i & 1 == 0 && is_outside(&some, points[i]));
+        if is_supported {
+            least = least.min(smallest_sphere(&some));
+        }
+    }
+    least
+}
+
+/// Births and deaths that differ, below a degree.
+fn diagram(complex: &FrozenComplex, values: Vec<Vec<f64>>, end: usize) -> Vec<(usize, f64, Option<f64>)> {
+    let chains = complex.chain_complex().unwrap();
+    let filtration = Filtration::new(&chains, values).unwrap();
+    let found = persistence(&chains, &filtration, Coefficients::Modulo(3)).unwrap().longer_than(0.0);
+    let mut pairs: Vec<_> = found
+        .pairs()
+        .iter()
+        .filter(|pair| pair.degree() < end)
+        .map(|pair| (pair.degree(), pair.birth(), pair.death()))
+        .collect();
+    pairs.sort_by(|a, b| a.partial_cmp(b).unwrap());
+    pairs
+}
+
+fn of_alpha(points: &Positions, weights: Option<&[f64]>) -> Vec<(usize, f64, Option<f64>)> {
+    let (complex, values) = AlphaComplex::new(points, weights).unwrap().into_parts();
+    diagram(&complex, values, points.dimension())
+}
+
+/// All sets of points up to one more than their dimension.
+fn of_cech(points: &Positions, weights: Option<&[f64]>) -> Vec<(usize, f64, Option<f64>)> {
+    let (dimension, count) = (points.dimension(), points.len());
+    let all: Vec<WeightedPoint> = (0..count)
+        .map(|id| {
+            let point = points.point(VertexId::new(id));
+            let point = [0, 1, 2].map(|axis| point.get(axis).copied().unwrap_or(0.0));
+            WeightedPoint::new(point, weights.map_or(0.0, |weights| weights[id]))
+        })
+        .collect();
+    let mut facets = RaggedArray::new();
+    for chosen in 1u32..1 << count {
+        let some: Vec<u32> = (0..count as u32).filter(|i| chosen >> i & 1 == 1).collect();
+        if some.len() <= dimension + 1 {
+            facets.push(&some);
+        }
+    }
+    let complex = FrozenComplex::from_facets(&facets).unwrap();
+    let value = |degree: usize, i: usize| {
+        let ids = complex.numbers(degree, i);
+        ball(&ids.iter().map(|&id| all[id as usize]).collect::<Vec<_>>())
+    };
+    let counts = complex.f_vector();
+    let values = counts.iter().enumerate().map(|(k, &n)| (0..n).map(|i| value(k, i)).collect()).collect();
+    diagram(&complex, values, dimension)
+}
+
+/// Points of a small grid, where many are on one circle, or anywhere; with weights or without.
+fn points() -> impl Strategy<Value = (Positions, Option<Vec<f64>>)> {
+    let coordinate = prop_oneof![
+        2 => (0i32..3).prop_map(f64::from),
+        1 => (0i32..1000).prop_map(|x| f64::from(x) * 0.003),
+    ];
+    let weight = prop_oneof![Just(0.0), (-2i32..4).prop_map(f64::from)];
+    let weights = prop::option::of(prop::collection::vec(weight, 8));
+    (1usize..4, prop::collection::vec(coordinate, 24), 1usize..8, weights).prop_map(
+        |(dimension, mut flat, count, weights)| {
+            flat.truncate(dimension * count);
+            let weights = weights.map(|mut weights| {
+                weights.truncate(count);
+                weights
+            });
+            (Positions::from_flat(dimension, flat).unwrap(), weights)
+        },
+    )
+}
+
+proptest! {
+    /// Invariant 121.
+    #[test]
+    fn alpha_and_cech_complexes_have_one_diagram((points, weights) in points()) {
+        let weights = weights.as_deref();
+        prop_assert_eq!(of_alpha(&points, weights), of_cech(&points, weights));
+    }
+}
