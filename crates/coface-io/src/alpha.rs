@@ -2,7 +2,7 @@
 
 use crate::number_table::NumberTable;
 use crate::readers::{ReadOptions, read_path_with};
-use crate::{CellData, Format, GroupKind, Model, ModelParts, Place, Remark, RemarkCode};
+use crate::{CellData, Format, GroupKind, Model, ModelParts, Remark, RemarkCode};
 use coface_algebra::{Error, RaggedArray, VertexId, memory};
 use coface_complexes::alpha::AlphaComplex;
 use coface_complexes::cell_mesh::CellShape;
@@ -43,7 +43,7 @@ impl AlphaReading {
     pub fn points_of_path(&self, path: impl AsRef<Path>, options: &ReadOptions) -> Result<AlphaPoints, Error> {
         let path = path.as_ref();
         let named = |error: Error| error.in_file(path.display().to_string());
-        let table = match vertices_of_path(path, options)? {
+        let (table, remarks) = match vertices_of_path(path, options)? {
             Some(_) if self.weighted => {
                 return Err(named(
                     Error::invalid("a model has no weights of its vertices here")
@@ -51,9 +51,11 @@ impl AlphaReading {
                 ));
             }
             Some(vertices) => vertices,
-            None => NumberTable::read_path(path)?,
+            None => (NumberTable::read_path(path)?, Vec::new()),
         };
-        self.points(&table).map_err(named)
+        let mut points = self.points(&table).map_err(named)?;
+        points.remarks.splice(..0, remarks);
+        Ok(points)
     }
 
     /// The alpha complex of the rows of a table.
@@ -104,7 +106,8 @@ impl AlphaReading {
         if let Some(bound) = self.bound {
             complex = complex.up_to(bound);
         }
-        Ok(AlphaPoints { positions, complex })
+        let remarks = hidden_points(complex.hidden()).into_iter().collect();
+        Ok(AlphaPoints { positions, complex, remarks })
     }
 }
 
@@ -121,7 +124,7 @@ fn require_memory(count: usize, dimension: usize) -> Result<(), Error> {
 const SPATIAL_BYTES: u64 = 2500;
 const PLANAR_BYTES: u64 = 600;
 
-/// The vertices of the model in a file as a table; `None` for a file that is a table of numbers by its name.
+/// The vertices of the model in a file as a table, and what its reader assumed; `None` for a file that is a table of numbers by its name.
 ///
 /// # Errors
 /// As of [`read_path_with`]; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a coordinate that is not finite.
@@ -132,12 +135,15 @@ const PLANAR_BYTES: u64 = 600;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let path = std::env::temp_dir().join("coface-vertices.obj");
 /// std::fs::write(&path, "v 0 0 1\nv 2 0 0\n")?;
-/// let vertices = vertices_of_path(&path, &ReadOptions::new())?.expect("a model");
+/// let (vertices, _) = vertices_of_path(&path, &ReadOptions::new())?.expect("a model");
 /// assert_eq!(vertices.row(1), [2.0, 0.0, 0.0]);
 /// # std::fs::remove_file(&path)?;
 /// # Ok(()) }
 /// ```
-pub fn vertices_of_path(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Option<NumberTable>, Error> {
+pub fn vertices_of_path(
+    path: impl AsRef<Path>,
+    options: &ReadOptions,
+) -> Result<Option<(NumberTable, Vec<Remark>)>, Error> {
     let path = path.as_ref();
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or("");
     let format = options.format.or_else(|| Format::from_name(extension).ok());
@@ -153,7 +159,8 @@ pub fn vertices_of_path(path: impl AsRef<Path>, options: &ReadOptions) -> Result
     let model = read_path_with(path, &options.alpha(None))?;
     model.require_finite().map_err(|error| error.in_file(path.display().to_string()))?;
     let positions = model.positions();
-    Ok(Some(NumberTable::from_rows(positions.as_flat().chunks(positions.dimension().max(1)))))
+    let table = NumberTable::from_rows(positions.as_flat().chunks(positions.dimension().max(1)));
+    Ok(Some((table, model.remarks().to_vec())))
 }
 
 /// Points with their alpha complex, up to a bound if there is one.
@@ -161,6 +168,7 @@ pub fn vertices_of_path(path: impl AsRef<Path>, options: &ReadOptions) -> Result
 pub struct AlphaPoints {
     positions: Positions,
     complex: AlphaComplex,
+    remarks: Vec<Remark>,
 }
 
 impl AlphaPoints {
@@ -184,23 +192,16 @@ impl AlphaPoints {
         &self.complex
     }
 
-    /// What was left out: points that equal others, or that weights hide.
+    /// What the reader assumed, and how many points are in no simplex: those that equal others, or that weights hide.
     ///
     /// # Examples
     /// ```
     /// use coface_io::{AlphaReading, NumberTable};
     /// let found = AlphaReading::default().points(&NumberTable::from_rows([[0.0], [6.0], [6.0]]));
-    /// assert_eq!(found.expect("an alpha complex").remark().expect("a point twice").count, 1);
+    /// assert_eq!(found.expect("an alpha complex").remarks()[0].count, 1);
     /// ```
-    pub fn remark(&self) -> Option<Remark> {
-        let hidden = self.complex.hidden();
-        let (&first, count) = (hidden.first()?, hidden.len());
-        let what = if count == 1 { "1 point is".to_owned() } else { format!("{count} points are") };
-        let message = format!(
-            "{what} in no simplex, because each equals another point or is hidden by weights; the first one is point {}",
-            first.index()
-        );
-        Some(Remark::new(RemarkCode::InputReading, message).at(count, []))
+    pub fn remarks(&self) -> &[Remark] {
+        &self.remarks
     }
 
     /// The points and the complex.
@@ -227,7 +228,6 @@ impl AlphaPoints {
     /// assert_eq!((model.vertex_count(), model.polygons().len()), (3, 1));
     /// ```
     pub fn into_model(self) -> Model {
-        let remarks: Vec<Remark> = self.remark().into_iter().collect();
         let used = self.complex.complex().flat(0);
         let is_whole = used.len() == self.positions.len();
         let number = |id: u32| match is_whole {
@@ -273,11 +273,22 @@ impl AlphaPoints {
             lines,
             points,
             data,
-            remarks,
+            remarks: self.remarks,
             ..ModelParts::default()
         }
         .into_model()
     }
+}
+
+/// A remark on points in no simplex.
+fn hidden_points(hidden: &[VertexId]) -> Option<Remark> {
+    let (&first, count) = (hidden.first()?, hidden.len());
+    let what = if count == 1 { "1 point is".to_owned() } else { format!("{count} points are") };
+    let message = format!(
+        "{what} in no simplex, because each equals another point or is hidden by weights; the first one is point {}",
+        first.index()
+    );
+    Some(Remark::new(RemarkCode::InputReading, message).at(count, []))
 }
 
 /// Whether a triangle of the plane or a tetrahedron runs the wrong way.

@@ -1,6 +1,7 @@
 //! Persistent homology along a filtration.
 
 use crate::arrays;
+use crate::chain::Chain;
 use crate::chain_complex::{ChainComplex, ring};
 use crate::diagrams::{self, Curves};
 use crate::errors::{OrRaise, invalid, warn, whole};
@@ -46,7 +47,14 @@ pub(crate) struct Persistence {
 
 /// The diagram of a complex, whose cells have names, of points, or of an image.
 enum Diagram {
-    Complex { diagram: PersistenceDiagram, naming: Arc<Naming>, complex: Arc<Chains> },
+    Complex {
+        diagram: PersistenceDiagram,
+        naming: Arc<Naming>,
+        complex: Arc<Chains>,
+        filtration: Arc<Filtration>,
+        /// Classes that live no longer were left out.
+        least: f64,
+    },
     Points(FoundRips),
     Image(FoundImage),
 }
@@ -128,12 +136,13 @@ pub(crate) fn persistence(
             Some(lists)
         }
     };
-    let diagram = run(py, progress, || {
+    let (diagram, filtration) = run(py, progress, || {
         let filtration = filtration(complex, vertex_values, cell_values, upper)?;
-        Ok(topology::persistence(&complex.complex, &filtration, field)?.longer_than(least))
+        Ok((topology::persistence(&complex.complex, &filtration, field)?.longer_than(least), filtration))
     })?;
     let (naming, complex) = (Arc::clone(&complex.naming), Arc::clone(&complex.complex));
-    Ok(Persistence { diagram: Diagram::Complex { diagram, naming, complex } })
+    let filtration = Arc::new(filtration);
+    Ok(Persistence { diagram: Diagram::Complex { diagram, naming, complex, filtration, least } })
 }
 
 /// Persistent homology of the Vietoris-Rips filtration of points or distances.
@@ -228,16 +237,18 @@ pub(crate) fn alpha(
 ) -> PyResult<Persistence> {
     let table = rows(table)?;
     let field = coefficients.map_or(Ok(Coefficients::Modulo(2)), ring)?;
-    let (diagram, simplices, complex) = run(py, progress, || {
+    let (diagram, simplices, complex, filtration) = run(py, progress, || {
         let points = AlphaReading { bound, weighted, radii }.points(&table)?;
         let (_, alpha) = points.into_parts();
         let (simplices, values) = alpha.into_parts();
         let complex = simplices.chain_complex()?;
         let filtration = Filtration::new(&complex, values)?;
-        Ok((topology::persistence(&complex, &filtration, field)?.longer_than(least), simplices, complex))
+        let diagram = topology::persistence(&complex, &filtration, field)?.longer_than(least);
+        Ok((diagram, simplices, complex, filtration))
     })?;
     let naming = Arc::new(Naming::of(Names::Simplices(Arc::new(simplices))));
-    Ok(Persistence { diagram: Diagram::Complex { diagram, naming, complex: Arc::new(complex) } })
+    let (complex, filtration) = (Arc::new(complex), Arc::new(filtration));
+    Ok(Persistence { diagram: Diagram::Complex { diagram, naming, complex, filtration, least } })
 }
 
 /// The alpha complex of points as a model.
@@ -447,6 +458,17 @@ impl Persistence {
             Diagram::Image(_) => Err(no_cells(py)),
         }
     }
+}
+
+/// A cycle, the chain that it bounds, and a cocycle.
+type ProvedClass = (Chain, Option<Chain>, Chain);
+
+fn no_complex(py: Python<'_>) -> PyErr {
+    invalid(
+        py,
+        "cycles are known of the diagrams of complexes".to_owned(),
+        "ask coface.persistence(x, values), or coface.alpha(points) where there are points",
+    )
 }
 
 fn no_cells(py: Python<'_>) -> PyErr {
@@ -777,6 +799,76 @@ impl Persistence {
         Ok(PyArray1::from_vec(py, places).reshape([pairs.len(), 2, axes])?.into_any())
     }
 
+    /// What proves the classes of a degree: for each a cycle, the chain that it bounds, and a cocycle, over the field.
+    ///
+    /// Each is a :class:`Chain` with ``cells``, ``coefficients`` and ``simplices`` as arrays. The cycle is there from the birth on, and bounds from the death
+    /// on, not before; the cocycle is one of the cells before the death, with the value 1 on the cycle. Over the field of p elements coefficients are the
+    /// whole numbers of least absolute value. Chains are not made short.
+    ///
+    /// Parameters
+    /// ----------
+    /// degree : int
+    ///     The degree.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Returns
+    /// -------
+    /// list of tuple
+    ///     ``(cycle, bounding_chain, cocycle)`` for each row of :meth:`diagram`; the bounding chain is ``None`` for a class that never dies.
+    ///
+    /// Examples
+    /// --------
+    /// The rim of a triangle, which is filled later:
+    ///
+    /// >>> import coface
+    /// >>> rim = coface.persistence([[0, 1, 2]], cell_values=[[0.0] * 3, [1.0] * 3, [5.0]])
+    /// >>> ((cycle, bounding_chain, cocycle),) = rim.cycles(1)
+    /// >>> cycle.simplices, bounding_chain.simplices
+    /// (array([[0, 1],
+    ///        [0, 2],
+    ///        [1, 2]], dtype=int32), array([[0, 1, 2]], dtype=int32))
+    #[pyo3(signature = (degree, *, progress=None))]
+    fn cycles(
+        &self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = whole)] degree: usize,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Vec<ProvedClass>> {
+        let Diagram::Complex { diagram, naming, complex, filtration, least } = &self.diagram else {
+            return Err(no_complex(py));
+        };
+        let found = run(py, progress, || {
+            let field = Coefficients::Modulo(diagram.prime().into());
+            let whole = topology::persistence(complex, filtration, field)?;
+            topology::persistent_cycles(complex, filtration, &whole, *least)
+        })?;
+        let chain = |degree: usize, terms: &[(CellId, Integer)], is_cochain: bool| Chain {
+            degree,
+            terms: terms.to_vec(),
+            cell_count: complex.cell_count(degree),
+            naming: Arc::clone(naming),
+            is_cochain,
+        };
+        let proved = found.iter().filter(|class| class.pair().degree() == degree).map(|class| {
+            let bounding = class.bounding_chain().map(|bounding| chain(degree + 1, bounding.terms(), false));
+            let cycle = chain(degree, class.cycle().terms(), false);
+            (cycle, bounding, chain(degree, class.cocycle().terms(), true))
+        });
+        Ok(proved.collect())
+    }
+
+    /// The primes over whose fields other cells are paired than over the rational numbers: those of torsion along the way.
+    ///
+    /// Returns
+    /// -------
+    /// list of int
+    ///     The primes, rising.
+    fn torsion_primes(&self, py: Python<'_>) -> PyResult<Vec<u32>> {
+        let Diagram::Complex { complex, filtration, .. } = &self.diagram else { return Err(no_complex(py)) };
+        run(py, None, || topology::torsion_primes(complex, filtration))
+    }
+
     /// The cycle that a death cell fills: its boundary.
     ///
     /// Parameters
@@ -795,7 +887,7 @@ impl Persistence {
         py: Python<'_>,
         #[pyo3(from_py_with = whole)] degree: usize,
         #[pyo3(from_py_with = whole)] place: usize,
-    ) -> PyResult<Option<crate::homology::Chain>> {
+    ) -> PyResult<Option<Chain>> {
         self.require_complex(py)?;
         let Diagram::Complex { naming, complex, .. } = &self.diagram else { return Ok(None) };
         let Some(pair) = self.pairs_of_degree(degree).get(place) else {
@@ -811,16 +903,18 @@ impl Persistence {
         let terms = terms.map(|(row, x)| (CellId::new(row), Integer::from(x))).collect();
         let cell_count = complex.cell_count(degree);
         let naming = Arc::clone(naming);
-        Ok(Some(crate::homology::Chain { degree, terms, cell_count, naming, is_cochain: false }))
+        Ok(Some(Chain { degree, terms, cell_count, naming, is_cochain: false }))
     }
 
     /// The diagram without classes that live no longer than this.
     fn longer_than(&self, length: f64) -> Self {
         let diagram = match &self.diagram {
-            Diagram::Complex { diagram, naming, complex } => Diagram::Complex {
+            Diagram::Complex { diagram, naming, complex, filtration, least } => Diagram::Complex {
                 diagram: diagram.longer_than(length),
                 naming: Arc::clone(naming),
                 complex: Arc::clone(complex),
+                filtration: Arc::clone(filtration),
+                least: least.max(length),
             },
             Diagram::Points(found) => Diagram::Points(found.longer_than(length)),
             Diagram::Image(found) => Diagram::Image(found.longer_than(length)),

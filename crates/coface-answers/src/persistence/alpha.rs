@@ -3,7 +3,7 @@
 use super::Growth;
 use crate::Producer;
 use crate::producer::{Cells, Labels};
-use coface_io::{AlphaPoints, Remark};
+use coface_io::AlphaPoints;
 
 /// Points with the simplices of their alpha complex and the values at which these enter: what a
 /// [`PersistenceRequest`](super::PersistenceRequest) is put to.
@@ -35,7 +35,7 @@ impl AlphaFiltration {
     /// # Examples
     /// See [`AlphaFiltration`].
     pub fn new(points: AlphaPoints, radii: bool) -> Self {
-        let remarks: Vec<Remark> = points.remark().into_iter().collect();
+        let remarks = points.remarks().to_vec();
         let (positions, alpha) = points.into_parts();
         let (complex, values) = alpha.into_parts();
         let producer = Producer {

@@ -2,7 +2,7 @@
 
 use super::arithmetic::{Arithmetic, cross, dot, sign_of, vector};
 use super::double_double::is_ordinary;
-use super::{Dyadic, WeightedPoint};
+use super::WeightedPoint;
 use std::cmp::Ordering;
 
 /// What a determinant of an in-sphere test may lose of the sum of the sizes of its terms: differences, products, weights and sums have at most 21 unit

@@ -72,12 +72,14 @@ impl PointArguments {
         progress: &Progress,
     ) -> Result<(Distances, Option<Remark>), Failure> {
         let name = input::name(path);
+        progress.stage(format!("reading {name}"));
         let in_file = |error: coface::Error| Failure::from(error.in_file(name.clone()));
         let form = self.distances.or_else(|| form_of_extension(path));
         if matches!(form, None | Some(TableForm::Points))
             && self.delay.is_none()
-            && let Some(vertices) = vertices_of_path(path, &common.reading())?
+            && let Some((vertices, said)) = vertices_of_path(path, &common.reading())?
         {
+            remarks::take(&name, &said);
             return Ok((TableForm::Points.distances(&vertices).map_err(in_file)?, None));
         }
         let table = match Source::of(path)? {

@@ -1,0 +1,85 @@
+"""Alpha complexes of points, and the cycles of their diagrams."""
+
+from __future__ import annotations
+
+import pickle
+
+import numpy as np
+import pytest
+
+import coface
+
+SQUARE = np.array([[0, 0], [6, 0], [6, 8], [0, 8]])
+
+
+def test_a_rectangle() -> None:
+    found = coface.alpha(SQUARE)
+    np.testing.assert_array_equal(found.diagram(1), [[16, 25]])
+    np.testing.assert_array_equal(coface.alpha(SQUARE, radii=True).diagram(1), [[4, 5]])
+    assert coface.alpha(SQUARE, bound=20).betti_numbers == (1, 1)
+    assert coface.alpha(SQUARE, bound=20, coefficients=3).prime == 3
+    again = pickle.loads(pickle.dumps(found))
+    np.testing.assert_array_equal(again.diagram(0), found.diagram(0))
+    ((edge, triangle),) = found.simplices(1)
+    assert len(edge) == 2 and triangle is not None and len(triangle) == 3
+
+
+def test_a_model_at_a_value() -> None:
+    model = coface.alpha_complex(SQUARE, bound=16)
+    assert coface.homology(model).betti_numbers == (1, 1)
+    assert coface.alpha_complex(SQUARE).faces.shape == (2, 3)
+    corners = np.array(np.meshgrid([0, 1], [0, 1], [0, 1])).reshape(3, -1).T
+    assert coface.homology(coface.alpha_complex(corners)).betti_numbers[0] == 1
+    with pytest.warns(UserWarning, match="1 point is in no simplex"):
+        twice = coface.alpha_complex(np.vstack([SQUARE, SQUARE[:1]]))
+    assert len(twice.positions) == 4
+
+
+def test_weights() -> None:
+    found = coface.alpha([[0.0], [4.0]], weights=[4, 0])
+    np.testing.assert_array_equal(found.diagram(0), [[-4, np.inf], [0, 2.25]])
+    with pytest.raises(coface.InvalidInputError, match="leave out radii, or weights"):
+        coface.alpha([[0.0]], weights=[1], radii=True)
+    with pytest.raises(coface.InvalidInputError, match="one weight for each point"):
+        coface.alpha([[0.0]], weights=[1, 2])
+
+
+def test_wrong_points() -> None:
+    with pytest.raises(coface.InvalidInputError, match=r"coface.rips\(points\)"):
+        coface.alpha(np.zeros((2, 4)))
+    with pytest.raises(coface.InvalidInputError, match="two axes"):
+        coface.alpha(np.zeros(3))
+    assert coface.alpha(np.zeros((0, 3))).betti_numbers == ()
+
+
+@pytest.mark.parametrize("prime", [2, 3, 7])
+def test_cycles_are_proofs(prime: int) -> None:
+    points = np.random.default_rng(7).random((40, 3))
+    found = coface.alpha(points, coefficients=prime, least=1e-3)
+    complex = coface.as_chain_complex(coface.Complex(coface.alpha_complex(points).cells.reshape(-1, 4)))
+    for degree in range(3):
+        proved = found.cycles(degree)
+        assert len(proved) == len(found.diagram(degree))
+        for (_, death), (cycle, bounding_chain, cocycle) in zip(found.diagram(degree), proved, strict=True):
+            assert (cycle.degree, cocycle.degree, cocycle.is_cochain) == (degree, degree, True)
+            assert np.isinf(death) == (bounding_chain is None)
+            # Cells are numbered alike: simplices in lexicographic order.
+            if degree:
+                boundary = complex.boundary(degree) @ cycle.as_vector()
+                assert not (boundary.toarray() % prime).any()
+            if bounding_chain is not None:
+                rim = complex.boundary(degree + 1) @ bounding_chain.as_vector()
+                assert not ((rim - cycle.as_vector()).toarray() % prime).any()
+            value = (cocycle.as_vector().T @ cycle.as_vector()).toarray()[0, 0]
+            assert value % prime == 1
+    assert found.torsion_primes() == []
+    assert len(found.longer_than(0.05).cycles(1)) == len(found.longer_than(0.05).diagram(1))
+
+
+def test_cycles_of_functions() -> None:
+    circle = coface.persistence([[0, 1], [1, 2], [0, 2]], [0.0, 1.0, 2.0])
+    ((cycle, bounding_chain, cocycle),) = circle.cycles(1)
+    assert bounding_chain is None and cycle.coefficients.tolist() == [1, 1, 1]
+    assert cocycle.cells.tolist() == [2] or len(cocycle) == 1
+    with pytest.raises(coface.InvalidInputError, match="diagrams of complexes"):
+        coface.rips([[0.0], [1.0]]).cycles(0)
