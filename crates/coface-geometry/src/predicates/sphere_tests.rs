@@ -79,7 +79,7 @@ fn side(through: &[WeightedPoint], q: WeightedPoint) -> Option<Ordering> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(ProptestConfig::with_cases(400))]
     /// Invariant 51.
     #[test]
     fn sides_of_spheres_are_those_of_fractions(points in prop::array::uniform5(weighted_point())) {
