@@ -1,4 +1,5 @@
 //! Decisions about spheres against fractions.
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use super::samples::{coordinate, rational};
 use super::{

@@ -21,8 +21,6 @@ mod rips;
 mod torsion;
 
 #[cfg(test)]
-mod alpha_tests;
-#[cfg(test)]
 mod cycles_tests;
 #[cfg(test)]
 mod tests;

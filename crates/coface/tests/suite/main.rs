@@ -1,5 +1,6 @@
 //! Tests of the library as a whole, through its front door, in one program: each test program links everything anew.
 
+mod alpha_complexes;
 mod ball_cells;
 mod grids;
 #[path = "../../../coface-arrange/tests/suite/solids/mod.rs"]

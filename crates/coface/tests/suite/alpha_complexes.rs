@@ -1,14 +1,14 @@
 //! Diagrams of alpha complexes against those of Čech complexes, which the nerve theorem says are the same.
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
-use super::{Filtration, persistence};
-use crate::homology::Coefficients;
-use coface_algebra::{RaggedArray, VertexId};
-use coface_complexes::alpha::AlphaComplex;
-use coface_complexes::simplicial::FrozenComplex;
-use coface_geometry::Positions;
-use coface_geometry::predicates::{
+use coface::algebra::{RaggedArray, VertexId};
+use coface::complexes::alpha::AlphaComplex;
+use coface::complexes::simplicial::FrozenComplex;
+use coface::geometry::predicates::{
     WeightedPoint, orientation, smallest_sphere, smallest_sphere_side, spatial_orientation, sphere_side,
 };
+use coface::topology::{Filtration, persistence};
+use coface::{Coefficients, Positions};
 use proptest::prelude::*;
 
 /// Whether points are affinely independent.
