@@ -121,8 +121,8 @@ fn require_memory(count: usize, dimension: usize) -> Result<(), Error> {
 }
 
 /// Bytes for each point of space, and for each of the plane, as measured.
-const SPATIAL_BYTES: u64 = 2500;
-const PLANAR_BYTES: u64 = 600;
+const SPATIAL_BYTES: u64 = 4000;
+const PLANAR_BYTES: u64 = 1000;
 
 /// The vertices of the model in a file as a table, and what its reader assumed; `None` for a file that is a table of numbers by its name.
 ///
