@@ -200,7 +200,8 @@ impl Radii<'_> {
         let chains = self.complex.chain_complex()?;
         let _steps = stage("measuring simplices", 0);
         let top = (0..self.complex.simplex_count(dimension)).into_par_iter();
-        let mut values = vec![top.map(|i| smallest_sphere(&self.corners(dimension, i))).collect::<Vec<f64>>()];
+        let mut values =
+            vec![top.map(|i| smallest_sphere(&self.corners(dimension, i))).collect::<Vec<f64>>()];
         for degree in (0..dimension).rev() {
             let below = match chains.boundary_matrix(degree + 1) {
                 Some(matrix) if degree > 0 || self.is_weighted => {
@@ -246,7 +247,8 @@ impl Radii<'_> {
                 is_attached[face] |= bits >> j & 1 == 1;
             }
         }
-        let own = |i: usize| if is_attached[i] { first[i] } else { smallest_sphere(&self.corners(degree, i)) };
+        let own =
+            |i: usize| if is_attached[i] { first[i] } else { smallest_sphere(&self.corners(degree, i)) };
         (0..count).into_par_iter().map(own).collect()
     }
 }

@@ -40,7 +40,11 @@ impl AlphaReading {
     /// # std::fs::remove_file(&path)?;
     /// # Ok(()) }
     /// ```
-    pub fn points_of_path(&self, path: impl AsRef<Path>, options: &ReadOptions) -> Result<AlphaPoints, Error> {
+    pub fn points_of_path(
+        &self,
+        path: impl AsRef<Path>,
+        options: &ReadOptions,
+    ) -> Result<AlphaPoints, Error> {
         let path = path.as_ref();
         let named = |error: Error| error.in_file(path.display().to_string());
         let (table, remarks) = match vertices_of_path(path, options)? {
@@ -84,8 +88,10 @@ impl AlphaReading {
         let weights = usize::from(self.weighted);
         let dimension = columns.saturating_sub(weights);
         if table.row_count() > 0 && dimension == 0 {
-            return Err(Error::invalid("rows of one number have no room for a weight behind the coordinates")
-                .with_cure("write coordinates, and the weight behind them"));
+            return Err(Error::invalid(
+                "rows of one number have no room for a weight behind the coordinates",
+            )
+            .with_cure("write coordinates, and the weight behind them"));
         }
         if dimension > 3 {
             return Err(Error::invalid(format!(
@@ -97,8 +103,7 @@ impl AlphaReading {
         let rows = || (0..table.row_count()).map(|row| table.row(row));
         let flat = rows().flat_map(|row| row[..dimension].iter().copied()).collect();
         let positions = Positions::from_flat(if columns == 0 { 0 } else { dimension }, flat)?;
-        let weights: Option<Vec<f64>> =
-            self.weighted.then(|| rows().map(|row| row[dimension]).collect());
+        let weights: Option<Vec<f64>> = self.weighted.then(|| rows().map(|row| row[dimension]).collect());
         let mut complex = AlphaComplex::new(&positions, weights.as_deref())?;
         if self.radii {
             complex = complex.with_radii();

@@ -6,9 +6,9 @@ use super::scratch_mesh::{self, ScratchMesh, ScratchStream};
 use super::tail::Tail;
 use super::unpacking::{Packing, unpacked};
 use super::{
-    AlphaReading, Format, Model, Remark, Structure, VolumeReading, VolumeStream, abaqus, alpha, cityjson, collada, container,
-    detection, format, geojson, gltf, isosig, json, lines_text, medit, msh, obj, off, parts, ply,
-    points_text, stl, svg, tetgen, three_mf, volume, vtk, wkb, wkt, yin,
+    AlphaReading, Format, Model, Remark, Structure, VolumeReading, VolumeStream, abaqus, alpha, cityjson,
+    collada, container, detection, format, geojson, gltf, isosig, json, lines_text, medit, msh, obj, off,
+    parts, ply, points_text, stl, svg, tetgen, three_mf, volume, vtk, wkb, wkt, yin,
 };
 use crate::{ReferenceSystem, RemarkCode};
 use coface_algebra::{Error, ErrorKind};

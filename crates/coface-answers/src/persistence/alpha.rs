@@ -61,7 +61,8 @@ impl AlphaFiltration {
     /// # Examples
     /// See [`AlphaFiltration`].
     pub fn growth(&self) -> Growth {
-        let place = if self.radii { "radii of the alpha complex" } else { "squared radii of the alpha complex" };
+        let place =
+            if self.radii { "radii of the alpha complex" } else { "squared radii of the alpha complex" };
         Growth::Cells { place: place.to_owned(), values: self.values.clone() }
     }
 }

@@ -116,7 +116,9 @@ impl Persistence {
         let progress = Progress::start(common.quiet);
         if self.points.rips {
             if common.alpha.reading().is_some() {
-                return Err(Failure::new("--rips and --alpha are two filtrations of points; give one of them"));
+                return Err(Failure::new(
+                    "--rips and --alpha are two filtrations of points; give one of them",
+                ));
             }
             self.refuse_cycles("of points")?;
             let found =

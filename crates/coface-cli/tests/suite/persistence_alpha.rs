@@ -52,7 +52,8 @@ fn every_verb_takes_points_at_a_value() {
     let folder = tempfile::tempdir().unwrap();
     let place = folder.path();
     std::fs::write(place.join("a.csv"), RECTANGLE).unwrap();
-    let info = |more: &[&str]| coface_in(place, &[&["info", "a.csv", "--json", "--alpha"], more].concat()).json();
+    let info =
+        |more: &[&str]| coface_in(place, &[&["info", "a.csv", "--json", "--alpha"], more].concat()).json();
     assert_eq!(info(&[])["f_vector"], json!([4, 5, 2]));
     assert_eq!(info(&["9"])["f_vector"], json!([4, 2]));
     assert_eq!(info(&["-1"])["f_vector"], json!([]));
@@ -100,12 +101,11 @@ fn write(folder: &Path, name: &str, rows: impl Iterator<Item = String>) {
 
 #[test]
 fn weights_are_squared_radii() {
-    let ask = |table: &[u8]| {
-        coface_reading(&["persistence", "-", "--json", "--alpha", "--weighted"], table).json()
-    };
+    let ask =
+        |table: &[u8]| coface_reading(&["persistence", "-", "--json", "--alpha", "--weighted"], table).json();
     let object = ask(b"0 0 4\n4 0 0\n");
     assert_eq!(classes(&object), [(0, -4.0, None), (0, 0.0, Some(2.25))]);
-    let run = coface_reading(&["info", "-", "--alpha", "--weighted"], b"0 8\n4 8\n2 0\n");
+    let run = coface_reading(&["persistence", "-", "--alpha", "--weighted"], b"0 8\n4 8\n2 0\n");
     assert!(run.stderr.contains("1 point is in no simplex"), "{}", run.stderr);
 }
 
@@ -148,7 +148,11 @@ fn wrong_tables_are_named_by_their_lines() {
 #[test]
 fn memory_is_foretold() {
     let folder = tempfile::tempdir().unwrap();
-    write(folder.path(), "many.csv", (0..60_000).map(|i| format!("{i},{},{}", i * 7919 % 60_013, i * 104_729 % 60_017)));
+    write(
+        folder.path(),
+        "many.csv",
+        (0..60_000usize).map(|i| format!("{i},{},{}", i * 7919 % 60_013, i * 104_729 % 60_017)),
+    );
     let run = coface_in(folder.path(), &["persistence", "many.csv", "--alpha", "--memory", "100M"]);
     let said = run.fails_with(1);
     assert!(said.contains("the alpha complex of 60000 points of 3 coordinates needs about"), "{said}");

@@ -101,9 +101,9 @@ fn spatial_hilbert(mut x: [u32; 3]) -> u64 {
     x[2] ^= x[1];
     let turn = levels().filter(|bit| x[2] & bit != 0).fold(0, |turn, bit| turn ^ (bit - 1));
     let x = x.map(|x| x ^ turn);
-    (0..SPATIAL_BITS).rev().fold(0, |place, level| {
-        x.iter().fold(place, |place, x| place << 1 | u64::from(x >> level & 1))
-    })
+    (0..SPATIAL_BITS)
+        .rev()
+        .fold(0, |place, level| x.iter().fold(place, |place, x| place << 1 | u64::from(x >> level & 1)))
 }
 
 #[cfg(test)]

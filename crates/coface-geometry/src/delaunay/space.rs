@@ -1,8 +1,8 @@
 //! The flat that points span, and where points of it lie.
 
 use crate::predicates::{
-    WeightedPoint, circle_side, ordinary_circle_side, ordinary_sphere_side, orientation, sphere_side,
-    spatial_orientation,
+    WeightedPoint, circle_side, ordinary_circle_side, ordinary_sphere_side, orientation, spatial_orientation,
+    sphere_side,
 };
 use std::cmp::Ordering;
 
@@ -58,7 +58,8 @@ impl Space {
     /// Finds points outside of the flat of these corners, which have a place if there are points.
     fn look_outside(&mut self, corners: &mut Vec<[f64; 3]>) {
         let Some(&first) = corners.first() else { return };
-        let size = self.points.iter().flat_map(WeightedPoint::point).fold(0.0, |size: f64, x| size.max(x.abs()));
+        let size =
+            self.points.iter().flat_map(WeightedPoint::point).fold(0.0, |size: f64, x| size.max(x.abs()));
         let size = if size == 0.0 { 1.0 } else { size };
         let axes = if self.is_planar { 2 } else { 3 };
         let mut found = 0;

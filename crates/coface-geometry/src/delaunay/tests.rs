@@ -1,7 +1,7 @@
 //! Triangulations against their definition.
 
-use super::triangulation::weighted_points;
 use super::RegularTriangulation;
+use super::triangulation::weighted_points;
 use crate::Positions;
 use crate::predicates::{
     WeightedPoint, circle_side, orientation, smallest_sphere, spatial_orientation, sphere_side,
@@ -21,22 +21,27 @@ fn points() -> impl Strategy<Value = (usize, Vec<f64>, Option<Vec<f64>>)> {
         for point in flat.chunks_mut(dimension) {
             match (kind, &mut *point) {
                 // A line, and a plane.
-                (0, [x, rest @ ..]) => rest.iter_mut().enumerate().for_each(|(i, y)| *y = *x * (i as f64 + 2.0)),
+                (0, [x, rest @ ..]) => {
+                    rest.iter_mut().enumerate().for_each(|(i, y)| *y = *x * (i as f64 + 2.0))
+                }
                 (1, [x, y, z]) => *z = *x + *y,
                 _ => {}
             }
         }
         (dimension, flat)
     });
-    (flat, prop::option::of(prop::collection::vec(prop_oneof![Just(0.0), (0i32..5).prop_map(f64::from)], 60))).prop_map(
-        |((dimension, flat), weights)| {
+    (flat, prop::option::of(prop::collection::vec(prop_oneof![Just(0.0), (0i32..5).prop_map(f64::from)], 60)))
+        .prop_map(|((dimension, flat), weights)| {
             let count = flat.len() / dimension;
-            (dimension, flat, weights.map(|mut weights| {
-                weights.truncate(count);
-                weights
-            }))
-        },
-    )
+            (
+                dimension,
+                flat,
+                weights.map(|mut weights| {
+                    weights.truncate(count);
+                    weights
+                }),
+            )
+        })
 }
 
 /// Whether no point is inside of the sphere of a cell; points off the flat of the cells do not occur.
@@ -135,8 +140,7 @@ proptest! {
 
 #[test]
 fn a_grid_of_space() {
-    let flat: Vec<f64> =
-        (0..1000).flat_map(|i| [i / 100, i / 10 % 10, i % 10].map(f64::from)).collect();
+    let flat: Vec<f64> = (0..1000).flat_map(|i| [i / 100, i / 10 % 10, i % 10].map(f64::from)).collect();
     let positions = Positions::from_flat(3, flat).unwrap();
     let found = RegularTriangulation::new(&positions, None).unwrap();
     assert!(found.hidden().is_empty());
@@ -156,7 +160,11 @@ fn all_sizes_of_numbers() {
     let all = weighted_points(&positions, None).unwrap();
     for cell in found.cells().iter() {
         let [a, b, c] = [0, 1, 2].map(|i| all[cell[i] as usize]);
-        let run = orientation([a.point()[0], a.point()[1]], [b.point()[0], b.point()[1]], [c.point()[0], c.point()[1]]);
+        let run = orientation(
+            [a.point()[0], a.point()[1]],
+            [b.point()[0], b.point()[1]],
+            [c.point()[0], c.point()[1]],
+        );
         let positive = if run.is_lt() { [b, a, c] } else { [a, b, c] };
         assert!(all.iter().all(|&q| circle_side(positive, q).is_le()));
     }

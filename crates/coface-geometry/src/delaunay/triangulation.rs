@@ -130,8 +130,11 @@ pub(super) fn weighted_points(
     }
     if let Some(weights) = weights {
         if weights.len() != count {
-            return Err(Error::new(ErrorKind::Shape, format!("{} weights for {count} points", weights.len()))
-                .with_cure("give one weight for each point"));
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!("{} weights for {count} points", weights.len()),
+            )
+            .with_cure("give one weight for each point"));
         }
         if let Some(bad) = weights.iter().position(|weight| !weight.is_finite()) {
             return Err(Error::invalid(format!("the weight of point {bad} is {}", weights[bad]))

@@ -1,8 +1,8 @@
 //! On which side of the sphere through given points a point lies.
 
+use super::WeightedPoint;
 use super::arithmetic::{Arithmetic, cross, dot, sign_of, vector};
 use super::double_double::is_ordinary;
-use super::WeightedPoint;
 use std::cmp::Ordering;
 
 /// What a determinant of an in-sphere test may lose of the sum of the sizes of its terms: differences, products, weights and sums have at most 21 unit
@@ -106,8 +106,7 @@ pub(crate) fn ordinary_sphere_side([a, b, c, d]: [WeightedPoint; 4], q: Weighted
         let [left, right] = [u[0] * v[1], u[1] * v[0]];
         (left - right, left.abs() + right.abs())
     };
-    let [ab, bc, cd, da, ac, bd] =
-        [area(a, b), area(b, c), area(c, d), area(d, a), area(a, c), area(b, d)];
+    let [ab, bc, cd, da, ac, bd] = [area(a, b), area(b, c), area(c, d), area(d, a), area(a, c), area(b, d)];
     let [az, bz, cz, dz] = [a[2], b[2], c[2], d[2]];
     let abc = az * bc.0 - bz * ac.0 + cz * ab.0;
     let bcd = bz * cd.0 - cz * bd.0 + dz * bc.0;

@@ -2207,8 +2207,35 @@ class Persistence:
             ``int64``, shape (n, 2, axes): for each class the place of the voxel of its birth and of that of its death along each axis, -1 where there is none.
         """
         ...
-    def cycles(self, degree: int, *, progress: _Progress = ...) -> list[tuple[Chain, Chain | None, Chain]]: ...
-    def torsion_primes(self) -> list[int]: ...
+    def cycles(self, degree: int, *, progress: _Progress = ...) -> list[tuple[Chain, Chain | None, Chain]]:
+        """What proves the classes of a degree: for each a cycle, the chain that it bounds, and a cocycle, over the field.
+
+        Each is a :class:`Chain` with ``cells``, ``coefficients`` and ``simplices`` as arrays. The cycle is there from the birth on, and bounds from the death
+        on, not before; the cocycle is one of the cells before the death, with the value 1 on the cycle. Over the field of p elements coefficients are the
+        whole numbers of least absolute value. Chains are not made short.
+
+        Parameters
+        ----------
+        degree : int
+            The degree.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        list of tuple
+            ``(cycle, bounding_chain, cocycle)`` for each row of :meth:`diagram`; the bounding chain is ``None`` for a class that never dies.
+        """
+        ...
+    def torsion_primes(self) -> list[int]:
+        """The primes over whose fields other cells are paired than over the rational numbers: those of torsion along the way.
+
+        Returns
+        -------
+        list of int
+            The primes, rising.
+        """
+        ...
     def dying_cycle(self, degree: int, place: int) -> Chain | None:
         """The cycle that a death cell fills: its boundary.
 
@@ -4089,8 +4116,52 @@ def persistence(complex: ChainComplex, *, vertex_values: ArrayLike | None = None
     """
     ...
 def _diagram_distance(first: Any, second: Any, *, order: float | None = None, internal_p: float = ..., degree: int | None = None) -> tuple[float, list[NDArray[np.int64]]]: ...
-def alpha(table: Any, *, weighted: bool = False, bound: float | None = None, radii: bool = False, coefficients: str | int = ..., least: float = 0.0, progress: _Progress = ...) -> Persistence: ...
-def alpha_complex(table: Any, *, weighted: bool = False, bound: float | None = None, radii: bool = False) -> Model: ...
+def alpha(table: Any, *, weighted: bool = False, bound: float | None = None, radii: bool = False, coefficients: str | int = ..., least: float = 0.0, progress: _Progress = ...) -> Persistence:
+    """Persistent homology of the alpha complex of points.
+
+    Parameters
+    ----------
+    table : array_like of float
+        Rows of at most three coordinates, and the weight behind them if points have weights.
+    weighted : bool
+        Whether points have weights.
+    bound : float, optional
+        The value at which the complex ends.
+    radii : bool
+        Whether values are radii instead of squared radii.
+    coefficients : str or int
+        A prime field: ``"f2"``, ``"f3"``, ...
+    least : float
+        Classes that live no longer than this are left out.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    Persistence
+        The diagram.
+    """
+    ...
+def alpha_complex(table: Any, *, weighted: bool = False, bound: float | None = None, radii: bool = False) -> Model:
+    """The alpha complex of points as a model.
+
+    Parameters
+    ----------
+    table : array_like of float
+        As of :func:`alpha`.
+    weighted : bool
+        As of :func:`alpha`.
+    bound : float, optional
+        As of :func:`alpha`.
+    radii : bool
+        As of :func:`alpha`.
+
+    Returns
+    -------
+    Model
+        Tetrahedra, triangles, edges and points.
+    """
+    ...
 def rips(table: Any, *, form: str | None = None, dimension: int = ..., threshold: float | None = None, coefficients: str | int = ..., least: float = 0.0, progress: _Progress = ...) -> Persistence:
     """Persistent homology of the Vietoris-Rips filtration of points or distances.
 

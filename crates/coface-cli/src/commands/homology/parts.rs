@@ -60,7 +60,7 @@ impl PartsOptions {
     /// Answers the question about an input.
     pub(super) fn run(&self, input: &Path, question: &Question, common: &Common) -> Result<(), Failure> {
         question.check()?;
-        common.alpha.refuse("homology --parts")?;
+        common.alpha.refuse("homology in parts")?;
         if let Some(memory) = self.memory().filter(|&memory| memory < LEAST) {
             return Err(Failure::new(format!(
                 "{} of memory is too little for any part; give --memory {} or more",

@@ -28,17 +28,20 @@ pub(super) const CASES: &[Case] = &[
         .files(POINTS)
         .refused("coface persistence points.csv --alpha --threshold 9")
         .cured(&[&["coface persistence points.csv --alpha 9"]]),
-    Case::new("commands/persistence.rs", "--rips and --alpha are two filtrations of points; give one of them")
-        .files(POINTS)
-        .refused("coface persistence points.csv --alpha --rips")
-        .cured(&[
-            &["coface persistence points.csv --alpha"],
-            &["coface persistence points.csv --rips"],
-        ]),
+    Case::new(
+        "commands/persistence.rs",
+        "--rips and --alpha are two filtrations of points; give one of them",
+    )
+    .files(POINTS)
+    .refused("coface persistence points.csv --alpha --rips")
+    .cured(&[&["coface persistence points.csv --alpha"], &["coface persistence points.csv --rips"]]),
     Case::new("src/arguments.rs", "write the complex first: coface convert POINTS --alpha -o COMPLEX.vtk")
         .files(POINTS)
-        .refused("coface shard points.csv --alpha -o parts")
-        .cured(&[&["coface convert points.csv --alpha -o complex.vtk", "coface shard complex.vtk -o parts"]]),
+        .refused("coface shard points.csv --alpha --parts 1 -o parts")
+        .cured(&[&[
+            "coface convert points.csv --alpha -o complex.vtk",
+            "coface shard complex.vtk --parts 1 -o parts",
+        ]]),
     Case::new("persistence/points.rs", "or say what they are by --distances lower")
         .files(&[("a.csv", "1\n2 3\n")])
         .refused("coface persistence a.csv --rips")
