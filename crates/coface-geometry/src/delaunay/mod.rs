@@ -10,6 +10,11 @@
 //!   later a point is inserted; so the cells fit together in all degenerate positions.
 //! * An **unbounded** cell joins the point at infinity and a facet of the convex hull.
 
+#![allow(
+    clippy::cast_possible_truncation,
+    reason = "points have numbers of 32 bits, and so have their cells"
+)]
+
 mod cells;
 mod order;
 mod space;

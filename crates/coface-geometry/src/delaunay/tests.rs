@@ -22,7 +22,7 @@ fn points() -> impl Strategy<Value = (usize, Vec<f64>, Option<Vec<f64>>)> {
             match (kind, &mut *point) {
                 // A line, and a plane.
                 (0, [x, rest @ ..]) => {
-                    rest.iter_mut().enumerate().for_each(|(i, y)| *y = *x * (i as f64 + 2.0))
+                    rest.iter_mut().enumerate().for_each(|(i, y)| *y = *x * (i as f64 + 2.0));
                 }
                 (1, [x, y, z]) => *z = *x + *y,
                 _ => {}
