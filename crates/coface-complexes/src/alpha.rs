@@ -170,7 +170,7 @@ impl AlphaComplex {
         for degree in (0..self.values.len()).rev() {
             let below = degree.checked_sub(1).map_or(0, |below| self.complex.simplex_count(below));
             let mut is_covered_below = vec![false; below];
-            for (i, &value) in self.values[degree].iter().enumerate().filter(|&(_, &value)| value <= bound) {
+            for (i, _) in self.values[degree].iter().enumerate().filter(|&(_, &value)| value <= bound) {
                 let is_facet = !is_covered.get(i).copied().unwrap_or(false);
                 if is_facet {
                     facets.push(self.complex.numbers(degree, i));
@@ -178,7 +178,6 @@ impl AlphaComplex {
                 for (_, face) in self.complex.facets(degree, i) {
                     is_covered_below[face] = true;
                 }
-                debug_assert!(value.is_finite());
             }
             is_covered = is_covered_below;
         }

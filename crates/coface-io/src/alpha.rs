@@ -65,7 +65,8 @@ impl AlphaReading {
     /// The alpha complex of the rows of a table.
     ///
     /// # Errors
-    /// Those of [`NumberTable::point_dimension`] and [`AlphaComplex::new`]; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) where
+    /// Those of [`NumberTable::point_dimension`] and [`AlphaComplex::new`]; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a bound that is
+    /// no number, where squared radii are beyond the range of numbers, and where
     /// points with weights are to have radii, which may be roots of negative numbers; [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) where the memory
     /// that is free would not do.
     ///
@@ -83,6 +84,11 @@ impl AlphaReading {
         if self.weighted && self.radii {
             return Err(Error::invalid("with weights squared radii may be negative, and have no roots")
                 .with_cure("leave out --radii, or --weighted"));
+        }
+        if self.bound.is_some_and(f64::is_nan) {
+            return Err(
+                Error::invalid("the value at which the complex ends is NaN").with_cure("give a number")
+            );
         }
         let columns = table.point_dimension("give each point as many numbers")?;
         let weights = usize::from(self.weighted);
@@ -105,6 +111,11 @@ impl AlphaReading {
         let positions = Positions::from_flat(if columns == 0 { 0 } else { dimension }, flat)?;
         let weights: Option<Vec<f64>> = self.weighted.then(|| rows().map(|row| row[dimension]).collect());
         let mut complex = AlphaComplex::new(&positions, weights.as_deref())?;
+        let top = complex.values(complex.complex().dimension().unwrap_or(0));
+        if top.iter().any(|value| value.is_infinite()) {
+            return Err(Error::invalid("a squared radius is beyond the range of numbers")
+                .with_cure("scale the points down"));
+        }
         if self.radii {
             complex = complex.with_radii();
         }
@@ -380,6 +391,9 @@ mod tests {
         assert!(fault("1 2 3 4\n", AlphaReading::default()).contains("--rips"));
         assert!(fault("1 2\n1 2 3\n", AlphaReading::default()).contains("point 1 has 3 coordinates"));
         assert!(fault("1 2\n1 nan\n", AlphaReading::default()).contains("NaN"));
+        assert!(fault("0 0\n1e200 0\n", AlphaReading::default()).contains("scale the points down"));
+        let nowhere = AlphaReading { bound: Some(f64::NAN), ..AlphaReading::default() };
+        assert!(fault("0 0\n", nowhere).contains("give a number"));
         assert!(fault("1\n", weighted).contains("the weight behind them"));
         assert!(fault("1 2 1\n", AlphaReading { radii: true, ..weighted }).contains("leave out --radii"));
     }

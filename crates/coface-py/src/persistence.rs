@@ -824,10 +824,8 @@ impl Persistence {
     /// >>> import coface
     /// >>> rim = coface.persistence([[0, 1, 2]], cell_values=[[0.0] * 3, [1.0] * 3, [5.0]])
     /// >>> ((cycle, bounding_chain, cocycle),) = rim.cycles(1)
-    /// >>> cycle.simplices, bounding_chain.simplices
-    /// (array([[0, 1],
-    ///        [0, 2],
-    ///        [1, 2]], dtype=int32), array([[0, 1, 2]], dtype=int32))
+    /// >>> cycle.simplices.tolist(), bounding_chain.simplices.tolist()
+    /// ([[0, 1], [0, 2], [1, 2]], [[0, 1, 2]])
     #[pyo3(signature = (degree, *, progress=None))]
     fn cycles(
         &self,

@@ -32,7 +32,7 @@ def test_a_model_at_a_value() -> None:
     assert coface.homology(coface.alpha_complex(corners)).betti_numbers[0] == 1
     with pytest.warns(UserWarning, match="1 point is in no simplex"):
         twice = coface.alpha_complex(np.vstack([SQUARE, SQUARE[:1]]))
-    assert len(twice.positions) == 4
+    assert twice.vertex_count == 4
 
 
 def test_weights() -> None:
@@ -49,14 +49,14 @@ def test_wrong_points() -> None:
         coface.alpha(np.zeros((2, 4)))
     with pytest.raises(coface.InvalidInputError, match="two axes"):
         coface.alpha(np.zeros(3))
-    assert coface.alpha(np.zeros((0, 3))).betti_numbers == ()
+    assert sum(coface.alpha(np.zeros((0, 3))).betti_numbers) == 0
 
 
 @pytest.mark.parametrize("prime", [2, 3, 7])
 def test_cycles_are_proofs(prime: int) -> None:
     points = np.random.default_rng(7).random((40, 3))
     found = coface.alpha(points, coefficients=prime, least=1e-3)
-    complex = coface.as_chain_complex(coface.Complex(coface.alpha_complex(points).cells.reshape(-1, 4)))
+    complex = coface.as_chain_complex(coface.Complex(coface.alpha_complex(points).cells["tetra"]))
     for degree in range(3):
         proved = found.cycles(degree)
         assert len(proved) == len(found.diagram(degree))

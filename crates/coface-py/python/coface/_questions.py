@@ -999,9 +999,10 @@ def rips(
 def _with_weights(points: Any, weights: Any) -> NDArray[np.float64]:
     """Points with their weights behind them, if they have weights."""
     rows = numbers(points, "points")
-    if rows.ndim != 2 and rows.size:
+    if rows.size == 0:
+        return np.empty((0, 0))
+    if rows.ndim != 2:
         raise_invalid(f"points have the shape {rows.shape}", "give an array of two axes, a row for each point")
-    rows = rows.reshape(len(rows), -1)
     if weights is None:
         return rows
     behind = numbers(weights, "weights")
