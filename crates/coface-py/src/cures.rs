@@ -54,7 +54,7 @@ const PHRASES: [(&str, &str); 37] = [
     ),
     ("print the set with --json", "take its simplices(k)"),
     (
-        "give the JSON of homology --generators, cut, cover, pi1, cocycles, arrange, persistence, star, link, ...",
+        "give the JSON of homology --generators, cut, cover, pi1, cycles, cocycles, arrange, persistence, star, link, ...",
         "give an answer of coface.homology(model, generators=True), coface.cut, cover, pi1, cocycles, arrange, persistence, ...",
     ),
 ];

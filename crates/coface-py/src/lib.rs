@@ -17,6 +17,7 @@ mod cures;
 mod diagrams;
 mod dissolve;
 mod errors;
+mod figures;
 mod generate;
 mod given;
 mod graph;
@@ -123,6 +124,9 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(pictures::render, module)?)?;
     module.add_function(wrap_pyfunction!(pictures::matrix_svg, module)?)?;
     module.add_function(wrap_pyfunction!(pictures::_matrix_picture, module)?)?;
+    module.add_function(wrap_pyfunction!(figures::_schema_picture, module)?)?;
+    module.add_function(wrap_pyfunction!(figures::_sequence_picture, module)?)?;
+    module.add_function(wrap_pyfunction!(figures::_blocked_matrix_picture, module)?)?;
     module.add_function(wrap_pyfunction!(model::read, module)?)?;
     module.add_function(wrap_pyfunction!(model::entries, module)?)?;
     module.add_function(wrap_pyfunction!(model::_model, module)?)?;

@@ -8,7 +8,7 @@ use crate::json::from_python;
 use crate::work::run;
 use coface::Error;
 use coface::answers::{GeometryCheck, Neighborhood, Report, ReportRequest};
-use coface::pictures::{Camera, FlatPicture, Picture, PictureStyle, Scene, matrix_picture, spin_png};
+use coface::pictures::{Camera, FlatPicture, Picture, PictureStyle, Scene, matrix_picture, spin_gif, spin_png};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -21,8 +21,8 @@ const POINTS: f64 = 0.75;
 /// ----------
 /// model : Model, Complex or ChainComplex
 ///     What is shown.
-/// format : {"svg", "png", "pdf"}
-///     The format; PDF has vectors, a pixel is 0.75 points.
+/// format : {"svg", "png", "pdf", "gif"}
+///     The format; PDF has vectors, a pixel is 0.75 points; GIF is an animation.
 /// results : sequence of dict
 ///     Answers to be shown over it, as ``to_dict()`` gives them.
 /// size : (int, int)
@@ -48,7 +48,7 @@ const POINTS: f64 = 0.75;
 /// legend : bool
 ///     Whether the names of what is drawn over the model stand above it.
 /// spin : int, optional
-///     So many frames, in which the model turns once about what is up: an animated PNG, 24 frames a second.
+///     So many frames, in which the model turns once about what is up: an animated GIF or PNG, 24 frames a second.
 /// witness : bool
 ///     Whether what is wrong is marked.
 /// title : str
@@ -87,9 +87,13 @@ pub(crate) fn render<'py>(
     title: &str,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    check_format(py, format)?;
-    if spin.is_some() && format != "png" {
-        return Err(invalid(py, "an animation is a PNG", "give format=\"png\""));
+    match spin {
+        Some(_) if !matches!(format, "gif" | "png") => {
+            let cure = "give format=\"gif\" or format=\"png\"";
+            return Err(invalid(py, "an animation is a GIF or a PNG", cure));
+        }
+        Some(_) => {}
+        None => check_format(py, format)?,
     }
     let dimensions = label
         .iter()
@@ -146,7 +150,8 @@ pub(crate) fn render<'py>(
             scene.label_cells(dimension)?;
         }
         if let Some(frames) = spin {
-            return spin_png(&scene, &style, frames, 1000 / 24);
+            let write = if format == "gif" { spin_gif } else { spin_png };
+            return write(&scene, &style, frames, 1000 / 24);
         }
         let picture = Picture::new(&scene, &style)?;
         match format {

@@ -472,6 +472,7 @@ fn map_dict<'py>(py: Python<'py>, map: &HomologyMap) -> PyResult<Bound<'py, PyDi
     dict.set_item("matrix", arrays::integer_grid(py, &rows, columns.len())?)?;
     dict.set_item("source_orders", order_list(py, map.source_orders())?)?;
     dict.set_item("target_orders", order_list(py, map.target_orders())?)?;
+    dict.set_item("image", map.image_group().to_string())?;
     dict.set_item("kernel", map.kernel().to_string())?;
     dict.set_item("cokernel", map.cokernel().to_string())?;
     Ok(dict)
@@ -492,7 +493,7 @@ fn map_dict<'py>(py: Python<'py>, map: &HomologyMap) -> PyResult<Bound<'py, PyDi
 /// -------
 /// dict
 ///     ``part``, ``whole`` and ``pair``: homology; ``inclusion``, ``projection`` and ``connecting``: for each degree a map or ``None``, with
-///     ``matrix`` (columns are images of generators), ``kernel`` and ``cokernel``.
+///     ``matrix`` (columns are images of generators), ``image``, ``kernel`` and ``cokernel``.
 #[pyfunction]
 #[pyo3(signature = (model, part, *, progress=None))]
 pub(crate) fn long_exact_sequence<'py>(

@@ -150,3 +150,34 @@ def test_stars_closures_and_links_are_drawn() -> None:
         coface.render(octahedron, star=[[0, 5]])
     with pytest.raises(ValueError, match="4 sides"):
         coface.render(coface.generate("cube"), link=[0])
+
+
+def test_figures_are_drawn_in_every_format() -> None:
+    torus = coface.generate("csaszar")
+    made = {
+        "schema": lambda **options: coface.schema_picture(torus, **options),
+        "word": lambda **options: coface.schema_picture("a b a^-1 b^-1", **options),
+        "sequence": lambda **options: coface.sequence_picture(coface.generate("moebius"), **options),
+        "matrix": lambda **options: coface.matrix_picture(torus, 2, "matching", **options),
+    }
+    for draw in made.values():
+        assert draw().startswith(b"<svg")
+        assert draw(format="png", size=(200, 200)).startswith(b"\x89PNG")
+        assert draw(format="pdf").startswith(b"%PDF")
+    assert made["schema"]().count(b"<title>side ") == 4
+    with pytest.raises(ValueError, match="place 5"):
+        coface.schema_picture("a b 3")
+    with pytest.raises(ValueError, match="matching"):
+        coface.matrix_picture(torus, 2, "colors")
+    with pytest.raises(ValueError, match="from 1 to 2"):
+        coface.matrix_picture(torus, 3)
+
+
+def test_interfaces_and_animations_are_drawn() -> None:
+    rooms = coface.interface(np.array([[1, 1, 2], [3, 3, 2]]))
+    picture = coface.render(rooms).decode()
+    assert picture.count("<title>phase ") == 3 and picture.count("<circle") == len(rooms.junctions)
+    spin = coface.render(coface.generate("csaszar"), "gif", size=(60, 40), spin=3)
+    assert spin.startswith(b"GIF89a")
+    with pytest.raises(ValueError, match="GIF or a PNG"):
+        coface.render(coface.generate("csaszar"), "svg", spin=3)

@@ -1,6 +1,6 @@
 //! `coface persistence`: births and deaths of classes along a filtration.
 
-mod image;
+pub(super) mod image;
 mod points;
 
 use crate::arguments::Common;

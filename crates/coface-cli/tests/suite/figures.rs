@@ -181,3 +181,99 @@ fn a_long_exact_sequence_is_a_diagram() {
     let none = coface(&["homology", argument(&band), "-o", argument(&folder.path().join("b.svg"))]);
     assert!(none.fails_with(1).contains("--relative boundary --sequence"));
 }
+
+#[test]
+fn an_interface_has_its_phases_in_colors_and_its_junctions_marked() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    // A ring of label 1 around label 2, and label 3 below.
+    std::fs::write(place.join("labels.pgm"), "P2\n3 4\n3\n1 1 1\n1 2 1\n1 1 1\n3 3 3\n").unwrap();
+    let run = |line: &[&str]| {
+        let run = coface_in(place, line);
+        assert_eq!(run.status, 0, "{line:?}: {}", run.stderr);
+        run
+    };
+    run(&["yin", "interface", "labels.pgm", "-o", "i.json"]);
+    let answer = run(&["yin", "interface", "labels.pgm", "--json"]).json();
+    for name in ["i.svg", "i.png", "i.pdf"] {
+        run(&["yin", "interface", "labels.pgm", "-o", name]);
+        assert!(has_header(&place.join(name)), "{name}");
+    }
+    let drawn = std::fs::read_to_string(place.join("i.svg")).unwrap();
+    assert!(drawn.contains("<title>interface of labels.pgm</title>"));
+    assert_eq!(drawn.matches("<title>phase ").count(), 3);
+    assert_eq!(drawn.matches("<circle").count(), answer["junctions"].as_array().unwrap().len());
+    let of_file = svg(&[argument(&place.join("i.json"))]);
+    assert_eq!(of_file.matches("<title>phase ").count(), 3);
+    // Without control points there is nothing to draw.
+    std::fs::write(place.join("bare.json"), serde_json::to_string(&answer).unwrap()).unwrap();
+    let bare = coface(&["render", argument(&place.join("bare.json"))]);
+    assert!(bare.fails_with(1).contains("no control points"), "{}", bare.stderr);
+    let other = coface_in(place, &["yin", "interface", "labels.pgm", "-o", "i.obj"]);
+    assert!(other.fails_with(1).contains(".json"));
+}
+
+#[test]
+fn images_of_two_axes_are_drawn_by_their_grey_values() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    // Two rows of three numbers, as a NumPy array of bytes and as NRRD, whose first axis is the fastest.
+    let header = "{'descr': '|u1', 'fortran_order': False, 'shape': (2, 3), }";
+    let mut npy = b"\x93NUMPY\x01\x00\x76\x00".to_vec();
+    npy.extend(format!("{header:<117}\n").into_bytes());
+    npy.extend([0, 50, 100, 150, 200, 255]);
+    std::fs::write(place.join("a.npy"), npy).unwrap();
+    let nrrd = "NRRD0004\ntype: uint8\ndimension: 2\nsizes: 3 2\nencoding: ascii\n\n150 200 255 0 50 100\n";
+    std::fs::write(place.join("a.nrrd"), nrrd).unwrap();
+    let drawn = |name: &str, options: &[&str]| {
+        let out = place.join("a.png");
+        let line = [&["render", argument(&place.join(name)), "-o", argument(&out), "--size", "780x503"], options].concat();
+        let run = coface(&line);
+        assert_eq!(run.status, 0, "{}", run.stderr);
+        let mut reader = png::Decoder::new(std::io::Cursor::new(std::fs::read(&out).unwrap())).read_info().unwrap();
+        let mut buffer = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut buffer).unwrap();
+        buffer
+    };
+    let array = drawn("a.npy", &[]);
+    let at = |buffer: &[u8], row: usize, column: usize| {
+        let (y, x) = (46 + 213 * row + 106, 30 + 213 * column + 106);
+        buffer[3 * (780 * y + x)]
+    };
+    let greys: Vec<u8> = (0..6).map(|i| at(&array, i / 3, i % 3)).collect();
+    assert_eq!(greys, [0, 50, 100, 150, 200, 255]);
+    // The second axis of the other goes up.
+    let other = drawn("a.nrrd", &[]);
+    assert_eq!((0..6).map(|i| at(&other, i / 3, i % 3)).collect::<Vec<u8>>(), greys);
+    for name in ["a.svg", "a.pdf"] {
+        let run = coface_in(place, &["render", "a.npy", "-o", name]);
+        assert_eq!(run.status, 0, "{}", run.stderr);
+        assert!(has_header(&place.join(name)));
+    }
+    // Pixels that are set are squares.
+    let set = coface_in(place, &["render", "a.npy", "--threshold", "100", "-o", "set.svg"]);
+    assert!(set.status == 0 && set.stderr.contains("the 4 pixels"), "{}", set.stderr);
+    let page = coface_in(place, &["view", "a.npy", "-o", "page.html", "--json"]);
+    assert_eq!(page.status, 0, "{}", page.stderr);
+    assert_eq!(page.json()["triangles"], 10, "two for each of five pixels that are not 0");
+}
+
+#[test]
+fn short_cycles_are_shown_over_their_surface() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    let run = |line: &[&str]| {
+        let run = coface_in(place, line);
+        assert_eq!(run.status, 0, "{line:?}: {}", run.stderr);
+        run
+    };
+    run(&["generate", "torus", "-o", "torus.off", "-q"]);
+    let found = run(&["cycles", "torus.off", "--json"]);
+    std::fs::write(place.join("cycles.json"), &found.stdout).unwrap();
+    let shown = run(&["view", "torus.off", "--with", "cycles.json", "-o", "page.html", "--json"]).json();
+    let names: Vec<&str> =
+        shown["layers"].as_array().unwrap().iter().filter_map(|layer| layer["name"].as_str()).collect();
+    assert!(names.contains(&"cycle 1") && names.contains(&"cycle 2"), "{names:?}");
+    run(&["render", "torus.off", "--with", "cycles.json", "-o", "a.svg"]);
+    assert!(std::fs::read_to_string(place.join("a.svg")).unwrap().contains("<title>cycle 2</title>"));
+}

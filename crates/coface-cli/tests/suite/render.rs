@@ -323,9 +323,105 @@ fn a_spin_has_as_many_frames_as_were_asked_for() {
     assert_eq!(kinds.iter().filter(|kind| *kind == "fcTL").count(), 5);
     assert!(kinds.contains(&"acTL".to_owned()));
     let svg = coface(&["render", argument(&cube), "--spin", "-o", argument(&folder.path().join("a.svg"))]);
-    assert!(svg.fails_with(1).contains("name the output *.png"));
+    assert!(svg.fails_with(1).contains("name the output *.gif or *.png"));
     let none = coface(&["render", argument(&cube), "--spin=0", "-o", argument(&out)]);
     assert!(none.fails_with(1).contains("give a number above 0"));
+    let bare = [&line[..], &["--transparent"]].concat();
+    assert_eq!(coface(&bare).status, 0);
+    let bytes = std::fs::read(&out).unwrap();
+    // The sixth byte of the header's data is the type of color: with opacity.
+    assert_eq!(bytes[25], 6);
+    assert_eq!(chunks(&bytes).iter().filter(|kind| *kind == "fcTL").count(), 5);
+}
+
+/// The frames of a GIF: how many there are, and whether pixels of each may be none; the size of the picture and of the palette.
+fn frames_of_gif(bytes: &[u8]) -> (Vec<bool>, [usize; 2], usize) {
+    assert!(bytes.starts_with(b"GIF89a"));
+    let number = |at: usize| usize::from(u16::from_le_bytes([bytes[at], bytes[at + 1]]));
+    let palette = 2usize << (bytes[10] & 7);
+    let mut at = 13 + 3 * palette;
+    let mut frames = Vec::new();
+    let mut is_bare = false;
+    loop {
+        match bytes[at] {
+            0x21 => {
+                if bytes[at + 1] == 0xf9 {
+                    is_bare = bytes[at + 3] & 1 == 1;
+                }
+                at += 2;
+            }
+            0x2c => {
+                frames.push(is_bare);
+                assert_eq!(bytes[at + 9] & 0x80, 0, "one palette for all frames");
+                at += 11;
+            }
+            0x3b => break,
+            other => panic!("block {other:#x}"),
+        }
+        while bytes[at] != 0 {
+            at += usize::from(bytes[at]) + 1;
+        }
+        at += 1;
+    }
+    (frames, [number(6), number(8)], palette)
+}
+
+#[test]
+fn a_gif_has_one_palette_for_its_frames() {
+    let folder = tempfile::tempdir().unwrap();
+    let cube = file(&folder, "cube.obj", CUBE);
+    let out = folder.path().join("spin.gif");
+    let line = ["render", argument(&cube), "--size", "60x45", "--spin=5", "-o", argument(&out)];
+    assert_eq!(coface(&line).status, 0);
+    let bytes = std::fs::read(&out).unwrap();
+    let (frames, size, palette) = frames_of_gif(&bytes);
+    assert_eq!((frames, size), (vec![false; 5], [60, 45]));
+    assert!(palette <= 256);
+    assert!(bytes.windows(11).any(|window| window == b"NETSCAPE2.0"), "without end");
+    assert_eq!(coface(&line).status, 0);
+    assert_eq!(std::fs::read(&out).unwrap(), bytes, "the same bytes each time");
+    let object = coface(&[&line[..], &["--transparent", "--json"]].concat()).json();
+    let bare = std::fs::read(&out).unwrap();
+    assert_eq!(frames_of_gif(&bare).0, [true; 5]);
+    assert_eq!(object["bytes"].as_u64(), Some(bare.len() as u64));
+}
+
+#[test]
+fn frames_go_to_a_folder_or_have_numbers_and_videos_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let cube = file(&folder, "cube.obj", CUBE);
+    let run = |name: &str| {
+        let out = folder.path().join(name);
+        coface(&["render", argument(&cube), "--size", "40x30", "--spin=3", "-o", argument(&out)])
+    };
+    assert_eq!(run("frames/").status, 0);
+    assert_eq!(run("some/turn-%02d.png").status, 0);
+    let names = |place: &str| {
+        let entries = std::fs::read_dir(folder.path().join(place)).unwrap();
+        let mut names: Vec<String> =
+            entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort_unstable();
+        names
+    };
+    assert_eq!(names("frames"), ["frame-001.png", "frame-002.png", "frame-003.png"]);
+    assert_eq!(names("some"), ["turn-01.png", "turn-02.png", "turn-03.png"]);
+    let frames: Vec<_> = names("frames").iter().map(|name| decoded(&folder.path().join("frames").join(name))).collect();
+    assert!(frames.iter().all(|(size, _)| *size == [40, 30]) && frames[0].1 != frames[1].1);
+    for (name, said) in [
+        ("a.mp4", "ffmpeg -framerate 24 -i frames/frame-%03d.png"),
+        ("a.webp", "*.gif or *.png"),
+        ("a.pdf", "*.gif or *.png"),
+        ("a", "*.gif or *.png"),
+        ("a-%s.png", "frames-%03d.png"),
+        ("a-%03d-%03d.png", "frames-%03d.png"),
+        ("a-%03d.jpg", "frames-%03d.png"),
+    ] {
+        let message = run(name);
+        assert!(message.fails_with(1).contains(said), "{name}: {}", message.stderr);
+        assert!(!folder.path().join(name).exists());
+    }
+    let nowhere = coface(&["render", argument(&cube), "--spin"]);
+    assert!(nowhere.fails_with(1).contains("-o spin.gif"));
 }
 
 #[test]

@@ -1,9 +1,15 @@
 //! Pixels.
 
-use super::palette::{Color, packed};
+use super::palette::Color;
+#[cfg(feature = "png")]
+use super::palette::packed;
+#[cfg(feature = "png")]
+use super::pixels::Pixels;
 #[cfg(feature = "png")]
 use coface_algebra::progress::stage;
-use coface_algebra::{Error, ErrorKind};
+use coface_algebra::Error;
+#[cfg(not(feature = "png"))]
+use coface_algebra::ErrorKind;
 use std::ops::Range;
 
 /// Pixels with one number each: red, green and blue in bytes.
@@ -54,87 +60,40 @@ impl Canvas {
         }
     }
 
-    /// What `draw` makes on a background, as PNG, each pixel the mean of `factor` by `factor` of it. Without a background it is drawn on black and on
-    /// white, and the differences are what shows through.
+    /// What `draw` makes on a background, each pixel the mean of `factor` by `factor` of it. Without a background it is drawn on black and on white,
+    /// and the differences are what shows through.
+    #[cfg(feature = "png")]
+    pub(super) fn pixels_on(background: Option<Color>, factor: usize, draw: impl Fn(u32) -> Self) -> Pixels {
+        match background {
+            Some(color) => draw(packed(color)).pixels(factor),
+            None => Pixels::between(&draw(0).pixels(factor), &draw(0x00ff_ffff).pixels(factor)),
+        }
+    }
+
+    #[cfg(feature = "png")]
+    fn pixels(&self, factor: usize) -> Pixels {
+        let size = [self.width / factor, self.height / factor];
+        Pixels { bytes: self.shrunk(factor), has_opacity: false, size }
+    }
+
+    /// The same as PNG.
     ///
     /// # Errors
-    /// [`ErrorKind::UnsupportedFormat`] in a build without PNG; [`ErrorKind::Io`] should the encoder fail.
+    /// [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat) in a build without PNG;
+    /// [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) should the encoder fail.
+    #[cfg(feature = "png")]
     pub(super) fn png_on(
         background: Option<Color>,
         factor: usize,
         draw: impl Fn(u32) -> Self,
     ) -> Result<Vec<u8>, Error> {
-        match background {
-            Some(color) => Self::png_of_frames(1, 0, factor, |_| Ok(draw(packed(color)))),
-            None => Self::transparent_png([&draw(0), &draw(0x00ff_ffff)], factor),
-        }
-    }
-
-    /// Frames of one size as one PNG, which is an animation if they are several: each is shown for so many milliseconds, without end. Each pixel is
-    /// the mean of `factor` by `factor` of a frame.
-    ///
-    /// # Errors
-    /// [`ErrorKind::UnsupportedFormat`] in a build without PNG; what `frame` gives; [`ErrorKind::Io`] should the encoder fail.
-    #[cfg(feature = "png")]
-    pub(super) fn png_of_frames(
-        count: u32,
-        milliseconds: u16,
-        factor: usize,
-        frame: impl Fn(u32) -> Result<Self, Error>,
-    ) -> Result<Vec<u8>, Error> {
-        let first = frame(0)?;
-        let mut file = Vec::new();
-        let mut encoder =
-            encoder(&mut file, [first.width / factor, first.height / factor], png::ColorType::Rgb);
-        if count > 1 {
-            encoder.set_animated(count, 0).map_err(failed)?;
-            encoder.set_frame_delay(milliseconds, 1000).map_err(failed)?;
-        }
-        let mut writer = encoder.write_header().map_err(failed)?;
-        writer.write_image_data(&first.shrunk(factor)).map_err(failed)?;
-        for number in 1..count {
-            writer.write_image_data(&frame(number)?.shrunk(factor)).map_err(failed)?;
-        }
-        writer.finish().map_err(failed)?;
-        Ok(file)
+        Pixels::png(1, 0, |_| Ok(Self::pixels_on(background, factor, &draw)))
     }
 
     /// Says that pictures are not written as PNG by this build.
     #[cfg(not(feature = "png"))]
-    pub(super) fn png_of_frames(
-        _: u32,
-        _: u16,
-        _: usize,
-        _: impl Fn(u32) -> Result<Self, Error>,
-    ) -> Result<Vec<u8>, Error> {
+    pub(super) fn png_on(_: Option<Color>, _: usize, _: impl Fn(u32) -> Self) -> Result<Vec<u8>, Error> {
         Err(no_png())
-    }
-
-    /// Says that pictures are not written as PNG by this build.
-    #[cfg(not(feature = "png"))]
-    fn transparent_png(_: [&Self; 2], _: usize) -> Result<Vec<u8>, Error> {
-        Err(no_png())
-    }
-
-    #[cfg(feature = "png")]
-    fn transparent_png([black, white]: [&Self; 2], factor: usize) -> Result<Vec<u8>, Error> {
-        let pixels = black.shrunk(factor);
-        let mut bytes = Vec::with_capacity(pixels.len() / 3 * 4);
-        for (on_black, on_white) in pixels.chunks_exact(3).zip(white.shrunk(factor).chunks_exact(3)) {
-            let difference: u32 =
-                on_black.iter().zip(on_white).map(|(&b, &w)| u32::from(w.saturating_sub(b))).sum();
-            let alpha = 255 - (difference + 1) / 3;
-            let whole =
-                |part: u8| (u32::from(part) * 255 + alpha / 2).checked_div(alpha).unwrap_or(0).min(255);
-            bytes.extend(on_black.iter().map(|&part| whole(part) as u8));
-            bytes.push(alpha as u8);
-        }
-        let mut file = Vec::new();
-        let size = [black.width / factor, black.height / factor];
-        let mut writer = encoder(&mut file, size, png::ColorType::Rgba).write_header().map_err(failed)?;
-        writer.write_image_data(&bytes).map_err(failed)?;
-        writer.finish().map_err(failed)?;
-        Ok(file)
     }
 
     #[cfg(feature = "png")]
@@ -164,27 +123,8 @@ impl Canvas {
     }
 }
 
-#[cfg(feature = "png")]
-fn encoder(
-    file: &mut Vec<u8>,
-    [width, height]: [usize; 2],
-    color: png::ColorType,
-) -> png::Encoder<'_, &mut Vec<u8>> {
-    let mut encoder = png::Encoder::new(file, width as u32, height as u32);
-    encoder.set_color(color);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(png::Compression::High);
-    encoder
-}
-
-#[cfg(feature = "png")]
-#[expect(clippy::needless_pass_by_value, reason = "as map_err gives it")]
-fn failed(error: png::EncodingError) -> Error {
-    Error::new(ErrorKind::Io, format!("the PNG cannot be written: {error}"))
-}
-
 #[cfg(not(feature = "png"))]
-fn no_png() -> Error {
+pub(super) fn no_png() -> Error {
     Error::new(ErrorKind::UnsupportedFormat, "PNG is not in this build")
         .with_cure("write SVG, or build with the feature png")
 }

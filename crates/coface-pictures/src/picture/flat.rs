@@ -1,6 +1,6 @@
 //! Flat pictures: diagrams, matrices, sets of the plane.
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, centers};
 use super::formula::Formula;
 use super::letters;
 use super::palette::{Color, packed};
@@ -78,6 +78,13 @@ pub(super) enum Form {
         text: String,
         /// In degrees, counterclockwise about its place.
         turn: f64,
+    },
+    /// Grey pixels, row after row from the top, of a rectangle; those without a value are not drawn.
+    Image {
+        corner: [f64; 2],
+        sides: [f64; 2],
+        columns: usize,
+        pixels: Vec<Option<u8>>,
     },
     Formula {
         at: [f64; 2],
@@ -200,6 +207,11 @@ impl FlatPicture {
     pub(super) fn slanted_text(&mut self, at: [f64; 2], size: f64, color: Color, text: String) {
         let form = Form::Text { at, anchor: Anchor::Start, size, text, turn: 45.0 };
         self.push(form, Some(color), None, 1.0);
+    }
+
+    /// Draws grey pixels, row after row from the top, in a rectangle.
+    pub(super) fn image(&mut self, corner: [f64; 2], sides: [f64; 2], columns: usize, pixels: Vec<Option<u8>>) {
+        self.push(Form::Image { corner, sides, columns, pixels }, None, None, 1.0);
     }
 
     /// Writes a formula on a baseline.
@@ -359,6 +371,10 @@ impl FlatPicture {
                         paint_line(canvas, &line, false, STROKE_OF_TEXT * size * scale, color);
                     }
                 }
+                Form::Image { corner, sides, columns, pixels } => {
+                    let ends = [place(*corner), place([corner[0] + sides[0], corner[1] + sides[1]])];
+                    paint_image(canvas, ends, *columns, pixels);
+                }
                 Form::Formula { at, anchor, size, formula } => {
                     let color = packed(part.fill.unwrap_or_default());
                     for (width, line) in formula_strokes(*at, *anchor, *size, formula) {
@@ -417,6 +433,21 @@ pub(super) fn formula_strokes(
         line.iter_mut().for_each(|[x, y]| (*x, *y) = (left + size * *x, at[1] - size * *y));
     }
     strokes
+}
+
+/// Paints grey pixels between two corners.
+fn paint_image(canvas: &mut Canvas, [low, high]: [[f64; 2]; 2], columns: usize, pixels: &[Option<u8>]) {
+    let rows = pixels.len() / columns;
+    let step = [(high[0] - low[0]) / columns as f64, (high[1] - low[1]) / rows as f64];
+    for y in centers(low[1], high[1], canvas.height) {
+        let row = ((((y as f64 + 0.5) - low[1]) / step[1]) as usize).min(rows - 1);
+        for x in centers(low[0], high[0], canvas.width) {
+            let column = ((((x as f64 + 0.5) - low[0]) / step[0]) as usize).min(columns - 1);
+            if let Some(grey) = pixels[row * columns + column] {
+                canvas.pixels[y * canvas.width + x] = 0x01_0101 * u32::from(grey);
+            }
+        }
+    }
 }
 
 /// The lines of a path, cubics as chords, each with whether it is closed.

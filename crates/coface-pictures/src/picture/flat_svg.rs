@@ -3,7 +3,13 @@
 use super::flat::{Anchor, FlatPicture, Form, Part, Step};
 use super::formula::{Face, Formula};
 use super::palette::{Color, hex, packed};
+#[cfg(feature = "png")]
+use super::pixels::Pixels;
 use super::svg_text::{escaped, push_point, push_short};
+#[cfg(feature = "png")]
+use base64::Engine;
+#[cfg(feature = "png")]
+use base64::engine::general_purpose::STANDARD;
 use std::fmt::Write;
 
 impl FlatPicture {
@@ -118,9 +124,49 @@ impl Part {
                     escaped(words)
                 );
             }
+            Form::Image { corner, sides, columns, pixels } => {
+                push_image(*corner, *sides, *columns, pixels, text);
+            }
             Form::Formula { at, anchor, size, formula } => {
                 push_formula(*at, *anchor, *size, formula, &style, text);
             }
+        }
+    }
+}
+
+/// Grey pixels as a picture within the picture, which is not smoothed.
+#[cfg(feature = "png")]
+fn push_image([x, y]: [f64; 2], [width, height]: [f64; 2], columns: usize, pixels: &[Option<u8>], text: &mut String) {
+    let size = [columns, pixels.len() / columns];
+    let has_opacity = pixels.contains(&None);
+    let mut bytes = Vec::with_capacity(4 * pixels.len());
+    for pixel in pixels {
+        bytes.extend([pixel.unwrap_or(0); 3]);
+        if has_opacity {
+            bytes.push(if pixel.is_some() { 255 } else { 0 });
+        }
+    }
+    let file = Pixels::png(1, 0, |_| Ok(Pixels { bytes: bytes.clone(), has_opacity, size }));
+    // Memory takes whatever is written: this does not fail.
+    let file = STANDARD.encode(file.unwrap_or_default());
+    let _ = writeln!(
+        text,
+        "<image x=\"{x:.2}\" y=\"{y:.2}\" width=\"{width:.2}\" height=\"{height:.2}\" preserveAspectRatio=\"none\" style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{file}\"/>"
+    );
+}
+
+/// Grey pixels as rectangles, a path for each grey value.
+#[cfg(not(feature = "png"))]
+fn push_image([x, y]: [f64; 2], [width, height]: [f64; 2], columns: usize, pixels: &[Option<u8>], text: &mut String) {
+    let step = [width / columns as f64, height / (pixels.len() / columns) as f64];
+    for grey in 0..=255u8 {
+        let mut path = String::new();
+        for (place, _) in pixels.iter().enumerate().filter(|(_, pixel)| **pixel == Some(grey)) {
+            let [left, top] = [x + step[0] * (place % columns) as f64, y + step[1] * (place / columns) as f64];
+            let _ = write!(path, "M{left:.2} {top:.2}h{:.2}v{:.2}h{:.2}Z", step[0], step[1], -step[0]);
+        }
+        if !path.is_empty() {
+            let _ = writeln!(text, "<path fill=\"{}\" d=\"{path}\"/>", hex([f32::from(grey) / 255.0; 3]));
         }
     }
 }

@@ -59,6 +59,25 @@ pub(super) fn color(place: usize) -> Color {
     of(PALETTE[place % PALETTE.len()])
 }
 
+/// So much of a color, and the rest of another one.
+pub(crate) fn mixed(color: Color, other: Color, share: f32) -> Color {
+    [0, 1, 2].map(|part| share * color[part] + (1.0 - share) * other[part])
+}
+
+/// The color of one of many things side by side: those of the palette, then others whose hues are far from each other.
+pub(crate) fn color_of_many(place: usize) -> Color {
+    if place < PALETTE_LENGTH {
+        return color(place);
+    }
+    // Hues go on by the golden section of the circle; each is as dark as the palette.
+    let hue = (0.07 + 0.618_034 * (place - PALETTE_LENGTH) as f64).fract();
+    let part = |shift: f64| {
+        let distance = ((hue + shift).fract() - 0.5).abs() * 6.0 - 1.0;
+        (0.12 + 0.62 * distance.clamp(0.0, 1.0)) as f32
+    };
+    [part(0.0), part(2.0 / 3.0), part(1.0 / 3.0)]
+}
+
 /// The color of a place in the palette of pictures, as red, green and blue: one that can be told from its neighbors with any sort
 /// of color vision. The palette begins again after six.
 ///

@@ -141,6 +141,7 @@ impl Page {
                     self.strokes(&text_strokes(*at, *anchor, *size, text, *turn));
                 }
             }
+            Form::Image { corner, sides, columns, pixels } => self.image(*corner, *sides, *columns, pixels),
             Form::Formula { at, anchor, size, formula } => {
                 self.formula(*at, *anchor, *size, formula, part.fill.unwrap_or_default());
             }
@@ -195,6 +196,45 @@ impl Page {
             }
             self.operators.push_str("B\n");
         }
+    }
+
+    /// Grey pixels as inline images: one for each run of pixels of a row that have values, or one of all.
+    fn image(&mut self, [x, y]: [f64; 2], [width, height]: [f64; 2], columns: usize, pixels: &[Option<u8>]) {
+        let rows = pixels.len() / columns;
+        let step = [width / columns as f64, height / rows as f64];
+        let whole: Option<Vec<u8>> = pixels.iter().copied().collect();
+        if let Some(whole) = whole {
+            self.inline_image([x, y], [width, height], columns, &whole);
+            return;
+        }
+        for (row, line) in pixels.chunks_exact(columns).enumerate() {
+            let mut start = 0;
+            for run in line.chunk_by(|a, b| a.is_some() == b.is_some()) {
+                let own: Option<Vec<u8>> = run.iter().copied().collect();
+                if let Some(own) = own {
+                    let corner = [x + step[0] * start as f64, y + step[1] * row as f64];
+                    self.inline_image(corner, [step[0] * run.len() as f64, step[1]], run.len(), &own);
+                }
+                start += run.len();
+            }
+        }
+    }
+
+    fn inline_image(&mut self, [x, y]: [f64; 2], [width, height]: [f64; 2], columns: usize, pixels: &[u8]) {
+        let rows = pixels.len() / columns;
+        // An image is a square of side 1, upwards.
+        let _ = write!(
+            self.operators,
+            "q {} 0 0 {} {} {} cm BI /W {columns} /H {rows} /CS /G /BPC 8 /F /AHx ID ",
+            Short(width),
+            Short(-height),
+            Short(x),
+            Short(y + height)
+        );
+        for pixel in pixels {
+            let _ = write!(self.operators, "{pixel:02X}");
+        }
+        self.operators.push_str("> EI Q\n");
     }
 
     fn strokes(&mut self, lines: &[Vec<[f64; 2]>]) {

@@ -4,7 +4,9 @@ use super::camera::{Camera, Projection, cross, dot, unit};
 use super::canvas::Canvas;
 use super::flat::{Anchor, FlatPicture};
 use super::legend::Legend;
-use super::palette::{ALARM, Color, FAINT, NEUTRAL, Theme, color, of as color_of, packed};
+use super::palette::{ALARM, Color, FAINT, NEUTRAL, Theme, color, mixed, of as color_of, packed};
+#[cfg(feature = "png")]
+use super::pixels::Pixels;
 use super::raster::{Ink, NOTHING, Raster};
 use super::sight::Sight;
 use super::style::{PictureStyle, SAMPLES, check_size, check_widths};
@@ -216,6 +218,13 @@ impl<'a> Picture<'a> {
         Canvas::png_on(background, SAMPLES, |background| self.canvas(background))
     }
 
+    /// The pixels of the picture.
+    #[cfg(feature = "png")]
+    pub(super) fn pixels(&self) -> Pixels {
+        let background = (!self.is_transparent).then_some(self.theme.background);
+        Canvas::pixels_on(background, SAMPLES, |background| self.canvas(background))
+    }
+
     /// The picture on a background, in pixels that are [`SAMPLES`] times as fine.
     pub(super) fn canvas(&self, background: u32) -> Canvas {
         let mut raster = self.raster(SAMPLES, color_of(background));
@@ -384,7 +393,7 @@ pub(super) fn fill_of(layer: &Layer, color: Color, theme: &Theme) -> Color {
     if layer.group != NEIGHBORHOOD {
         return color;
     }
-    [0, 1, 2].map(|part| TINT * color[part] + (1.0 - TINT) * theme.background[part])
+    mixed(color, theme.background, TINT)
 }
 
 /// How far a layer is in front of the usual: of neighborhoods one of a later color lies over one of an earlier color.

@@ -2,7 +2,7 @@
 
 use super::flat::{Anchor, FlatPicture, Step};
 use super::formula::Formula;
-use super::palette::{Color, LIGHT, PALETTE_LENGTH, color};
+use super::palette::{Color, LIGHT, color_of_many};
 use coface_algebra::{Error, ErrorKind};
 use coface_answers::PolygonSchema;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -115,7 +115,7 @@ impl Polygon<'_> {
                     return LIGHT.ink;
                 }
                 next += 1;
-                color_of_pair(next - 1)
+                color_of_many(next - 1)
             })
             .collect();
         for (side, &letter) in self.schema.sides().iter().enumerate() {
@@ -221,20 +221,6 @@ fn letter_formula(name: &str, exponent: &str) -> Formula {
 fn with_letter(formula: Formula, name: &str, exponent: &str) -> Formula {
     let digits = name.find(|c: char| c.is_ascii_digit()).unwrap_or(name.len());
     formula.italic(&name[..digits]).scripts(&name[digits..], exponent)
-}
-
-/// The color of a pair of sides: those of the palette, then others whose hues are far from each other.
-fn color_of_pair(place: usize) -> Color {
-    if place < PALETTE_LENGTH {
-        return color(place);
-    }
-    // Hues go on by the golden section of the circle; each is as dark as the palette.
-    let hue = (0.07 + 0.618_034 * (place - PALETTE_LENGTH) as f64).fract();
-    let part = |shift: f64| {
-        let distance = ((hue + shift).fract() - 0.5).abs() * 6.0 - 1.0;
-        (0.12 + 0.62 * distance.clamp(0.0, 1.0)) as f32
-    };
-    [part(0.0), part(2.0 / 3.0), part(1.0 / 3.0)]
 }
 
 #[cfg(test)]

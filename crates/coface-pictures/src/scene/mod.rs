@@ -25,6 +25,7 @@ mod neighborhood;
 mod numbering;
 mod parts;
 mod persistence;
+mod pixels;
 mod reading;
 mod regions;
 mod results;

@@ -3,6 +3,7 @@
 use super::hidden::{Hidden, drawable};
 use super::numbering::Numbering;
 use super::parts::{Parts, common_width};
+use super::pixels::model_of_pixels;
 use super::regions::region_layers;
 use super::shading::shaded;
 use super::{Layer, Pane, SceneReport, layout};
@@ -75,6 +76,13 @@ impl Scene {
         let model = match model.structure() {
             Some(Structure::Halfedges { .. } | Structure::Gluings(_)) => {
                 subdivided = triangulated(model)?.0;
+                &subdivided
+            }
+            Some(Structure::Volume(volume)) if volume.shape().len() == 2 => {
+                subdivided = model_of_pixels(volume, [volume.shape()[0], volume.shape()[1]])?;
+                let count = subdivided.polygons().len();
+                let message = format!("drawn: the {count} pixels of the image that are set, as squares");
+                assumed = Some(Remark::new(RemarkCode::DrawnInstead, message).at(count, []));
                 &subdivided
             }
             Some(Structure::Volume(volume)) => {

@@ -81,7 +81,7 @@ impl Scene {
         self.panes.extend(forest_pane(&nested(result)));
         if (self.layers.len(), self.panes.len()) == before && !has_notes {
             return Err(Error::invalid(format!("{name} has nothing that could be shown over a model")).with_cure(
-                "give the JSON of homology --generators, cut, cover, pi1, cocycles, arrange, persistence, star, link, ...",
+                "give the JSON of homology --generators, cut, cover, pi1, cycles, cocycles, arrange, persistence, star, link, ...",
             ));
         }
         Ok(())
@@ -190,9 +190,12 @@ fn roles(result: &Shown, layers: &mut Vec<Layer>) {
 
 /// Loops that stand for themselves: closed walks, or chains.
 fn loops(result: &Shown, layers: &mut Vec<Layer>) {
-    for walks in [&result.loops, &result.walks] {
+    for (name, walks) in [("loop", &result.loops), ("loop", &result.walks), ("cycle", &result.cycles)] {
         for (number, walk) in walks.list().iter().enumerate() {
-            let mut layer = loop_layer(walk, format!("loop {}", number + 1));
+            if name == "cycle" && matches!(walk, Walk::Vertices(vertices) if vertices.is_empty()) {
+                continue;
+            }
+            let mut layer = loop_layer(walk, format!("{name} {}", number + 1));
             // Cocycles are shown first, and then the loops that they are measured on.
             layer.is_on = result.cocycles.list().is_empty();
             layers.push(layer);

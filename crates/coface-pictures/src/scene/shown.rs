@@ -23,6 +23,8 @@ keyed! {
             /// Closed walks, or cycles.
             loops: Entries<Walk>,
             walks: Entries<Walk>,
+            /// Short closed paths; classes of cycles have no vertices.
+            cycles: Entries<Walk>,
             cocycles: Entries<Chain<Coefficient>>,
             harmonic: Entries<Harmonic>,
             /// The edges that the values of harmonic forms are on.

@@ -89,6 +89,7 @@ from coface._chains import (
     matching,
     product,
 )
+from coface._figures import matrix_picture, schema_picture, sequence_picture
 from coface._interfaces import interface
 from coface._models import as_chain_complex, as_complex, as_model, as_surface
 from coface._models import geo_interface as _geo_interface
@@ -257,6 +258,7 @@ __all__ = [
     "long_exact_sequence",
     "maps",
     "matching",
+    "matrix_picture",
     "matrix_svg",
     "page",
     "persistence",
@@ -267,6 +269,8 @@ __all__ = [
     "read",
     "render",
     "rips",
+    "schema_picture",
+    "sequence_picture",
     "signatures",
     "to_geopandas",
     "to_gudhi",

@@ -226,7 +226,7 @@ def long_exact_sequence(x: Any, part: Any = "boundary", *, progress: Any = False
     -------
     dict
         ``part``, ``whole`` and ``pair``: homology; ``inclusion``, ``projection`` and ``connecting``: for each degree a map or ``None``,
-        with ``matrix`` (columns are images of generators), ``kernel`` and ``cokernel``.
+        with ``matrix`` (columns are images of generators), ``image``, ``kernel`` and ``cokernel``.
 
     Examples
     --------

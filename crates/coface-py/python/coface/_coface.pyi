@@ -1346,6 +1346,7 @@ class Interface:
     Made by :func:`interface`.
     """
     def _repr_html_(self) -> str: ...
+    def _picture(self, title: str, format: str, size: tuple[int, int], transparent: bool) -> bytes: ...
     def plot(self, **options: Any) -> Any:
         """Draw this with matplotlib: :func:`plot` with the same options."""
         ...
@@ -4253,8 +4254,8 @@ def render(model: Any, format: str = "svg", *, results: Sequence[Any] = ..., siz
     ----------
     model : Model, Complex or ChainComplex
         What is shown.
-    format : {"svg", "png", "pdf"}
-        The format; PDF has vectors, a pixel is 0.75 points.
+    format : {"svg", "png", "pdf", "gif"}
+        The format; PDF has vectors, a pixel is 0.75 points; GIF is an animation.
     results : sequence of dict
         Answers to be shown over it, as ``to_dict()`` gives them.
     size : (int, int)
@@ -4280,7 +4281,7 @@ def render(model: Any, format: str = "svg", *, results: Sequence[Any] = ..., siz
     legend : bool
         Whether the names of what is drawn over the model stand above it.
     spin : int, optional
-        So many frames, in which the model turns once about what is up: an animated PNG, 24 frames a second.
+        So many frames, in which the model turns once about what is up: an animated GIF or PNG, 24 frames a second.
     witness : bool
         Whether what is wrong is marked.
     title : str
@@ -4295,6 +4296,9 @@ def render(model: Any, format: str = "svg", *, results: Sequence[Any] = ..., siz
     """
     ...
 def _matrix_picture(complex: ChainComplex, format: str, size: tuple[int, int], transparent: bool) -> bytes: ...
+def _schema_picture(of: Any, format: str, size: tuple[int, int], transparent: bool, title: str) -> bytes: ...
+def _sequence_picture(model: Any, part: Any, format: str, size: tuple[int, int], transparent: bool, title: str) -> bytes: ...
+def _blocked_matrix_picture(model: Any, degree: int, blocks: str, format: str, size: tuple[int, int], transparent: bool, title: str) -> bytes: ...
 def matrix_svg(complex: ChainComplex, title: str = "boundary matrices") -> str:
     """The boundary matrices of a complex as a picture: blue entries are positive, orange ones negative.
 
@@ -4477,7 +4481,7 @@ def long_exact_sequence(model: Any, part: Any, *, progress: _Progress = ...) -> 
     -------
     dict
         ``part``, ``whole`` and ``pair``: homology; ``inclusion``, ``projection`` and ``connecting``: for each degree a map or ``None``, with
-        ``matrix`` (columns are images of generators), ``kernel`` and ``cokernel``.
+        ``matrix`` (columns are images of generators), ``image``, ``kernel`` and ``cokernel``.
     """
     ...
 def induced_map(source: Any, target: Any, vertices: Any, *, progress: _Progress = ...) -> list[GroupMap]:

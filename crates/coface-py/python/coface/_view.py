@@ -11,7 +11,7 @@ from typing import Any
 
 from coface import _coface
 from coface._arrays import raise_invalid
-from coface._coface import ChainComplex, Persistence, YinSet
+from coface._coface import ChainComplex, Interface, Persistence, YinSet
 from coface._faults import in_words
 from coface._shown import is_answer, shown
 
@@ -128,10 +128,10 @@ def render(
     Parameters
     ----------
     x
-        A model, an answer, or a list of a model and answers, as in :func:`page`. Persistence alone is a diagram, a chain complex without a
-        model its matrices.
+        A model, an answer, or a list of a model and answers, as in :func:`page`. Persistence alone is a diagram, an interface its phases, a
+        chain complex without a model its matrices.
     format
-        ``"svg"``, ``"png"`` or ``"pdf"``; PDF has vectors, a pixel is 0.75 points.
+        ``"svg"``, ``"png"`` or ``"pdf"``; PDF has vectors, a pixel is 0.75 points. With ``spin`` ``"gif"`` or ``"png"``.
     results
         More answers to be shown over it, or dictionaries as ``to_dict()`` gives them.
     size
@@ -157,7 +157,7 @@ def render(
         Whether the names of what is drawn over the model stand above it, with their colors; with ``star``, ``closure`` and ``link`` they
         do anyway.
     spin
-        So many frames, in which the model turns once about what is up: an animated PNG, 24 frames a second.
+        So many frames, in which the model turns once about what is up: an animated GIF or PNG, 24 frames a second.
     witness
         Whether what is wrong is marked.
     title
@@ -182,6 +182,8 @@ def render(
         return x._picture(title if title != "model" else "persistence diagram", format, size, transparent)
     if not results and isinstance(x, YinSet):
         return x._picture(format, size, transparent)
+    if not results and isinstance(x, Interface):
+        return x._picture(title if title != "model" else "interface", format, size, transparent)
     if not results and isinstance(x, ChainComplex) and x.source is None:
         return _coface._matrix_picture(x, format, size, transparent)
     together = shown(x, results)

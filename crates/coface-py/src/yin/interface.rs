@@ -5,13 +5,16 @@ use crate::answer::answer;
 use crate::congruence::choice;
 use crate::errors::invalid;
 use crate::model::Model;
+use crate::pictures::flat_file;
 use crate::work::run;
 use coface::Error;
 use coface::answers::answer::YinInterfaceAnswer;
 use coface::answers::{LabelImage, NamedSet, PlanarInterface, SetRequest};
 use coface::io;
+use coface::pictures::interface_picture;
 use coface::yin::{InterfaceOptions, Overlaps};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 /// Sets of the plane as phases that share the arcs between them: edges, junctions, areas, lengths and neighbors.
 ///
@@ -38,6 +41,17 @@ answer! { Interface {
     /// What was assumed or left out.
     remarks,
 }
+    fn _picture<'py>(
+        &self,
+        py: Python<'py>,
+        title: &str,
+        format: &str,
+        size: (usize, usize),
+        transparent: bool,
+    ) -> PyResult<Bound<'py, PyBytes>> {
+        flat_file(py, format, size, transparent, || interface_picture(title, &self.answer))
+    }
+
     /// The names of the phases.
     #[getter]
     fn names(&self) -> Vec<String> {

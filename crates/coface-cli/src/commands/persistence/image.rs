@@ -74,7 +74,7 @@ impl ImageArguments {
 }
 
 /// The voxels of a volume file; `None` for any other input.
-fn stream<'s>(
+pub(crate) fn stream<'s>(
     source: &'s Source<'_>,
     common: &Common,
 ) -> Result<Option<(String, VolumeStream<'s>)>, Failure> {

@@ -1,20 +1,22 @@
 //! `coface render`: still pictures.
 
 mod diagram;
+mod spin;
 
+use super::persistence::image::stream;
 use super::view::read_result;
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::filtration::read_function;
 use crate::input::{self, Source};
-use crate::output::{print_bytes, print_json, write_file};
+use crate::output::{is_json, print_bytes, print_json, write_file};
 use crate::pictures::PictureFormat;
 use crate::progress::Progress;
-use crate::remarks::say_remarks;
+use crate::remarks::{say_remarks, take};
 use crate::simplices::SimplexList;
 use crate::surface;
 use clap::{Args, ValueEnum};
-use coface::answers::answer::{Remark, RemarkCode, RenderAnswer};
+use coface::answers::answer::{Remark, RemarkCode, RenderAnswer, YinInterfaceAnswer};
 use coface::answers::{
     BlockedMatrix, GeometryCheck, Growth, MatrixBlocks, Neighborhood, PersistenceRequest, PlanarSet,
     PolygonSchema, Report, ReportRequest, SetRequest,
@@ -23,10 +25,11 @@ use coface::complexes::simplicial::SimplexSet;
 use coface::io::Format;
 use coface::pictures::{
     Camera, DiagramPoint, FlatPicture, Pane, Picture, PictureStyle, Scene, SetPicture,
-    blocked_matrix_picture, diagram_picture, matrix_picture, pane_picture, schema_picture, set_picture,
+    blocked_matrix_picture, diagram_picture, image_picture, interface_picture, matrix_picture, pane_picture, schema_picture, set_picture,
     spin_png,
 };
 use diagram::{points_of_result, read_pers};
+use spin::SpinOutput;
 use std::path::{Path, PathBuf};
 
 /// Draw a model as PNG, SVG or PDF, without a browser.
@@ -34,6 +37,9 @@ use std::path::{Path, PathBuf};
 /// The picture is shaded, with edges where there is room for them, and with what --with gives drawn over it: generators, seams, loops, cocycles,
 /// sets of simplices. What is hidden is left out; hidden parts of lines given by --with are thin and faint. Sets of the plane are drawn with
 /// their curves, knots and kinks. --matrix, --diagram, --schema and --forest draw other pictures of the input; --word draws a polygon.
+///
+/// An image, that is a volume of two axes, is drawn by its grey values; with --threshold and the like, or options of pictures in space, the pixels that
+/// are set are squares. An interface is what coface yin interface -o wrote.
 ///
 /// --star, --closure and --link draw what simplices have around them, as coface star, closure and link find it, each in a color of its own over
 /// the pale complex. A star is open: vertices that bound it are rings, and tetrahedra in it do not reach their faces. Of complexes with
@@ -71,7 +77,7 @@ pub(crate) struct Render {
     #[arg(long)]
     dark: bool,
     /// No background: what lies behind the picture shows through
-    #[arg(long, conflicts_with = "spin")]
+    #[arg(long)]
     transparent: bool,
     /// The width of the lines of --with in points; hidden parts are half as wide [default: 2.25]
     #[arg(long, value_name = "POINTS", value_parser = width)]
@@ -82,8 +88,9 @@ pub(crate) struct Render {
     /// Write the numbers of cells beside them: vertices, edges (in the order of their ends), faces; several with commas
     #[arg(long, value_name = "CELLS", value_delimiter = ',')]
     label: Vec<Labeled>,
-    /// Let the model turn once about what is up: an animated PNG of so many frames, 24 a second
-    #[arg(long, value_name = "FRAMES", num_args = 0..=1, default_missing_value = "72", require_equals = true)]
+    /// Let the model turn once about what is up, in so many frames, 24 a second: an animated .gif or .png, or PNG frames in a folder
+    /// (-o frames/) or with numbers (-o frames-%03d.png), of which other programs make videos
+    #[arg(long, value_name = "FRAMES", num_args = 0..=1, default_missing_value = "72", require_equals = true, conflicts_with = "pane")]
     spin: Option<u32>,
     /// Draw the open star of simplices, by their vertices: "0 1; 3" is the edge {0, 1} and the vertex 3
     #[arg(long, value_name = "LIST")]
@@ -198,12 +205,33 @@ fn direction(text: &str) -> Result<[f64; 3], String> {
         .ok_or_else(|| "give three numbers with commas between them, not all 0, like 1,0.5,2".to_owned())
 }
 
+/// What is drawn of a model.
+enum Drawn {
+    Scene(Scene),
+    Pane(FlatPicture),
+}
+
+/// The answer, if it is asked for.
+fn done(mut answer: RenderAnswer, common: &Common, progress: Progress) -> Result<(), Failure> {
+    drop(progress);
+    if !common.json {
+        return Ok(());
+    }
+    answer.picture = common.output.as_ref().map(|path| path.display().to_string());
+    print_json(&answer)
+}
+
 /// A picture without a size asked for has this.
 const SIZE: [usize; 2] = [1200, 900];
 
 impl Render {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
-        let format = PictureFormat::of_output(common.output.as_deref())?;
+        let spin = self.spin.map(|frames| Ok((frames, SpinOutput::of(common.output.as_deref())?)));
+        let spin = spin.transpose()?;
+        let format = match spin {
+            Some(_) => PictureFormat::Png,
+            None => PictureFormat::of_output(common.output.as_deref())?,
+        };
         if self.perspective.is_some_and(|angle| !(1.0..=170.0).contains(&angle)) {
             return Err(Failure::new("an angle of view is between 1 and 170 degrees"));
         }
@@ -220,7 +248,22 @@ impl Render {
                     progress.stage("drawing");
                     self.bytes_of(picture, format)?
                 }
-                None => self.scene(&source, format, common, &progress, &mut answer.remarks)?,
+                None => match self.scene(&source, common, &progress, &mut answer.remarks)? {
+                    Drawn::Pane(picture) => self.bytes_of(picture, format)?,
+                    Drawn::Scene(scene) => {
+                        let style = self.style(&scene);
+                        if let Some((frames, output)) = &spin {
+                            answer.bytes = output.write(&scene, &style, *frames)?;
+                            return done(answer, common, progress);
+                        }
+                        let picture = Picture::new(&scene, &style)?;
+                        match format {
+                            PictureFormat::Png => picture.png()?,
+                            PictureFormat::Svg => picture.svg().into_bytes(),
+                            PictureFormat::Pdf => picture.pdf(),
+                        }
+                    }
+                },
             }
         };
         progress.stage("writing");
@@ -232,13 +275,8 @@ impl Render {
                 return print_bytes(|out| out.write_all(&bytes));
             }
         }
-        drop(progress);
-        if common.json {
-            answer.picture = common.output.as_ref().map(|path| path.display().to_string());
-            answer.bytes = bytes.len();
-            print_json(&answer)?;
-        }
-        Ok(())
+        answer.bytes = bytes.len();
+        done(answer, common, progress)
     }
 
     /// A picture that has no depth, if that is asked for or the input is a set of the plane.
@@ -273,8 +311,12 @@ impl Render {
             let set = self.set(source, common).map_err(|error| error.in_file(name))?;
             return Ok(Some(set_picture(&set, SetPicture::Forest)?));
         }
+        if let Some(interface) = self.interface(source)? {
+            return Ok(Some(interface_picture(&self.title(), &interface).map_err(|error| error.in_file(name))?));
+        }
         let is_in_space =
             self.from.is_some() || self.up.is_some() || self.perspective.is_some() || self.spin.is_some();
+        let has_rule = common.voxels.rule_given().is_some();
         let has_widths = self.line_width.is_some() || self.edge_width.is_some();
         let has_marks = !self.with.is_empty()
             || self.witness
@@ -285,7 +327,13 @@ impl Render {
             || self.has_neighborhoods()
             || self.legend
             || has_widths;
-        if is_in_space || has_marks || !may_be_a_set(source, common) {
+        if is_in_space || has_marks {
+            return Ok(None);
+        }
+        if !has_rule && let Some(picture) = self.image(source, common, progress)? {
+            return Ok(Some(picture));
+        }
+        if !may_be_a_set(source, common) {
             return Ok(None);
         }
         // Whatever is no set is a model; whoever reads models says what is wrong.
@@ -357,6 +405,52 @@ impl Render {
         Ok(Some(schemas))
     }
 
+    /// The grey values of an image, if the input is a volume of two axes: of an array the first axis goes down and the second to the right, of other
+    /// formats the first to the right and the second up.
+    fn image(
+        &self,
+        source: &Source<'_>,
+        common: &Common,
+        progress: &Progress,
+    ) -> Result<Option<FlatPicture>, Failure> {
+        let Some((name, stream)) = stream(source, common)? else { return Ok(None) };
+        let &[first, second] = stream.shape() else { return Ok(None) };
+        progress.stage(format!("reading {name}"));
+        let shape = [first as usize, second as usize];
+        let is_first_fastest = stream.fastest_axis() == 0;
+        let is_array = format_of(source, common) == Some(Format::Npy);
+        let (numbers, said) = stream.numbers().map_err(|error| error.in_file(name.clone()))?;
+        take(&name, &said);
+        let at = |i: usize, j: usize| numbers[if is_first_fastest { i + shape[0] * j } else { shape[1] * i + j }];
+        let [rows, columns] = if is_array { shape } else { [shape[1], shape[0]] };
+        let value = |place: usize| match (place / columns, place % columns) {
+            (row, column) if is_array => at(row, column),
+            (row, column) => at(column, rows - 1 - row),
+        };
+        let values: Vec<f64> = (0..rows * columns).map(value).collect();
+        Ok(Some(image_picture(&self.title(), [rows, columns], &values)?))
+    }
+
+    /// The interface that coface yin interface -o wrote, if the input is one.
+    fn interface(&self, source: &Source<'_>) -> Result<Option<YinInterfaceAnswer>, Failure> {
+        let bytes;
+        let text: &[u8] = match source {
+            Source::File(path) if is_json(path) && path.is_file() => {
+                bytes = std::fs::read(path)
+                    .map_err(|error| Failure::new(format!("{}: cannot be read: {error}", self.name())))?;
+                &bytes
+            }
+            Source::File(_) => return Ok(None),
+            Source::Bytes(bytes) => bytes,
+        };
+        // Few files have these words, and those are read as a whole.
+        let has = |word: &[u8]| text.windows(word.len()).any(|part| part == word);
+        if !(has(b"\"phases\"") && has(b"\"junctions\"")) {
+            return Ok(None);
+        }
+        Ok(serde_json::from_slice(text).ok())
+    }
+
     fn set(&self, source: &Source<'_>, common: &Common) -> Result<PlanarSet, coface::Error> {
         PlanarSet::of(&source.boundary(&common.reading())?, &SetRequest::default())
     }
@@ -396,11 +490,10 @@ impl Render {
     fn scene(
         &self,
         source: &Source<'_>,
-        format: PictureFormat,
         common: &Common,
         progress: &Progress,
         remarks: &mut Vec<Remark>,
-    ) -> Result<Vec<u8>, Failure> {
+    ) -> Result<Drawn, Failure> {
         let loaded = source.model(common.reading(), progress)?;
         progress.stage("drawing");
         let in_file = |error: coface::Error| error.in_file(loaded.name.clone());
@@ -418,7 +511,7 @@ impl Render {
         }
         if let Some(name) = &self.pane {
             let pane = pane_named(&scene, name)?;
-            return self.bytes_of(pane_picture(pane), format);
+            return Ok(Drawn::Pane(pane_picture(pane)));
         }
         if !scene.panes().is_empty() {
             let message = format!("not drawn: {}; --pane draws it instead", pane_names(&scene));
@@ -441,19 +534,7 @@ impl Render {
             };
             scene.label_cells(dimension).map_err(in_file)?;
         }
-        let style = self.style(&scene);
-        if let Some(frames) = self.spin {
-            if format != PictureFormat::Png {
-                return Err(Failure::new("--spin: an animation is a PNG; name the output *.png"));
-            }
-            return Ok(spin_png(&scene, &style, frames, 1000 / 24)?);
-        }
-        let picture = Picture::new(&scene, &style)?;
-        Ok(match format {
-            PictureFormat::Png => picture.png()?,
-            PictureFormat::Svg => picture.svg().into_bytes(),
-            PictureFormat::Pdf => picture.pdf(),
-        })
+        Ok(Drawn::Scene(scene))
     }
 
     fn has_neighborhoods(&self) -> bool {

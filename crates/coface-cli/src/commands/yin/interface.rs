@@ -4,13 +4,15 @@ use super::{SetOptions, Shown};
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{is_json, print_json, print_text, write_json};
+use crate::output::{is_json, print_json, print_text, write_file, write_json};
+use crate::pictures::PictureFormat;
 use crate::progress::Progress;
 use crate::remarks::{accept, say_remarks, take};
 use clap::{Args, ValueEnum};
 use coface::answers::answer::{JunctionKind, YinInterfaceAnswer};
 use coface::answers::{LabelImage, NamedSet, PlanarInterface, PlanarSet, text};
 use coface::io::{Format, NumberTable, StagedFiles};
+use coface::pictures::interface_picture;
 use coface::yin::{InterfaceOptions, Overlaps};
 use std::path::{Path, PathBuf};
 
@@ -24,7 +26,8 @@ const LISTED: usize = 20;
 /// have different knots where they meet, but their common arcs must be the same: what two sets have in common is an error, unless
 /// --overlaps gives it to one of them.
 ///
-/// With -o FILE.json the interface is written, with the control points of all edges; with --sets NAME.json each phase as a set:
+/// With -o FILE.json the interface is written, with the control points of all edges; with -o FILE.svg, .png or .pdf it is drawn: phases in colors,
+/// junctions marked with their types. coface render draws FILE.json the same. With --sets NAME.json each phase as a set:
 /// NAME-001.json, NAME-002.json, .., which every verb of `yin` takes, and this one gives the same interface for.
 ///
 /// With --json: "phases" (each with "name", "area", "perimeter", "components", "holes", and "neighbors" with the number and the length of
@@ -76,9 +79,10 @@ impl Interface {
                 "--picture draws a set, not an interface: write the phases with --sets, and ask for it with `coface yin info`",
             ));
         }
-        if let Some(path) = common.output.as_deref().filter(|path| !is_json(path)) {
+        let format = common.output.as_deref().and_then(PictureFormat::of);
+        if let Some(path) = common.output.as_deref().filter(|path| !is_json(path) && format.is_none()) {
             return Err(Failure::new(format!(
-                "{}: an interface is written as .json; name the file so, or write its phases with --sets",
+                "{}: an interface is written as .json, or drawn as .svg, .png or .pdf; name the file so, or write its phases with --sets",
                 path.display()
             )));
         }
@@ -110,7 +114,14 @@ impl Interface {
             self.write_sets(path, &interface.phases()?, common)?;
         }
         if let Some(path) = &common.output {
-            write_json(path, &interface.answer(&files, true)?)?;
+            let whole = interface.answer(&files, true)?;
+            match format {
+                Some(format) => {
+                    let picture = interface_picture(&self.title(), &whole)?;
+                    write_file(path, &format.bytes(&picture, None)?)?;
+                }
+                None => write_json(path, &whole)?,
+            }
         }
         drop(progress);
         say_remarks(interface.remarks(), common);
@@ -119,6 +130,15 @@ impl Interface {
             (false, Some(_)) => Ok(()),
             (false, None) => print_text(&page(&answer)),
         }
+    }
+
+    /// What a picture is called: the files without their folders.
+    fn title(&self) -> String {
+        let name = |path: &PathBuf| {
+            path.file_name().map_or_else(|| input::name(path), |name| name.to_string_lossy().into_owned())
+        };
+        let names: Vec<String> = self.inputs.iter().map(name).collect();
+        format!("interface of {}", names.join(", "))
     }
 
     fn read(&self, common: &Common, progress: &Progress) -> Result<Vec<NamedSet>, Failure> {

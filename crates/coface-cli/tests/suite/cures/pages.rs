@@ -43,10 +43,18 @@ const TETRAHEDRON: Files =
     &[("t.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")];
 
 pub(super) const CASES: &[Case] = &[
-    Case::new("render/mod.rs", "--spin: an animation is a PNG; name the output *.png")
+    Case::new("render/spin.rs", "--spin: an animation is a GIF or a PNG")
         .files(TRIANGLES)
         .refused("coface render a.json --spin -o a.svg")
-        .cured(&[&["coface render a.json --spin=2 --size 40x30 -o a.png"]]),
+        .cured(&[
+            &["coface render a.json --spin=2 --size 40x30 -o a.gif"],
+            &["coface render a.json --spin=2 --size 40x30 -o a.png"],
+            &["coface render a.json --spin=2 --size 40x30 -o frames/"],
+        ]),
+    Case::new("render/spin.rs", "--spin: an animation goes to a file or a folder")
+        .files(TRIANGLES)
+        .refused("coface render a.json --spin")
+        .cured(&[&["coface render a.json --spin=2 --size 40x30 -o spin.gif"]]),
     Case::new("answers/src/text.rs", "(--check geometry checks it)")
         .files(TETRAHEDRON)
         .answered("coface info t.off --check topology")
