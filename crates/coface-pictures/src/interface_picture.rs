@@ -59,7 +59,8 @@ pub fn interface_picture(title: &str, interface: &YinInterfaceAnswer) -> Result<
     let scale = SIDE / extent[0].max(extent[1]).max(f64::MIN_POSITIVE);
     let [width, height] = extent.map(|side| scale * side);
     let named = interface.phases.len().min(MOST_NAMES + 1);
-    let size = [width + 2.0 * MARGIN + LEGEND, (height + 2.0 * MARGIN).max(2.0 * MARGIN + ROW * (named + 3) as f64)];
+    let size =
+        [width + 2.0 * MARGIN + LEGEND, (height + 2.0 * MARGIN).max(2.0 * MARGIN + ROW * (named + 3) as f64)];
     let mut picture = FlatPicture::new(title, size, PAPER);
     let view = View { low, scale, bottom: MARGIN + height };
     for (number, phase) in interface.phases.iter().enumerate() {
@@ -99,7 +100,8 @@ fn tint(number: usize) -> Color {
 }
 
 fn check(interface: &YinInterfaceAnswer) -> Result<(), Error> {
-    let fault = |message: String| Err(Error::invalid(message).with_cure("give what coface yin interface -o wrote"));
+    let fault =
+        |message: String| Err(Error::invalid(message).with_cure("give what coface yin interface -o wrote"));
     if !(2..=MOST_ORDER).contains(&interface.order) {
         return fault(format!("the edges have order {}, not one from 2 to {MOST_ORDER}", interface.order));
     }
@@ -111,7 +113,10 @@ fn check(interface: &YinInterfaceAnswer) -> Result<(), Error> {
         let step = interface.order as usize - 1;
         let is_whole = points.len() > 1 && (points.len() - 1).is_multiple_of(step);
         if !is_whole || points.iter().flatten().any(|x| !x.is_finite()) {
-            return fault(format!("edge {number} has control points that are no pieces of order {}", interface.order));
+            return fault(format!(
+                "edge {number} has control points that are no pieces of order {}",
+                interface.order
+            ));
         }
         if edge.ends.iter().any(|&end| end as usize >= interface.vertices.len()) {
             return fault(format!("edge {number} ends at a vertex that is not there"));
@@ -185,7 +190,10 @@ fn push_pieces(path: &mut Vec<Step>, controls: &[[f64; 2]], order: u32, view: &V
 fn point_of(controls: &[[f64; 2]], share: f64) -> [f64; 2] {
     let mut points = controls.to_vec();
     while points.len() > 1 {
-        points = points.windows(2).map(|pair| [0, 1].map(|i| pair[0][i] + share * (pair[1][i] - pair[0][i]))).collect();
+        points = points
+            .windows(2)
+            .map(|pair| [0, 1].map(|i| pair[0][i] + share * (pair[1][i] - pair[0][i])))
+            .collect();
     }
     points[0]
 }
@@ -288,7 +296,8 @@ mod tests {
         assert_eq!(svg.matches("<circle").count(), answer.junctions.len());
         assert_eq!(svg.matches("stroke-width=\"1.4\"").count(), answer.edges.len());
         let colors = svg.lines().filter(|line| line.contains("evenodd") && !line.contains("stroke="));
-        let mut colors: Vec<&str> = colors.filter_map(|line| line.split("fill=\"").nth(1)?.get(..7)).collect();
+        let mut colors: Vec<&str> =
+            colors.filter_map(|line| line.split("fill=\"").nth(1)?.get(..7)).collect();
         colors.sort_unstable();
         colors.dedup();
         assert_eq!(colors.len(), 3);

@@ -8,7 +8,9 @@ use crate::json::from_python;
 use crate::work::run;
 use coface::Error;
 use coface::answers::{GeometryCheck, Neighborhood, Report, ReportRequest};
-use coface::pictures::{Camera, FlatPicture, Picture, PictureStyle, Scene, matrix_picture, spin_gif, spin_png};
+use coface::pictures::{
+    Camera, FlatPicture, Picture, PictureStyle, Scene, matrix_picture, spin_gif, spin_png,
+};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 

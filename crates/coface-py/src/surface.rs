@@ -17,8 +17,8 @@ use coface::algebra::chains::Cochain;
 use coface::algebra::{Integer, Sign};
 use coface::answers::answer::{EdgeWeights, WholeNumber};
 use coface::answers::{
-    CellName, CutRequest, Edit, LayoutChoice, Producer, SurfaceCocycles, SurfaceEditor, SurfaceModel,
-    surface_harmonic_forms,
+    CellName, CutRequest, Edit, LayoutChoice, PolygonSchema, Producer, SurfaceCocycles, SurfaceEditor,
+    SurfaceModel, surface_harmonic_forms,
 };
 use coface::complexes::surface::{GeneralizedMap, SurfaceType};
 use coface::io::Structure;
@@ -121,6 +121,11 @@ pub(crate) fn surface_of(
 }
 
 impl Surface {
+    /// The canonical polygon of each component.
+    pub(crate) fn schemas(&self) -> Vec<PolygonSchema> {
+        self.surface.schemas()
+    }
+
     fn map(&self) -> &GeneralizedMap {
         self.surface.map()
     }

@@ -226,11 +226,13 @@ fn images_of_two_axes_are_drawn_by_their_grey_values() {
     let nrrd = "NRRD0004\ntype: uint8\ndimension: 2\nsizes: 3 2\nencoding: ascii\n\n150 200 255 0 50 100\n";
     std::fs::write(place.join("a.nrrd"), nrrd).unwrap();
     let drawn = |name: &str, options: &[&str]| {
-        let out = place.join("a.png");
-        let line = [&["render", argument(&place.join(name)), "-o", argument(&out), "--size", "780x503"], options].concat();
+        let (input, out) = (place.join(name), place.join("a.png"));
+        let line =
+            [&["render", argument(&input), "-o", argument(&out), "--size", "780x503"], options].concat();
         let run = coface(&line);
         assert_eq!(run.status, 0, "{}", run.stderr);
-        let mut reader = png::Decoder::new(std::io::Cursor::new(std::fs::read(&out).unwrap())).read_info().unwrap();
+        let mut reader =
+            png::Decoder::new(std::io::Cursor::new(std::fs::read(&out).unwrap())).read_info().unwrap();
         let mut buffer = vec![0; reader.output_buffer_size().unwrap()];
         reader.next_frame(&mut buffer).unwrap();
         buffer

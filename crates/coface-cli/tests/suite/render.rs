@@ -405,7 +405,8 @@ fn frames_go_to_a_folder_or_have_numbers_and_videos_are_refused() {
     };
     assert_eq!(names("frames"), ["frame-001.png", "frame-002.png", "frame-003.png"]);
     assert_eq!(names("some"), ["turn-01.png", "turn-02.png", "turn-03.png"]);
-    let frames: Vec<_> = names("frames").iter().map(|name| decoded(&folder.path().join("frames").join(name))).collect();
+    let frames: Vec<_> =
+        names("frames").iter().map(|name| decoded(&folder.path().join("frames").join(name))).collect();
     assert!(frames.iter().all(|(size, _)| *size == [40, 30]) && frames[0].1 != frames[1].1);
     for (name, said) in [
         ("a.mp4", "ffmpeg -framerate 24 -i frames/frame-%03d.png"),

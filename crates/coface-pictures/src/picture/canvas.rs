@@ -5,11 +5,11 @@ use super::palette::Color;
 use super::palette::packed;
 #[cfg(feature = "png")]
 use super::pixels::Pixels;
-#[cfg(feature = "png")]
-use coface_algebra::progress::stage;
 use coface_algebra::Error;
 #[cfg(not(feature = "png"))]
 use coface_algebra::ErrorKind;
+#[cfg(feature = "png")]
+use coface_algebra::progress::stage;
 use std::ops::Range;
 
 /// Pixels with one number each: red, green and blue in bytes.

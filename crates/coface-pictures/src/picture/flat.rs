@@ -146,7 +146,7 @@ impl FlatPicture {
     }
 
     /// What is added from here on belongs together, under this name.
-    pub(super) fn begin_group(&mut self, name: &str) {
+    pub(crate) fn begin_group(&mut self, name: &str) {
         self.groups.push(name.to_owned());
     }
 
@@ -210,7 +210,13 @@ impl FlatPicture {
     }
 
     /// Draws grey pixels, row after row from the top, in a rectangle.
-    pub(super) fn image(&mut self, corner: [f64; 2], sides: [f64; 2], columns: usize, pixels: Vec<Option<u8>>) {
+    pub(super) fn image(
+        &mut self,
+        corner: [f64; 2],
+        sides: [f64; 2],
+        columns: usize,
+        pixels: Vec<Option<u8>>,
+    ) {
         self.push(Form::Image { corner, sides, columns, pixels }, None, None, 1.0);
     }
 

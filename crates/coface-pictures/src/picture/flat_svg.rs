@@ -136,7 +136,13 @@ impl Part {
 
 /// Grey pixels as a picture within the picture, which is not smoothed.
 #[cfg(feature = "png")]
-fn push_image([x, y]: [f64; 2], [width, height]: [f64; 2], columns: usize, pixels: &[Option<u8>], text: &mut String) {
+fn push_image(
+    [x, y]: [f64; 2],
+    [width, height]: [f64; 2],
+    columns: usize,
+    pixels: &[Option<u8>],
+    text: &mut String,
+) {
     let size = [columns, pixels.len() / columns];
     let has_opacity = pixels.contains(&None);
     let mut bytes = Vec::with_capacity(4 * pixels.len());
@@ -157,12 +163,19 @@ fn push_image([x, y]: [f64; 2], [width, height]: [f64; 2], columns: usize, pixel
 
 /// Grey pixels as rectangles, a path for each grey value.
 #[cfg(not(feature = "png"))]
-fn push_image([x, y]: [f64; 2], [width, height]: [f64; 2], columns: usize, pixels: &[Option<u8>], text: &mut String) {
+fn push_image(
+    [x, y]: [f64; 2],
+    [width, height]: [f64; 2],
+    columns: usize,
+    pixels: &[Option<u8>],
+    text: &mut String,
+) {
     let step = [width / columns as f64, height / (pixels.len() / columns) as f64];
     for grey in 0..=255u8 {
         let mut path = String::new();
         for (place, _) in pixels.iter().enumerate().filter(|(_, pixel)| **pixel == Some(grey)) {
-            let [left, top] = [x + step[0] * (place % columns) as f64, y + step[1] * (place / columns) as f64];
+            let [left, top] =
+                [x + step[0] * (place % columns) as f64, y + step[1] * (place / columns) as f64];
             let _ = write!(path, "M{left:.2} {top:.2}h{:.2}v{:.2}h{:.2}Z", step[0], step[1], -step[0]);
         }
         if !path.is_empty() {

@@ -1,6 +1,6 @@
 //! Animations as GIF: one palette for all frames.
 
-use super::canvas::Pixels;
+use super::pixels::Pixels;
 use coface_algebra::{Error, ErrorKind};
 use std::borrow::Cow;
 
@@ -53,13 +53,18 @@ impl Colors {
                 let parts = bins.iter().map(|&bin| part(bin, axis));
                 parts.clone().max().unwrap_or(0) - parts.min().unwrap_or(0)
             };
-            (0..3).map(|axis| (length(axis), axis)).max_by_key(|&(length, axis)| (length, 3 - axis)).unwrap_or((0, 0))
+            (0..3)
+                .map(|axis| (length(axis), axis))
+                .max_by_key(|&(length, axis)| (length, 3 - axis))
+                .unwrap_or((0, 0))
         };
         // A background has most pixels; roots let it not take most colors.
         let urgency = |bins: &[usize]| (weight(bins) as f64).sqrt() * longest(bins).0 as f64;
         let mut boxes = vec![(urgency(&used), used)];
         while boxes.len() < most {
-            let Some(place) = (0..boxes.len()).max_by(|&a, &b| boxes[a].0.total_cmp(&boxes[b].0)) else { break };
+            let Some(place) = (0..boxes.len()).max_by(|&a, &b| boxes[a].0.total_cmp(&boxes[b].0)) else {
+                break;
+            };
             if boxes[place].0 <= 0.0 {
                 break;
             }
@@ -77,7 +82,8 @@ impl Colors {
             boxes.extend([(urgency(&bins), bins), (urgency(&rest), rest)]);
         }
         let mean = |bins: &Vec<usize>| {
-            let sums = bins.iter().fold([0u64; 4], |sums, &bin| [0, 1, 2, 3].map(|i| sums[i] + self.bins[bin][i]));
+            let sums =
+                bins.iter().fold([0u64; 4], |sums, &bin| [0, 1, 2, 3].map(|i| sums[i] + self.bins[bin][i]));
             [1, 2, 3].map(|part| ((sums[part] + sums[0] / 2) / sums[0]) as u8)
         };
         boxes.iter().map(|(_, bins)| mean(bins)).collect()
@@ -121,7 +127,8 @@ impl<'f> Gif<'f> {
         if is_transparent {
             palette.push([0; 3]);
         }
-        let mut encoder = gif::Encoder::new(file, size[0], size[1], palette.as_flattened()).map_err(failed)?;
+        let mut encoder =
+            gif::Encoder::new(file, size[0], size[1], palette.as_flattened()).map_err(failed)?;
         encoder.set_repeat(gif::Repeat::Infinite).map_err(failed)?;
         palette.truncate(own);
         let hundredths = (milliseconds + 5) / 10;
@@ -147,7 +154,11 @@ impl<'f> Gif<'f> {
             buffer: Cow::Owned(places),
             delay: self.hundredths,
             transparent: self.nothing,
-            dispose: if self.nothing.is_some() { gif::DisposalMethod::Background } else { gif::DisposalMethod::Keep },
+            dispose: if self.nothing.is_some() {
+                gif::DisposalMethod::Background
+            } else {
+                gif::DisposalMethod::Keep
+            },
             ..gif::Frame::default()
         };
         self.encoder.write_frame(&frame).map_err(failed)
@@ -157,7 +168,9 @@ impl<'f> Gif<'f> {
     fn place(&mut self, color: [u8; 3]) -> u8 {
         let slot = &mut self.nearest[bin(color)];
         *slot.get_or_insert_with(|| {
-            let distance = |own: &[u8; 3]| (0..3).map(|part| i32::from(own[part].abs_diff(color[part])).pow(2)).sum::<i32>();
+            let distance = |own: &[u8; 3]| {
+                (0..3).map(|part| i32::from(own[part].abs_diff(color[part])).pow(2)).sum::<i32>()
+            };
             let nearest = (0u8..=255).zip(&self.palette).min_by_key(|(_, own)| distance(own));
             nearest.map_or(0, |(place, _)| place)
         })
@@ -195,7 +208,8 @@ mod tests {
         let palette = colors.palette(40);
         assert_eq!(palette.len(), 40);
         let far = ramp.iter().map(|own| {
-            let distance = |color: &[u8; 3]| (0..3).map(|i| u32::from(own[i].abs_diff(color[i]))).sum::<u32>();
+            let distance =
+                |color: &[u8; 3]| (0..3).map(|i| u32::from(own[i].abs_diff(color[i]))).sum::<u32>();
             palette.iter().map(distance).min().unwrap()
         });
         assert!(far.max().unwrap() < 60);

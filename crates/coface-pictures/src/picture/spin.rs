@@ -168,12 +168,7 @@ fn check_frames(frames: u32) -> Result<(), Error> {
     Ok(())
 }
 
-fn frame<'s>(
-    scene: &'s Scene,
-    style: &PictureStyle,
-    number: u32,
-    frames: u32,
-) -> Result<Picture<'s>, Error> {
+fn frame<'s>(scene: &'s Scene, style: &PictureStyle, number: u32, frames: u32) -> Result<Picture<'s>, Error> {
     let mut style = style.clone();
     style.turn = Some(style.turn.unwrap_or(0.0) + 360.0 * f64::from(number) / f64::from(frames));
     Picture::new(scene, &style)

@@ -25,8 +25,8 @@ use coface::complexes::simplicial::SimplexSet;
 use coface::io::Format;
 use coface::pictures::{
     Camera, DiagramPoint, FlatPicture, Pane, Picture, PictureStyle, Scene, SetPicture,
-    blocked_matrix_picture, diagram_picture, image_picture, interface_picture, matrix_picture, pane_picture, schema_picture, set_picture,
-    spin_png,
+    blocked_matrix_picture, diagram_picture, image_picture, interface_picture, matrix_picture, pane_picture,
+    schema_picture, set_picture,
 };
 use diagram::{points_of_result, read_pers};
 use spin::SpinOutput;
@@ -226,8 +226,10 @@ const SIZE: [usize; 2] = [1200, 900];
 
 impl Render {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
-        let spin = self.spin.map(|frames| Ok((frames, SpinOutput::of(common.output.as_deref())?)));
-        let spin = spin.transpose()?;
+        let spin = match self.spin {
+            Some(frames) => Some((frames, SpinOutput::of(common.output.as_deref())?)),
+            None => None,
+        };
         let format = match spin {
             Some(_) => PictureFormat::Png,
             None => PictureFormat::of_output(common.output.as_deref())?,
@@ -312,7 +314,9 @@ impl Render {
             return Ok(Some(set_picture(&set, SetPicture::Forest)?));
         }
         if let Some(interface) = self.interface(source)? {
-            return Ok(Some(interface_picture(&self.title(), &interface).map_err(|error| error.in_file(name))?));
+            return Ok(Some(
+                interface_picture(&self.title(), &interface).map_err(|error| error.in_file(name))?,
+            ));
         }
         let is_in_space =
             self.from.is_some() || self.up.is_some() || self.perspective.is_some() || self.spin.is_some();
@@ -421,7 +425,8 @@ impl Render {
         let is_array = format_of(source, common) == Some(Format::Npy);
         let (numbers, said) = stream.numbers().map_err(|error| error.in_file(name.clone()))?;
         take(&name, &said);
-        let at = |i: usize, j: usize| numbers[if is_first_fastest { i + shape[0] * j } else { shape[1] * i + j }];
+        let at =
+            |i: usize, j: usize| numbers[if is_first_fastest { i + shape[0] * j } else { shape[1] * i + j }];
         let [rows, columns] = if is_array { shape } else { [shape[1], shape[0]] };
         let value = |place: usize| match (place / columns, place % columns) {
             (row, column) if is_array => at(row, column),
