@@ -134,7 +134,7 @@ fn polygons_have_their_words() {
             assert!(has_header(&place.join(name)), "{name}");
         }
     }
-    let solid = file(&folder, "solid.json", "[[0,1,2,3]]");
+    let solid = file(&folder, "solid.json", "[[0,1,2,3],[0,1,2,4]]");
     assert!(coface(&["render", argument(&solid), "--schema"]).fails_with(1).contains("solid.json"));
     assert!(coface(&["render", "--word", "a b 3"]).fails_with(1).contains("'3' at place 5"));
     assert!(coface(&["render", "--word", ""]).fails_with(1).contains("without letters"));

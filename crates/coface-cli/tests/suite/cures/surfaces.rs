@@ -237,6 +237,13 @@ pub(super) const CASES: &[Case] = &[
         .before(&["coface homology book.json --certificate book.cert"])
         .refused("coface check lone.cert")
         .cured(&[&["coface check book.cert book.json"]]),
+    Case::new("scene/pixels.rs", "leave out --periodic")
+        .files(&[(
+            "row.nrrd",
+            "NRRD0004\ntype: double\ndimension: 2\nsizes: 3 1\nencoding: ascii\n\n1 2 3\n",
+        )])
+        .refused("coface render row.nrrd --threshold 2 --periodic x -o a.svg")
+        .cured(&[&["coface render row.nrrd --threshold 2 -o a.svg"]]),
     Case::new("cubical/surface.rs", "leave out --periodic")
         .files(VOXELS)
         .refused("coface convert voxels.nrrd --periodic x -o boundary.obj")

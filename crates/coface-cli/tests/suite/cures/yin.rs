@@ -182,7 +182,7 @@ pub(super) const CASES: &[Case] = &[
         ]]),
     Case::new("yin/interface.rs", "name the file so, or write its phases with --sets")
         .files(DISK)
-        .refused("coface yin interface disk.svg -o a.svg")
+        .refused("coface yin interface disk.svg -o a.obj")
         .cured(&[
             &["coface yin interface disk.svg -o a.json"],
             &["coface yin interface disk.svg --sets a.svg"],
