@@ -100,8 +100,10 @@ fn tint(number: usize) -> Color {
 }
 
 fn check(interface: &YinInterfaceAnswer) -> Result<(), Error> {
-    let fault =
-        |message: String| Err(Error::invalid(message).with_cure("give an interface as it was written to a file, with the control points of its edges"));
+    let fault = |message: String| {
+        Err(Error::invalid(message)
+            .with_cure("give an interface as it was written to a file, with the control points of its edges"))
+    };
     if !(2..=MOST_ORDER).contains(&interface.order) {
         return fault(format!("the edges have order {}, not one from 2 to {MOST_ORDER}", interface.order));
     }
