@@ -140,7 +140,7 @@ fn controls(edge: &YinEdgeAnswer) -> &[[f64; 2]] {
 
 /// The box around all control points, with a margin if a phase is not bounded.
 fn frame_of(interface: &YinInterfaceAnswer) -> [[f64; 2]; 2] {
-    let points = interface.edges.iter().flat_map(|edge| controls(edge));
+    let points = interface.edges.iter().flat_map(controls);
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     for point in points {
         for axis in 0..2 {
