@@ -207,7 +207,7 @@ fn direction(text: &str) -> Result<[f64; 3], String> {
 
 /// What is drawn of a model.
 enum Drawn {
-    Scene(Scene),
+    Scene(Box<Scene>),
     Pane(FlatPicture),
 }
 
@@ -539,7 +539,7 @@ impl Render {
             };
             scene.label_cells(dimension).map_err(in_file)?;
         }
-        Ok(Drawn::Scene(scene))
+        Ok(Drawn::Scene(Box::new(scene)))
     }
 
     fn has_neighborhoods(&self) -> bool {
