@@ -75,8 +75,8 @@ pub use spatial::{
     SpatialScene,
 };
 pub use surface_model::{
-    CutComponent, CutRequest, CutSeam, LayoutChoice, PlacedCover, PolygonSchema, SurfaceCover, SurfaceCut,
-    SurfaceModel, edge_lengths,
+    CutComponent, CutRequest, CutSeam, LayoutChoice, LayoutRequest, LayoutWeights, PlacedCover,
+    PlacedPolygons, PolygonSchema, SurfaceCover, SurfaceCut, SurfaceModel, edge_lengths,
 };
 pub use yin::{
     CutCellsRequest, KinkRequest, LabelImage, MotionRequest, NamedSet, PlanarInterface, PlanarMotion,

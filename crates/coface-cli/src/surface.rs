@@ -106,6 +106,9 @@ struct WithMesh<'a, A> {
     source: Vec<Option<i64>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     positions: Option<Vec<&'a [f64]>>,
+    /// Texture coordinates of each vertex.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    uv: Option<Vec<[f64; 2]>>,
     /// For each face the copy that it is in.
     #[serde(skip_serializing_if = "Option::is_none")]
     copy: Option<Vec<i64>>,
@@ -126,8 +129,13 @@ impl<'a, A> WithMesh<'a, A> {
             let rows = (0..model.polygons().len()).filter_map(|face| copy.integer_row(face));
             rows.map(|row| row[0]).collect()
         });
+        let uv = model.texture_coordinates().map(|pair| {
+            let rows = 0..model.vertex_count();
+            rows.map(|row| pair.map(|data| data.real_row(row)[0])).collect()
+        });
         Self {
             answer,
+            uv,
             facets,
             polygons,
             source: sources.map(|row| row.map(|row| row[0])).collect(),

@@ -827,6 +827,28 @@ impl Model {
         Some([part("red")?, part("green")?, part("blue")?])
     }
 
+    /// The texture coordinates of the vertices: data `s` and `t` on vertices, or `u` and `v`, or `texture_u` and `texture_v`, one real each.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io as io;
+    /// use coface_io::Format;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float s\nproperty float t\nend_header\n0 0.25 1\n";
+    /// let model = io::read(text.as_bytes(), Format::Ply)?;
+    /// let rows = model.texture_coordinates().map(|pair| pair.map(|data| data.real_row(0)));
+    /// assert_eq!(rows, Some([vec![0.25], vec![1.0]]));
+    /// # Ok(()) }
+    /// ```
+    pub fn texture_coordinates(&self) -> Option<[&CellData; 2]> {
+        let part = |name: &str| {
+            self.data_named(name, GroupKind::Vertices)
+                .filter(|data| data.components() == 1 && !data.is_integral())
+        };
+        let pairs = [["s", "t"], ["u", "v"], ["texture_u", "texture_v"]];
+        pairs.into_iter().find_map(|[u, v]| Some([part(u)?, part(v)?]))
+    }
+
     /// The array of this name on vertices, lines, polygons or cells.
     ///
     /// # Examples

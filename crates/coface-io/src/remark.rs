@@ -255,6 +255,8 @@ pub enum RemarkCode {
     UniformWeights,
     /// The layout asked for does not exist on this input, and another one was taken.
     LayoutReplaced,
+    /// Triangles of a layout are turned over or flat.
+    TrianglesTurned,
     /// A surface is open, and what lies inside of it was decided in floating point.
     OpenInput,
     /// A file, object or group that is an input has no polygons or cells: it is the empty set.

@@ -17,14 +17,15 @@ use coface::algebra::chains::Cochain;
 use coface::algebra::{Integer, Sign};
 use coface::answers::answer::{EdgeWeights, WholeNumber};
 use coface::answers::{
-    CellName, CutRequest, Edit, LayoutChoice, PolygonSchema, Producer, SurfaceCocycles, SurfaceEditor,
-    SurfaceModel, surface_harmonic_forms,
+    CellName, CutRequest, Edit, LayoutChoice, LayoutRequest, LayoutWeights, PolygonSchema, Producer,
+    SurfaceCocycles, SurfaceEditor, SurfaceModel, surface_harmonic_forms,
 };
 use coface::complexes::surface::{GeneralizedMap, SurfaceType};
 use coface::io::Structure;
 use coface::topology::{
-    ClosedWalk, CoverExtent, CycleKind, HarmonicForm, ShortestCycle, SurfaceHomology, SurfaceHomotopy,
-    TreeCotree, shortest_cycle, shortest_cycle_through, shortest_homology_basis, shortest_loops,
+    ClosedWalk, CoverExtent, CycleKind, HarmonicForm, PolygonPlane, ShortestCycle, SurfaceHomology,
+    SurfaceHomotopy, TreeCotree, shortest_cycle, shortest_cycle_through, shortest_homology_basis,
+    shortest_loops,
 };
 use coface::{EdgeId, Error, ErrorKind, FaceId, Fault, HalfedgeId, VertexId};
 use numpy::{PyArray1, PyArrayMethods};
@@ -348,6 +349,13 @@ impl Surface {
     ///     Whether edges and faces are split so that the cut is along disjoint simple loops through one vertex, and the word around the
     ///     domain is canonical: ``a1 b1 a1^-1 b1^-1 a2 ..``, or ``c1 c1 c2 c2 ..`` where the surface is not orientable. ``refinement``
     ///     has the new vertices.
+    /// layout : {"polygon", "klein"}, optional
+    ///     Draws the domain of a canonical cut as a regular polygon: in the unit circle, or in the disk of Klein, where hyperbolic lines are straight.
+    ///     Polygons of several components are 2.5 apart. The attribute ``layout`` says how many triangles are turned over, decided exactly.
+    /// weights : {"uniform", "cotangent"}
+    ///     Of a layout: each vertex inside is the mean of its neighbors, by the cotangents of the intrinsic Delaunay triangulation or all alike.
+    /// uv : bool
+    ///     Of a layout: whether it becomes texture coordinates, the data ``s`` and ``t``, of a mesh that stays where it is.
     /// progress : bool or callable, optional
     ///     ``True`` shows a bar; a function is called with (stage, done, total).
     ///
@@ -365,7 +373,9 @@ impl Surface {
     /// >>> double = coface.generate("genus", genus=2).surface()
     /// >>> double.cut(canonical=True).components[0]["canonical"]
     /// 'a1 b1 a1^-1 b1^-1 a2 b2 a2^-1 b2^-1'
-    #[pyo3(signature = (along=None, *, simplify=false, rounds=None, base=None, roles=false, canonical=false, progress=None))]
+    /// >>> double.cut(layout="klein").layout["turned"]
+    /// 0
+    #[pyo3(signature = (along=None, *, simplify=false, rounds=None, base=None, roles=false, canonical=false, layout=None, weights="uniform", uv=false, progress=None))]
     #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
     fn cut(
         &self,
@@ -376,8 +386,13 @@ impl Surface {
         base: Option<u32>,
         roles: bool,
         canonical: bool,
+        layout: Option<&str>,
+        weights: &str,
+        uv: bool,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Domain> {
+        let layout = layout_request(py, layout, weights, uv)?;
+        let canonical = canonical || layout.is_some();
         if canonical && (simplify || roles || rounds.is_some() || along.is_some()) {
             let message = "a canonical cut has no path, no rounds and no roles, and is not simplified";
             return Err(invalid(py, message, "leave along, simplify, rounds and roles out"));
@@ -388,7 +403,7 @@ impl Surface {
                 Some(path) => self.surface.cut_along(path)?,
                 None => {
                     let base = base.map(|base| self.surface.vertex_numbered(base)).transpose()?;
-                    self.surface.cut_open(&CutRequest { simplify, rounds, base, roles, canonical })?
+                    self.surface.cut_open(&CutRequest { simplify, rounds, base, roles, canonical, layout })?
                 }
             };
             Ok((cut.answer(), cut.model()?))
@@ -492,8 +507,9 @@ impl Surface {
     ///     So many copies; 1 if neither is given.
     /// component : int
     ///     The component.
-    /// layout : {"auto", "flat", "disk", "none"}
-    ///     Where copies are put: in the plane, in the Poincare disk, whichever there is, or over the surface.
+    /// layout : {"auto", "flat", "disk", "klein", "none"}
+    ///     Where copies are put: in the plane, in the disk of Poincare or of Klein, in the plane or the first disk, whichever there is, or over the
+    ///     surface.
     /// most_cells : int
     ///     More cells than this are refused.
     /// progress : bool or callable, optional
@@ -529,9 +545,10 @@ impl Surface {
             "auto" => Some(LayoutChoice::Any),
             "flat" => Some(LayoutChoice::Flat),
             "disk" => Some(LayoutChoice::Disk),
+            "klein" => Some(LayoutChoice::Klein),
             "none" => None,
             _ => {
-                let cure = "give \"auto\", \"flat\", \"disk\" or \"none\"";
+                let cure = "give \"auto\", \"flat\", \"disk\", \"klein\" or \"none\"";
                 return Err(invalid(py, format!("layout is {layout:?}"), cure));
             }
         };
@@ -876,4 +893,31 @@ pub(crate) fn _surface(py: Python<'_>, model: &Bound<'_, Model>, boundary: bool)
 /// The vertices of a producer by their numbers in the file.
 pub(crate) fn numbers_of(producer: &Producer, count: usize) -> Vec<u32> {
     (0..count).map(|vertex| producer.cell_vertices(0, coface::CellId::new(vertex))[0]).collect()
+}
+
+/// How a domain is to be drawn, in words.
+fn layout_request(
+    py: Python<'_>,
+    layout: Option<&str>,
+    weights: &str,
+    as_texture: bool,
+) -> PyResult<Option<LayoutRequest>> {
+    let plane = match layout {
+        None if as_texture => PolygonPlane::Euclidean,
+        None => return Ok(None),
+        Some("polygon") => PolygonPlane::Euclidean,
+        Some("klein") => PolygonPlane::Klein,
+        Some(other) => {
+            return Err(invalid(py, format!("layout is {other:?}"), "give \"polygon\" or \"klein\""));
+        }
+    };
+    let weights = match weights {
+        "uniform" => LayoutWeights::Uniform,
+        "cotangent" => LayoutWeights::Cotangent,
+        other => {
+            let cure = "give \"uniform\" or \"cotangent\"";
+            return Err(invalid(py, format!("weights is {other:?}"), cure));
+        }
+    };
+    Ok(Some(LayoutRequest { plane, weights, as_texture }))
 }

@@ -6,10 +6,10 @@ use coface::algebra::{Integer, RaggedArray};
 use coface::answers::answer::{CocycleBasisMethod, EdgeWeights, to_json};
 use coface::answers::{
     BlockRule, CocyclesRequest, CongruenceRequest, CutRequest, GivenChain, GroupsRequest, Growth,
-    HomologyRequest, LayoutChoice, ModelCongruence, OperatorKind, OperatorRequest, PersistenceRequest,
-    Producer, RelativeTo, RepairRequest, Report, ReportRequest, ShortPaths, SurfaceLoops, SurfaceModel,
-    SurfaceRepairRequest, VertexFunction, model_of_simplices, repaired, repaired_surface, simplicial_complex,
-    text, triangulated,
+    HomologyRequest, LayoutChoice, LayoutRequest, ModelCongruence, OperatorKind, OperatorRequest,
+    PersistenceRequest, Producer, RelativeTo, RepairRequest, Report, ReportRequest, ShortPaths, SurfaceLoops,
+    SurfaceModel, SurfaceRepairRequest, VertexFunction, model_of_simplices, repaired, repaired_surface,
+    simplicial_complex, text, triangulated,
 };
 use coface::complexes::cubical::CubicalVolume;
 use coface::complexes::lar::{Operator, Shared};
@@ -185,11 +185,15 @@ fn ask(model: Model, question: &Question) {
                 base,
                 roles: false,
                 canonical: false,
+                layout: None,
             };
-            if let Ok(cut) = surface.cut_open(&request) {
-                assert!(cut.components().iter().all(|component| component.euler_characteristic() == 1));
-                to_json(&cut.answer());
-                drop(cut.model());
+            let drawn = CutRequest { base, layout: Some(LayoutRequest::default()), ..CutRequest::default() };
+            for request in [request, drawn] {
+                if let Ok(cut) = surface.cut_open(&request) {
+                    assert!(cut.components().iter().all(|component| component.euler_characteristic() == 1));
+                    to_json(&cut.answer());
+                    drop(cut.model());
+                }
             }
             let path: Vec<u32> = path.iter().take(8).map(|&v| vertex(v)).collect();
             if let Ok(cut) = surface.cut_along(&path) {
@@ -211,7 +215,8 @@ fn ask(model: Model, question: &Question) {
                 None => CoverExtent::Copies(usize::from(*copies)),
             };
             let Ok(cover) = surface.cover(usize::from(*component), extent, 20_000) else { return };
-            let layout = [LayoutChoice::Any, LayoutChoice::Flat, LayoutChoice::Disk][usize::from(layout % 3)];
+            let layout = [LayoutChoice::Any, LayoutChoice::Flat, LayoutChoice::Disk, LayoutChoice::Klein]
+                [usize::from(layout % 4)];
             let placed = cover.placed(layout).ok();
             to_json(&cover.answer(placed.as_ref()));
             if let Ok(model) = cover.model(placed.as_ref()) {

@@ -1,7 +1,7 @@
 //! The answer of `cut`: surfaces cut open.
 
 use super::{Place, RefinementAnswer, Remark, RemarkCode, TreesAnswer};
-use crate::{CutComponent, SurfaceCut};
+use crate::{CutComponent, PlacedPolygons, SurfaceCut};
 use coface_algebra::Word;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -26,8 +26,27 @@ pub struct CutAnswer {
     /// Of a canonical cut what was added to the surface; the numbers of vertices in seams are those of the refined surface.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub refinement: Option<RefinementAnswer>,
+    /// How the polygons of a canonical cut were drawn; absent unless a layout was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub layout: Option<LayoutAnswer>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,
+}
+
+/// Canonical polygons drawn as regular polygons.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct LayoutAnswer {
+    /// `polygon`: in the unit circle of the Euclidean plane; `klein`: in the disk of Klein, where geodesics are straight, so that the corners make
+    /// one full turn together. Polygons of several components are 2.5 apart.
+    pub plane: String,
+    /// `uniform`: vertices inside are means of their neighbors; `cotangent`: weighted means, by the cotangents of the intrinsic Delaunay triangulation.
+    pub weights: String,
+    /// Whether the layout is texture coordinates `s` and `t` of the mesh in space, and not its positions.
+    pub texture: bool,
+    /// The number of triangles.
+    pub triangles: usize,
+    /// How many of them are turned over or flat, decided exactly.
+    pub turned: usize,
 }
 
 /// A path along which a surface was cut.
@@ -124,15 +143,23 @@ impl SurfaceCut<'_> {
             f_vector: self.f_vector(),
             roles: self.roles().cloned(),
             refinement: self.refinement().cloned(),
+            layout: self.placed().map(|placed| LayoutAnswer {
+                plane: placed.plane_word().to_owned(),
+                weights: placed.request().weights.word().to_owned(),
+                texture: placed.request().as_texture,
+                triangles: placed.triangle_count(),
+                turned: placed.turned(),
+            }),
             remarks: self.remarks(),
         }
     }
 
     /// What the components leave out.
     pub(crate) fn remarks(&self) -> Vec<Remark> {
+        let mut remarks: Vec<Remark> = self.placed().and_then(PlacedPolygons::remark).into_iter().collect();
         let isolated = self.isolated_vertices();
         if isolated.is_empty() {
-            return Vec::new();
+            return remarks;
         }
         let few: Vec<String> = isolated.iter().take(10).map(u32::to_string).collect();
         let more = if isolated.len() > few.len() { ", .." } else { "" };
@@ -142,7 +169,8 @@ impl SurfaceCut<'_> {
             few.join(", ")
         );
         let places = isolated.iter().take(10).map(|&vertex| Place::cell(&[vertex]));
-        vec![Remark::new(RemarkCode::IsolatedVertex, message).at(isolated.len(), places)]
+        remarks.push(Remark::new(RemarkCode::IsolatedVertex, message).at(isolated.len(), places));
+        remarks
     }
 
     fn piece(&self, component: &CutComponent) -> CutPiece {

@@ -45,7 +45,7 @@ mod yin_places;
 mod yin_series;
 
 pub use cover::{CoverAnswer, DoubleCoverAnswer};
-pub use cut::{CutAnswer, CutPath, CutPiece, FundamentalDomain, SeamAnswer};
+pub use cut::{CutAnswer, CutPath, CutPiece, FundamentalDomain, LayoutAnswer, SeamAnswer};
 pub use dissolve::{DissolveAnswer, DissolvedGroupAnswer};
 pub use edit::EditAnswer;
 pub use groups::{GroupAnswer, HomologyGroup, WholeNumber};

@@ -2,22 +2,224 @@
 
 use super::cutting::{CutComponent, CutSeam, SurfaceCut, counted};
 use super::{SurfaceModel, edge_lengths, renumbered};
-use crate::answer::{RefinedVertex, RefinementAnswer};
+use crate::answer::{RefinedVertex, RefinementAnswer, Remark, RemarkCode};
+use crate::text::count;
 use coface_algebra::progress::stage;
-use coface_algebra::{Error, VertexId, Word};
+use coface_algebra::{Error, FaceId, Sign, VertexId, Word};
+use coface_complexes::surface::{GeneralizedMap, Slice};
+use coface_geometry::Positions;
+use coface_geometry::predicates::orientation;
 use coface_io::{CellData, GroupKind, placed};
-use coface_topology::{CanonicalComponent, CanonicalCut, CurveKind, Refinement};
+use coface_topology::{CanonicalComponent, CanonicalCut, CurveKind, PolygonPlane, Refinement};
 use std::borrow::Cow;
+use std::cmp::Ordering;
+
+/// By which weights the vertices of a layout are in balance.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LayoutWeights {
+    /// All edges pull alike.
+    #[default]
+    Uniform,
+    /// Cotangents on the intrinsic Delaunay triangulation, which keep angles better.
+    Cotangent,
+}
+
+impl LayoutWeights {
+    /// The word for it: `uniform` or `cotangent`.
+    ///
+    /// # Examples
+    /// ```
+    /// assert_eq!(coface_answers::LayoutWeights::Cotangent.word(), "cotangent");
+    /// ```
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Uniform => "uniform",
+            Self::Cotangent => "cotangent",
+        }
+    }
+}
+
+/// How canonical polygons are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LayoutRequest {
+    /// The plane of the regular polygons.
+    pub plane: PolygonPlane,
+    /// The weights of edges.
+    pub weights: LayoutWeights,
+    /// Whether the mesh stays where it is, and the layout becomes its texture coordinates.
+    pub as_texture: bool,
+}
+
+impl Default for LayoutRequest {
+    /// Euclidean, by uniform weights, as the places of the vertices.
+    fn default() -> Self {
+        Self { plane: PolygonPlane::Euclidean, weights: LayoutWeights::Uniform, as_texture: false }
+    }
+}
+
+/// Canonical polygons in the plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlacedPolygons {
+    request: LayoutRequest,
+    points: Vec<[f64; 2]>,
+    triangle_count: usize,
+    turned: usize,
+}
+
+impl PlacedPolygons {
+    fn new(
+        cut: &CanonicalCut,
+        slice: &Slice<GeneralizedMap>,
+        request: LayoutRequest,
+        lengths: Option<&[f64]>,
+    ) -> Result<Self, Error> {
+        let _laying = stage("laying out", 0);
+        let points = cut.layout(slice, request.plane, lengths)?;
+        let open = slice.surface();
+        let components = open.orientation();
+        // How the triangles of each component that run with the first one are turned.
+        let mut counts = vec![[0_usize; 2]; cut.components().len()];
+        let faces = (0..open.face_count()).map(FaceId::new);
+        for face in faces {
+            let corners: Vec<[f64; 2]> =
+                open.sides_of(face).map(|side| points[open.source(side).index()]).collect();
+            let &[p, q, r] = &corners[..] else { continue };
+            let is_against = components.signs()[face.index()] == Sign::Minus;
+            let turn = match orientation(p, q, r) {
+                Ordering::Equal => continue,
+                turn => usize::from((turn == Ordering::Greater) != is_against),
+            };
+            counts[components.component(face)][turn] += 1;
+        }
+        let triangle_count = open.face_count();
+        let well: usize = counts.iter().map(|[left, right]| *left.max(right)).sum();
+        Ok(Self { request, points, triangle_count, turned: triangle_count - well })
+    }
+
+    /// What was asked for.
+    pub(crate) fn request(&self) -> LayoutRequest {
+        self.request
+    }
+
+    /// The points of the vertices of the cut surface; components lie beside each other, 2.5 apart.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CutRequest, LayoutRequest, SurfaceModel};
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let request = CutRequest { layout: Some(LayoutRequest::default()), ..CutRequest::default() };
+    /// let cut = surface.cut_open(&request)?;
+    /// let placed = cut.placed().ok_or(coface_algebra::Error::invalid("it was asked for"))?;
+    /// // A square in the unit circle.
+    /// assert!(placed.points().iter().all(|[x, y]| x.abs() + y.abs() < 1.0 + 1e-12));
+    /// # Ok(()) }
+    /// ```
+    pub fn points(&self) -> &[[f64; 2]] {
+        &self.points
+    }
+
+    /// How many triangles are turned over or flat, decided exactly on the coordinates: as a rule 0, but for triangles too small for
+    /// doubles, and those that cotangent weights turn over.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CutRequest, LayoutRequest, SurfaceModel};
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let request = CutRequest { layout: Some(LayoutRequest::default()), ..CutRequest::default() };
+    /// let cut = surface.cut_open(&request)?;
+    /// let placed = cut.placed().ok_or(coface_algebra::Error::invalid("it was asked for"))?;
+    /// assert_eq!(placed.turned(), 0);
+    /// # Ok(()) }
+    /// ```
+    pub fn turned(&self) -> usize {
+        self.turned
+    }
+
+    /// The number of triangles.
+    pub(crate) fn triangle_count(&self) -> usize {
+        self.triangle_count
+    }
+
+    /// What is to be said if triangles are turned over.
+    pub(crate) fn remark(&self) -> Option<Remark> {
+        if self.turned == 0 {
+            return None;
+        }
+        let triangles = count(self.turned, "triangle");
+        let why = match self.request.weights {
+            LayoutWeights::Uniform => "too small for floating point",
+            LayoutWeights::Cotangent => {
+                "flipped edges make them so, or they are too small; uniform weights turn none over but for rounding"
+            }
+        };
+        let message =
+            format!("{triangles} of {} turned over or flat in the layout: {why}", self.triangle_count);
+        Some(Remark::new(RemarkCode::TrianglesTurned, message).at(self.turned, []))
+    }
+
+    /// The plane of the polygons: `polygon` or `klein`.
+    pub(crate) fn plane_word(&self) -> &'static str {
+        match self.request.plane {
+            PolygonPlane::Euclidean => "polygon",
+            PolygonPlane::Klein => "klein",
+        }
+    }
+
+    /// The places of the vertices, unless the mesh stays where it is.
+    pub(super) fn positions(&self) -> Result<Option<Positions>, Error> {
+        if self.request.as_texture {
+            return Ok(None);
+        }
+        Positions::from_flat(3, self.points.iter().flat_map(|&[x, y]| [x, y, 0.0]).collect()).map(Some)
+    }
+
+    /// The layout as data `s` and `t` of vertices, between 0 and 1, if the mesh stays where it is.
+    pub(super) fn texture_coordinates(&self) -> impl Iterator<Item = Result<CellData, Error>> {
+        let width = self.points.iter().map(|point| point[0] + 1.0).fold(2.0, f64::max);
+        let names = if self.request.as_texture { &["s", "t"][..] } else { &[] };
+        names.iter().enumerate().map(move |(axis, name)| {
+            let values = self.points.iter().map(|point| ((point[axis] + 1.0) / width).clamp(0.0, 1.0));
+            CellData::reals(*name, GroupKind::Vertices, 1, values.collect())
+        })
+    }
+}
 
 impl SurfaceModel {
     /// Refines the surface and cuts it along canonical curves.
-    pub(super) fn cut_canonically(&self, base: Option<VertexId>) -> Result<SurfaceCut<'static>, Error> {
-        let cut = CanonicalCut::new(self.map(), base)
-            .map_err(|error| renumbered(error, self.numbers.as_deref()))?;
+    pub(super) fn cut_canonically(
+        &self,
+        base: Option<VertexId>,
+        layout: Option<LayoutRequest>,
+    ) -> Result<SurfaceCut<'static>, Error> {
+        let of_file = |error| renumbered(error, self.numbers.as_deref());
+        let mut cut = CanonicalCut::new(self.map(), base).map_err(of_file)?;
+        if layout.is_some() {
+            let _straightening = stage("splitting edges", 0);
+            cut = cut.straightened()?;
+        }
         let _cutting = stage("cutting", 0);
         let surface = self.refined(cut.refinement())?;
         let lengths = edge_lengths(surface.map().skeleton(), &surface.positions);
         let (slice, edges) = (cut.slice(), cut.edges());
+        let placed = layout.map(|request| {
+            let wanted = match request.weights {
+                LayoutWeights::Uniform => None,
+                LayoutWeights::Cotangent => Some(lengths.as_deref().ok_or_else(|| {
+                    Error::invalid("the model has no positions, so angles have no cotangents")
+                        .with_cure("take uniform weights")
+                })?),
+            };
+            PlacedPolygons::new(&cut, &slice, request, wanted)
+        });
+        let placed = placed.transpose()?;
         let orientation = surface.map().orientation();
         let mut components = counted(surface.map(), &slice, &edges, cut.components().len(), |face| {
             orientation.component(face)
@@ -52,6 +254,7 @@ impl SurfaceModel {
             is_long: false,
             roles: None,
             refinement,
+            placed,
         })
     }
 

@@ -16,8 +16,10 @@ pub enum LayoutChoice {
     Any,
     /// In the plane, by translations and glide reflections.
     Flat,
-    /// In the hyperbolic disk.
+    /// In the disk of Poincare, where hyperbolic angles are right.
     Disk,
+    /// In the disk of Klein, where hyperbolic lines are straight, so that a mesh with straight sides is the cover.
+    Klein,
 }
 
 /// A part of the universal cover of a component of a surface.
@@ -36,12 +38,12 @@ pub struct SurfaceCover<'s> {
 /// The positions of a cover.
 #[derive(Clone, Debug)]
 pub struct PlacedCover {
-    plane: CoverPlane,
+    word: &'static str,
     positions: Positions,
 }
 
 impl PlacedCover {
-    /// `flat` or `disk`.
+    /// `flat`, `disk` or `klein`.
     ///
     /// # Examples
     /// ```
@@ -57,7 +59,7 @@ impl PlacedCover {
     /// # Ok(()) }
     /// ```
     pub fn word(&self) -> &'static str {
-        if self.plane == CoverPlane::Flat { "flat" } else { "disk" }
+        self.word
     }
 }
 
@@ -197,15 +199,23 @@ impl SurfaceCover<'_> {
         let found = self.cover.layout(self.surface.map(), None)?;
         let other = match (layout, found.plane()) {
             (LayoutChoice::Flat, CoverPlane::Hyperbolic) => Some("disk"),
-            (LayoutChoice::Disk, CoverPlane::Flat) => Some("flat"),
+            (LayoutChoice::Disk | LayoutChoice::Klein, CoverPlane::Flat) => Some("flat"),
             _ => None,
         };
         if let Some(other) = other {
             let message = "the cover has no such layout, because of its Euler characteristic";
             return Err(Error::invalid(message).with_cure(format!("take the layout {other}")));
         }
-        let coordinates = found.points().iter().flat_map(|&[x, y]| [x, y, 0.0]).collect();
-        Ok(PlacedCover { plane: found.plane(), positions: Positions::from_flat(3, coordinates)? })
+        let word = match (layout, found.plane()) {
+            (LayoutChoice::Klein, _) => "klein",
+            (_, CoverPlane::Flat) => "flat",
+            _ => "disk",
+        };
+        // A point of the disk of Poincare is half as far from the middle, in the hyperbolic plane, as the same point of the disk of Klein.
+        let scale = |[x, y]: [f64; 2]| if word == "klein" { 2.0 / (1.0 + x * x + y * y) } else { 1.0 };
+        let place = |&[x, y]: &[f64; 2]| [scale([x, y]) * x, scale([x, y]) * y, 0.0];
+        let coordinates = found.points().iter().flat_map(place).collect();
+        Ok(PlacedCover { word, positions: Positions::from_flat(3, coordinates)? })
     }
 
     /// The cover as a model: data are `source` and `copy` on vertices, `face`, `copy` and `length`, the distance of the copy, on polygons.

@@ -1,6 +1,7 @@
 //! Surfaces cut open.
 
 use super::SurfaceModel;
+use super::canonical::{LayoutRequest, PlacedPolygons};
 use crate::answer::{RefinementAnswer, TreesAnswer};
 use crate::groups::roles_of_edges;
 use coface_algebra::progress::stage;
@@ -25,6 +26,8 @@ pub struct CutRequest {
     /// Whether the surface is refined and cut along canonical curves, to a polygon with a canonical word around it. Then the base is the only
     /// other wish that counts.
     pub canonical: bool,
+    /// How the polygons of a canonical cut are drawn, if they are to be; then the cut is canonical.
+    pub layout: Option<LayoutRequest>,
 }
 
 /// A surface cut open along edges: what came of each component, and the seams.
@@ -41,6 +44,7 @@ pub struct SurfaceCut<'s> {
     pub(super) is_long: bool,
     pub(super) roles: Option<TreesAnswer>,
     pub(super) refinement: Option<RefinementAnswer>,
+    pub(super) placed: Option<PlacedPolygons>,
 }
 
 /// A path of edges along which a surface is cut.
@@ -177,7 +181,7 @@ impl SurfaceModel {
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] for a base that is no vertex of a component with faces; those of [`coface_topology::CanonicalCut::new`] of a
-    /// canonical cut.
+    /// canonical cut, and [`coface_topology::CanonicalCut::layout`] of one with a layout.
     ///
     /// # Complexity
     /// $O(n \log n)$; each round of shortening takes as many steps for each seam.
@@ -198,8 +202,8 @@ impl SurfaceModel {
     /// # Ok(()) }
     /// ```
     pub fn cut_open(&self, request: &CutRequest) -> Result<SurfaceCut<'_>, Error> {
-        if request.canonical {
-            return self.cut_canonically(request.base);
+        if request.canonical || request.layout.is_some() {
+            return self.cut_canonically(request.base, request.layout);
         }
         let map = self.map();
         let trees_stage = stage("finding spanning trees", 0);
@@ -270,6 +274,7 @@ impl SurfaceModel {
             is_long,
             roles,
             refinement: None,
+            placed: None,
         })
     }
 
@@ -328,6 +333,7 @@ impl SurfaceModel {
             is_long: false,
             roles: None,
             refinement: None,
+            placed: None,
         })
     }
 
@@ -552,6 +558,26 @@ impl SurfaceCut<'_> {
         self.refinement.as_ref()
     }
 
+    /// Where the polygons of a canonical cut lie, if a layout was asked for.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CutRequest, LayoutRequest, SurfaceModel};
+    /// // The torus of seven vertices.
+    /// let triangles = (0..7).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]);
+    /// let facets = coface_io::Structure::Facets(coface_algebra::RaggedArray::from_lists(triangles));
+    /// let surface = SurfaceModel::of(coface_io::Model::from_structure(facets))?;
+    /// let request = CutRequest { layout: Some(LayoutRequest::default()), ..CutRequest::default() };
+    /// let cut = surface.cut_open(&request)?;
+    /// let placed = cut.placed().ok_or(coface_algebra::Error::invalid("it was asked for"))?;
+    /// assert_eq!(placed.turned(), 0);
+    /// # Ok(()) }
+    /// ```
+    pub fn placed(&self) -> Option<&PlacedPolygons> {
+        self.placed.as_ref()
+    }
+
     /// Whether seams were left longer than they could be because the surface is large.
     ///
     /// # Examples
@@ -592,7 +618,8 @@ impl SurfaceCut<'_> {
     }
 
     /// The surface as it is now as a model, with edges of the cut as lines. Their data are `seam`, counted from 1 (0 for loose ends), and
-    /// `source`, the numbers in the file of the ends; vertices have `source`, polygons `face`.
+    /// `source`, the numbers in the file of the ends; vertices have `source`, polygons `face`. With a layout it lies in the plane, or has
+    /// texture coordinates.
     ///
     /// # Errors
     /// Those of [`SurfaceModel::model_over`].
@@ -629,8 +656,16 @@ impl SurfaceCut<'_> {
                 sources.extend(self.surface.edge_numbers(source).map(i64::from));
             }
         }
-        self.surface
-            .model_over(polygons_of_map(open), self.slice.vertex_sources().as_slice(), &faces, None)?
+        let mut model = self.surface.model_over(
+            polygons_of_map(open),
+            self.slice.vertex_sources().as_slice(),
+            &faces,
+            self.placed.as_ref().map(PlacedPolygons::positions).transpose()?.flatten(),
+        )?;
+        for coordinates in self.placed.iter().flat_map(PlacedPolygons::texture_coordinates) {
+            model = model.with_data(coordinates?)?;
+        }
+        model
             .with_lines(lines)?
             .with_data(CellData::integers("seam", GroupKind::Lines, 1, numbers)?)?
             .with_data(CellData::integers("source", GroupKind::Lines, 2, sources)?)

@@ -5,6 +5,7 @@ mod covering;
 mod cutting;
 mod schema;
 
+pub use canonical::{LayoutRequest, LayoutWeights, PlacedPolygons};
 pub use covering::{LayoutChoice, PlacedCover, SurfaceCover};
 pub use cutting::{CutComponent, CutRequest, CutSeam, SurfaceCut};
 pub use schema::PolygonSchema;

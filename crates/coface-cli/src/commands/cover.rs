@@ -23,7 +23,7 @@ use std::path::PathBuf;
 ///
 /// The mesh written with -o has data: "source" on vertices and "face" on polygons, the numbers in the file of what lies
 /// below; "copy" on both, and "length" on polygons, the distance of the copy. It lies in the plane or, by --layout, in the
-/// hyperbolic disk, so that copies are congruent.
+/// hyperbolic plane, so that copies are congruent: the disk of Poincare keeps angles, and in the disk of Klein straight sides are right.
 #[derive(Args)]
 #[command(group(ArgGroup::new("extent").required(true).args(["radius", "copies", "orientation"])))]
 pub(crate) struct Cover {
@@ -39,8 +39,8 @@ pub(crate) struct Cover {
     /// The orientation double cover instead: every face twice, so that all agree
     #[arg(long)]
     orientation: bool,
-    /// Where the mesh lies: flat (torus, Klein bottle, annulus, Moebius band), disk (closed, negative Euler characteristic),
-    /// none (over the surface); by default what there is
+    /// Where the mesh lies: flat (torus, Klein bottle, annulus, Moebius band), disk (of Poincare) or klein (closed, negative Euler
+    /// characteristic), none (over the surface); by default flat or disk, what there is
     #[arg(long, value_enum, default_value_t = Layout::Auto, hide_default_value = true)]
     layout: Layout,
     /// Cover this component, counted from 0
@@ -59,6 +59,7 @@ enum Layout {
     Auto,
     Flat,
     Disk,
+    Klein,
     None,
 }
 
@@ -80,6 +81,7 @@ impl Cover {
             Layout::Auto => common.output.is_some().then_some(LayoutChoice::Any),
             Layout::Flat => Some(LayoutChoice::Flat),
             Layout::Disk => Some(LayoutChoice::Disk),
+            Layout::Klein => Some(LayoutChoice::Klein),
         };
         let mut remarks = Vec::new();
         let placed = match choice.map(|choice| cover.placed(choice)).transpose() {

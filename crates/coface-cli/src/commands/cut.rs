@@ -6,11 +6,12 @@ use crate::output::{print_json, print_text};
 use crate::progress::Progress;
 use crate::remarks::{accept, say_remarks};
 use crate::surface;
-use clap::Args;
+use clap::{Args, ValueEnum};
 use coface::algebra::Word;
 use coface::answers::answer::{CutAnswer, Remark, RemarkCode};
 use coface::answers::text;
-use coface::answers::{CutRequest, SurfaceCut, SurfaceModel};
+use coface::answers::{CutRequest, LayoutRequest, LayoutWeights, SurfaceCut, SurfaceModel};
+use coface::topology::PolygonPlane;
 use std::path::PathBuf;
 
 /// Cut a surface open: each component to a disk, or along one path of edges.
@@ -22,6 +23,11 @@ use std::path::PathBuf;
 /// --canonical cuts along disjoint simple loops through one vertex, so that the way around the disk is a1 b1 a1^-1 b1^-1 a2 .. of an
 /// orientable surface, and c1 c1 c2 c2 .. of one that is not; paths e1, e2, .. lead to boundary loops d1, d2, .. The loops go across edges and
 /// faces, which are split: new vertices have the numbers after those of the file, and --json says of which vertices they are means.
+///
+/// --layout draws the disk of a canonical cut as a regular polygon, each vertex inside in the middle of its neighbors, so that no triangle is turned
+/// over: in the unit circle (polygon), or in the disk of Klein (klein), where hyperbolic lines are straight, so that the corners make one turn. With
+/// --uv the mesh stays where it is, and the layout is its texture coordinates: "vt" in .obj, data "s" and "t" in .ply and .vtk, and in
+/// .glb by coface convert.
 ///
 /// The mesh written with -o has the numbers of the file as data: "source" on vertices, "face" on polygons; the edges along
 /// which it was cut are lines, with "seam", counted from 1 (0 for loose ends), and "source", the ends in the file. Formats
@@ -37,6 +43,15 @@ pub(crate) struct Cut {
     /// Refine the mesh and cut along canonical loops
     #[arg(long, conflicts_with_all = ["simplify", "along", "roles"])]
     canonical: bool,
+    /// Draw the disk of a canonical cut in the plane
+    #[arg(long, value_enum, value_name = "PLANE", conflicts_with_all = ["simplify", "along", "roles"])]
+    layout: Option<Layout>,
+    /// Of a layout: each vertex is the mean of its neighbors, all alike, or by cotangents, which keep angles better [default: uniform]
+    #[arg(long, value_enum, value_name = "WEIGHTS")]
+    weights: Option<Weights>,
+    /// Keep the mesh in space, and write the layout as texture coordinates [default layout: polygon]
+    #[arg(long, conflicts_with_all = ["simplify", "along", "roles"])]
+    uv: bool,
     /// With --simplify: how often to go through all seams to make them shorter [default: 4, none on large models]
     #[arg(long, value_name = "N", requires = "simplify")]
     rounds: Option<usize>,
@@ -55,7 +70,38 @@ pub(crate) struct Cut {
     boundary: bool,
 }
 
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Layout {
+    Polygon,
+    Klein,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Weights {
+    Uniform,
+    Cotangent,
+}
+
 impl Cut {
+    /// How the disks are to be drawn, if they are.
+    fn layout(&self) -> Result<Option<LayoutRequest>, Failure> {
+        let plane = match (self.layout, self.uv) {
+            (None, false) if self.weights.is_some() => {
+                return Err(Failure::new(
+                    "--weights is about a layout; add --layout polygon, or leave --weights out",
+                ));
+            }
+            (None, false) => return Ok(None),
+            (Some(Layout::Klein), _) => PolygonPlane::Klein,
+            _ => PolygonPlane::Euclidean,
+        };
+        let weights = match self.weights {
+            Some(Weights::Cotangent) => LayoutWeights::Cotangent,
+            _ => LayoutWeights::Uniform,
+        };
+        Ok(Some(LayoutRequest { plane, weights, as_texture: self.uv }))
+    }
+
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let progress = Progress::start(common.quiet);
         let (name, surface) = surface::read(&self.input, self.boundary, common, &progress)?;
@@ -67,6 +113,7 @@ impl Cut {
             rounds: self.rounds,
             roles: self.roles,
             canonical: self.canonical,
+            layout: self.layout()?,
             base: self
                 .base
                 .map(|base| surface.vertex_numbered(base))
@@ -244,6 +291,22 @@ fn page(name: &str, cut: &SurfaceCut<'_>) -> String {
     if let Some(refined) = cut.answer().refinement {
         let new = text::count(refined.vertices.len(), "vertex");
         facts.push(("added".to_owned(), new, "where seams cross edges and faces".to_owned()));
+    }
+    if let Some(placed) = cut.answer().layout {
+        let plane = if placed.plane == "klein" {
+            "regular in the disk of Klein"
+        } else {
+            "regular in the unit circle"
+        };
+        let turned = match placed.turned {
+            0 => "none is turned over".to_owned(),
+            count => format!("{count} of them turned over or flat"),
+        };
+        facts.push((
+            "polygon".to_owned(),
+            plane.to_owned(),
+            format!("{}, {turned}", text::count(placed.triangles, "triangle")),
+        ));
     }
     text::facts(&format!("{name} cut open"), &facts)
 }

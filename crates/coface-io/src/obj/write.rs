@@ -12,7 +12,8 @@ use std::io::Write;
 /// Coordinates are written so that they read back bit for bit; fewer than three are filled up with zeros. Groups of
 /// polygons are written as `g`, with all names of a polygon in one statement; `_` stands for the blanks in a name, which
 /// `g` does not allow. Data `red`, `green` and `blue` on vertices, a byte each, stand behind the coordinates as numbers from 0 to 1, as many
-/// programs write and read them; our reader passes over them. OBJ has no names for vertices and lines: such groups are left out.
+/// programs write and read them; our reader passes over them. [Texture coordinates](Model::texture_coordinates) are written as `vt`; then
+/// vertices at one place with one number in data `source` are one, so that a surface that was cut open to be laid out is whole. OBJ has no names for vertices and lines: such groups are left out.
 ///
 /// # Errors
 /// [`ErrorKind::UnsupportedFormat`] naming formats that serve if the model has 3-cells, no positions or more than three
@@ -35,8 +36,15 @@ pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
     let mut text =
         format!("# {} vertices, {} polygons\n", model.vertex_count, model.polygons.len()).into_bytes();
     let colors = model.vertex_colors();
+    let texture = model.texture_coordinates();
+    let numbers = texture.is_some().then(|| whole_vertices(model));
     let points = model.coordinates().chunks_exact(model.coordinate_count().max(1));
+    let mut written = 0;
     for (vertex, point) in points.enumerate() {
+        if numbers.as_ref().is_some_and(|numbers| numbers[vertex] < written) {
+            continue;
+        }
+        written += 1;
         text.push(b'v');
         for i in 0..3 {
             text.push(b' ');
@@ -49,6 +57,16 @@ pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
         text.push(b'\n');
         flush(&mut text, &mut output)?;
     }
+    for vertex in (0..model.vertex_count).filter(|_| texture.is_some()) {
+        text.extend_from_slice(b"vt");
+        for data in texture.iter().flatten() {
+            text.push(b' ');
+            push_f64(&mut text, data.numbers().real(vertex));
+        }
+        text.push(b'\n');
+        flush(&mut text, &mut output)?;
+    }
+    let numbers = numbers.as_deref();
     names.declare(&mut text);
     let mut changes = names.changes.iter().peekable();
     let mut current: Vec<usize> = Vec::new();
@@ -65,15 +83,15 @@ pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
             }
             names.push_statement(&mut text, &current)?;
         }
-        push_statement(&mut text, b'f', polygon);
+        push_statement(&mut text, b'f', polygon, numbers);
         flush(&mut text, &mut output)?;
     }
     for line in model.lines.iter() {
-        push_statement(&mut text, b'l', line);
+        push_statement(&mut text, b'l', line, numbers);
         flush(&mut text, &mut output)?;
     }
     for point in &model.points {
-        push_statement(&mut text, b'p', &[point.to_u32()]);
+        push_statement(&mut text, b'p', &[point.to_u32()], numbers);
         flush(&mut text, &mut output)?;
     }
     output.write_all(&text)?;
@@ -168,11 +186,48 @@ fn one_word(name: &str) -> String {
     name.chars().map(|c| if c.is_whitespace() || c.is_control() || c == '\\' { '_' } else { c }).collect()
 }
 
-fn push_statement(text: &mut Vec<u8>, keyword: u8, vertices: &[u32]) {
+/// Adds a statement about vertices, which are written under these numbers if they are not all their own; then faces have texture coordinates.
+fn push_statement(text: &mut Vec<u8>, keyword: u8, vertices: &[u32], numbers: Option<&[u32]>) {
     text.push(keyword);
     for &vertex in vertices {
         text.push(b' ');
-        push_natural(text, u64::from(vertex) + 1);
+        let number = numbers.map_or(vertex, |numbers| numbers[vertex as usize]);
+        push_natural(text, u64::from(number) + 1);
+        if keyword == b'f' && numbers.is_some() {
+            text.push(b'/');
+            push_natural(text, u64::from(vertex) + 1);
+        }
     }
     text.push(b'\n');
+}
+
+/// The number of each vertex when those at one place with one `source` are one, in the order of the first ones.
+fn whole_vertices(model: &Model) -> Vec<u32> {
+    let count = model.vertex_count;
+    let source = model.data_named("source", GroupKind::Vertices).filter(|data| data.is_integral());
+    let Some(source) = source else { return (0..count as u32).collect() };
+    let place = |vertex: usize| {
+        model.coordinates()[vertex * model.coordinate_count()..][..model.coordinate_count()]
+            .iter()
+            .map(|x| x.to_bits())
+    };
+    let key =
+        |&vertex: &u32| (source.integer_row(vertex as usize), place(vertex as usize).collect::<Vec<u64>>());
+    let mut order: Vec<u32> = (0..count as u32).collect();
+    order.sort_by_cached_key(key);
+    let mut first = vec![0; count];
+    for same in order.chunk_by(|a, b| key(a) == key(b)) {
+        same.iter().for_each(|&vertex| first[vertex as usize] = same[0]);
+    }
+    let mut numbers: Vec<u32> = Vec::with_capacity(count);
+    let mut next = 0;
+    for (vertex, &first) in first.iter().enumerate() {
+        if first as usize == vertex {
+            numbers.push(next);
+            next += 1;
+        } else {
+            numbers.push(numbers[first as usize]);
+        }
+    }
+    numbers
 }

@@ -26,7 +26,7 @@ enum Mode {
 }
 
 /// A scene as glTF 2.0: its triangles (without those between two 3-cells), seen from both sides and shaded flat, lines and points that lie on no polygon, and a node for each layer
-/// that is shown, in its color. Colors of vertices take the place of the color of the surface; they are red, green and blue as in style sheets.
+/// that is shown, in its color. [Texture coordinates](coface_io::Model::texture_coordinates) of the model are kept. Colors of vertices take the place of the color of the surface; they are red, green and blue as in style sheets.
 ///
 /// Positions have 32 bits around the middle of the scene, which is the translation of its nodes.
 ///
@@ -60,7 +60,11 @@ pub fn gltf(scene: &Scene, colors: Option<&[[u8; 3]]>, form: GltfForm) -> Result
     let mut file = Builder { middle: middle(scene.positions()), ..Builder::default() };
     let (_, wires, dots) = lines_of(scene);
     let positions = file.positions(scene.positions());
-    let shading = colors.map(|colors| file.colors(colors));
+    let mut shading: Vec<(&str, usize)> = Vec::new();
+    shading.extend(colors.map(|colors| ("COLOR_0", file.colors(colors))));
+    if !scene.texture().is_empty() {
+        shading.push(("TEXCOORD_0", file.texture(scene.texture())));
+    }
     let surface = file.material(if colors.is_some() { [1.0; 3] } else { LIGHT.surface });
     let outer;
     let triangles = if scene.has_cells() {
@@ -79,7 +83,7 @@ pub fn gltf(scene: &Scene, colors: Option<&[[u8; 3]]>, form: GltfForm) -> Result
             (Mode::Triangles, _) | (_, Some(_)) => surface,
             _ => file.material(LIGHT.ink),
         };
-        file.primitive(mode, positions, shading, indices, material, &mut parts);
+        file.primitive(mode, positions, &shading, indices, material, &mut parts);
     }
     file.node(scene.title(), &parts);
     for (layer, color) in shown(scene) {
@@ -96,7 +100,7 @@ pub fn gltf(scene: &Scene, colors: Option<&[[u8; 3]]>, form: GltfForm) -> Result
             (Mode::Lines, &lines[..]),
             (Mode::Points, &layer.points[..]),
         ] {
-            file.primitive(mode, positions, None, indices, material, &mut parts);
+            file.primitive(mode, positions, &[], indices, material, &mut parts);
         }
         file.node(&layer.name, &parts);
     }
@@ -166,6 +170,14 @@ impl Builder {
         self.numbers(&bytes, 34962, accessor)
     }
 
+    /// Adds texture coordinates; in glTF the second one counts from the top.
+    fn texture(&mut self, pairs: &[[f64; 2]]) -> usize {
+        let bytes: Vec<u8> =
+            pairs.iter().flat_map(|&[s, t]| [s, 1.0 - t]).flat_map(|x| (x as f32).to_le_bytes()).collect();
+        let accessor = json!({ "componentType": 5126, "count": pairs.len(), "type": "VEC2" });
+        self.numbers(&bytes, 34962, accessor)
+    }
+
     fn material(&mut self, color: Color) -> usize {
         let [red, green, blue] = color.map(linear);
         let material = json!({
@@ -187,7 +199,7 @@ impl Builder {
         &mut self,
         mode: Mode,
         positions: Option<usize>,
-        colors: Option<usize>,
+        shading: &[(&str, usize)],
         indices: &[u32],
         material: usize,
         parts: &mut Vec<Value>,
@@ -197,8 +209,8 @@ impl Builder {
         let accessor = json!({ "componentType": 5125, "count": indices.len(), "type": "SCALAR" });
         let indices = self.numbers(&bytes, 34963, accessor);
         let mut attributes = json!({ "POSITION": positions });
-        if let Some(colors) = colors {
-            attributes["COLOR_0"] = colors.into();
+        for (name, accessor) in shading {
+            attributes[*name] = (*accessor).into();
         }
         parts.push(json!({
             "attributes": attributes, "indices": indices, "material": material, "mode": mode as u32,

@@ -33,16 +33,16 @@ pub(super) fn cover_pane(result: &Shown) -> Option<Pane> {
             _ => None,
         })
         .collect::<Option<_>>()?;
-    let is_disk = match result.layout.0.as_deref()? {
-        "disk" => true,
-        "flat" => false,
+    let (is_disk, plane) = match result.layout.0.as_deref()? {
+        "disk" => (true, "disk of Poincare"),
+        "klein" => (false, "disk of Klein"),
+        "flat" => (false, "plane"),
         _ => return None,
     };
     let is_fit = copy.len() == mesh.walks.len() && copy.iter().all(|&copy| (copy as usize) < words.len());
     if positions.len() != mesh.source.len() || !is_fit {
         return None;
     }
-    let plane = if is_disk { "disk of Poincare" } else { "plane" };
     let mut pane = Pane { name: format!("universal cover in the {plane}"), positions, ..Pane::default() };
     let mut layers = Vec::new();
     if mesh.walks.len() <= MOST_FACES {

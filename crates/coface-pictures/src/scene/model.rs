@@ -33,6 +33,8 @@ pub struct Scene {
     pub(super) dimension: usize,
     pub(super) origin: [f64; 3],
     pub(super) positions: Vec<[f64; 3]>,
+    /// Texture coordinates of the vertices; empty if there are none.
+    pub(super) texture: Vec<[f64; 2]>,
     pub(super) parts: Parts,
     pub(super) hidden: Hidden,
     pub(super) numbering: Numbering,
@@ -135,6 +137,9 @@ impl Scene {
         };
         let mut scene = Self { hidden, numbering, assumed, ..Self::flat(title, positions, parts) };
         scene.dimension = if model.positions().dimension() == 2 { 2 } else { 3 };
+        if let Some([s, t]) = model.texture_coordinates() {
+            scene.texture = (0..s.len()).map(|row| [s, t].map(|data| data.real_row(row)[0])).collect();
+        }
         scene.shade();
         for layer in region_layers(model, &scene.positions) {
             scene.add_layer(layer);
@@ -150,6 +155,7 @@ impl Scene {
             dimension: 2,
             origin: middle(&positions),
             positions,
+            texture: Vec::new(),
             parts,
             hidden: Hidden::default(),
             numbering: Numbering::default(),
@@ -316,6 +322,11 @@ impl Scene {
     /// ```
     pub fn positions(&self) -> &[[f64; 3]] {
         &self.positions
+    }
+
+    /// Texture coordinates of the vertices, for [`gltf`](crate::gltf); empty if the model has none.
+    pub(crate) fn texture(&self) -> &[[f64; 2]] {
+        &self.texture
     }
 
     /// The polygons, those around 3-cells included, by the vertices around them.

@@ -240,6 +240,10 @@ def cut(
     simplify: bool = True,
     rounds: int | None = None,
     base: int | None = None,
+    canonical: bool = False,
+    layout: str | None = None,
+    weights: str = "uniform",
+    uv: bool = False,
     boundary: bool = False,
     progress: Any = False,
 ) -> Domain:
@@ -257,6 +261,14 @@ def cut(
         How often to go through all seams to make them shorter.
     base
         The vertex that the graph is grown from.
+    canonical
+        Whether the mesh is refined and cut along disjoint simple loops, so that the word around the domain is canonical.
+    layout
+        ``"polygon"`` or ``"klein"``: draws the domain of a canonical cut as a regular polygon of the Euclidean or the hyperbolic plane.
+    weights
+        Of a layout: ``"uniform"`` or ``"cotangent"``.
+    uv
+        Of a layout: whether it becomes texture coordinates of a mesh that stays where it is.
     boundary
         Whether the boundary surface of a volume is cut.
     progress
@@ -277,6 +289,8 @@ def cut(
     surface = as_surface(x, boundary=boundary, progress=progress)
     if along is not None:
         return surface.cut(along, progress=progress)
+    if canonical or layout is not None or uv:
+        return surface.cut(canonical=True, base=base, layout=layout, weights=weights, uv=uv, progress=progress)
     return surface.cut(simplify=simplify, rounds=rounds, base=base, progress=progress)
 
 
@@ -304,7 +318,7 @@ def cover(
     component
         The component that is covered.
     layout
-        ``"flat"`` in the plane, ``"disk"`` in the Poincare disk, ``"none"`` over the surface, ``"auto"`` whichever there is.
+        ``"flat"`` in the plane, ``"disk"`` in the Poincare disk, ``"klein"`` in the disk of Klein, ``"none"`` over the surface, ``"auto"`` whichever there is.
     boundary
         Whether the boundary surface of a volume is covered.
     progress

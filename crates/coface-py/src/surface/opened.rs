@@ -29,6 +29,8 @@ answer! { Domain {
     roles,
     /// Of a canonical cut the ``f_vector`` of the refined surface and its new ``vertices``, each with the vertices ``of`` the file whose mean it is by ``weights``.
     refinement,
+    /// Of a layout its ``plane`` and ``weights``, whether it is ``texture``, and how many of its ``triangles`` are ``turned`` over; else ``None``.
+    layout,
     /// Of a cut along a path its ``kind`` and number of ``edges``.
     path,
 }

@@ -28,6 +28,7 @@ mod cut_surface;
 mod cut_vertices;
 mod exactness;
 mod harmonic_forms;
+mod intrinsic;
 mod root_search;
 mod shortest_cycle;
 mod shortest_homology_basis;
@@ -38,7 +39,9 @@ mod surface_homology;
 mod surface_homotopy;
 mod tree_cotree;
 
-pub use canonical::{CanonicalComponent, CanonicalCurve, CanonicalCut, Carrier, CurveKind, Refinement};
+pub use canonical::{
+    CanonicalComponent, CanonicalCurve, CanonicalCut, Carrier, CurveKind, PolygonPlane, Refinement,
+};
 pub use closed_walk::ClosedWalk;
 pub use cocycle_basis::CocycleBasis;
 pub use cut_graph::{CutGraph, Seam, SeamKind};

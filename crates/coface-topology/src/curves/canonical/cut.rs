@@ -46,8 +46,8 @@ type Walks = Vec<Vec<u32>>;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct CanonicalCut {
-    refinement: Refinement,
-    components: Vec<CanonicalComponent>,
+    pub(super) refinement: Refinement,
+    pub(super) components: Vec<CanonicalComponent>,
 }
 
 impl CanonicalCut {
@@ -498,12 +498,7 @@ fn draw_paths(
         *own = spokes.iter().map(|&spoke| drawn.curve(spoke)).collect();
     }
     // No path crosses a loop, so that its edges are whole, with other numbers.
-    let mut becomes = vec![NONE; map.edge_count()];
-    for (edge, &carrier) in drawn.refinement.edge_carriers().iter().enumerate().rev() {
-        if let Carrier::Edge(before) = carrier {
-            becomes[before.index()] = edge as u32;
-        }
-    }
+    let becomes = drawn.refinement.first_parts(map.edge_count());
     for step in loops.iter_mut().flatten().flatten() {
         *step = 2 * becomes[(*step >> 1) as usize] + (*step & 1);
     }

@@ -9,6 +9,7 @@
 
 mod component;
 mod cut;
+mod layout;
 mod refinement;
 mod schema;
 mod strands;
@@ -17,4 +18,5 @@ mod tests;
 
 pub use component::{CanonicalComponent, CanonicalCurve, CurveKind};
 pub use cut::CanonicalCut;
+pub use layout::PolygonPlane;
 pub use refinement::{Carrier, Refinement};

@@ -228,6 +228,17 @@ impl Refinement {
         (cutting.finish(map, points), steps)
     }
 
+    /// The first part of each edge before: the edge itself where it is not split.
+    pub(super) fn first_parts(&self, edge_count: usize) -> Vec<u32> {
+        let mut parts = vec![0; edge_count];
+        for (edge, &carrier) in self.edge_carriers.iter().enumerate().rev() {
+            if let Carrier::Edge(before) = carrier {
+                parts[before.index()] = edge as u32;
+            }
+        }
+        parts
+    }
+
     /// This refinement of a surface after the one that made that surface.
     pub(super) fn after(mut self, before: &Self) -> Self {
         let carrier = |carrier: Carrier| match carrier {

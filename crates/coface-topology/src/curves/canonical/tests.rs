@@ -163,6 +163,104 @@ fn known_surfaces_have_their_words() {
     check(&twice(&genus(2)), None);
 }
 
+/// How many triangles of a drawn cut are flat, or turned otherwise than most of their component, decided exactly.
+fn turned(cut: &CanonicalCut, plane: PolygonPlane, lengths: Option<&[f64]>) -> usize {
+    let slice = cut.slice();
+    let open = slice.surface();
+    let points = cut.layout(&slice, plane, lengths).unwrap();
+    let orientation = open.orientation();
+    let mut counts = vec![[0; 2]; cut.components().len()];
+    for face in (0..open.face_count()).map(FaceId::new) {
+        let at: Vec<[f64; 2]> = open.sides_of(face).map(|side| points[open.source(side).index()]).collect();
+        assert_eq!(at.len(), 3);
+        let is_left = match coface_geometry::predicates::orientation(at[0], at[1], at[2]) {
+            std::cmp::Ordering::Equal => continue,
+            turn => turn.is_gt() == (orientation.signs()[face.index()] == Sign::Plus),
+        };
+        counts[orientation.component(face)][usize::from(is_left)] += 1;
+    }
+    open.face_count() - counts.iter().map(|[right, left]| *right.max(left)).sum::<usize>()
+}
+
+/// Whether all components have regular polygons in the hyperbolic plane.
+fn is_hyperbolic(map: &GeneralizedMap) -> bool {
+    map.surfaces().iter().all(|surface| surface.euler_characteristic() < 0 && surface.boundary_count() == 0)
+}
+
+/// Draws a surface in both planes.
+fn check_layout(name: &str, map: &GeneralizedMap) {
+    let cut = CanonicalCut::new(map, None).unwrap();
+    let drawn = cut.straightened().unwrap();
+    assert_eq!(drawn.refinement().map().surfaces(), map.surfaces());
+    check_curves(&drawn);
+    for (before, after) in cut.components().iter().zip(drawn.components()) {
+        assert_eq!(before.word(), after.word(), "{name}");
+    }
+    assert_eq!(turned(&drawn, PolygonPlane::Euclidean, None), 0, "{name}");
+    let klein = drawn.layout(&drawn.slice(), PolygonPlane::Klein, None);
+    assert_eq!(klein.is_ok(), is_hyperbolic(map), "{name}");
+    if klein.is_ok() {
+        assert_eq!(turned(&drawn, PolygonPlane::Klein, None), 0, "{name}");
+    }
+    // Edges of one length have equilateral triangles, which are Delaunay: cotangents are all alike, but for the rim.
+    let ones = vec![1.0; drawn.refinement().map().edge_count()];
+    assert_eq!(turned(&drawn, PolygonPlane::Euclidean, Some(&ones)), 0, "{name}");
+}
+
+#[test]
+fn polygons_are_drawn_without_turning_triangles_over() {
+    for (name, map) in
+        all_kinds().into_iter().chain([("two double tori", twice(&genus(2))), ("genus 4", genus(4))])
+    {
+        check_layout(name, &map);
+    }
+    for word in [&[1, 1, 2, 3, -2, -3][..], &[1, 2, 3, 1, 2, 3], &[1, 2, -1, -2, 3], &[1, -1], &[1, 1]] {
+        check_layout(&format!("{word:?}"), &polygon(word));
+    }
+    check_layout("square torus", &of_next(vec![2, 3, 1, 0]));
+}
+
+#[test]
+fn intrinsic_delaunay_weights_are_not_negative() {
+    // A flat torus, sheared: the long diagonals are flipped, and uniform lengths of a lattice of squares come back.
+    let torus =
+        GeneralizedMap::new(known_spaces::torus_grid(&[6, 6]).unwrap().freeze().two_skeleton().unwrap())
+            .unwrap();
+    let cut = CanonicalCut::new(&torus, None).unwrap().straightened().unwrap();
+    let map = cut.refinement().map();
+    let lengths: Vec<f64> =
+        (0..map.edge_count()).map(|edge| 1.0 + 5.0 * ((edge * 7919 % 101) as f64 / 101.0)).collect();
+    let points = cut.layout(&cut.slice(), PolygonPlane::Euclidean, Some(&lengths)).unwrap();
+    assert!(points.iter().all(|[x, y]| x.abs() + y.abs() < 1.0 + 1e-9));
+    assert!(cut.layout(&cut.slice(), PolygonPlane::Euclidean, Some(&lengths[1..])).is_err());
+}
+
+#[test]
+fn glued_sides_are_congruent() {
+    // Isometries of the hyperbolic plane keep cross ratios: distances along a side from its start and back from its end agree.
+    let cut = CanonicalCut::new(&genus(2), None).unwrap().straightened().unwrap();
+    let slice = cut.slice();
+    let points = cut.layout(&slice, PolygonPlane::Klein, None).unwrap();
+    let corner = 1.0 / (std::f64::consts::PI / 8.0).tan().powi(2);
+    let radius = (1.0 - corner.powi(-2)).sqrt();
+    let largest = points.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
+    assert!((largest - radius).abs() < 1e-12);
+    let distance = |p: [f64; 2], q: [f64; 2]| {
+        let dot = 1.0 - p[0] * q[0] - p[1] * q[1];
+        let room = |p: [f64; 2]| 1.0 - p[0] * p[0] - p[1] * p[1];
+        (dot / (room(p) * room(q)).sqrt()).max(1.0).acosh()
+    };
+    let mut lengths: Vec<Vec<f64>> = vec![Vec::new(); cut.refinement().map().edge_count()];
+    for side in slice.surface().sides().filter(|&side| slice.surface().mate(side).is_none()) {
+        let [from, to] =
+            [slice.surface().source(side), slice.surface().target(side)].map(|end| points[end.index()]);
+        lengths[cut.refinement().map().edge(side).index()].push(distance(from, to));
+    }
+    for pair in lengths.iter().filter(|pair| !pair.is_empty()) {
+        assert!(pair.len() == 2 && (pair[0] - pair[1]).abs() < 1e-6, "{pair:?}");
+    }
+}
+
 #[test]
 fn any_inner_vertex_can_be_the_base() {
     let double = genus(2);
