@@ -173,6 +173,109 @@ fn canonical_polygons_keep_the_surface() {
 }
 
 #[test]
+fn canonical_polygons_are_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    coface(&["generate", "genus", "--genus", "2", "-o", argument(&path("double.off"))]);
+    std::fs::write(path("plane.json"), PLANE).unwrap();
+    std::fs::write(path("octahedron.off"), OCTAHEDRON).unwrap();
+    std::fs::write(path("octagon.json"), OCTAGON).unwrap();
+    std::fs::write(path("annulus.json"), "[[0,1,3],[1,4,3],[1,2,4],[2,5,4],[2,0,5],[0,3,5]]").unwrap();
+    std::fs::write(path("two.json"), "[[0,1,2],[1,2,3],[10,11,12]]").unwrap();
+    for name in ["double.off", "plane.json", "octahedron.off", "octagon.json", "annulus.json", "two.json"] {
+        let out = path("drawn.ply");
+        let answer =
+            coface(&["cut", argument(&path(name)), "--layout", "polygon", "--json", "-o", argument(&out)]).json();
+        assert_eq!((&answer["layout"]["plane"], &answer["layout"]["turned"]), (&json!("polygon"), &json!(0)), "{name}");
+        let report = coface(&["info", "--json", argument(&out)]).json();
+        assert_eq!((&report["f_vector"], &report["problems"]), (&answer["f_vector"], &json!([])), "{name}");
+        // Regular polygons in circles of radius 1; a disk has as many corners as edges around it.
+        let area = report["area"].as_f64().unwrap();
+        let corners = match name {
+            "double.off" | "octagon.json" => 8,
+            "annulus.json" => 6,
+            "two.json" => continue,
+            _ => answer["components"][0]["boundary_edges"].as_u64().unwrap(),
+        };
+        let expected = corners as f64 / 2.0 * (std::f64::consts::TAU / corners as f64).sin();
+        assert!((area - expected).abs() < 1e-9, "{name}: {area} {expected}");
+    }
+    // Regular octagons whose corners have 45 degrees: the distance of the corners is that of the hyperbolic plane.
+    let out = path("klein.json");
+    let answer = coface(&["cut", argument(&path("double.off")), "--layout", "klein", "--json", "-o", argument(&out)]).json();
+    assert_eq!((&answer["layout"]["plane"], &answer["layout"]["turned"]), (&json!("klein"), &json!(0)));
+    let drawn: Value = serde_json::from_slice(&std::fs::read(&out).unwrap()).unwrap();
+    let far = drawn["positions"].as_array().unwrap().iter().map(|point| {
+        let [x, y] = [0, 1].map(|axis| point[axis].as_f64().unwrap());
+        x.hypot(y)
+    });
+    let cotangent = (std::f64::consts::PI / 8.0).tan().recip();
+    assert!((far.fold(0.0, f64::max) - (1.0 - cotangent.powi(-4)).sqrt()).abs() < 1e-12);
+    let refused = coface(&["cut", argument(&path("annulus.json")), "--layout", "klein"]).fails_with(1);
+    assert!(refused.contains("annulus has no regular polygon") && refused.contains("layout polygon"), "{refused}");
+    let page = coface(&["cut", argument(&path("double.off")), "--layout", "klein", "--weights", "cotangent"]);
+    assert!(page.stdout.contains("regular in the disk of Klein"), "{}", page.stdout);
+}
+
+#[test]
+fn layouts_are_texture_coordinates() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    coface(&["generate", "genus", "--genus", "2", "-o", argument(&path("double.off"))]);
+    let before = coface(&["info", "--json", argument(&path("double.off"))]).json();
+    for (name, is_whole) in [("uv.obj", true), ("uv.ply", false), ("uv.vtk", false)] {
+        let answer = coface(&["cut", argument(&path("double.off")), "--uv", "--json", "-o", argument(&path(name))]).json();
+        assert_eq!(answer["layout"]["texture"], true);
+        let report = coface(&["info", "--json", argument(&path(name))]).json();
+        // In OBJ corners have the coordinates, so that the surface is whole.
+        let expected = if is_whole { &answer["refinement"]["f_vector"] } else { &answer["f_vector"] };
+        assert_eq!(&report["f_vector"], expected, "{name}");
+        let [old, new] = [&before, &report].map(|report| report["area"].as_f64().unwrap());
+        assert!((old - new).abs() < 1e-9 * old, "{name}");
+    }
+    let text = std::fs::read_to_string(path("uv.obj")).unwrap();
+    let (mut pairs, mut corners) = (Vec::new(), Vec::new());
+    for line in text.lines() {
+        match line.split_once(' ') {
+            Some(("vt", rest)) => pairs.push(rest.split(' ').map(|x| x.parse().unwrap()).collect::<Vec<f64>>()),
+            Some(("f", rest)) => {
+                corners.extend(rest.split(' ').map(|corner| corner.split_once('/').unwrap().1.parse::<usize>().unwrap()));
+            }
+            _ => {}
+        }
+    }
+    assert!(pairs.iter().all(|pair| pair.len() == 2 && pair.iter().all(|x| (0.0..=1.0).contains(x))));
+    assert_eq!(corners.iter().max(), Some(&pairs.len()));
+    coface(&["convert", argument(&path("uv.ply")), "-o", argument(&path("uv.gltf"))]);
+    let text = std::fs::read_to_string(path("uv.gltf")).unwrap();
+    assert!(text.contains("TEXCOORD_0"), "{}", &text[..400]);
+    let bare = coface_reading(&["cut", "-", "--uv", "-o", argument(&path("x.obj"))], TORUS.as_bytes()).fails_with(1);
+    assert!(bare.contains("has no positions; write .json"), "{bare}");
+}
+
+#[test]
+fn covers_lie_in_the_disk_of_klein() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    coface(&["generate", "genus", "--genus", "2", "-o", argument(&path("double.off"))]);
+    let placed = |layout: &str| -> Vec<[f64; 2]> {
+        let out = path("cover.json");
+        coface(&["cover", argument(&path("double.off")), "--radius", "1", "--layout", layout, "-q", "-o", argument(&out)]);
+        let cover: Value = serde_json::from_slice(&std::fs::read(&out).unwrap()).unwrap();
+        assert_eq!(cover["layout"], layout);
+        let point = |point: &Value| [0, 1].map(|axis| point[axis].as_f64().unwrap());
+        cover["positions"].as_array().unwrap().iter().map(point).collect()
+    };
+    for ([x, y], [u, v]) in placed("disk").into_iter().zip(placed("klein")) {
+        // The hyperbolic distance from the middle is the same: 2 artanh in one disk, artanh in the other.
+        let [near, far] = [2.0 * x.hypot(y).atanh(), u.hypot(v).atanh()];
+        assert!((near - far).abs() < 1e-6 * (1.0 + near) && (x * v - y * u).abs() < 1e-12);
+    }
+    let refused = coface_reading(&["cover", "-", "--radius", "1", "--layout", "klein"], TORUS.as_bytes());
+    assert!(refused.fails_with(1).contains("take the layout flat"));
+}
+
+#[test]
 fn a_cut_mesh_says_where_it_comes_from() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
