@@ -21,6 +21,7 @@ mod test;
 mod tokens;
 mod typescript;
 mod viewer;
+mod wheels;
 mod wild;
 
 use std::path::{Path, PathBuf};
@@ -34,6 +35,13 @@ const USAGE: &str = "usage:
   cargo xtask studio --test   runs the page in a browser too, and compares its answers with the program's
   cargo xtask python          the Python package alone: build, types, stubs, tests, examples
   cargo xtask python --sdist  makes its source distribution and looks at it; --wheel makes the wheel for this machine too (minutes)
+  cargo xtask release X.Y.Z [--date YYYY-MM-DD] [--allow-dirty]
+                              gives every crate, the changelog and the citation the version; says what to commit and tag
+  cargo xtask package [--verify] [--allow-dirty]
+                              packs every crate that is published and looks at it: licences, readme, size; --verify builds them too (minutes)
+  cargo xtask archive [--no-build]
+                              builds the program for release and puts it into dist/ with manual pages, completions, licences, a bill of
+                              materials and checksums, as .tar.gz (.zip on Windows), and as .deb where dpkg-deb is there
   cargo xtask answers --write DIR | --against DIR [--program PATH] [--only WORD] [--seconds N] [--jobs N]
                               runs every verb on every file; keeps the answers in DIR, or compares with those there
   cargo xtask wild DIR..      runs `coface info` on every file below the folders; counts what is read, and why the rest is refused
@@ -65,8 +73,11 @@ fn main() -> ExitCode {
         Some("studio") if words.len() == 1 => studio::run(false),
         Some("studio") if words[1..] == ["--test"] => studio::run(true),
         Some("python") if words.len() == 1 => python::run(),
-        Some("python") if words[1..] == ["--sdist"] => release::release(false),
-        Some("python") if words[1..] == ["--wheel"] => release::release(true),
+        Some("python") if words[1..] == ["--sdist"] => wheels::wheels(false),
+        Some("python") if words[1..] == ["--wheel"] => wheels::wheels(true),
+        Some("release") => release::release(&words[1..]),
+        Some("package") => release::package(&words[1..]),
+        Some("archive") => release::archive(&words[1..]),
         Some("answers") => answers::answers(&words[1..]),
         Some("advisories") => advisories::advisories(&words[1..]),
         Some("soak") if words.get(1).is_some_and(|word| word == "--space") => space_soak::soak(&words[2..]),

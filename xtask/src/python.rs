@@ -1,8 +1,8 @@
 //! The Python package: built, then types, stubs, tests, examples.
 
+use crate::root;
 use crate::tally::Tally;
-use crate::test::{check, features, install_package, run_counted};
-use crate::{cargo, root};
+use crate::test::{build, check, install_package, run_counted, target};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::{env, fs, io};
@@ -18,26 +18,17 @@ const RAY: &str = "tests/requirements-ray.txt";
 /// Runs the checks of the Python package alone, and closes with the counts.
 pub(crate) fn run() -> ExitCode {
     let mut tally = Tally::default();
-    python(&mut tally);
+    if build(&mut tally) {
+        python(&mut tally);
+    }
     println!("{}", tally.to_line());
     if tally.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-/// Builds the package and asks it everything. What is not installed, and cannot be, is skipped.
+/// Asks the package that was built everything. What is not installed, and cannot be, is skipped.
 pub(crate) fn python(tally: &mut Tally) {
     if let Err(why) = prepare() {
         tally.skip("the Python package", &why);
-        return;
-    }
-    // All libraries, and with the tests, as `cargo xtask test` has built them: by itself the package would have other features of what it depends
-    // on, and build everything again.
-    let failures = tally.failed;
-    check(
-        tally,
-        "the Python package",
-        &mut cargo(&[&["build", "--quiet", "--workspace", "--lib", "--tests"], features()].concat()),
-    );
-    if tally.failed > failures {
         return;
     }
     if let Err(error) = assemble() {
@@ -106,6 +97,11 @@ fn examples(tally: &mut Tally) {
     }
 }
 
+/// Sees to the environment while something else is built; what goes wrong is told when it is needed.
+pub(crate) fn prepare_early() {
+    drop(prepare());
+}
+
 /// Sees to it that there is an environment with what the checks need.
 fn prepare() -> Result<(), String> {
     let version = "import sys; sys.exit(sys.version_info < (3, 10))";
@@ -169,10 +165,6 @@ fn environment() -> PathBuf {
 /// Where Python finds the package.
 fn site() -> PathBuf {
     target().join("python/site")
-}
-
-fn target() -> PathBuf {
-    env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from)
 }
 
 fn is_done(command: &mut Command) -> bool {

@@ -12,8 +12,8 @@ use std::time::Instant;
 
 /// Runs every check to the end, says what is skipped and why, and closes with the slowest stages and the counts.
 ///
-/// Two lanes run side by side. One builds everything once and runs it; the other has what needs no such build, and then the lints, which wait
-/// for the lock of the build folder while the first lane builds, and run while it tests.
+/// Two lanes run side by side. One builds everything once, and then runs the tests in Rust beside those in Python and in a browser; the other
+/// has what needs no such build, and the lints and docs, which have a build folder of their own, so that neither waits for the other's lock.
 pub(crate) fn run() -> ExitCode {
     let begin = Instant::now();
     let mut tally = Tally::default();
@@ -21,17 +21,34 @@ pub(crate) fn run() -> ExitCode {
     graphblas(&mut tally);
     let built = || {
         let mut tally = Tally::default();
-        let all = [&["test", "--workspace", "--no-fail-fast"], features()].concat();
-        run_counted(&mut tally, "tests", cargo(&all));
-        guide(&mut tally);
-        readme(&mut tally);
-        crate::book::check(&mut tally);
-        python(&mut tally);
-        browser(&mut tally);
+        if !build(&mut tally) {
+            return tally;
+        }
+        let rust = || {
+            let mut tally = Tally::default();
+            let all = [&["test", "--workspace", "--no-fail-fast"], features()].concat();
+            run_counted(&mut tally, "tests", cargo(&all));
+            guide(&mut tally);
+            readme(&mut tally);
+            crate::book::check(&mut tally);
+            tally
+        };
+        let others = || {
+            let mut tally = Tally::default();
+            python(&mut tally);
+            browser(&mut tally);
+            tally
+        };
+        let lanes = std::thread::scope(|scope| {
+            [scope.spawn(rust), scope.spawn(others)]
+                .map(|lane| lane.join().unwrap_or_else(|_| Tally::of_panic()))
+        });
+        lanes.into_iter().for_each(|lane| tally.add(lane));
         tally
     };
     let beside = || {
         let mut tally = Tally::default();
+        crate::python::prepare_early();
         viewer(&mut tally);
         packages(&mut tally);
         crate::advisories::check(&mut tally);
@@ -41,8 +58,10 @@ pub(crate) fn run() -> ExitCode {
             &GRAPHBLAS[..],
             &["--", "-D", "warnings"],
         ];
-        check(&mut tally, "lints", &mut cargo(&lints.concat()));
-        check(&mut tally, "docs", docs(&mut cargo(&["doc", "--quiet", "--workspace", "--no-deps"])));
+        let folder = target().join("lints");
+        check(&mut tally, "lints", cargo(&lints.concat()).env("CARGO_TARGET_DIR", &folder));
+        let document = ["doc", "--quiet", "--workspace", "--no-deps"];
+        check(&mut tally, "docs", docs(cargo(&document).env("CARGO_TARGET_DIR", &folder)));
         oldest_rust(&mut tally);
         tally
     };
@@ -53,6 +72,14 @@ pub(crate) fn run() -> ExitCode {
     lanes.into_iter().for_each(|lane| tally.add(lane));
     skips(&mut tally);
     close(&tally, begin)
+}
+
+/// Builds everything that a test runs; whether that went well.
+pub(crate) fn build(tally: &mut Tally) -> bool {
+    let failed = tally.failed;
+    let all = [&["build", "--quiet", "--workspace", "--lib", "--bins", "--tests", "--examples"], features()];
+    check(tally, "build", &mut cargo(&all.concat()));
+    tally.failed == failed
 }
 
 /// Runs the checks of one crate: format, lints, docs, tests.
@@ -145,11 +172,15 @@ fn guide(tally: &mut Tally) {
     }
 }
 
+/// The build folder.
+pub(crate) fn target() -> PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from)
+}
+
 /// A program that the tests have built.
 pub(crate) fn built(name: &str) -> Command {
-    let folder = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
     let mut command =
-        Command::new(folder.join("debug").join(name).with_extension(std::env::consts::EXE_EXTENSION));
+        Command::new(target().join("debug").join(name).with_extension(std::env::consts::EXE_EXTENSION));
     command.current_dir(root());
     command
 }

@@ -1,8 +1,8 @@
 //! The browser viewer: its sources, the page that is made of them, and that page in a real browser.
 
+use crate::root;
 use crate::tally::Tally;
-use crate::test::{built, check, features, install_package};
-use crate::{cargo, root};
+use crate::test::{build, built, check, install_package};
 use std::path::PathBuf;
 use std::process::{Command, ExitCode, Stdio};
 
@@ -13,7 +13,9 @@ const PAGE: &str = "crates/coface-pictures/page/viewer.html";
 pub(crate) fn run() -> ExitCode {
     let mut tally = Tally::default();
     viewer(&mut tally);
-    browser(&mut tally);
+    if build(&mut tally) {
+        browser(&mut tally);
+    }
     println!("{}", tally.to_line());
     if tally.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
@@ -89,13 +91,6 @@ pub(crate) fn browser(tally: &mut Tally) {
         tally.skip("the page in a browser", "chromium is not installed, and cannot be");
         return;
     };
-    // The whole workspace with its tests, as `cargo xtask test` has built it: the program alone would have other features of what it depends on.
-    let mut build = cargo(&[&["build", "--workspace", "--bins", "--tests"], features()].concat());
-    if !build.stdin(Stdio::null()).status().is_ok_and(|status| status.success()) {
-        println!("== the page in a browser: failed, the program cannot be built");
-        tally.count(false);
-        return;
-    }
     let program = built("coface").get_program().to_owned();
     let mut tests = npm(&["run", "--silent", "test:browser"]);
     tests.env("COFACE_PROGRAM", program).env("CHROMIUM", chromium);

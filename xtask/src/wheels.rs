@@ -21,10 +21,10 @@ const PARTS: [&str; 6] =
 const LARGEST: u64 = 21 << 20;
 
 /// Makes the source distribution, and the wheel too if it is wanted, which builds everything for release.
-pub(crate) fn release(with_wheel: bool) -> ExitCode {
+pub(crate) fn wheels(with_wheel: bool) -> ExitCode {
     let mut tally = Tally::default();
     if let Err(error) = prepare(&mut tally, with_wheel) {
-        println!("== release: failed: {error}");
+        println!("== wheels: failed: {error}");
         tally.count(false);
     }
     if tally.failed == 0 {
