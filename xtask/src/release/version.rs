@@ -16,16 +16,15 @@ pub(super) fn set(wanted: &Version, date: &str) -> Outcome<()> {
     }
     let changelog = fs::read_to_string(root().join("CHANGELOG.md"))?;
     let citation = fs::read_to_string(root().join("CITATION.cff"))?;
+    let recipe = fs::read_to_string(root().join("packaging/conda/recipe.yaml"))?;
     let viewer = fs::read_to_string(root().join("viewer/package.json"))?;
     // All new texts first: nothing is written if one of them fails.
     let texts = [
         ("Cargo.toml", of_manifest(&manifest, &now, wanted)),
         ("CHANGELOG.md", of_changelog(&changelog, wanted, date)?),
         ("CITATION.cff", of_citation(&citation, wanted, date)),
-        (
-            "viewer/package.json",
-            viewer.replacen(&format!("\"version\": \"{now}\""), &format!("\"version\": \"{wanted}\""), 1),
-        ),
+        ("packaging/conda/recipe.yaml", quoted(&recipe, "version: ", &now, wanted)),
+        ("viewer/package.json", quoted(&viewer, "\"version\": ", &now, wanted)),
     ];
     for (name, text) in texts {
         fs::write(root().join(name), text)?;
@@ -78,6 +77,11 @@ fn of_changelog(changelog: &str, wanted: &Version, date: &str) -> Outcome<String
         return Err("nothing is unreleased in CHANGELOG.md".into());
     }
     Ok(format!("{before}{UNRELEASED}\n## [{wanted}] - {date}\n{after}"))
+}
+
+/// A text with another version after the first key of this kind.
+fn quoted(text: &str, key: &str, now: &Version, wanted: &Version) -> String {
+    text.replacen(&format!("{key}\"{now}\""), &format!("{key}\"{wanted}\""), 1)
 }
 
 /// The citation with version and date.
