@@ -185,8 +185,13 @@ fn canonical_polygons_are_drawn() {
     for name in ["double.off", "plane.json", "octahedron.off", "octagon.json", "annulus.json", "two.json"] {
         let out = path("drawn.ply");
         let answer =
-            coface(&["cut", argument(&path(name)), "--layout", "polygon", "--json", "-o", argument(&out)]).json();
-        assert_eq!((&answer["layout"]["plane"], &answer["layout"]["turned"]), (&json!("polygon"), &json!(0)), "{name}");
+            coface(&["cut", argument(&path(name)), "--layout", "polygon", "--json", "-o", argument(&out)])
+                .json();
+        assert_eq!(
+            (&answer["layout"]["plane"], &answer["layout"]["turned"]),
+            (&json!("polygon"), &json!(0)),
+            "{name}"
+        );
         let report = coface(&["info", "--json", argument(&out)]).json();
         assert_eq!((&report["f_vector"], &report["problems"]), (&answer["f_vector"], &json!([])), "{name}");
         // Regular polygons in circles of radius 1; a disk has as many corners as edges around it.
@@ -202,7 +207,9 @@ fn canonical_polygons_are_drawn() {
     }
     // Regular octagons whose corners have 45 degrees: the distance of the corners is that of the hyperbolic plane.
     let out = path("klein.json");
-    let answer = coface(&["cut", argument(&path("double.off")), "--layout", "klein", "--json", "-o", argument(&out)]).json();
+    let answer =
+        coface(&["cut", argument(&path("double.off")), "--layout", "klein", "--json", "-o", argument(&out)])
+            .json();
     assert_eq!((&answer["layout"]["plane"], &answer["layout"]["turned"]), (&json!("klein"), &json!(0)));
     let drawn: Value = serde_json::from_slice(&std::fs::read(&out).unwrap()).unwrap();
     let far = drawn["positions"].as_array().unwrap().iter().map(|point| {
@@ -211,8 +218,12 @@ fn canonical_polygons_are_drawn() {
     });
     let cotangent = (std::f64::consts::PI / 8.0).tan().recip();
     assert!((far.fold(0.0, f64::max) - (1.0 - cotangent.powi(-4)).sqrt()).abs() < 1e-12);
-    let refused = coface(&["cut", argument(&path("annulus.json")), "--layout", "klein"]).fails_with(1);
-    assert!(refused.contains("annulus has no regular polygon") && refused.contains("layout polygon"), "{refused}");
+    let refused = coface(&["cut", argument(&path("annulus.json")), "--layout", "klein"]);
+    let refused = refused.fails_with(1);
+    assert!(
+        refused.contains("annulus has no regular polygon") && refused.contains("layout polygon"),
+        "{refused}"
+    );
     let page = coface(&["cut", argument(&path("double.off")), "--layout", "klein", "--weights", "cotangent"]);
     assert!(page.stdout.contains("regular in the disk of Klein"), "{}", page.stdout);
 }
@@ -224,7 +235,9 @@ fn layouts_are_texture_coordinates() {
     coface(&["generate", "genus", "--genus", "2", "-o", argument(&path("double.off"))]);
     let before = coface(&["info", "--json", argument(&path("double.off"))]).json();
     for (name, is_whole) in [("uv.obj", true), ("uv.ply", false), ("uv.vtk", false)] {
-        let answer = coface(&["cut", argument(&path("double.off")), "--uv", "--json", "-o", argument(&path(name))]).json();
+        let answer =
+            coface(&["cut", argument(&path("double.off")), "--uv", "--json", "-o", argument(&path(name))])
+                .json();
         assert_eq!(answer["layout"]["texture"], true);
         let report = coface(&["info", "--json", argument(&path(name))]).json();
         // In OBJ corners have the coordinates, so that the surface is whole.
@@ -237,9 +250,13 @@ fn layouts_are_texture_coordinates() {
     let (mut pairs, mut corners) = (Vec::new(), Vec::new());
     for line in text.lines() {
         match line.split_once(' ') {
-            Some(("vt", rest)) => pairs.push(rest.split(' ').map(|x| x.parse().unwrap()).collect::<Vec<f64>>()),
+            Some(("vt", rest)) => {
+                pairs.push(rest.split(' ').map(|x| x.parse().unwrap()).collect::<Vec<f64>>())
+            }
             Some(("f", rest)) => {
-                corners.extend(rest.split(' ').map(|corner| corner.split_once('/').unwrap().1.parse::<usize>().unwrap()));
+                corners.extend(
+                    rest.split(' ').map(|corner| corner.split_once('/').unwrap().1.parse::<usize>().unwrap()),
+                );
             }
             _ => {}
         }
@@ -249,7 +266,8 @@ fn layouts_are_texture_coordinates() {
     coface(&["convert", argument(&path("uv.ply")), "-o", argument(&path("uv.gltf"))]);
     let text = std::fs::read_to_string(path("uv.gltf")).unwrap();
     assert!(text.contains("TEXCOORD_0"), "{}", &text[..400]);
-    let bare = coface_reading(&["cut", "-", "--uv", "-o", argument(&path("x.obj"))], TORUS.as_bytes()).fails_with(1);
+    let bare = coface_reading(&["cut", "-", "--uv", "-o", argument(&path("x.obj"))], TORUS.as_bytes());
+    let bare = bare.fails_with(1);
     assert!(bare.contains("has no positions; write .json"), "{bare}");
 }
 
@@ -260,7 +278,17 @@ fn covers_lie_in_the_disk_of_klein() {
     coface(&["generate", "genus", "--genus", "2", "-o", argument(&path("double.off"))]);
     let placed = |layout: &str| -> Vec<[f64; 2]> {
         let out = path("cover.json");
-        coface(&["cover", argument(&path("double.off")), "--radius", "1", "--layout", layout, "-q", "-o", argument(&out)]);
+        coface(&[
+            "cover",
+            argument(&path("double.off")),
+            "--radius",
+            "1",
+            "--layout",
+            layout,
+            "-q",
+            "-o",
+            argument(&out),
+        ]);
         let cover: Value = serde_json::from_slice(&std::fs::read(&out).unwrap()).unwrap();
         assert_eq!(cover["layout"], layout);
         let point = |point: &Value| [0, 1].map(|axis| point[axis].as_f64().unwrap());
