@@ -11,6 +11,7 @@ mod cures;
 mod diagrams;
 mod exports;
 mod generate;
+mod handles;
 mod homology;
 mod incidence;
 mod info;
