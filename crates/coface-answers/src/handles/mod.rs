@@ -3,6 +3,8 @@
 mod cutting;
 mod filling;
 mod patch;
+#[cfg(test)]
+mod tests;
 mod triangle_surface;
 
 pub use filling::FillHandlesRequest;

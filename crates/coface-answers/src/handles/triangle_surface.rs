@@ -28,7 +28,10 @@ impl TriangleSurface {
     /// [`ErrorKind::UnsupportedFormat`] for models that are no polygons; [`ErrorKind::InvalidInput`] without three coordinates a vertex, and where
     /// two triangles meet; [`ErrorKind::NonManifold`] for what is no closed orientable surface.
     pub(super) fn of(model: &Model) -> Result<Self, Error> {
-        let given = PolygonsOf::new(model)?;
+        let given = PolygonsOf::new(model).map_err(|error| {
+            Error::new(error.kind(), "only surfaces of polygons have handle loops and tunnel loops")
+                .with_cure("give polygons with positions in space")
+        })?;
         let model = &given.model;
         model.require_finite()?;
         if model.positions().dimension() != 3 {
@@ -49,7 +52,12 @@ impl TriangleSurface {
         }
         let vertex_sources = (0..points.len() as u32).collect();
         let mut surface = Self { given, points, triangles, sources, vertex_sources, cut };
-        let map = surface.map()?;
+        let map = surface.map().map_err(|error| match error.kind() {
+            ErrorKind::NonManifold => {
+                error.with_cure("give a surface that touches itself nowhere")
+            }
+            _ => error,
+        })?;
         surface.turn_to_agree(&map)?;
         surface.check_meetings()?;
         Ok(surface)
@@ -209,10 +217,11 @@ fn triangles_of(polygon: &[u32], points: &[[f64; 3]]) -> Vec<[u32; 3]> {
     let mut normal = [0.0; 3];
     for (i, &from) in polygon.iter().enumerate() {
         let (p, q) = (point(from), point(polygon[(i + 1) % polygon.len()]));
-        for axis in 0..3 {
+        let [x, y, z] = [0, 1, 2].map(|axis| {
             let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
-            normal[axis] += p[j] * q[k] - p[k] * q[j];
-        }
+            p[j] * q[k] - p[k] * q[j]
+        });
+        normal = [normal[0] + x, normal[1] + y, normal[2] + z];
     }
     let axis = (0..3).max_by(|&a, &b| f64::abs(normal[a]).total_cmp(&f64::abs(normal[b]))).unwrap_or(0);
     let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);

@@ -190,9 +190,7 @@ pub fn cubes(cells: &[[i32; 3]], turned: u64) -> (GeneralizedMap, Positions) {
     }
     let mut points = vec![0.0; 3 * numbers.len()];
     for (place, number) in numbers {
-        for axis in 0..3 {
-            points[3 * number as usize + axis] = f64::from(place[axis]);
-        }
+        points[3 * number as usize..][..3].copy_from_slice(&place.map(f64::from));
     }
     placed_map(&triangles, points)
 }
