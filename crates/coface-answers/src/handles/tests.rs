@@ -26,7 +26,8 @@ fn model_of(surfaces: &[Placed], is_turned: bool) -> Model {
             triangles.push(corners);
         }
     }
-    Model::from_polygons(Positions::from_flat(3, points).unwrap(), RaggedArray::from_lists(triangles)).unwrap()
+    Model::from_polygons(Positions::from_flat(3, points).unwrap(), RaggedArray::from_lists(triangles))
+        .unwrap()
 }
 
 fn ring(center: f64, is_upright: bool) -> Placed {
@@ -78,7 +79,8 @@ fn rings_and_knots_become_spheres() {
 #[test]
 fn a_tunnel_is_filled_where_it_is_shorter() {
     // A plate with one small hole.
-    let cells: Vec<[i32; 3]> = (0..49).map(|i| [i / 7, i % 7, 0]).filter(|&[x, y, _]| (x, y) != (3, 3)).collect();
+    let cells: Vec<[i32; 3]> =
+        (0..49).map(|i| [i / 7, i % 7, 0]).filter(|&[x, y, _]| (x, y) != (3, 3)).collect();
     let model = model_of(&[cubes(&cells, 0)], false);
     let found = HandlesRequest::new().found(&model, "plate").unwrap();
     assert_eq!((found.genus, found.handles[0].shorter), (1, LoopKind::Tunnel));

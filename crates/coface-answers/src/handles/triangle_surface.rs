@@ -53,9 +53,7 @@ impl TriangleSurface {
         let vertex_sources = (0..points.len() as u32).collect();
         let mut surface = Self { given, points, triangles, sources, vertex_sources, cut };
         let map = surface.map().map_err(|error| match error.kind() {
-            ErrorKind::NonManifold => {
-                error.with_cure("give a surface that touches itself nowhere")
-            }
+            ErrorKind::NonManifold => error.with_cure("give a surface that touches itself nowhere"),
             _ => error,
         })?;
         surface.turn_to_agree(&map)?;

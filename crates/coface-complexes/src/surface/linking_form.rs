@@ -356,7 +356,8 @@ impl Fan {
         for place in 0..self.around.len() {
             let before = sum;
             if place > 0 && place == side && self.is_up_outside(side) {
-                sum += 1;
+                // Outside of the half-plane, counterclockwise is against the direction in which crossings count.
+                sum -= 1;
             }
             passed.push((before, sum));
             sum += self.corner_crossing(place, side);
