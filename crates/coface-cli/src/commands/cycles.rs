@@ -49,7 +49,7 @@ pub(crate) struct Cycles {
     fill_handles: Option<f64>,
     /// With --kind non-contractible or non-separating: stop after this time (500ms, 60s, 5m; a number alone is seconds) with the best closed
     /// path so far and a length that none falls below; without it, results do not depend on the machine
-    #[arg(long, value_name = "TIME", conflicts_with_all = ["through", "handles", "fill_handles"], value_parser = time_limit)]
+    #[arg(long, value_name = "TIME", value_parser = time_limit)]
     time_limit: Option<Limit<Duration>>,
     /// Print every path whole, not just its first vertices
     #[arg(long)]
@@ -87,6 +87,12 @@ impl Cycles {
             (false, None) => {}
         }
         print_text(&self.page(&answer))
+    }
+
+    /// Whether a search that is stopped has a best path and a lower bound.
+    pub(crate) fn has_bounds(&self) -> bool {
+        let is_one = matches!(self.kind, CycleRequest::NonContractible | CycleRequest::NonSeparating);
+        is_one && self.through.is_none() && !self.handles && self.fill_handles.is_none()
     }
 
     fn limit(&self) -> usize {
