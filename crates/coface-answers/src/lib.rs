@@ -3,7 +3,7 @@
 //! * `answer` has the answers as plain data: what the program prints as JSON, with their schema.
 //! * `producer` makes the chain complex of a model and names its cells; `facts` reports on it; `repair` makes it ready for
 //!   other questions.
-//! * `homology`, `groups`, `cocycles`, `persistence`, `incidence`, `surface_model` (cuts and covers), `simplices`, `matrix_blocks`, `planar`, `spatial`,
+//! * `homology`, `groups`, `cocycles`, `persistence`, `incidence`, `handles`, `surface_model` (cuts and covers), `simplices`, `matrix_blocks`, `planar`, `spatial`,
 //!   `congruence`, `signatures` and `yin` each answer the requests of some verbs.
 //! * `text` lays answers out for people.
 //!
@@ -15,6 +15,7 @@ mod congruence;
 mod editing;
 mod facts;
 mod groups;
+mod handles;
 mod homology;
 mod incidence;
 mod isomorphism;
@@ -44,6 +45,7 @@ pub use facts::{
     Witness, homology_of_volume,
 };
 pub use groups::{FoundGroups, GivenWalks, GroupsRequest, ShortPaths, SurfaceLoops};
+pub use handles::{FillHandlesRequest, HandlesRequest};
 pub use homology::{
     Domain, FoundHomology, GivenChain, GivenRealCochain, GivenVertexMap, HomologyRequest, RelativeTo,
 };

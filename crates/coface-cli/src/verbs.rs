@@ -65,10 +65,12 @@ impl Arguments {
         }
     }
 
-    /// The longest that this process may take. The verbs that simplify groups say after this time what is known then.
+    /// The longest that this process may take. The verbs that simplify groups, and the search for a shortest cycle, say after this time what is
+    /// known then.
     pub(crate) fn time_of_program(&self) -> Option<Duration> {
-        match self.verb {
+        match &self.verb {
             Verb::Pi1(_) | Verb::Subgroups(_) => None,
+            Verb::Cycles(cycles) if cycles.has_bounds() => None,
             _ => self.common.time_limit.and_then(|limit| limit.0),
         }
     }

@@ -249,6 +249,10 @@ pub enum RemarkCode {
     FormatKeepsLess,
     /// A step that makes the result shorter or nicer was left out because the input is large.
     StepLeftOut,
+    /// Handles stay that were to be filled.
+    HandlesLeft,
+    /// A search ended early, so the best that it found need not be the best there is.
+    SearchEnded,
     /// The input has no positions, and each edge counts as length 1.
     UnitLengths,
     /// The weights asked for do not exist on this input, and uniform ones were taken.

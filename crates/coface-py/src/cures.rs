@@ -1,7 +1,7 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 37] = [
+const PHRASES: [(&str, &str); 40] = [
     ("coface persistence POINTS --rips", "coface.rips(points)"),
     ("leave out --radii, or --weighted", "leave out radii, or weights"),
     ("give the range of values (--range A B)", "give values: at=array"),
@@ -53,6 +53,15 @@ const PHRASES: [(&str, &str); 37] = [
         "; coface.read(path, pseudomanifold=True) takes",
     ),
     ("print the set with --json", "take its simplices(k)"),
+    (
+        "close it first: coface convert INPUT --repair closed -o OUT.off",
+        "close it first: model.repaired_surface(closed=True)",
+    ),
+    ("leave --handles out: coface cycles INPUT", "ask for other paths: model.surface().shortest_cycles()"),
+    (
+        "make it the boundary of a solid first: coface boolean union INPUT --pinches split -o OUT.off",
+        "make it the boundary of a solid first: coface.union([model], pinches=\"split\")",
+    ),
     (
         "give the JSON of homology --generators, cut, cover, pi1, cycles, cocycles, arrange, persistence, star, link, ...",
         "give an answer of coface.homology(model, generators=True), coface.cut, cover, pi1, cocycles, arrange, persistence, ...",

@@ -24,8 +24,8 @@ use coface::complexes::surface::{GeneralizedMap, SurfaceType};
 use coface::io::Structure;
 use coface::topology::{
     ClosedWalk, CoverExtent, CycleKind, HarmonicForm, PolygonPlane, ShortestCycle, SurfaceHomology,
-    SurfaceHomotopy, TreeCotree, shortest_cycle, shortest_cycle_through, shortest_homology_basis,
-    shortest_loops,
+    SurfaceHomotopy, TreeCotree, shortest_cycle, shortest_cycle_through, shortest_cycle_until,
+    shortest_homology_basis, shortest_loops,
 };
 use coface::{EdgeId, Error, ErrorKind, FaceId, Fault, HalfedgeId, VertexId};
 use numpy::{PyArray1, PyArrayMethods};
@@ -34,6 +34,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use serde::Serialize;
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 /// What is known of a closed walk among others.
 #[derive(Serialize)]
@@ -791,6 +792,61 @@ impl Surface {
             .iter()
             .map(|cycle| (cycle.length(), arrays::id_array(py, self.walk_numbers(cycle.walk()))))
             .collect())
+    }
+
+    /// The best closed path of a kind that is found in some time, and a length that none falls below.
+    ///
+    /// Parameters
+    /// ----------
+    /// seconds : float
+    ///     For how long a shorter path is looked for; one is found in any case, if there is one.
+    /// kind : {"non-contractible", "non-separating"}
+    ///     What is looked for.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Returns
+    /// -------
+    /// (float, numpy.ndarray, float), optional
+    ///     The length, the vertices, the first one again at the end, and the lower bound; the path is a shortest one if the bound is its
+    ///     length. ``None`` if there is no such path.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> torus = coface.Model.from_facets(coface.generate("torus", columns=7, rows=5).facets).surface()
+    /// >>> length, vertices, bound = torus.shortest_cycle_within(60)
+    /// >>> length, len(vertices), bound
+    /// (5.0, 6, 5.0)
+    #[pyo3(signature = (seconds, kind="non-contractible", *, progress=None))]
+    fn shortest_cycle_within<'py>(
+        &self,
+        py: Python<'py>,
+        seconds: f64,
+        kind: &str,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Option<(f64, Bound<'py, PyArray1<i64>>, f64)>> {
+        let kind = match kind {
+            "non-contractible" => CycleKind::NonContractible,
+            "non-separating" => CycleKind::NonSeparating,
+            _ => {
+                let cure = "give \"non-contractible\" or \"non-separating\"";
+                return Err(invalid(py, format!("kind is {kind:?}"), cure));
+            }
+        };
+        let Ok(limit) = Duration::try_from_secs_f64(seconds) else {
+            return Err(invalid(py, format!("{seconds} seconds are no time"), "give seconds from 0"));
+        };
+        let found = run(py, progress, || {
+            self.surface.require_finite()?;
+            let start = Instant::now();
+            let is_over = || start.elapsed() >= limit;
+            shortest_cycle_until(self.map(), self.lengths().as_deref(), kind, MOST_REACHED, &is_over)
+        })?;
+        Ok(found.cycle().map(|cycle| {
+            let vertices = arrays::id_array(py, self.walk_numbers(cycle.walk()));
+            (cycle.length(), vertices, found.lower_bound())
+        }))
     }
 
     /// What closed walks are: whether they can be contracted, bound, and which are homotopic.

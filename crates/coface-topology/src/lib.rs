@@ -63,11 +63,11 @@ mod curves;
 
 pub use curves::{
     CanonicalComponent, CanonicalCurve, CanonicalCut, Carrier, ClosedWalk, CocycleBasis, CurveKind, CutGraph,
-    CutSurface, CycleBounds, CycleKind, EdgeRole, Exactness, FundamentalDomain, HarmonicForm, PolygonPlane,
-    Refinement, Seam, SeamKind, ShortestCycle, Slicing, SurfaceHomology, SurfaceHomotopy, TreeCotree,
-    TreeCotreeComponent, cotangent_weights, exactness, exactness_within, harmonic_forms, intersection_number,
-    shortest_cycle, shortest_cycle_through, shortest_cycle_until, shortest_homology_basis, shortest_loops,
-    slicing_cocycle,
+    CutSurface, CycleBounds, CycleKind, EdgeRole, Exactness, FundamentalDomain, HandleKind, HandlePair,
+    HarmonicForm, PolygonPlane, Refinement, Seam, SeamKind, ShortHandleLoops, ShortestCycle, Slicing,
+    SurfaceHomology, SurfaceHomotopy, TreeCotree, TreeCotreeComponent, cotangent_weights, exactness,
+    exactness_within, handle_pairs, harmonic_forms, intersection_number, short_handle_loops, shortest_cycle,
+    shortest_cycle_through, shortest_cycle_until, shortest_homology_basis, shortest_loops, slicing_cocycle,
 };
 
 mod groups;

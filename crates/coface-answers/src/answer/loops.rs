@@ -54,6 +54,10 @@ pub struct CyclesAnswer {
     pub kind: String,
     /// The paths; empty if none is of this kind.
     pub cycles: Vec<ClosedPath>,
+    /// Of the shortest path of a kind on the whole surface: no path of this kind is shorter than this. It is the length of the path
+    /// unless the search ended early; `null` if there is no such path, and for other requests.
+    #[serde(default)]
+    pub lower_bound: Option<f64>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,
 }

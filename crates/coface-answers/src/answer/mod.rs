@@ -22,6 +22,7 @@ mod edit;
 mod generate;
 mod groups;
 mod halfedges;
+mod handles;
 mod homology;
 mod incidence;
 mod info;
@@ -84,6 +85,9 @@ pub use diagram::{
     DegreeDistance, DiagramCurve, DiagramCurvesAnswer, DiagramDistanceAnswer, DiagramImageAnswer,
 };
 pub use generate::GenerateAnswer;
+pub use handles::{
+    FilledHandle, FilledHandlesAnswer, HandleAnswer, HandleCounts, HandlesAnswer, LeftHandle, LoopKind,
+};
 pub use info::{
     BoundarySurface, CellsOfShape, DataAnswer, DrawnFaultAnswer, DrawnPlaceAnswer, DrawnPolygonsAnswer,
     FailedInput, GeometryAnswer, GeometryFaultAnswer, GeometryPlace, InfoAnswer, InfoEntry, InfoReports,

@@ -3,14 +3,14 @@
 use super::{
     BatchAnswer, CheckAnswer, CochainTestAnswer, CocyclesAnswer, CongruenceAnswer, ConvertAnswer,
     CoverAnswer, CutAnswer, CyclesAnswer, DiagramCurvesAnswer, DiagramDistanceAnswer, DiagramImageAnswer,
-    DissolveAnswer, DoubleCoverAnswer, EditAnswer, GenerateAnswer, HomologyAnswer, HomotopicAnswer,
-    IncidenceAnswer, InfoAnswer, InfoReports, IsomorphicAnswer, LoopsAnswer, MapAnswer, PersistenceAnswer,
-    Pi1Answer, PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer, RenderAnswer, RowAnswer,
-    ShardAnswer, SignatureAnswer, SimplicesAnswer, SimplifyAnswer, SolidBooleanAnswer,
-    SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer, YinAdvectAnswer, YinCombinationAnswer,
-    YinComparisonAnswer, YinCurvatureAnswer, YinCutCellsAnswer, YinInfoAnswer, YinInterfaceAnswer,
-    YinKinksAnswer, YinLocateAnswer, YinNormalizeAnswer, YinSampleAnswer, YinSeriesAnswer, YinSetAnswer,
-    YinValidationAnswer,
+    DissolveAnswer, DoubleCoverAnswer, EditAnswer, FilledHandlesAnswer, GenerateAnswer, HandlesAnswer,
+    HomologyAnswer, HomotopicAnswer, IncidenceAnswer, InfoAnswer, InfoReports, IsomorphicAnswer, LoopsAnswer,
+    MapAnswer, PersistenceAnswer, Pi1Answer, PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer,
+    RenderAnswer, RowAnswer, ShardAnswer, SignatureAnswer, SimplicesAnswer, SimplifyAnswer,
+    SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer, YinAdvectAnswer,
+    YinCombinationAnswer, YinComparisonAnswer, YinCurvatureAnswer, YinCutCellsAnswer, YinInfoAnswer,
+    YinInterfaceAnswer, YinKinksAnswer, YinLocateAnswer, YinNormalizeAnswer, YinSampleAnswer,
+    YinSeriesAnswer, YinSetAnswer, YinValidationAnswer,
 };
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
@@ -71,6 +71,8 @@ answers! {
     "pi1" => Pi1Answer,
     "loops" => LoopsAnswer,
     "cycles" => CyclesAnswer,
+    "cycles --handles" => HandlesAnswer,
+    "cycles --fill-handles" => FilledHandlesAnswer,
     "homotopic" => HomotopicAnswer,
     "subgroups" => SubgroupsAnswer,
     "cut" => CutAnswer,

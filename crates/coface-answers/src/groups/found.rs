@@ -19,6 +19,8 @@ pub struct FoundGroups {
     positions: Positions,
     pub(super) compared: Option<(Vec<WalkAnswer>, Vec<WalkPair>)>,
     pub(super) short: Option<Vec<ClosedPath>>,
+    /// No closed path of the kind that was asked for is shorter.
+    pub(super) lower_bound: Option<f64>,
     pub(super) trees: Option<TreesAnswer>,
     pub(super) remarks: Vec<Remark>,
 }
@@ -26,7 +28,16 @@ pub struct FoundGroups {
 impl FoundGroups {
     pub(super) fn new(request: &GroupsRequest, shown: Vec<Shown>, producer: &Producer) -> Self {
         let (request, positions) = (request.clone(), producer.positions().clone());
-        Self { request, shown, positions, compared: None, short: None, trees: None, remarks: Vec::new() }
+        Self {
+            request,
+            shown,
+            positions,
+            compared: None,
+            short: None,
+            lower_bound: None,
+            trees: None,
+            remarks: Vec::new(),
+        }
     }
 
     /// The presentation of the group of each component, as it was asked for.
@@ -164,6 +175,7 @@ impl FoundGroups {
             file: file.to_owned(),
             kind: kind.name().to_owned(),
             cycles: self.short.clone()?,
+            lower_bound: self.lower_bound,
             remarks: self.remarks.clone(),
         })
     }

@@ -159,7 +159,7 @@ impl GroupsRequest {
         self
     }
 
-    /// Stops simplifying after so long.
+    /// Stops simplifying, and looking for the shortest closed path of a kind, after so long; what is known then is given.
     ///
     /// # Examples
     /// ```

@@ -3,15 +3,16 @@
 use super::found::{FoundGroups, unit_lengths};
 use super::{Counts, GroupsRequest, ShortPaths, Shown, SurfaceLoops, check, no_vertex, walks};
 use crate::Producer;
-use crate::answer::{ClosedPath, TreesAnswer};
+use crate::answer::{ClosedPath, Remark, RemarkCode, TreesAnswer};
 use coface_algebra::progress::stage;
 use coface_algebra::{CellId, Error, VertexId, Word};
 use coface_complexes::surface::GeneralizedMap;
 use coface_topology::{
     AbelianGroup, ClosedWalk, CycleKind, EdgeRole, Effort, Presentation, ShortestCycle, SurfaceGroup,
-    SurfaceHomotopy, TreeCotree, shortest_cycle, shortest_cycle_through, shortest_homology_basis,
+    SurfaceHomotopy, TreeCotree, shortest_cycle_through, shortest_cycle_until, shortest_homology_basis,
     shortest_loops,
 };
+use std::time::{Duration, Instant};
 
 /// The group of one component of a surface, in the generators that are shown.
 pub(super) struct SurfaceComponent {
@@ -126,8 +127,18 @@ pub(super) fn found(request: &GroupsRequest, producer: &Producer) -> Result<Foun
             length: found.length(),
             vertices: found.walk().vertices(map.skeleton()).into_iter().map(number).collect(),
         };
-        let found = short_paths(kind, through, &map, lengths.as_deref())?;
-        groups.short = Some(found.into_iter().map(path).collect());
+        let found = short_paths(kind, through, &map, lengths.as_deref(), request.time_limit)?;
+        if found.is_cut_short() {
+            groups.remarks.push(Remark::new(
+                RemarkCode::SearchEnded,
+                format!(
+                    "the search ended early: no closed path of this kind is shorter than {}",
+                    found.lower_bound.unwrap_or(0.0)
+                ),
+            ));
+        }
+        groups.lower_bound = found.lower_bound;
+        groups.short = Some(found.cycles.into_iter().map(path).collect());
     }
     Ok(groups)
 }
@@ -152,19 +163,37 @@ pub(crate) fn roles_of_edges(map: &GeneralizedMap, trees: &TreeCotree, numbers: 
 /// How many vertices searches from all roots may reach in all.
 const MOST_REACHED: usize = 2_000_000_000;
 
+/// Short closed paths.
+struct ShortCycles {
+    cycles: Vec<ShortestCycle>,
+    /// Of the one path of a kind: no other one is shorter than this.
+    lower_bound: Option<f64>,
+}
+
+impl ShortCycles {
+    /// Whether there may be a shorter path.
+    fn is_cut_short(&self) -> bool {
+        self.lower_bound.is_some_and(|bound| self.cycles.iter().any(|cycle| cycle.length() > bound))
+    }
+}
+
 fn short_paths(
     kind: ShortPaths,
     through: Option<VertexId>,
     map: &GeneralizedMap,
     lengths: Option<&[f64]>,
-) -> Result<Vec<ShortestCycle>, Error> {
-    let one = |kind: CycleKind| -> Result<Vec<ShortestCycle>, Error> {
-        Ok(match through {
-            Some(vertex) => shortest_cycle_through(map, vertex, lengths, kind)?,
-            None => shortest_cycle(map, lengths, kind, MOST_REACHED)?,
+    time_limit: Option<Duration>,
+) -> Result<ShortCycles, Error> {
+    let start = Instant::now();
+    let is_over = || time_limit.is_some_and(|limit| start.elapsed() >= limit);
+    let one = |kind: CycleKind| -> Result<ShortCycles, Error> {
+        if let Some(vertex) = through {
+            let cycles: Vec<_> = shortest_cycle_through(map, vertex, lengths, kind)?.into_iter().collect();
+            return Ok(ShortCycles { cycles, lower_bound: None });
         }
-        .into_iter()
-        .collect())
+        let found = shortest_cycle_until(map, lengths, kind, MOST_REACHED, &is_over)?;
+        let lower_bound = found.cycle().map(|_| found.lower_bound());
+        Ok(ShortCycles { cycles: found.cycle().cloned().into_iter().collect(), lower_bound })
     };
     match kind {
         ShortPaths::NonContractible => one(CycleKind::NonContractible),
@@ -173,7 +202,10 @@ fn short_paths(
             Err(Error::invalid("a basis of homology does not go through one vertex")
                 .with_cure("ask for it without the vertex"))
         }
-        ShortPaths::HomologyBasis => shortest_homology_basis(map, lengths, MOST_REACHED),
+        ShortPaths::HomologyBasis => {
+            let cycles = shortest_homology_basis(map, lengths, MOST_REACHED)?;
+            Ok(ShortCycles { cycles, lower_bound: None })
+        }
     }
 }
 

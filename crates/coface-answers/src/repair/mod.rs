@@ -9,6 +9,7 @@ mod triangulation;
 mod weld;
 
 pub use halfedges::{dual_graph_model, dual_model, halfedge_model, polygon_model};
+pub(crate) use polygons_of::PolygonsOf;
 pub use splitting::{RepairRequest, repaired};
 pub use surface::{SurfaceRepair, SurfaceRepairRequest, repaired_surface};
 pub use triangulation::{triangulated, truncated};

@@ -6,15 +6,15 @@ use coface_io::{Model, ModelParts, Structure};
 use std::collections::BTreeSet;
 
 /// A model of polygons; of a facet list, with the numbers that its vertices have there.
-pub(super) struct PolygonsOf {
-    pub(super) model: Model,
-    pub(super) labels: Option<Labels>,
+pub(crate) struct PolygonsOf {
+    pub(crate) model: Model,
+    pub(crate) labels: Option<Labels>,
 }
 
 impl PolygonsOf {
     /// # Errors
     /// [`ErrorKind::UnsupportedFormat`] for models with 3-cells and structures that are no facet list of dimension 2.
-    pub(super) fn new(model: &Model) -> Result<Self, Error> {
+    pub(crate) fn new(model: &Model) -> Result<Self, Error> {
         let refused = |what: &str| {
             Err(Error::new(ErrorKind::UnsupportedFormat, format!("{what} cannot be repaired"))
                 .with_cure("give polygons, or a facet list of triangles, edges and points"))
@@ -42,7 +42,7 @@ impl PolygonsOf {
     }
 
     /// The model in the form in which it was given. `sources` says for each vertex which one it was; vertices behind them are new.
-    pub(super) fn into_given(self, sources: &[usize]) -> Model {
+    pub(crate) fn into_given(self, sources: &[usize]) -> Model {
         let Some(labels) = self.labels else { return self.model };
         let named: Vec<u32> = sources.iter().map(|&vertex| labels.of(vertex as u32)).collect();
         let model = self.model;

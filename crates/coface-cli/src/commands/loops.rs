@@ -35,10 +35,27 @@ pub(crate) struct Loops {
     /// Print every loop whole, not just the first few
     #[arg(long)]
     all: bool,
+    /// What coface cycles does
+    #[arg(long, hide = true)]
+    handles: bool,
+    /// What coface cycles does
+    #[arg(long, hide = true, value_name = "LENGTH")]
+    fill_handles: Option<String>,
 }
 
 impl Loops {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        let input = self.input.display();
+        if let Some(length) = &self.fill_handles {
+            return Err(Failure::new(format!(
+                "coface loops has the generators of the fundamental group; fill handles with: coface cycles {input} --fill-handles {length} -o OUT.off"
+            )));
+        }
+        if self.handles {
+            return Err(Failure::new(format!(
+                "coface loops has the generators of the fundamental group; for those of handles ask: coface cycles {input} --handles"
+            )));
+        }
         let progress = Progress::start(common.quiet);
         let kind = match (self.shortest, self.canonical) {
             (true, _) => SurfaceLoops::Shortest,

@@ -12,6 +12,7 @@ mod diagrams;
 mod exports;
 mod figures;
 mod generate;
+mod handles;
 mod homology;
 mod incidence;
 mod info;

@@ -14,6 +14,7 @@
 //!   [`OrientationDoubleCover`] has every face twice.
 //! * A [`HalfedgeMesh`] is an oriented surface as a permutation `next` of its halfedges, two to an edge; `halfedge/` has
 //!   its words.
+//! * [`linking_terms`] are the linking form of a closed surface in space: linking numbers of cycles with cycles pushed off to the outside.
 //! * A [`Slice`] is a surface cut open along edges; [`Glued`] is one with sides of its boundary glued.
 //! * A [`MeshRepair`] makes a soup a surface, on request only: it splits vertices and edges and turns faces, and says so.
 
@@ -24,6 +25,7 @@ pub(crate) mod dual_graph;
 pub(crate) mod edge_identification;
 mod generalized_map;
 mod halfedge;
+mod linking_form;
 pub(crate) mod manifold;
 mod orientation;
 mod polygon_mesh;
@@ -41,6 +43,7 @@ pub use halfedge::{
     CollapseObstacle, EdgeCollapse, EdgeRemoval, EdgeSplit, FacePoke, FaceSplit, HalfedgeMesh,
     HalfedgePermutations, InnerHalfedges, Renumbering, SimplicialCollapse, VertexRemoval, VertexSplit,
 };
+pub use linking_form::{LinkingTerm, linking_terms};
 pub use manifold::{LinkComponent, LinkShape, SurfaceDefect, SurfaceFindings, SurfaceVerdict};
 pub use orientation::SurfaceOrientation;
 pub use polygon_mesh::PolygonMesh;

@@ -190,8 +190,25 @@ fn roles(result: &Shown, layers: &mut Vec<Layer>) {
 
 /// Loops that stand for themselves: closed walks, or chains.
 fn loops(result: &Shown, layers: &mut Vec<Layer>) {
-    for (name, walks) in [("loop", &result.loops), ("loop", &result.walks), ("cycle", &result.cycles)] {
-        for (number, walk) in walks.list().iter().enumerate() {
+    let kinds = result.kinds.list();
+    let of_kind = |kind: &str| {
+        let listed =
+            result.loops.list().iter().zip(kinds).filter(move |(_, own)| own.0.as_deref() == Some(kind));
+        listed.map(|(walk, _)| walk).collect::<Vec<&Walk>>()
+    };
+    let handles = result.handles.list();
+    let [mut around, mut through] = ["handle", "tunnel"].map(of_kind);
+    around.extend(handles.iter().filter_map(|handle| handle.handle.as_ref()));
+    through.extend(handles.iter().filter_map(|handle| handle.tunnel.as_ref()));
+    for (place, (name, walks)) in
+        [("handle loops", around), ("tunnel loops", through)].into_iter().enumerate()
+    {
+        layers.extend(layer_of_loops(name, &walks, place as u32));
+    }
+    let others = if kinds.is_empty() { result.loops.list() } else { &[] };
+    let lists = [("loop", others), ("loop", result.walks.list()), ("cycle", result.cycles.list())];
+    for (name, walks) in lists {
+        for (number, walk) in walks.iter().enumerate() {
             if name == "cycle" && matches!(walk, Walk::Vertices(vertices) if vertices.is_empty()) {
                 continue;
             }
@@ -203,18 +220,33 @@ fn loops(result: &Shown, layers: &mut Vec<Layer>) {
     }
 }
 
-fn loop_layer(walk: &Walk, name: String) -> Layer {
+/// All loops of a kind in one color; none if there are none.
+fn layer_of_loops(name: &str, walks: &[&Walk], color: u32) -> Option<Layer> {
     let mut layer = Layer::new("loops", name);
-    let count = match walk {
+    let count: usize = walks.iter().map(|walk| push_walk(walk, &mut layer)).sum();
+    layer.detail = format!("{} of them, {}", walks.len(), edges(count));
+    layer.color = Some(color);
+    layer.is_on = true;
+    (!walks.is_empty()).then_some(layer)
+}
+
+/// Draws a walk, and counts its edges.
+fn push_walk(walk: &Walk, layer: &mut Layer) -> usize {
+    match walk {
         Walk::Cycle(chain) => {
-            chain.push_onto(&mut layer);
+            chain.push_onto(layer);
             chain.0.len()
         }
         Walk::Vertices(walk) => {
             layer.lines.push(walk);
             walk.len().saturating_sub(1)
         }
-    };
+    }
+}
+
+fn loop_layer(walk: &Walk, name: String) -> Layer {
+    let mut layer = Layer::new("loops", name);
+    let count = push_walk(walk, &mut layer);
     layer.detail = edges(count);
     layer.has_arrows = true;
     layer.is_on = true;

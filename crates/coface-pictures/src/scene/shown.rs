@@ -22,9 +22,13 @@ keyed! {
             trees: Option<Roles>,
             /// Closed walks, or cycles.
             loops: Entries<Walk>,
+            /// Where each of the loops bounds: a handle loop or a tunnel loop.
+            kinds: Entries<Words>,
             walks: Entries<Walk>,
             /// Short closed paths; classes of cycles have no vertices.
             cycles: Entries<Walk>,
+            /// The handles of a surface in space.
+            handles: Entries<Handle>,
             cocycles: Entries<Chain<Coefficient>>,
             harmonic: Entries<Harmonic>,
             /// The edges that the values of harmonic forms are on.
@@ -67,6 +71,14 @@ keyed! {
     struct Component {
         needed: {}
         may: { seams: Entries<Seam>, loops: Entries<Walk>, }
+    }
+}
+
+keyed! {
+    /// A handle of a surface in space; other answers have a number instead.
+    struct Handle {
+        needed: {}
+        may: { handle: Option<Walk>, tunnel: Option<Walk>, }
     }
 }
 

@@ -2009,6 +2009,44 @@ class Model:
             ``lines_left_out``, ``edges_split``, ``vertices_split``, ``faces_turned``, ``holes_filled`` and ``triangles_added``.
         """
         ...
+    def handles(self, *, shorter_than: float | None = None, progress: _Progress = ...) -> dict[str, Json]:
+        """The handles of closed surfaces in space, each by a short handle loop, which bounds on the inside, and a short tunnel loop, which bounds
+        on the outside.
+
+        Parameters
+        ----------
+        shorter_than : float, optional
+            List only handles whose shorter loop is shorter than this, in the unit of the positions.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        dict
+            ``genus``, the number of all handles, and ``handles``, that with the shortest loop first: dictionaries with ``length``,
+            ``shorter``, ``component``, ``handle`` and ``tunnel``; loops have ``length`` and ``vertices``, the first one again at the end.
+        """
+        ...
+    def handles_filled(self, *, shorter_than: float | None = None, progress: _Progress = ...) -> tuple[Model, dict[str, Json]]:
+        """Closed surfaces in space without their short handles: cut along handle loops and tunnel loops, the cuts filled with triangles, until
+        no such loop is left.
+
+        Parameters
+        ----------
+        shorter_than : float, optional
+            Fill only handles with a loop shorter than this, in the unit of the positions; all of them otherwise.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        model : Model
+            Vertices keep their numbers; no triangles meet beside their common vertices, which is decided exactly.
+        done : dict
+            ``before`` and ``after`` with ``genus``, ``euler_characteristic``, ``components``, ``closed`` and ``orientable``; ``filled``, the
+            loops in their order; ``left``, the loops on which no patch fits.
+        """
+        ...
     def subdivided(self, *, progress: _Progress = ...) -> tuple[Model, NDArray[np.int64]]:
         """A gluing table or a surface of halfedges as a facet list, subdivided where that is needed to keep simplices apart.
 
@@ -3264,6 +3302,25 @@ class Surface:
         -------
         list of (float, numpy.ndarray)
             Lengths and vertices, the first one again at the end. Without positions each edge has the length 1.
+        """
+        ...
+    def shortest_cycle_within(self, seconds: float, kind: str = "non-contractible", *, progress: _Progress = ...) -> tuple[float, NDArray[np.int64], float] | None:
+        """The best closed path of a kind that is found in some time, and a length that none falls below.
+
+        Parameters
+        ----------
+        seconds : float
+            For how long a shorter path is looked for; one is found in any case, if there is one.
+        kind : {"non-contractible", "non-separating"}
+            What is looked for.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        (float, numpy.ndarray, float), optional
+            The length, the vertices, the first one again at the end, and the lower bound; the path is a shortest one if the bound is its
+            length. ``None`` if there is no such path.
         """
         ...
     def compare(self, walks: Iterable[ArrayLike], *, progress: _Progress = ...) -> list[ComparedWalk]:

@@ -17,9 +17,12 @@
 //!   are the real ones of least energy.
 //! * A [`SurfaceHomotopy`] has the words of walks: it decides which can be contracted and which are homotopic.
 //! * A [`CanonicalCut`] has disjoint simple loops that cut the surface to its canonical polygon, drawn across edges and faces.
+//! * On a closed surface in space a **handle loop** bounds on the inside and no multiple of it on the outside, a **tunnel loop** the other way
+//!   round; [`handle_pairs`] finds short ones by linking numbers that the caller provides.
 //! * A [`CutGraph`] is the cut graph without loose ends, as seams. [`shortest_cycle`] and [`shortest_homology_basis`]
 //!   search from the vertices of a short cut graph, which every cycle that cannot be contracted meets; [`shortest_loops`] from one vertex.
 
+mod bits;
 mod canonical;
 mod closed_walk;
 mod cocycle_basis;
@@ -27,6 +30,7 @@ mod cut_graph;
 mod cut_surface;
 mod cut_vertices;
 mod exactness;
+mod handles;
 mod harmonic_forms;
 mod intrinsic;
 mod root_search;
@@ -47,6 +51,7 @@ pub use cocycle_basis::CocycleBasis;
 pub use cut_graph::{CutGraph, Seam, SeamKind};
 pub use cut_surface::{CutSurface, FundamentalDomain};
 pub use exactness::{Exactness, exactness, exactness_within};
+pub use handles::{HandleKind, HandlePair, ShortHandleLoops, handle_pairs, short_handle_loops};
 pub use harmonic_forms::{HarmonicForm, cotangent_weights, harmonic_forms};
 pub use shortest_cycle::{
     CycleBounds, CycleKind, ShortestCycle, shortest_cycle, shortest_cycle_through, shortest_cycle_until,

@@ -136,6 +136,22 @@ impl<'a> RootSearch<'a> {
         }
     }
 
+    /// The closing edges whose loops are shorter than `bound`.
+    pub(super) fn closings(&self, bound: f64) -> impl Iterator<Item = Closing> + '_ {
+        let ends = self.map.skeleton().edge_ends();
+        let steps = self.reached.iter().flat_map(|&vertex| self.steps_at.list(vertex as usize));
+        // Each edge once.
+        let edges = steps.filter(|&&step| step & 1 == 0).map(|&step| step >> 1);
+        edges.filter_map(move |edge| {
+            let [source, target] = [2 * edge, 2 * edge + 1].map(|step| ends[step as usize] as usize);
+            if !self.is_settled[target] || self.is_on_path(edge) {
+                return None;
+            }
+            let length = self.distances[source] + self.distances[target] + self.lengths[edge as usize];
+            (length < bound).then_some(Closing { length, edge })
+        })
+    }
+
     /// The closing edges whose loops are shorter than `bound`, with the dual graph that they are arcs of. Arcs of
     /// longer loops are contracted.
     pub(super) fn local_dual(&mut self, bound: f64) -> LocalDual {
@@ -231,6 +247,13 @@ impl<'a> RootSearch<'a> {
         steps.extend(way_up(target).into_iter().map(|step| step ^ 1));
         steps
     }
+}
+
+/// The steps of a loop without the way that it goes forth and back.
+pub(super) fn without_tail(steps: Vec<u32>) -> Vec<u32> {
+    let tail = steps.iter().zip(steps.iter().rev()).take_while(|(a, b)| **a == **b ^ 1).count();
+    // A loop is not nothing but a way forth and back.
+    if 2 * tail < steps.len() { steps[tail..steps.len() - tail].to_vec() } else { steps }
 }
 
 impl LocalDual {

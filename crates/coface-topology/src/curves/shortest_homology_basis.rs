@@ -1,7 +1,8 @@
 //! Shortest bases of the first homology over Z/2.
 
+use super::bits::Bits;
 use super::cut_vertices::cut_vertices;
-use super::root_search::RootSearch;
+use super::root_search::{RootSearch, without_tail};
 use super::shortest_paths::checked_lengths;
 use super::{ClosedWalk, ShortestCycle, SurfaceHomology, TreeCotree};
 use coface_algebra::progress::stage;
@@ -124,13 +125,6 @@ pub fn shortest_homology_basis(
     Ok(found)
 }
 
-/// The steps of a loop without the way that it goes forth and back.
-fn without_tail(steps: Vec<u32>) -> Vec<u32> {
-    let tail = steps.iter().zip(steps.iter().rev()).take_while(|(a, b)| **a == **b ^ 1).count();
-    // A loop is not nothing but a way forth and back.
-    if 2 * tail < steps.len() { steps[tail..steps.len() - tail].to_vec() } else { steps }
-}
-
 /// The member of a basis that a class can take the place of, longest first, if that is longer than it.
 fn exchange(members: &[Member], class: &Bits, length: f64) -> Option<usize> {
     let places = (0..members.len()).filter(|&i| members[i].row.is_odd_on(class));
@@ -161,35 +155,6 @@ impl BasisOfComponent {
         }
         self.members[place].steps = steps;
         self.members[place].length = length;
-    }
-}
-
-/// A vector over Z/2.
-#[derive(Clone, Debug, Default)]
-struct Bits(Vec<u64>);
-
-impl Bits {
-    fn zero(count: usize) -> Self {
-        Self(vec![0; count.div_ceil(64)])
-    }
-
-    fn unit(count: usize, i: usize) -> Self {
-        let mut unit = Self::zero(count);
-        unit.flip(i);
-        unit
-    }
-
-    fn flip(&mut self, i: usize) {
-        self.0[i / 64] ^= 1 << (i % 64);
-    }
-
-    fn add(&mut self, other: &Self) {
-        self.0.iter_mut().zip(&other.0).for_each(|(a, b)| *a ^= b);
-    }
-
-    /// Whether the scalar product is 1.
-    fn is_odd_on(&self, other: &Self) -> bool {
-        self.0.iter().zip(&other.0).fold(0, |sum, (a, b)| sum ^ (a & b)).count_ones() % 2 == 1
     }
 }
 

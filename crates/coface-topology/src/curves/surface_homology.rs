@@ -279,7 +279,8 @@ impl<'a> SurfaceHomology<'a> {
         ))
     }
 
-    fn crossed(&self, edge: u32) -> &[(u32, i64)] {
+    /// The generators whose crossing cochains do not vanish on an edge, with the values.
+    pub(super) fn crossed(&self, edge: u32) -> &[(u32, i64)] {
         let [start, end] = [0, 1].map(|i| self.starts[edge as usize + i] as usize);
         &self.by_edge[start..end]
     }

@@ -12,6 +12,7 @@
 //!   coordinates are equal, as far as that closes surfaces.
 //! * Whether faces and shells meet is decided exactly, by signs of determinants of the coordinates. What is not exact
 //!   says so: flatness is measured, with a tolerance that is an argument.
+//! * [`meeting_triangles`] asks of the triangles of a mesh alone which of them meet.
 //! * [`GeometryChecks`] are the options and the check itself, [`GeometryFaults`] is what it finds.
 
 mod codes;
@@ -22,6 +23,7 @@ mod faces;
 mod faults;
 mod flatness;
 mod holes;
+mod meeting_triangles;
 mod meetings;
 mod rings;
 mod shells;
@@ -33,3 +35,4 @@ pub use codes::{FaultCode, FaultScope};
 pub use examination::GeometryChecks;
 pub use faces::CheckedFaces;
 pub use faults::{Fault, FaultPlace, GeometryFaults};
+pub use meeting_triangles::meeting_triangles;

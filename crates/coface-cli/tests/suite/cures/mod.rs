@@ -219,6 +219,8 @@ const EXCEPTIONS: &[(&str, &str, &str)] = &[
     ("answer/schema.rs", "cover --orientation", "a title in the schema, not a message"),
     ("answer/schema.rs", "boolean --dissolve", "a title in the schema, not a message"),
     ("answer/schema.rs", "cocycles --test", "a title in the schema, not a message"),
+    ("answer/schema.rs", "cycles --handles", "a title in the schema, not a message"),
+    ("answer/schema.rs", "cycles --fill-handles", "a title in the schema, not a message"),
     ("answer/schema.rs", "yin compare --series", "a title in the schema, not a message"),
     ("pages/html.rs", ":root { --paper", "a style sheet, not a message"),
     ("cli/src/verbs.rs", "Vertices are numbered from 0", "the end of the help, not a message"),

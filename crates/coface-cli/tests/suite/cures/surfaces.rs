@@ -40,7 +40,48 @@ const PILLOW: Files = &[(
     r#"{"gluings":[[[1,[0,1,2]],[1,[0,1,2]],[1,[0,1,2]]],[[0,[0,1,2]],[0,[0,1,2]],[0,[0,1,2]]]]}"#,
 )];
 
+/// A tetrahedron without a face.
+const CUP: Files = &[("cup.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n")];
+/// Two tetrahedra that cross.
+const CROSSED: Files = &[(
+    "crossed.off",
+    "OFF\n8 8 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n1 1 -1\n5 1 -1\n1 5 -1\n1 1 3\n\
+     3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 4 6 5\n3 4 5 7\n3 4 7 6\n3 5 6 7\n",
+)];
+
 pub(super) const CASES: &[Case] = &[
+    Case::new(
+        "handles/triangle_surface.rs",
+        "close it first: coface convert INPUT --repair closed -o OUT.off",
+    )
+    .files(CUP)
+    .refused("coface cycles cup.off --handles")
+    .cured(&[&[
+        "coface convert cup.off --repair closed -o closed.off",
+        "coface cycles closed.off --handles",
+    ]]),
+    Case::new("handles/triangle_surface.rs", "leave --handles out: coface cycles INPUT")
+        .before(&["coface generate klein -o klein.off"])
+        .refused("coface cycles klein.off --handles")
+        .cured(&[&["coface cycles klein.off"]]),
+    Case::new("handles/triangle_surface.rs", "make it the boundary of a solid first: coface boolean union")
+        .files(CROSSED)
+        .refused("coface cycles crossed.off --handles")
+        .cured(&[&[
+            "coface boolean union crossed.off --pinches split -o union.off",
+            "coface cycles union.off --handles",
+        ]]),
+    Case::new("commands/loops.rs", "for those of handles ask: coface cycles {input} --handles")
+        .before(&["coface generate csaszar -o csaszar.off"])
+        .refused("coface loops csaszar.off --handles")
+        .cured(&[&["coface cycles csaszar.off --handles"]]),
+    Case::new(
+        "commands/loops.rs",
+        "fill handles with: coface cycles {input} --fill-handles {length} -o OUT.off",
+    )
+    .before(&["coface generate torus -o torus.off"])
+    .refused("coface loops torus.off --fill-handles all")
+    .cured(&[&["coface cycles torus.off --fill-handles all -o filled.off"]]),
     Case::new("src/editing/mod.rs", "make it halfedges: coface convert INPUT -o OUT.halfedges.json")
         .files(PILLOW)
         .refused("coface edit pillow.json --flip 0 -o flipped.json")

@@ -3,10 +3,11 @@
 
 use crate::known_spaces;
 use crate::simplicial::SimplicialComplex;
-use crate::surface::{GeneralizedMap, HalfedgeMesh};
+use crate::surface::{GeneralizedMap, HalfedgeMesh, PolygonMesh};
 use coface_algebra::chains::TwoSkeleton;
 use coface_algebra::{EdgeId, Error};
 use coface_algebra::{RaggedArray, Sign};
+use coface_geometry::Positions;
 
 /// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
 const NONE: u32 = u32::MAX;
@@ -109,4 +110,107 @@ pub fn all_kinds() -> Vec<(&'static str, GeneralizedMap)> {
         ("two crosscaps with a hole", polygon(&[1, 1, 2, 2, 3])),
         ("two squares glued", of_next(vec![2, 3, 1, 0, 4, 5])),
     ]
+}
+
+/// The triangles around a closed curve in space, with circles of `corners` points at `places` values of its parameter.
+pub fn tube(
+    curve: impl Fn(f64) -> [f64; 3],
+    [places, corners]: [u32; 2],
+    radius: f64,
+) -> (GeneralizedMap, Positions) {
+    let cross = |a: [f64; 3], b: [f64; 3]| {
+        [0, 1, 2].map(|i| a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3])
+    };
+    let unit = |a: [f64; 3]| {
+        let length = a.iter().map(|x| x * x).sum::<f64>().sqrt();
+        a.map(|x| x / length)
+    };
+    let mut points = Vec::new();
+    for i in 0..places {
+        let at = std::f64::consts::TAU * f64::from(i) / f64::from(places);
+        let (before, after, middle) = (curve(at - 1e-4), curve(at + 1e-4), curve(at));
+        let along = unit([0, 1, 2].map(|axis| after[axis] - before[axis]));
+        let across = unit(cross(along, if along[2].abs() < 0.9 { [0.0, 0.0, 1.0] } else { [1.0, 0.0, 0.0] }));
+        let third = cross(along, across);
+        for j in 0..corners {
+            let (sine, cosine) = (std::f64::consts::TAU * f64::from(j) / f64::from(corners)).sin_cos();
+            points.extend(
+                [0, 1, 2].map(|axis| middle[axis] + radius * (cosine * across[axis] + sine * third[axis])),
+            );
+        }
+    }
+    let vertex = |i: u32, j: u32| (i % places) * corners + j % corners;
+    let squares = (0..places).flat_map(|i| (0..corners).map(move |j| (i, j)));
+    let triangles: Vec<[u32; 3]> = squares
+        .flat_map(|(i, j)| {
+            let [a, b, c, d] = [vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)];
+            [[a, b, c], [a, c, d]]
+        })
+        .collect();
+    placed_map(&triangles, points)
+}
+
+/// The trefoil knot.
+pub fn trefoil(t: f64) -> [f64; 3] {
+    [t.sin() + 2.0 * (2.0 * t).sin(), t.cos() - 2.0 * (2.0 * t).cos(), -(3.0 * t).sin()]
+}
+
+/// The boundary of some unit cubes, each by its lowest corner, as triangles; the cubes touch each other in faces alone. The diagonals of squares
+/// depend on `turned`.
+pub fn cubes(cells: &[[i32; 3]], turned: u64) -> (GeneralizedMap, Positions) {
+    let mut numbers: std::collections::BTreeMap<[i32; 3], u32> = std::collections::BTreeMap::new();
+    let mut triangles: Vec<[u32; 3]> = Vec::new();
+    let moved = |cell: [i32; 3], axis: usize, by: i32| {
+        let mut cell = cell;
+        cell[axis] += by;
+        cell
+    };
+    for &cell in cells {
+        for axis in 0..3 {
+            for side in [0, 1] {
+                if cells.contains(&moved(cell, axis, 2 * side - 1)) {
+                    continue;
+                }
+                let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+                let corner = moved(cell, axis, side);
+                let mut square =
+                    [corner, moved(corner, j, 1), moved(moved(corner, j, 1), k, 1), moved(corner, k, 1)];
+                if side == 0 {
+                    square.reverse();
+                }
+                let first = (turned >> (triangles.len() / 2 % 64) & 1) as usize;
+                let square = [0, 1, 2, 3].map(|i| {
+                    let next = numbers.len() as u32;
+                    *numbers.entry(square[(i + first) % 4]).or_insert(next)
+                });
+                triangles.push([square[0], square[1], square[2]]);
+                triangles.push([square[0], square[2], square[3]]);
+            }
+        }
+    }
+    let mut points = vec![0.0; 3 * numbers.len()];
+    for (place, number) in numbers {
+        points[3 * number as usize..][..3].copy_from_slice(&place.map(f64::from));
+    }
+    placed_map(&triangles, points)
+}
+
+/// A cube of five by five by five unit cubes with straight tunnels: bits 0 to 3 along the first axis, and so on.
+pub fn drilled_cube(tunnels: u32) -> Vec<[i32; 3]> {
+    let all = (0..125).map(|i| [i / 25, i / 5 % 5, i % 5]);
+    let is_kept = |cell: &[i32; 3]| {
+        !(0..3).any(|axis| {
+            let (j, k) = (cell[(axis + 1) % 3], cell[(axis + 2) % 3]);
+            j % 2 == 1 && k % 2 == 1 && tunnels >> (4 * axis as i32 + j / 2 * 2 + k / 2) & 1 == 1
+        })
+    };
+    all.filter(is_kept).collect()
+}
+
+fn placed_map(triangles: &[[u32; 3]], points: Vec<f64>) -> (GeneralizedMap, Positions) {
+    let positions = Positions::from_flat(3, points).expect("three coordinates a point");
+    let mesh = PolygonMesh::new(positions.len(), RaggedArray::from_lists(triangles), &[])
+        .expect("triangles of vertices");
+    let skeleton = mesh.two_skeleton().expect("a small mesh");
+    (GeneralizedMap::new(skeleton).expect("a surface"), positions)
 }
