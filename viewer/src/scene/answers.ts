@@ -339,6 +339,8 @@ export interface CutAnswer {
   f_vector: number[];
   /** The name of the input; absent for a model that was made in memory. */
   file?: string | null;
+  /** How the polygons of a canonical cut were drawn; absent unless a layout was asked for. */
+  layout?: LayoutAnswer | null;
   /** The path along which the surface was cut; `null` when it was cut to disks. */
   path?: CutPath | null;
   /** Of a canonical cut what was added to the surface; the numbers of vertices in seams are those of the refined surface. */
@@ -430,6 +432,11 @@ export interface CyclesAnswer {
   file: string;
   /** Which paths they are: `non-contractible`, `non-separating` or `homology-basis`. */
   kind: string;
+  /**
+   * Of the shortest path of a kind on the whole surface: no path of this kind is shorter than this. It is the length of the path
+   * unless the search ended early; `null` if there is no such path, and for other requests.
+   */
+  lower_bound?: number | null;
   /** What was assumed or left out. */
   remarks: Remark[];
 }
@@ -669,6 +676,38 @@ export interface FailedInput {
   file: string;
 }
 
+/** A loop along which a surface was cut, and both rims filled. */
+export interface FilledHandle {
+  /** The number of triangles that fill both rims. */
+  added_triangles: number;
+  /** The vertices of the other rim, in the order of the first ones, without repetition. */
+  added_vertices: number[];
+  /** On which side the rims were filled: a handle on the inside, a tunnel on the outside. */
+  kind: LoopKind;
+  /** The length in the unit of the file, or the number of edges without positions. */
+  length: number;
+  /** The vertices, by their numbers in the file; the first is repeated at the end. */
+  vertices: number[];
+}
+
+/** Closed surfaces without their short handles, with what shows it. */
+export interface FilledHandlesAnswer {
+  /** The surface that was made. No triangles of it have points in common but their common vertices and sides; this was decided exactly. */
+  after: HandleCounts;
+  /** The surface before, and after. */
+  before: HandleCounts;
+  /** The name of the input. */
+  file: string;
+  /** The loops along which the surface was cut and filled, in this order. A later loop may run over vertices that were added before. */
+  filled: FilledHandle[];
+  /** Loops below the length that could not be filled without triangles that meet others. */
+  left: LeftHandle[];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** Handles with a loop shorter than this were filled; `null` if all were to be. */
+  shorter_than?: number | null;
+}
+
 /** A bounded part of the plane that no feature contains. */
 export interface GapAnswer {
   /** The area. */
@@ -795,6 +834,50 @@ export interface HalfedgePointers {
   target: number;
   /** The other one of its edge. */
   twin: number;
+}
+
+/** A handle: a handle loop and a tunnel loop that cross an odd number of times. */
+export interface HandleAnswer {
+  /** The component that it is on, from 0 in the order of the first vertices of components. */
+  component: number;
+  /** The loop that bounds on the inside of its component, but not on the outside. */
+  handle: ClosedPath;
+  /** The length of the shorter loop, in the unit of the file. */
+  length: number;
+  /** Which loop is the shorter one. */
+  shorter: LoopKind;
+  /** The loop that bounds on the outside, but not on the inside. */
+  tunnel: ClosedPath;
+}
+
+/** The size and the kind of a surface. */
+export interface HandleCounts {
+  /** Whether it is a manifold without boundary. */
+  closed: boolean;
+  /** The number of components. */
+  components: number;
+  /** The Euler characteristic: twice the components less twice the genus. */
+  euler_characteristic: number;
+  /** The numbers of vertices, edges and triangles. Vertices in no triangle do not count. */
+  f_vector: [number, number, number];
+  /** The sum of the genera of the components. */
+  genus: number;
+  /** Whether its triangles agree, or can be turned to agree. */
+  orientable: boolean;
+}
+
+/** The handles of closed surfaces in space, each by a handle loop and a tunnel loop. */
+export interface HandlesAnswer {
+  /** The name of the input. */
+  file: string;
+  /** The sum of the genera of the components: there are as many handles. */
+  genus: number;
+  /** The handles, that with the shortest loop first. */
+  handles: HandleAnswer[];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** Only handles whose shorter loop is shorter than this are listed; `null` if all are. */
+  shorter_than?: number | null;
 }
 
 /** A harmonic cochain. */
@@ -1143,6 +1226,33 @@ export interface LayerAnswer {
   name: string;
 }
 
+/** Canonical polygons drawn as regular polygons. */
+export interface LayoutAnswer {
+  /**
+   * `polygon`: in the unit circle of the Euclidean plane; `klein`: in the disk of Klein, where geodesics are straight, so that the corners make
+   * one full turn together. Polygons of several components are 2.5 apart.
+   */
+  plane: string;
+  /** Whether the layout is texture coordinates `s` and `t` of the mesh in space, and not its positions. */
+  texture: boolean;
+  /** The number of triangles. */
+  triangles: number;
+  /** How many of them are turned over or flat, decided exactly. */
+  turned: number;
+  /** `uniform`: vertices inside are means of their neighbors; `cotangent`: weighted means, by the cotangents of the intrinsic Delaunay triangulation. */
+  weights: string;
+}
+
+/** A loop that was not filled. */
+export interface LeftHandle {
+  /** Where it bounds. */
+  kind: LoopKind;
+  /** The length in the unit of the file, or the number of edges without positions. */
+  length: number;
+  /** The vertices, by their numbers in the file; the first is repeated at the end. */
+  vertices: number[];
+}
+
 /** One level of merging. */
 export interface LevelAnswer {
   /** The size of all files, in bytes. */
@@ -1169,6 +1279,9 @@ export interface LoopIntersections {
   /** How often loop j crosses loop i, from the right to the left as plus, in row i. */
   matrix: number[][];
 }
+
+/** Where a loop on a closed surface in space bounds. */
+export type LoopKind = "handle" | "tunnel";
 
 /** Loops that generate the fundamental group of each component. */
 export interface LoopsAnswer {
@@ -1745,7 +1858,7 @@ export interface Remark {
 }
 
 /** What sort of remark a [`Remark`] is. The word in the JSON is the name in kebab case: `isolated-vertex`. */
-export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "reference-assumed" | "heights-left-out" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "invalid-polygon" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "ideal-vertices-cut" | "format-keeps-less" | "step-left-out" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "overlapping-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "property-missing" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "points-rounded" | "numbers-rounded" | "features-joined" | "thin-cells" | "beyond-range" | "data-left-out" | "merged-within-block" | "topology-repaired" | "curves-vanished" | "decision-uncertified" | "model-repaired" | "not-drawn" | "drawn-instead" | "positions-invented" | "earlier-run-ignored" | "input-refused";
+export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "reference-assumed" | "heights-left-out" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "invalid-polygon" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "ideal-vertices-cut" | "format-keeps-less" | "step-left-out" | "handles-left" | "search-ended" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "triangles-turned" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "overlapping-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "property-missing" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "points-rounded" | "numbers-rounded" | "features-joined" | "thin-cells" | "beyond-range" | "data-left-out" | "merged-within-block" | "topology-repaired" | "curves-vanished" | "decision-uncertified" | "model-repaired" | "not-drawn" | "drawn-instead" | "positions-invented" | "earlier-run-ignored" | "input-refused";
 
 /** A still picture. */
 export interface RenderAnswer {
