@@ -60,7 +60,7 @@ const PHRASES: [(&str, &str); 40] = [
     ("leave --handles out: coface cycles INPUT", "ask for other paths: model.surface().shortest_cycles()"),
     (
         "make it the boundary of a solid first: coface boolean union INPUT --pinches split -o OUT.off",
-        "make it the boundary of a solid first: coface.union([model], pinches=\"split\")",
+        "make it the boundary of a solid first: coface.boolean(\"union\", [model], split_pinches=True)",
     ),
     (
         "give the JSON of homology --generators, cut, cover, pi1, cycles, cocycles, arrange, persistence, star, link, ...",

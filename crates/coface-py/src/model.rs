@@ -915,7 +915,7 @@ impl Model {
     /// >>> import coface
     /// >>> found = coface.generate("csaszar").handles()
     /// >>> found["genus"], found["handles"][0]["shorter"]
-    /// (1, 'handle')
+    /// (1, 'tunnel')
     #[pyo3(signature = (*, shorter_than=None, progress=None))]
     fn handles<'py>(
         &self,

@@ -814,10 +814,10 @@ impl Surface {
     /// Examples
     /// --------
     /// >>> import coface
-    /// >>> torus = coface.Model.from_facets(coface.generate("torus", columns=7, rows=5).facets).surface()
-    /// >>> length, vertices, bound = torus.shortest_cycle_within(60)
+    /// >>> plane = coface.generate("rp2").surface()
+    /// >>> length, vertices, bound = plane.shortest_cycle_within(60)
     /// >>> length, len(vertices), bound
-    /// (5.0, 6, 5.0)
+    /// (3.0, 4, 3.0)
     #[pyo3(signature = (seconds, kind="non-contractible", *, progress=None))]
     fn shortest_cycle_within<'py>(
         &self,

@@ -146,10 +146,11 @@ def test_stars_closures_and_links_are_drawn() -> None:
     for name in ("open star of {0}", "closure of {1, 5}", "link of {0}"):
         assert picture.count(f">{name}<") == 2
     assert coface.render(octahedron, "png", star=[0]).startswith(b"\x89PNG")
-    with pytest.raises(ValueError, match="not in the complex"):
+    with pytest.raises(coface.Error, match="not in the complex"):
         coface.render(octahedron, star=[[0, 5]])
-    with pytest.raises(ValueError, match="4 sides"):
-        coface.render(coface.generate("cube"), link=[0])
+    square = coface.Model([[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 1, 2, 3]])
+    with pytest.raises(coface.Error, match="4 sides"):
+        coface.render(square, star=[0])
 
 
 def test_figures_are_drawn_in_every_format() -> None:

@@ -793,7 +793,7 @@ class Cover:
         ...
     @property
     def layout(self) -> str | None:
-        """Where copies were put: ``flat``, ``disk`` or ``None`` for over the surface."""
+        """Where copies were put: ``flat``, ``disk``, ``klein`` or ``None`` for over the surface."""
         ...
     def to_dict(self) -> dict[str, Json]:
         """The answer as a dictionary, in the words of the program's JSON, and how it was made: ``recipe``, which ``from_dict`` reads."""
@@ -1041,6 +1041,10 @@ class Domain:
     @property
     def refinement(self) -> dict[str, Json] | None:
         """Of a canonical cut the ``f_vector`` of the refined surface and its new ``vertices``, each with the vertices ``of`` the file whose mean it is by ``weights``."""
+        ...
+    @property
+    def layout(self) -> dict[str, Json] | None:
+        """Of a layout its ``plane`` and ``weights``, whether it is ``texture``, and how many of its ``triangles`` are ``turned`` over; else ``None``."""
         ...
     @property
     def path(self) -> dict[str, Json] | None:
@@ -3144,7 +3148,7 @@ class Surface:
             ``name``, ``orientable``, ``genus``, ``boundary_loops``, ``euler_characteristic``, ``f_vector``.
         """
         ...
-    def cut(self, along: ArrayLike | None = None, *, simplify: bool = False, rounds: int | None = None, base: int | None = None, roles: bool = False, canonical: bool = False, progress: _Progress = ...) -> Domain:
+    def cut(self, along: ArrayLike | None = None, *, simplify: bool = False, rounds: int | None = None, base: int | None = None, roles: bool = False, canonical: bool = False, layout: str | None = None, weights: str = "uniform", uv: bool = False, progress: _Progress = ...) -> Domain:
         """The surface cut open to disks along a short graph, or along a path.
 
         Parameters
@@ -3163,6 +3167,13 @@ class Surface:
             Whether edges and faces are split so that the cut is along disjoint simple loops through one vertex, and the word around the
             domain is canonical: ``a1 b1 a1^-1 b1^-1 a2 ..``, or ``c1 c1 c2 c2 ..`` where the surface is not orientable. ``refinement``
             has the new vertices.
+        layout : {"polygon", "klein"}, optional
+            Draws the domain of a canonical cut as a regular polygon: in the unit circle, or in the disk of Klein, where hyperbolic lines are straight.
+            Polygons of several components are 2.5 apart. The attribute ``layout`` says how many triangles are turned over, decided exactly.
+        weights : {"uniform", "cotangent"}
+            Of a layout: each vertex inside is the mean of its neighbors, by the cotangents of the intrinsic Delaunay triangulation or all alike.
+        uv : bool
+            Of a layout: whether it becomes texture coordinates, the data ``s`` and ``t``, of a mesh that stays where it is.
         progress : bool or callable, optional
             ``True`` shows a bar; a function is called with (stage, done, total).
 
@@ -3224,8 +3235,9 @@ class Surface:
             So many copies; 1 if neither is given.
         component : int
             The component.
-        layout : {"auto", "flat", "disk", "none"}
-            Where copies are put: in the plane, in the Poincare disk, whichever there is, or over the surface.
+        layout : {"auto", "flat", "disk", "klein", "none"}
+            Where copies are put: in the plane, in the disk of Poincare or of Klein, in the plane or the first disk, whichever there is, or over the
+            surface.
         most_cells : int
             More cells than this are refused.
         progress : bool or callable, optional

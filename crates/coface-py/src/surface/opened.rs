@@ -76,7 +76,7 @@ answer! { Cover {
     letters,
     /// The word of each copy: letters are 1, 2, .. and their inverses -1, -2, ..
     words,
-    /// Where copies were put: ``flat``, ``disk`` or ``None`` for over the surface.
+    /// Where copies were put: ``flat``, ``disk``, ``klein`` or ``None`` for over the surface.
     layout,
 }
     /// The cover as a model; its data ``source``, ``copy`` and ``length`` say what lies below.

@@ -119,6 +119,11 @@ pub(super) const CASES: &[Case] = &[
         .answered("coface pi1 a.json")
         .cured(&[&["coface pi1 a.json --all"]])
         .shows("24 of 24"),
+    Case::new("commands/cycles.rs", "and {more} (--all prints all)")
+        .before(&["coface generate genus --genus 13 -o a.off"])
+        .answered("coface cycles --handles a.off")
+        .cured(&[&["coface cycles --handles a.off --all"]])
+        .shows("handle 13"),
     Case::new("commands/subgroups.rs", "and {more} (--all prints all)")
         .files(TRIANGLES)
         .answered("coface subgroups a.json")

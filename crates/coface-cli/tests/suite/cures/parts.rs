@@ -25,7 +25,7 @@ pub(super) const CASES: &[Case] = &[
     Case::new("homology/parts.rs", "is too little for any part; give --memory")
         .files(BOOK)
         .refused("coface homology book.json --memory 1M")
-        .cured(&[&["coface homology book.json --memory 64M"]]),
+        .cured(&[&["coface homology book.json --memory 96M"]]),
     Case::new("homology/parts.rs", "name another folder with --work")
         .files(BOOK)
         .refused("coface homology book.json --parts 2 --work book.json")
@@ -102,9 +102,9 @@ pub(super) const CASES: &[Case] = &[
             &["coface shard torus.json --parts 4 -o parts", "coface reduce parts", "coface merge parts"],
         ]),
     Case::new("homology/parts.rs", "cut into more by --parts {}, or allow more")
-        .refused("coface homology --grid 40,40,40 --memory 76M --parts 1")
+        .refused("coface homology --grid 40,40,40 --memory 98M --parts 1")
         .cured(&[
-            &["coface homology --grid 40,40,40 --memory 76M --parts 2"],
+            &["coface homology --grid 40,40,40 --memory 98M --parts 2"],
             &["coface homology --grid 40,40,40 --memory 1G --parts 1"],
         ]),
 ];

@@ -155,14 +155,6 @@ pub(super) const CASES: &[Case] = &[
         .before(&["coface generate box -o box.mesh"])
         .refused("coface cut box.mesh")
         .cured(&[&["coface cut box.mesh --boundary"]]),
-    Case::new("canonical/layout.rs", "take the layout polygon")
-        .before(&["coface generate torus -o torus.off"])
-        .refused("coface cut torus.off --layout klein")
-        .cured(&[&["coface cut torus.off --layout polygon"]]),
-    Case::new("surface_model/canonical.rs", "take uniform weights")
-        .with(&[("torus.json", "[[0,1,3],[1,2,4],[2,3,5],[3,4,6],[4,5,0],[5,6,1],[6,0,2],[0,2,3],[1,3,4],[2,4,5],[3,5,6],[4,6,0],[5,0,1],[6,1,2]]")])
-        .refused("coface cut torus.json --layout polygon --weights cotangent")
-        .cured(&[&["coface cut torus.json --layout polygon --weights uniform"]]),
     Case::new("commands/cut.rs", "add --layout polygon, or leave --weights out")
         .before(&["coface generate torus -o torus.off"])
         .refused("coface cut torus.off --weights cotangent")
