@@ -831,13 +831,11 @@ impl Model {
     ///
     /// # Examples
     /// ```
-    /// use coface_io as io;
-    /// use coface_io::Format;
+    /// use coface_io::{CellData, GroupKind, Model};
     /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let text = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float s\nproperty float t\nend_header\n0 0.25 1\n";
-    /// let model = io::read(text.as_bytes(), Format::Ply)?;
-    /// let rows = model.texture_coordinates().map(|pair| pair.map(|data| data.real_row(0)));
-    /// assert_eq!(rows, Some([vec![0.25], vec![1.0]]));
+    /// let of_one = |name| CellData::reals(name, GroupKind::Vertices, 1, vec![0.25]);
+    /// let model = coface_io::read(&b"v 0 0 0\np 1\n"[..], coface_io::Format::Obj)?;
+    /// assert!(model.with_data(of_one("s")?)?.with_data(of_one("t")?)?.texture_coordinates().is_some());
     /// # Ok(()) }
     /// ```
     pub fn texture_coordinates(&self) -> Option<[&CellData; 2]> {

@@ -36,7 +36,17 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "coface-check-plane",
         ],
     ),
-    ("coface-pictures", &["coface-algebra", "coface-geometry", "coface-yin", "coface-io", "coface-answers"]),
+    (
+        "coface-pictures",
+        &[
+            "coface-algebra",
+            "coface-geometry",
+            "coface-complexes",
+            "coface-yin",
+            "coface-io",
+            "coface-answers",
+        ],
+    ),
     ("coface-mapped", &[]),
     ("coface-allocator", &[]),
     (

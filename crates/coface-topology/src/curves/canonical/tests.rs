@@ -163,7 +163,7 @@ fn known_surfaces_have_their_words() {
     check(&twice(&genus(2)), None);
 }
 
-/// How many triangles of a drawn cut are flat, or turned otherwise than most of their component, decided exactly.
+/// How many triangles of a drawn cut are flat, or turned otherwise than most of their component.
 fn turned(cut: &CanonicalCut, plane: PolygonPlane, lengths: Option<&[f64]>) -> usize {
     let slice = cut.slice();
     let open = slice.surface();
@@ -173,10 +173,12 @@ fn turned(cut: &CanonicalCut, plane: PolygonPlane, lengths: Option<&[f64]>) -> u
     for face in (0..open.face_count()).map(FaceId::new) {
         let at: Vec<[f64; 2]> = open.sides_of(face).map(|side| points[open.source(side).index()]).collect();
         assert_eq!(at.len(), 3);
-        let is_left = match coface_geometry::predicates::orientation(at[0], at[1], at[2]) {
-            std::cmp::Ordering::Equal => continue,
-            turn => turn.is_gt() == (orientation.signs()[face.index()] == Sign::Plus),
-        };
+        let [p, q, r] = [at[0], at[1], at[2]];
+        let area = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+        if area == 0.0 {
+            continue;
+        }
+        let is_left = (area > 0.0) == (orientation.signs()[face.index()] == Sign::Plus);
         counts[orientation.component(face)][usize::from(is_left)] += 1;
     }
     open.face_count() - counts.iter().map(|[right, left]| *right.max(left)).sum::<usize>()
