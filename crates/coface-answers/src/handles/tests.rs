@@ -33,7 +33,7 @@ fn model_of(surfaces: &[Placed], is_turned: bool) -> Model {
 fn ring(center: f64, is_upright: bool) -> Placed {
     tube(
         move |t| match is_upright {
-            true => [center + 2.0 * t.cos(), 0.1, 2.0 * t.sin()],
+            true => [center + 2.0 * t.cos(), 0.1 + 1.2 * t.sin(), 1.6 * t.sin()],
             false => [center + 2.0 * t.cos(), 2.0 * t.sin(), 0.0],
         },
         [32, 8],

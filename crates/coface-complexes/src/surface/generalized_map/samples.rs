@@ -160,10 +160,9 @@ pub fn trefoil(t: f64) -> [f64; 3] {
 pub fn cubes(cells: &[[i32; 3]], turned: u64) -> (GeneralizedMap, Positions) {
     let mut numbers: std::collections::BTreeMap<[i32; 3], u32> = std::collections::BTreeMap::new();
     let mut triangles: Vec<[u32; 3]> = Vec::new();
-    let moved = |cell: [i32; 3], axis: usize, by: i32| {
-        let mut cell = cell;
-        cell[axis] += by;
-        cell
+    // Not `cell[axis] += by`: Rust 1.95 compiles that wrongly with the optimizations of the profile of development.
+    let moved = |cell: [i32; 3], axis: usize, by: i32| -> [i32; 3] {
+        std::array::from_fn(|i| cell[i] + if i == axis { by } else { 0 })
     };
     for &cell in cells {
         for axis in 0..3 {

@@ -1,10 +1,10 @@
 //! Linking numbers of the loops of a tree-cotree decomposition, and what they say about classes.
 
-use super::HandleKind;
+use super::{HandleKind, Linking};
 use crate::curves::{ClosedWalk, SurfaceHomology, TreeCotree};
 use coface_algebra::EdgeId;
 use coface_algebra::{Error, Integer, SparseMatrix, smith_form_with_transforms};
-use coface_complexes::surface::{GeneralizedMap, LinkingTerm};
+use coface_complexes::surface::GeneralizedMap;
 use std::ops::Range;
 
 /// The modulus of fingerprints, a prime.
@@ -59,7 +59,7 @@ impl LinkingMatrix {
         map: &GeneralizedMap,
         trees: &TreeCotree,
         homology: &SurfaceHomology<'_>,
-        linking: &dyn Fn(&[EdgeId]) -> Result<Vec<LinkingTerm>, Error>,
+        linking: Linking<'_>,
     ) -> Result<Self, Error> {
         let loops = homology.loops();
         let mut edges: Vec<EdgeId> =

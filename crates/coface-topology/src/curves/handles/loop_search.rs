@@ -1,15 +1,15 @@
 //! The search for short loops of both kinds.
 
-use super::HandleKind;
 use super::cover_search::cover_loops;
 use super::linking_matrix::{Fingerprint, LinkingMatrix, negative, read, sum};
+use super::{HandleKind, Linking};
 use crate::curves::bits::Bits;
 use crate::curves::cut_vertices::cut_vertices;
 use crate::curves::root_search::{RootSearch, without_tail};
 use crate::curves::{ClosedWalk, SurfaceHomology, SurfaceHomotopy, TreeCotree};
 use coface_algebra::progress::stage;
-use coface_algebra::{EdgeId, Error, VertexId, Word};
-use coface_complexes::surface::{GeneralizedMap, LinkingTerm};
+use coface_algebra::{Error, VertexId, Word};
+use coface_complexes::surface::GeneralizedMap;
 use std::collections::BTreeMap;
 
 /// The first searches find loops of about as many edges.
@@ -63,7 +63,7 @@ impl<'a> LoopSearch<'a> {
         lengths: &'a [f64],
         trees: &'a TreeCotree,
         homology: &'a SurfaceHomology<'a>,
-        linking: &dyn Fn(&[EdgeId]) -> Result<Vec<LinkingTerm>, Error>,
+        linking: Linking<'_>,
     ) -> Result<Self, Error> {
         let steps = stage("finding linking numbers", 0);
         let linking = LinkingMatrix::new(map, trees, homology, linking)?;

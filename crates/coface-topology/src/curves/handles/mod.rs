@@ -22,6 +22,9 @@ use coface_algebra::{EdgeId, Error, ErrorKind};
 use coface_complexes::surface::{GeneralizedMap, LinkingTerm};
 use loop_search::{Chosen, LoopSearch};
 
+/// The linking terms of some edges, as `linking_terms` of `coface_complexes::surface` finds them.
+type Linking<'a> = &'a dyn Fn(&[EdgeId]) -> Result<Vec<LinkingTerm>, Error>;
+
 /// Where a loop on a closed surface in space bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum HandleKind {
@@ -124,7 +127,7 @@ impl HandlePair {
 pub fn handle_pairs(
     map: &GeneralizedMap,
     lengths: Option<&[f64]>,
-    linking: &dyn Fn(&[EdgeId]) -> Result<Vec<LinkingTerm>, Error>,
+    linking: Linking<'_>,
     most: usize,
 ) -> Result<Vec<HandlePair>, Error> {
     let lengths = checked_lengths(map, lengths)?;
@@ -200,7 +203,7 @@ impl ShortHandleLoops {
 pub fn short_handle_loops(
     map: &GeneralizedMap,
     lengths: Option<&[f64]>,
-    linking: &dyn Fn(&[EdgeId]) -> Result<Vec<LinkingTerm>, Error>,
+    linking: Linking<'_>,
     below: f64,
     most: usize,
 ) -> Result<ShortHandleLoops, Error> {
