@@ -107,11 +107,15 @@ impl FillHandlesRequest {
                 .with_cure("please report this model as a fault of coface")
         })?;
         let mut remarks = work.surface.remarks();
-        let left: Vec<LeftHandle> = work.left.into_values().collect();
+        // Where no handle is left, loops that had no patch have become trivial by others that were filled.
+        let left: Vec<LeftHandle> =
+            if work.counts.genus == 0 { Vec::new() } else { work.left.into_values().collect() };
         if !left.is_empty() {
             let count = crate::text::count(left.len(), "loop");
-            let message =
-                format!("{count} below the length stay: patches on them would meet other triangles");
+            let message = format!(
+                "on {count} below the length no patch fits that meets no other triangle; the genus is {}",
+                work.counts.genus
+            );
             remarks.push(Remark::new(RemarkCode::HandlesLeft, message).at(left.len(), []));
         } else if !work.is_complete && work.counts.genus > 0 {
             remarks.push(Remark::new(

@@ -213,7 +213,7 @@ fn page_of_filling(answer: &FilledHandlesAnswer, limit: usize) -> String {
         fact("genus before", text::grouped(before.genus), kind(before)),
         fact("genus after", text::grouped(after.genus), kind(after)),
         fact(
-            "Euler characteristic",
+            "Euler char.",
             format!("{} to {}", before.euler_characteristic, after.euler_characteristic),
             "",
         ),
