@@ -212,11 +212,7 @@ fn page_of_filling(answer: &FilledHandlesAnswer, limit: usize) -> String {
     let mut facts = vec![
         fact("genus before", text::grouped(before.genus), kind(before)),
         fact("genus after", text::grouped(after.genus), kind(after)),
-        fact(
-            "Euler char.",
-            format!("{} to {}", before.euler_characteristic, after.euler_characteristic),
-            "",
-        ),
+        fact("Euler char.", format!("{} to {}", before.euler_characteristic, after.euler_characteristic), ""),
         fact(
             "triangles",
             format!("{} to {}", text::grouped(before.f_vector[2]), text::grouped(after.f_vector[2])),

@@ -251,7 +251,7 @@ fn layouts_are_texture_coordinates() {
     for line in text.lines() {
         match line.split_once(' ') {
             Some(("vt", rest)) => {
-                pairs.push(rest.split(' ').map(|x| x.parse().unwrap()).collect::<Vec<f64>>())
+                pairs.push(rest.split(' ').map(|x| x.parse().unwrap()).collect::<Vec<f64>>());
             }
             Some(("f", rest)) => {
                 corners.extend(
