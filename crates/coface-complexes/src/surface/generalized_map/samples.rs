@@ -9,6 +9,9 @@ use coface_algebra::{EdgeId, Error};
 use coface_algebra::{RaggedArray, Sign};
 use coface_geometry::Positions;
 
+/// Where the vertices of a surface lie.
+pub type Places = Positions;
+
 /// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
 const NONE: u32 = u32::MAX;
 

@@ -5,8 +5,7 @@ use super::*;
 use crate::curves::intersection_number;
 use crate::curves::root_search::{RootSearch, without_tail};
 use coface_complexes::surface::linking_terms;
-use coface_complexes::surface::samples::{cubes, drilled_cube, genus, map_of, trefoil, tube};
-use coface_geometry::Positions;
+use coface_complexes::surface::samples::{Places, cubes, drilled_cube, genus, map_of, trefoil, tube};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 
@@ -105,18 +104,18 @@ impl Inside {
     }
 }
 
-fn lengths_of(map: &GeneralizedMap, positions: &Positions) -> Vec<f64> {
+fn lengths_of(map: &GeneralizedMap, positions: &Places) -> Vec<f64> {
     positions.distances(map.skeleton().edge_ends()).unwrap()
 }
 
-fn found(map: &GeneralizedMap, positions: &Positions) -> Vec<HandlePair> {
+fn found(map: &GeneralizedMap, positions: &Places) -> Vec<HandlePair> {
     let lengths = lengths_of(map, positions);
     let linking = |edges: &[EdgeId]| linking_terms(map, positions, edges);
     handle_pairs(map, Some(&lengths), &linking, 100_000_000).unwrap()
 }
 
 /// The lengths of the shortest independent loops of a kind among the edges closed up along shortest paths from any vertex, by elimination.
-fn from_all_vertices(map: &GeneralizedMap, positions: &Positions, kind: HandleKind) -> Vec<f64> {
+fn from_all_vertices(map: &GeneralizedMap, positions: &Places, kind: HandleKind) -> Vec<f64> {
     let lengths = lengths_of(map, positions);
     let trees = TreeCotree::new(map);
     let homology = SurfaceHomology::new(map, &trees);
@@ -152,7 +151,7 @@ fn from_all_vertices(map: &GeneralizedMap, positions: &Positions, kind: HandleKi
     kept
 }
 
-fn check_lengths(map: &GeneralizedMap, positions: &Positions, pairs: &[HandlePair]) {
+fn check_lengths(map: &GeneralizedMap, positions: &Places, pairs: &[HandlePair]) {
     for (kind, of_kind) in [
         (HandleKind::Handle, HandlePair::handle as fn(&HandlePair) -> &ShortestCycle),
         (HandleKind::Tunnel, HandlePair::tunnel),
