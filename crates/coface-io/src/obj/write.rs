@@ -206,18 +206,21 @@ fn whole_vertices(model: &Model) -> Vec<u32> {
     let count = model.vertex_count;
     let source = model.data_named("source", GroupKind::Vertices).filter(|data| data.is_integral());
     let Some(source) = source else { return (0..count as u32).collect() };
-    let place = |vertex: usize| {
-        model.coordinates()[vertex * model.coordinate_count()..][..model.coordinate_count()]
-            .iter()
-            .map(|x| x.to_bits())
+    let dimension = model.coordinate_count();
+    let bits = |vertex: usize, axis: usize| match axis < dimension {
+        true => model.coordinates()[vertex * dimension + axis].to_bits(),
+        false => 0,
     };
-    let key =
-        |&vertex: &u32| (source.integer_row(vertex as usize), place(vertex as usize).collect::<Vec<u64>>());
-    let mut order: Vec<u32> = (0..count as u32).collect();
-    order.sort_by_cached_key(key);
+    let mut keys: Vec<(i64, [u64; 3], u32)> = (0..count)
+        .map(|vertex| {
+            let number = source.integer_row(vertex).map_or(-1, |row| row[0]);
+            (number, [0, 1, 2].map(|axis| bits(vertex, axis)), vertex as u32)
+        })
+        .collect();
+    keys.sort_unstable();
     let mut first = vec![0; count];
-    for same in order.chunk_by(|a, b| key(a) == key(b)) {
-        same.iter().for_each(|&vertex| first[vertex as usize] = same[0]);
+    for same in keys.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
+        same.iter().for_each(|key| first[key.2 as usize] = same[0].2);
     }
     let mut numbers: Vec<u32> = Vec::with_capacity(count);
     let mut next = 0;
