@@ -29,7 +29,7 @@ pub(crate) struct Common {
     /// Read the input as this format, instead of finding out: off, obj, ply, stl, ...
     #[arg(long, value_name = "F", global = true, help_heading = "Common options", value_parser = format_of_name)]
     pub(crate) format: Option<Format>,
-    /// Replace the curves of an SVG by chords within this length of them, in its unit [default: a thousandth of the drawing's size]
+    /// Replace curves by chords within this length of them, in the unit of the drawing [default: in SVG a thousandth of the drawing's size, in WKT and WKB 32 chords for a quarter of a circle]
     #[arg(long, value_name = "LENGTH", global = true, help_heading = "Common options",
           allow_negative_numbers = true, value_parser = flatness)]
     pub(crate) flatten: Option<f64>,

@@ -5,6 +5,7 @@
 //! for a line that is no ring. Where a feature without a name has several polygons a third array, `feature`, numbers the features without
 //! names that have lines or rings, one after the other, and is -1 for what has a name.
 
+use super::arcs;
 use super::feature_table::{FeatureTable, FeatureTexts, NO_FEATURE};
 use super::lists::number_by_firsts;
 use super::numbers::Numbers;
@@ -98,10 +99,19 @@ pub(super) struct Drawing {
     /// The reference system of what names one, and how much does not.
     reference: Option<ReferenceSystem>,
     unreferenced: usize,
+    /// How far chords may be from arcs, where that is said; the arcs so far, and how far one is from its chords at most.
+    flatten: Option<f64>,
+    arc_count: usize,
+    arc_distance: f64,
     remarks: Vec<Remark>,
 }
 
 impl Drawing {
+    /// A drawing whose arcs become chords within this distance.
+    pub(super) fn flattened(flatten: Option<f64>) -> Self {
+        Self { flatten, ..Self::default() }
+    }
+
     /// What comes next is in this reference system, or names none.
     ///
     /// # Errors
@@ -174,6 +184,42 @@ impl Drawing {
         if self.corners[start..].last() != Some(&corner) {
             self.corners.push(corner);
         }
+    }
+
+    /// The last corner of the line that is being made.
+    fn last_corner(&self) -> Option<[f64; 3]> {
+        self.corners[self.open()..].last().copied()
+    }
+
+    /// The first corner of a part of a line, which is where the part before it ends.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] if it is not.
+    pub(super) fn begin_part(&mut self, place: Place) -> Result<(), Error> {
+        let [x, y, z] = place.coordinates();
+        if let Some(last) = self.last_corner().filter(|&last| last != [x, y, z]) {
+            let [a, b, _] = last;
+            let message =
+                format!("a part of a curve begins at ({x}, {y}), but the part before it ends at ({a}, {b})");
+            return Err(Error::invalid(message).with_cure("let each part begin where the one before it ends"));
+        }
+        self.corner(place);
+        Ok(())
+    }
+
+    /// The line goes on along an arc through the middle to the end, by chords.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] if the line has no corner yet, or the circle is beyond the range of numbers; [`ErrorKind::TooLarge`]
+    /// for too many chords.
+    pub(super) fn arc(&mut self, middle: Place, end: Place) -> Result<(), Error> {
+        let [x, y, z] = self.last_corner().ok_or_else(|| Error::invalid("an arc has no beginning"))?;
+        let from = Place { x, y, z: end.z.map(|_| z) };
+        let found = arcs::chords([from, middle, end], self.flatten)?;
+        found.places.into_iter().for_each(|place| self.corner(place));
+        self.arc_count += 1;
+        self.arc_distance = self.arc_distance.max(found.distance);
+        Ok(())
     }
 
     /// The first corner of the line that is being made.
@@ -325,6 +371,17 @@ impl Drawing {
                 self.flat_places,
                 "positions without a height are at height 0",
             );
+        }
+        if self.arc_count > 0 && self.flatten.is_none() {
+            let [subject, them] = match self.arc_count {
+                1 => ["1 arc of a circle".to_owned(), "it".to_owned()],
+                count => [format!("{count} arcs of circles"), "them".to_owned()],
+            };
+            let message = format!(
+                "{subject} became chords, 32 for a quarter of a circle, that are within {:.3e} of {them}; --flatten LENGTH says another distance",
+                self.arc_distance
+            );
+            self.remarks.push(Remark::new(RemarkCode::CurvesFlattened, message).at(self.arc_count, []));
         }
         if let Some(system) = self.reference.as_ref().filter(|_| self.unreferenced > 0) {
             let message = match self.unreferenced {

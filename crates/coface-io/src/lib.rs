@@ -16,6 +16,7 @@
 
 pub mod abaqus;
 mod alpha;
+mod arcs;
 mod assembly;
 mod blocks;
 mod cells_not_balls;

@@ -2,7 +2,8 @@
 //!
 //! A file holds geometries one after the other, on lines of their own or with `;` between them: `POINT`, `LINESTRING`,
 //! `LINEARRING`, `POLYGON`, `TRIANGLE`, the `MULTI` forms, `POLYHEDRALSURFACE`, `TIN` and `GEOMETRYCOLLECTION`, in any
-//! case, with `Z`, `M` or `ZM`, and `SRID=..;` in front. Heights and the number of the reference system are kept, measures passed over.
+//! case, with `Z`, `M` or `ZM`, and `SRID=..;` in front; `CIRCULARSTRING`, `COMPOUNDCURVE`, `CURVEPOLYGON`, `MULTICURVE` and `MULTISURFACE`
+//! become chords. Heights and the number of the reference system are kept, measures passed over.
 //! A file whose reference system has a number is written with `SRID=..;` in front of each geometry.
 //! A geometry may also be well-known binary in hexadecimal digits, as databases give it.
 //!
@@ -37,9 +38,16 @@ enum Kind {
     Lines,
     Polygons,
     Collection,
+    /// A curve of arcs, or one of lines and arcs.
+    Arcs,
+    Curve,
+    /// What is bounded by curves; many of these.
+    CurvePolygon,
+    Curves,
+    Surfaces,
 }
 
-const KINDS: [(&str, Kind); 11] = [
+const KINDS: [(&str, Kind); 16] = [
     ("POINT", Kind::Point),
     ("LINESTRING", Kind::Line),
     ("LINEARRING", Kind::Line),
@@ -51,10 +59,12 @@ const KINDS: [(&str, Kind); 11] = [
     ("POLYHEDRALSURFACE", Kind::Polygons),
     ("TIN", Kind::Polygons),
     ("GEOMETRYCOLLECTION", Kind::Collection),
+    ("CIRCULARSTRING", Kind::Arcs),
+    ("COMPOUNDCURVE", Kind::Curve),
+    ("CURVEPOLYGON", Kind::CurvePolygon),
+    ("MULTICURVE", Kind::Curves),
+    ("MULTISURFACE", Kind::Surfaces),
 ];
-
-/// Geometries with arcs, which are named and refused.
-const CURVED: [&str; 5] = ["CIRCULARSTRING", "COMPOUNDCURVE", "CURVEPOLYGON", "MULTICURVE", "MULTISURFACE"];
 
 /// The numbers of a position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,12 +83,6 @@ fn kind_of(word: &[u8]) -> Option<(Kind, Axes)> {
         let axes = axes_of(word.strip_prefix(name.as_bytes())?)?;
         Some((kind, axes))
     })
-}
-
-/// Whether a word names a geometry with arcs.
-fn is_curved(word: &[u8]) -> bool {
-    let word = word.to_ascii_uppercase();
-    CURVED.iter().any(|name| word.strip_prefix(name.as_bytes()).is_some_and(|rest| axes_of(rest).is_some()))
 }
 
 fn axes_of(word: &[u8]) -> Option<Axes> {
@@ -104,15 +108,14 @@ pub(super) fn is_geometry(line: &[u8]) -> bool {
     let rest = upper[length..].trim_ascii_start();
     let rest = [&b"ZM"[..], b"Z", b"M"].iter().find_map(|&axes| rest.strip_prefix(axes)).unwrap_or(rest);
     let rest = rest.trim_ascii_start();
-    let is_named = kind_of(&upper[..length]).is_some() || is_curved(&upper[..length]);
-    is_named && (rest.is_empty() || rest[0] == b'(' || rest.starts_with(b"EMPTY"))
+    kind_of(&upper[..length]).is_some() && (rest.is_empty() || rest[0] == b'(' || rest.starts_with(b"EMPTY"))
 }
 
 /// Reads geometries.
 ///
 /// # Errors
 /// [`ErrorKind::Parse`] or [`ErrorKind::InvalidInput`] with the line: a word that is none, a ring that is not closed, a
-/// parenthesis that is missing, a number that is none or not finite, curves; [`ErrorKind::TooLarge`] for collections
+/// parenthesis that is missing, a number that is none or not finite, an arc without an end; [`ErrorKind::TooLarge`] for collections
 /// nested deeper than 64 or beyond 2^32 - 2 corners; [`ErrorKind::Io`] if the stream fails.
 ///
 /// # Complexity
@@ -134,8 +137,14 @@ pub(super) fn is_geometry(line: &[u8]) -> bool {
 /// # Ok(()) }
 /// ```
 pub fn read(input: impl Read) -> Result<Model, Error> {
-    let mut reader =
-        Reader { scanner: Scanner::new(input), line: 1, word: Vec::new(), drawing: Drawing::default() };
+    read_flattened(input, None)
+}
+
+/// Reads geometries as [`read`] does. Arcs of circles become chords that are within a distance of them, 32 for a quarter of a circle if it is
+/// `None`, with a remark then.
+pub(super) fn read_flattened(input: impl Read, flatten: Option<f64>) -> Result<Model, Error> {
+    let drawing = Drawing::flattened(flatten);
+    let mut reader = Reader { scanner: Scanner::new(input), line: 1, word: Vec::new(), drawing };
     let mut seen = false;
     while let Some(byte) = reader.peek()? {
         if byte == b';' {
@@ -259,17 +268,46 @@ impl<R: Read> Reader<R> {
         if depth == 0 {
             self.drawing.set_reference(system).map_err(|fault| fault.at_line(self.line))?;
         }
+        let Some((kind, axes)) = self.kind()? else { return Ok(()) };
+        match kind {
+            Kind::Point => {
+                self.expect(b'(')?;
+                let place = self.place(axes)?;
+                self.drawing.point(place);
+                self.expect(b')')
+            }
+            Kind::Line | Kind::Arcs | Kind::Curve => self.curve_of(kind, axes).map(|()| self.end_line()),
+            Kind::Polygon => self.polygon(axes, Self::corners),
+            Kind::CurvePolygon => self.polygon(axes, Self::curve),
+            Kind::Points => self.list(|reader| {
+                let nested = reader.peek()? == Some(b'(');
+                if nested {
+                    reader.expect(b'(')?;
+                }
+                let place = reader.place(axes)?;
+                reader.drawing.point(place);
+                if nested { reader.expect(b')') } else { Ok(()) }
+            }),
+            Kind::Lines => self.list(|reader| reader.corners(axes).map(|()| reader.end_line())),
+            Kind::Curves => self.list(|reader| reader.curve(axes).map(|()| reader.end_line())),
+            Kind::Polygons => self.list(|reader| reader.polygon(axes, Self::corners)),
+            Kind::Surfaces => self.list(|reader| reader.surface(axes)),
+            Kind::Collection if depth == DEEPEST => {
+                let message = format!("collections are nested deeper than {DEEPEST}");
+                Err(Error::new(ErrorKind::TooLarge, message).at_line(self.line).with_cure("nest them less"))
+            }
+            Kind::Collection => self.list(|reader| reader.geometry(depth + 1)),
+        }
+    }
+
+    /// The kind and axes of a geometry whose name is the last word; `None` if it is empty.
+    fn kind(&mut self) -> Result<Option<(Kind, Axes)>, Error> {
         if self.word.is_empty() {
             let next = self.peek()?;
             return Err(self.unexpected(next, "the name of a geometry"));
         }
         let Some((kind, mut axes)) = kind_of(&self.word) else {
             let name = quoted(&self.word);
-            if is_curved(&self.word) {
-                return Err(self
-                    .fault(format!("{name} has curved sides"))
-                    .with_cure("write it with straight lines"));
-            }
             return Err(self.fault(format!("{name} is not a geometry")));
         };
         if self.peek()? != Some(b'(') {
@@ -285,7 +323,7 @@ impl<R: Read> Reader<R> {
                 }
             }
             if self.word.eq_ignore_ascii_case(b"EMPTY") {
-                return Ok(());
+                return Ok(None);
             }
             if !self.word.is_empty() {
                 return Err(
@@ -293,32 +331,7 @@ impl<R: Read> Reader<R> {
                 );
             }
         }
-        match kind {
-            Kind::Point => {
-                self.expect(b'(')?;
-                let place = self.place(axes)?;
-                self.drawing.point(place);
-                self.expect(b')')
-            }
-            Kind::Line => self.path(axes, false),
-            Kind::Polygon => self.polygon(axes),
-            Kind::Points => self.list(|reader| {
-                let nested = reader.peek()? == Some(b'(');
-                if nested {
-                    reader.expect(b'(')?;
-                }
-                let place = reader.place(axes)?;
-                reader.drawing.point(place);
-                if nested { reader.expect(b')') } else { Ok(()) }
-            }),
-            Kind::Lines => self.list(|reader| reader.path(axes, false)),
-            Kind::Polygons => self.list(|reader| reader.polygon(axes)),
-            Kind::Collection if depth == DEEPEST => {
-                let message = format!("collections are nested deeper than {DEEPEST}");
-                Err(Error::new(ErrorKind::TooLarge, message).at_line(self.line).with_cure("nest them less"))
-            }
-            Kind::Collection => self.list(|reader| reader.geometry(depth + 1)),
-        }
+        Ok(Some((kind, axes)))
     }
 
     /// Things in parentheses with commas between them; each may be EMPTY.
@@ -352,24 +365,107 @@ impl<R: Read> Reader<R> {
         Ok(is_empty)
     }
 
-    fn polygon(&mut self, axes: Axes) -> Result<(), Error> {
+    /// The rings of a polygon, each of which is read by this.
+    fn polygon(
+        &mut self,
+        axes: Axes,
+        ring: impl Fn(&mut Self, Axes) -> Result<(), Error>,
+    ) -> Result<(), Error> {
         self.drawing.begin_polygon();
-        self.list(|reader| reader.path(axes, true))
+        self.list(|reader| {
+            ring(reader, axes)?;
+            let line = reader.line;
+            reader.drawing.end_ring(|| format!("the ring that ends in line {line}"));
+            Ok(())
+        })
     }
 
-    /// A list of positions: a line, or a ring of a polygon.
-    fn path(&mut self, axes: Axes, is_ring: bool) -> Result<(), Error> {
+    fn end_line(&mut self) {
+        let line = self.line;
+        self.drawing.end_line(|| format!("the line string that ends in line {line}"));
+    }
+
+    /// A polygon of a `MULTISURFACE`: one with straight sides has no name.
+    fn surface(&mut self, axes: Axes) -> Result<(), Error> {
+        if self.peek()? == Some(b'(') {
+            return self.polygon(axes, Self::corners);
+        }
+        self.word()?;
+        match self.kind()? {
+            None => Ok(()),
+            Some((Kind::Polygon, axes)) => self.polygon(axes, Self::corners),
+            Some((Kind::CurvePolygon, axes)) => self.polygon(axes, Self::curve),
+            Some(_) => Err(self.fault("a MULTISURFACE has a part that is no polygon")),
+        }
+    }
+
+    /// A curve: one with straight sides has no name.
+    fn curve(&mut self, axes: Axes) -> Result<(), Error> {
+        self.curve_or_part(axes, false)
+    }
+
+    /// A curve, or a part of one that has several, which has none of its own.
+    fn curve_or_part(&mut self, axes: Axes, is_part: bool) -> Result<(), Error> {
+        if self.peek()? == Some(b'(') {
+            return self.corners(axes);
+        }
+        self.word()?;
+        match self.kind()? {
+            None => Ok(()),
+            Some((kind @ (Kind::Line | Kind::Arcs), axes)) => self.curve_of(kind, axes),
+            Some((Kind::Curve, axes)) if !is_part => self.curve_of(Kind::Curve, axes),
+            Some(_) => Err(self.fault("a curve has a part that is none")),
+        }
+    }
+
+    /// The positions or parts of a curve of this kind.
+    fn curve_of(&mut self, kind: Kind, axes: Axes) -> Result<(), Error> {
+        match kind {
+            Kind::Arcs => self.arcs(axes),
+            Kind::Curve => self.list(|reader| reader.curve_or_part(axes, true)),
+            _ => self.corners(axes),
+        }
+    }
+
+    /// A list of positions that are joined by straight sides.
+    fn corners(&mut self, axes: Axes) -> Result<(), Error> {
+        let mut is_first = true;
         self.list(|reader| {
             let place = reader.place(axes)?;
+            if std::mem::take(&mut is_first) {
+                return reader.begin(place);
+            }
             reader.drawing.corner(place);
             Ok(())
+        })
+    }
+
+    /// The first position of a line, or of a part of a curve, which begins where the part before it ends.
+    fn begin(&mut self, place: Place) -> Result<(), Error> {
+        self.drawing.begin_part(place).map_err(|fault| fault.at_line(self.line))
+    }
+
+    /// A list of positions, of which each second one is the middle of an arc.
+    fn arcs(&mut self, axes: Axes) -> Result<(), Error> {
+        let mut count = 0;
+        let mut middle = None;
+        self.list(|reader| {
+            let place = reader.place(axes)?;
+            count += 1;
+            match (count, middle.take()) {
+                (1, _) => return reader.begin(place),
+                (_, None) => middle = Some(place),
+                (_, Some(middle)) => {
+                    reader.drawing.arc(middle, place).map_err(|fault| fault.at_line(reader.line))?;
+                }
+            }
+            Ok(())
         })?;
-        let line = self.line;
-        if is_ring {
-            self.drawing.end_ring(|| format!("the ring that ends in line {line}"));
-            return Ok(());
+        if count % 2 == 0 {
+            let message =
+                format!("a CIRCULARSTRING has {count} positions: each arc needs a middle and an end");
+            return Err(self.fault(message).with_cure("write it as in CIRCULARSTRING (0 0, 1 1, 2 0)"));
         }
-        self.drawing.end_line(|| format!("the line string that ends in line {line}"));
         Ok(())
     }
 
@@ -592,7 +688,12 @@ mod tests {
         for (binary, message) in [
             (&with_srid[..40], "ends too early"),
             (multi, "ends too early"),
-            ("010a00000000000000", "curved sides"),
+            ("010d00000000000000", "kind 13"),
+            (
+                "01080000000200000000000000000000000000000000000000000000000000f03f000000000000f03f",
+                "2 positions",
+            ),
+            ("010900000001000000010100000000000000000000000000000000000000", "part that is none"),
             ("016300000000000000", "99 is no kind"),
             ("0201000000000000000", "2 is no byte order"),
             ("0101000000zz0000000000000000000000000000", "hexadecimal"),
@@ -602,6 +703,38 @@ mod tests {
             assert!(error.to_string().contains(message) && error.cure().is_some(), "{binary}: {error}");
         }
         assert!(read(&b"0101000000000000000000F87F000000000000F87F"[..]).unwrap().points().is_empty());
+    }
+
+    #[test]
+    fn arcs_become_chords() {
+        let text = "CURVEPOLYGON (COMPOUNDCURVE ((0 0, 4 0), CIRCULARSTRING (4 0, 5 1, 4 2), (4 2, 0 2, 0 0)), \
+                    CIRCULARSTRING (1 1, 2 1, 1 1))";
+        let model = read(text.as_bytes()).unwrap();
+        // 64 chords, 4 straight sides; 128 chords of the hole.
+        assert_eq!(model.lines().iter().map(<[u32]>::len).collect::<Vec<_>>(), [68, 129]);
+        let ring = model.data_named("ring", crate::GroupKind::Lines).unwrap();
+        assert_eq!(ring.integer_row(1), Some(vec![1]));
+        let [remark] = model.remarks() else { panic!("{:?}", model.remarks()) };
+        assert_eq!((remark.code, remark.count), (crate::RemarkCode::CurvesFlattened, 2));
+        let rough = read_flattened(text.as_bytes(), Some(0.3)).unwrap();
+        assert_eq!(rough.lines().iter().map(<[u32]>::len).collect::<Vec<_>>(), [6, 5]);
+        assert!(rough.remarks().is_empty());
+        // Neighbors share the arc between them, whichever way it runs.
+        let two = "MULTISURFACE (CURVEPOLYGON (COMPOUNDCURVE (CIRCULARSTRING (0 0, 1.5 1, 0 3), (0 3, -1 0, 0 0))), \
+                   POLYGON ((9 9, 9 8, 8 8, 9 9)))\nMULTICURVE ((7 7, 6 6), CIRCULARSTRING Z (0 3 1, 1.5 1 2, 0 0 3))";
+        let model = read(two.as_bytes()).unwrap();
+        let places = |line: usize| {
+            let own = model.lines().list(line).iter();
+            own.map(|&vertex| {
+                model.positions().point(coface_algebra::VertexId::from_u32(vertex))[..2].to_vec()
+            })
+            .collect::<Vec<_>>()
+        };
+        assert_eq!(model.lines().len(), 4);
+        let mut back = places(3);
+        back.reverse();
+        assert_eq!(places(0)[..back.len()], back);
+        assert!(read(&b"MULTICURVE EMPTY\nCIRCULARSTRING EMPTY"[..]).unwrap().lines().is_empty());
     }
 
     #[test]
@@ -638,7 +771,11 @@ mod tests {
             ("POINT (1 inf)", 1, "finite"),
             ("POINT (1 2", 1, "ends"),
             ("POLYGON (0 0, 1 0)", 1, "\"(\" should be"),
-            ("\nCIRCULARSTRING (0 0, 1 1, 2 0)", 2, "curved"),
+            ("\nCIRCULARSTRING (0 0, 1 1)", 2, "2 positions"),
+            ("COMPOUNDCURVE ((0 0, 1 1), CIRCULARSTRING (2 1, 3 3, 4 4))", 1, "ends at (1, 1)"),
+            ("MULTISURFACE (POINT (1 2))", 1, "no polygon"),
+            ("COMPOUNDCURVE (POINT (1 2))", 1, "part that is none"),
+            ("CIRCULARSTRING (0 0, 1e200 1, 3 3e200)", 1, "beyond the range"),
             ("BLOB (0 0)", 1, "\"BLOB\" is not a geometry"),
             ("POINT (1 2) )", 1, "the name of a geometry"),
             ("# only this\n", 2, "no geometry"),

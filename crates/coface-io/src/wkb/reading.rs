@@ -1,6 +1,6 @@
 //! From bytes or digits to a model.
 
-use super::{COLLECTION, HAS_M, HAS_SRID, HAS_Z, LINE, POINT, POLYGON};
+use super::{ARCS, COLLECTION, COMPOUND, CURVE_POLYGON, HAS_M, HAS_SRID, HAS_Z, LINE, POINT, POLYGON};
 use crate::drawing::{Drawing, Place};
 use crate::scanner::Scanner;
 use crate::{Model, ReferenceSystem};
@@ -79,7 +79,7 @@ impl Kind {
 /// its parts.
 ///
 /// # Errors
-/// [`ErrorKind::Parse`] with the byte for a file that ends too early, a kind of geometry that is none, curves, coordinates that are not
+/// [`ErrorKind::Parse`] with the byte for a file that ends too early, a kind of geometry that is none, an arc without an end, coordinates that are not
 /// finite, and geometries of different reference systems; [`ErrorKind::TooLarge`] for collections nested deeper than
 /// 64 or beyond 2^32 - 2 corners; [`ErrorKind::Io`] if the stream fails.
 ///
@@ -99,7 +99,13 @@ impl Kind {
 /// # Ok(()) }
 /// ```
 pub fn read(input: impl Read) -> Result<Model, Error> {
-    let (mut scanner, mut drawing, mut byte) = (Scanner::new(input), Drawing::default(), 0);
+    read_flattened(input, None)
+}
+
+/// Reads geometries as [`read`] does. Arcs of circles become chords that are within a distance of them, 32 for a quarter of a circle if it is
+/// `None`, with a remark then.
+pub(crate) fn read_flattened(input: impl Read, flatten: Option<f64>) -> Result<Model, Error> {
+    let (mut scanner, mut drawing, mut byte) = (Scanner::new(input), Drawing::flattened(flatten), 0);
     loop {
         if scanner.available(1)?.is_empty() {
             if byte == 0 {
@@ -120,7 +126,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
 /// Reads one geometry in digits into a drawing.
 ///
 /// # Errors
-/// [`ErrorKind::Parse`] with the line for digits that are missing or are none, kinds that are none, curves and coordinates
+/// [`ErrorKind::Parse`] with the line for digits that are missing or are none, kinds that are none, arcs without an end and coordinates
 /// that are not finite; [`ErrorKind::TooLarge`] for collections nested deeper than 64.
 pub(crate) fn read_digits<R: Read>(
     scanner: &mut Scanner<R>,
@@ -192,15 +198,7 @@ impl<R: Read> Reader<'_, R> {
             return Err(self.located(Error::new(ErrorKind::TooLarge, message)).with_cure("nest them less"));
         }
         let start = self.place;
-        self.is_big = match self.bytes::<1>()? {
-            [0] => true,
-            [1] => false,
-            [order] => return Err(self.fault(format!("{order} is no byte order of a binary geometry"))),
-        };
-        let code = self.number()?;
-        let Some(kind) = Kind::of(code) else {
-            return Err(self.fault(format!("{code} is no kind of a binary geometry")));
-        };
+        let kind = self.kind()?;
         let srid = if kind.has_srid { self.number()? } else { 0 };
         if depth == 0 || srid > 0 {
             let system = ReferenceSystem::from_srid(srid);
@@ -213,15 +211,35 @@ impl<R: Read> Reader<'_, R> {
                 }
                 Ok(())
             }
-            LINE => self.path(kind, false),
+            LINE | ARCS => {
+                self.positions(kind)?;
+                self.end(false);
+                Ok(())
+            }
+            COMPOUND => {
+                for _ in 0..self.number()? {
+                    self.part(true)?;
+                }
+                self.end(false);
+                Ok(())
+            }
             POLYGON | 17 => {
                 self.drawing.begin_polygon();
                 for _ in 0..self.number()? {
-                    self.path(kind, true)?;
+                    self.positions(kind)?;
+                    self.end(true);
                 }
                 Ok(())
             }
-            4..=COLLECTION | 15 | 16 => {
+            CURVE_POLYGON => {
+                self.drawing.begin_polygon();
+                for _ in 0..self.number()? {
+                    self.part(false)?;
+                    self.end(true);
+                }
+                Ok(())
+            }
+            4..=COLLECTION | 11 | 12 | 15 | 16 => {
                 let has_features = depth == 0 && kind.number == COLLECTION && matches!(start, Site::Byte(0));
                 for _ in 0..self.number()? {
                     let is_big = self.is_big;
@@ -234,19 +252,72 @@ impl<R: Read> Reader<'_, R> {
                 Ok(())
             }
             number => {
-                let message = format!("a binary geometry of kind {number} has curved sides");
-                Err(self.fault(message).with_cure("write it with straight lines"))
+                Err(self
+                    .fault(format!("a binary geometry is of kind {number}, which has no shape of its own")))
             }
         }
     }
 
-    fn path(&mut self, kind: Kind, is_ring: bool) -> Result<(), Error> {
-        for _ in 0..self.number()? {
-            match self.place(kind)? {
-                Some(place) => self.drawing.corner(place),
-                None => return Err(self.fault("a coordinate is not a finite number")),
+    /// The byte order and the kind of a geometry.
+    fn kind(&mut self) -> Result<Kind, Error> {
+        self.is_big = match self.bytes::<1>()? {
+            [0] => true,
+            [1] => false,
+            [order] => return Err(self.fault(format!("{order} is no byte order of a binary geometry"))),
+        };
+        let code = self.number()?;
+        Kind::of(code).ok_or_else(|| self.fault(format!("{code} is no kind of a binary geometry")))
+    }
+
+    /// A curve as part of a curve or as a ring, with its own byte order and kind.
+    fn part(&mut self, is_nested: bool) -> Result<(), Error> {
+        let is_big = self.is_big;
+        let kind = self.kind()?;
+        if kind.has_srid {
+            self.number()?;
+        }
+        match kind.number {
+            LINE | ARCS => self.positions(kind)?,
+            // A ring may be compound; what it has is not.
+            COMPOUND if !is_nested => {
+                for _ in 0..self.number()? {
+                    self.part(true)?;
+                }
+            }
+            _ => return Err(self.fault("a curve has a part that is none")),
+        }
+        self.is_big = is_big;
+        Ok(())
+    }
+
+    /// The positions of a line, or of one of arcs.
+    fn positions(&mut self, kind: Kind) -> Result<(), Error> {
+        let count = self.number()?;
+        let mut middle = None;
+        for i in 0..count {
+            let Some(place) = self.place(kind)? else {
+                return Err(self.fault("a coordinate is not a finite number"));
+            };
+            if i == 0 {
+                self.drawing.begin_part(place).map_err(|fault| self.located(fault))?;
+            } else if kind.number != ARCS {
+                self.drawing.corner(place);
+            } else if let Some(middle) = middle.take() {
+                self.drawing.arc(middle, place).map_err(|fault| self.located(fault))?;
+            } else {
+                middle = Some(place);
             }
         }
+        if middle.is_some() {
+            let message =
+                format!("a circular string has {count} positions: each arc needs a middle and an end");
+            return Err(self.fault(message));
+        }
+        Ok(())
+    }
+
+    /// Ends a line or a ring.
+    fn end(&mut self, is_ring: bool) {
         let place = match self.place {
             Site::Line(line) => format!("of the binary geometry in line {line}"),
             Site::Byte(byte) => format!("that ends at byte {byte}"),
@@ -256,7 +327,6 @@ impl<R: Read> Reader<'_, R> {
         } else {
             self.drawing.end_line(|| format!("a line {place}"));
         }
-        Ok(())
     }
 
     /// A position; `None` for that of an empty point.

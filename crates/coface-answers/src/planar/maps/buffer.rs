@@ -256,6 +256,14 @@ impl Strips {
                 return Some([0, 1].map(|axis| corner[axis] + (n[axis] + m[axis]) * part));
             }
             _ if turns_back => {}
+            // Cut off across the line between both sides, at the limit.
+            BufferJoins::Mitre(limit) => {
+                let [cosine, sine] = [square + dot, square - dot].map(|part| (part / (2.0 * square)).sqrt());
+                let part = (limit - cosine) / sine;
+                let ends = [(n, first.along), (m, minus(second.along))]
+                    .map(|(normal, along)| plus(plus(corner, normal), along.map(|x| x * part)));
+                pieces.push(vec![[corner, plus(corner, n), ends[0], ends[1], plus(corner, m)].map(at).to_vec()]);
+            }
             _ => pieces.push(vec![[corner, plus(corner, n), plus(corner, m)].map(at).to_vec()]),
         }
         None

@@ -25,9 +25,15 @@ pub(super) fn simplified(layer: &MapLayer, tolerance: f64) -> Result<Change, Err
     let borders = Borders::new(layer)?;
     let mut graph = Graph::new(&borders, tolerance);
     graph.simplify();
-    let mut walks = borders.walks.iter().map(|walk| {
-        let kept = walk.iter().filter(|&&vertex| graph.is_there[vertex as usize]);
-        kept.map(|&vertex| borders.point(vertex)).collect::<Vec<Point>>()
+    let mut walks = borders.walks.iter().enumerate().map(|(number, walk)| {
+        let mut kept: Vec<u32> =
+            walk.iter().copied().filter(|&vertex| graph.is_there[vertex as usize]).collect();
+        // A closed line stays closed when the vertex that it began at has gone.
+        let is_closed_line = number >= borders.ring_count && walk.len() > 1 && walk.first() == walk.last();
+        if is_closed_line && kept.first() != kept.last() {
+            kept.extend(kept.first().copied());
+        }
+        kept.into_iter().map(|vertex| borders.point(vertex)).collect::<Vec<Point>>()
     });
     let mut geometries: Vec<Geometry> = (layer.features.iter())
         .map(|feature| Geometry {

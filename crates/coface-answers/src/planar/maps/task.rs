@@ -88,7 +88,7 @@ pub enum BufferJoins {
     /// By arcs.
     #[default]
     Round,
-    /// By continuing the sides until they meet, at most this many times the distance away; beyond as a bevel.
+    /// By continuing the sides until they meet, and cutting what is farther away than this many times the distance off.
     Mitre(f64),
     /// By straight cuts.
     Bevel,

@@ -119,6 +119,9 @@ fn buffers_of_squares_and_lines_have_the_areas_of_formulas() {
     let square = read("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))");
     let area = |model: &Model, options: BufferOptions| after(model, &MapTask::Buffer(options)).0.measure;
     assert_eq!(area(&square, BufferOptions::new(0.5).joins(BufferJoins::Mitre(5.0))), 25.0 - 1.0);
+    // Cut off at the limit, as high as the diagonal of a unit square less 1.
+    let cut = area(&read("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))"), BufferOptions::new(1.0).joins(BufferJoins::Mitre(1.0)));
+    assert!((cut - (36.0 - 4.0 * (2f64.sqrt() - 1.0).powi(2))).abs() < 1e-12);
     assert_eq!(area(&square, BufferOptions::new(0.5).joins(BufferJoins::Bevel)), 25.0 - 4.0 * 0.125 - 1.0);
     assert_eq!(area(&square, BufferOptions::new(2.0).joins(BufferJoins::Mitre(5.0))), 64.0);
     assert_eq!(
@@ -205,6 +208,18 @@ fn common_borders_are_simplified_once() {
     assert_eq!((found.vertices_before, found.vertices), (7, 6));
     assert!((found.largest_distance - 0.1).abs() < 1e-12);
     assert_eq!(after(&without, &MapTask::Simplify(0.05)).0.simplification.unwrap().vertices, 7);
+}
+
+#[test]
+fn closed_lines_stay_closed_without_their_first_vertices() {
+    let (answer, model) = after(&read("LINESTRING (1 0, 2 0, 2 2, 0 2, 0 0, 1 0)"), &MapTask::Simplify(0.0));
+    assert_eq!(answer.simplification.unwrap().vertices, 4);
+    assert_eq!(written(&model), "LINESTRING (2 0, 2 2, 0 2, 0 0, 2 0)\n");
+    let ring = read("LINESTRING (1 5, 1 4, 2 0, 2 1, 1 5)");
+    let (answer, model) = after(&ring, &MapTask::Simplify(2.0));
+    assert_eq!(answer.simplification.unwrap().vertices, 3);
+    let walk = model.lines().list(0);
+    assert_eq!((model.lines().len(), walk.len(), walk.first()), (1, 4, walk.last()));
 }
 
 #[test]
