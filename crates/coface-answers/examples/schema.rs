@@ -1,4 +1,4 @@
-//! Prints the JSON schema of all answers: `cargo run -p coface-answers --example schema > docs/answers.schema.json`.
+//! Prints the JSON schema of all answers: `cargo run -p coface-answers --features schema --example schema > docs/answers.schema.json`.
 
 use std::io::Write;
 

@@ -4,8 +4,6 @@
 //! [`crate::ReadOptions::strict`] turns the first of them into an error.
 
 use coface_algebra::Error;
-#[cfg(feature = "schema")]
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// How many places a remark lists.
@@ -20,7 +18,7 @@ pub(crate) const LISTED_PLACES: usize = 5;
 /// assert_eq!(remark.places[0].cell.as_deref(), Some(&[7][..]));
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Remark {
     /// What sort of remark it is, for programs.
@@ -59,7 +57,7 @@ pub(crate) fn partial(fault: &Error) -> Remark {
 
 /// Where a [`Remark`] applies. The fields that say nothing are `None` and absent from the JSON.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Place {
     /// The name of the input.
@@ -162,7 +160,7 @@ impl RemarkCode {
 
 /// What sort of remark a [`Remark`] is. The word in the JSON is the name in kebab case: `isolated-vertex`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(JsonSchema))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum RemarkCode {

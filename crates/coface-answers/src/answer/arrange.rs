@@ -1,11 +1,11 @@
 //! What `arrange` answers: the cells that drawings cut the plane into, or surfaces space.
 
 use super::Remark;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The arrangement of drawings in the plane.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PlanarArrangementAnswer {
     /// The dimension of the space: 2.
@@ -49,7 +49,8 @@ pub struct PlanarArrangementAnswer {
 }
 
 /// A column of the table of faces: a key of the properties of features of an input.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct AttributeColumn {
     /// The name of the column.
@@ -68,7 +69,8 @@ impl AttributeColumn {
 }
 
 /// What rounding the coordinates of crossings does to an arrangement in the plane.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PlanarRounding {
     /// Whether no coordinate was rounded.
@@ -89,7 +91,8 @@ pub struct PlanarRounding {
 }
 
 /// What was done in the plane because rounded coordinates alone would change a result.
-#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(default)]
 #[non_exhaustive]
 pub struct RoundingRepair {
@@ -106,7 +109,8 @@ pub struct RoundingRepair {
 }
 
 /// One drawing among the inputs.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct DrawingInput {
     /// The name of the file.
@@ -118,7 +122,8 @@ pub struct DrawingInput {
 }
 
 /// Where a vertex of a result in the plane comes from. A pair is an input and a number in it, both from 0.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum VertexOrigin {
     /// It is this vertex of an input.
@@ -128,7 +133,8 @@ pub enum VertexOrigin {
 }
 
 /// Where the cells of an arrangement in the plane come from. A segment is a pair: an input and a number in it, both from 0.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PlanarArrangementProvenance {
     /// The names of the inputs.
@@ -144,7 +150,8 @@ pub struct PlanarArrangementProvenance {
 }
 
 /// The arrangement of surfaces and solids in space.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SpatialArrangementAnswer {
     /// The dimension of the space: 3.
@@ -191,7 +198,8 @@ pub struct SpatialArrangementAnswer {
 }
 
 /// What congruence did: polygons, each cut in its own plane, that were stacked and brought together.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct CongruentSheets {
     /// The distance within which vertices became one, in the unit of the inputs.
@@ -204,7 +212,8 @@ pub struct CongruentSheets {
 }
 
 /// Polygons that have no area.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct DegeneratePolygons {
     /// How many there are.
@@ -214,7 +223,8 @@ pub struct DegeneratePolygons {
 }
 
 /// Polygons that were split into triangles because they are not planar.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SplitPolygons {
     /// How many there are.
@@ -224,7 +234,8 @@ pub struct SplitPolygons {
 }
 
 /// One surface or solid among the inputs.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SpatialInput {
     /// The name of the file.
@@ -275,7 +286,8 @@ impl SpatialInput {
 }
 
 /// How the cells inside of a model are found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum InsideMethod {
     /// By winding numbers, which are exact.
@@ -287,7 +299,8 @@ pub enum InsideMethod {
 }
 
 /// What was rounded in space.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SpatialRounding {
     /// Whether no coordinate was rounded.
@@ -309,7 +322,8 @@ pub struct SpatialRounding {
 }
 
 /// What was put together because it was nearly one: within a tolerance, or to make rounded coordinates valid.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct JoinedFeatures {
     /// The distance within which features were put together, in the unit of the inputs.
@@ -336,7 +350,8 @@ pub struct JoinedFeatures {
 }
 
 /// Where the faces of an arrangement in space come from.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SpatialArrangementProvenance {
     /// The names of the inputs.

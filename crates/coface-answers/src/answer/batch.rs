@@ -4,12 +4,12 @@ use super::{
     BoundarySurface, CellsOfShape, DataAnswer, DrawnPolygonsAnswer, GeometryAnswer, HomologyGroup,
     InfoAnswer, ManifoldAnswer, MassAnswer, MomentAnswer, NamedGroup, ProblemAnswer, Remark, SurfaceAnswer,
 };
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// A table of reports.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BatchAnswer {
     /// The file that was written.
@@ -51,7 +51,8 @@ impl BatchAnswer {
 
 /// What a row of `batch` says of a file that could be read, beside its `path`, `bytes`, `seconds` and `error`: what `info` says of it. A
 /// row has warnings, but no remarks.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct RowAnswer {
     /// The name of the file, as the row has it in `path`.

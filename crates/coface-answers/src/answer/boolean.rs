@@ -4,11 +4,11 @@ use super::Remark;
 use super::arrange::{
     DrawingInput, JoinedFeatures, RoundingRepair, SpatialInput, SpatialRounding, VertexOrigin,
 };
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A Boolean combination of regions in the plane.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PlanarBooleanAnswer {
     /// The dimension of the space: 2.
@@ -52,7 +52,8 @@ pub struct PlanarBooleanAnswer {
 }
 
 /// Whether the boundary of a result is a manifold, with a witness if it is not.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BoundaryManifold {
     /// The verdict.
@@ -64,7 +65,8 @@ pub struct BoundaryManifold {
 }
 
 /// Whether a boundary is a manifold.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum BoundaryVerdict {
     /// It is a manifold.
@@ -74,7 +76,8 @@ pub enum BoundaryVerdict {
 }
 
 /// A place where a boundary is no manifold.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BoundaryWitness {
     /// A word for programs: what sort of witness this is.
@@ -89,7 +92,8 @@ pub struct BoundaryWitness {
 }
 
 /// What rounding the coordinates of crossings does to polygons.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PolygonRounding {
     /// Whether no coordinate was rounded.
@@ -102,7 +106,8 @@ pub struct PolygonRounding {
 }
 
 /// Where the cells of a combination of regions come from. A segment is a pair: an input and a number in it, both from 0.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PlanarBooleanProvenance {
     /// The names of the inputs.
@@ -118,7 +123,8 @@ pub struct PlanarBooleanProvenance {
 }
 
 /// An edge of a combination of regions.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct EdgeOrigin {
     /// Its vertices, the lower first.
@@ -128,7 +134,8 @@ pub struct EdgeOrigin {
 }
 
 /// A Boolean combination of solids.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SolidBooleanAnswer {
     /// The dimension of the space: 3.
@@ -178,7 +185,8 @@ pub struct SolidBooleanAnswer {
 }
 
 /// The places where a result in space is pinched, by coordinates before pinches are split.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Pinches {
     /// The number of edges in more than two polygons.
@@ -196,7 +204,8 @@ pub struct Pinches {
 }
 
 /// Where the polygons of a combination of solids come from.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SolidBooleanProvenance {
     /// The names of the inputs.

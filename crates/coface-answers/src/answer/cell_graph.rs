@@ -1,7 +1,6 @@
 //! The graph of the cells of an arrangement in space: which are adjacent, across how much area, and whose faces are
 //! between them.
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 
@@ -22,7 +21,8 @@ use std::fmt::Write;
 /// assert_eq!(graph.nodes.iter().map(|node| node.volume).sum::<f64>(), 3.0);
 /// # Ok(()) }
 /// ```
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct CellGraph {
     /// The names of the inputs in their order.
@@ -34,7 +34,8 @@ pub struct CellGraph {
 }
 
 /// A bounded cell.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct CellNode {
     /// The number of the cell, from 0.
@@ -58,7 +59,8 @@ pub struct CellNode {
 }
 
 /// Two bounded cells that have faces in common.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct CellEdge {
     /// The two cells, rising.

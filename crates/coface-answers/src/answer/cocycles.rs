@@ -1,11 +1,11 @@
 //! The answers of `cocycles`: a basis of the first cohomology, and the test of one cochain.
 
 use super::{ChainTerm, Remark, WholeNumber};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A basis of the first cohomology over the integers, dual to loops.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CocyclesAnswer {
     /// The name of the input.
     pub file: String,
@@ -38,7 +38,8 @@ pub struct CocyclesAnswer {
 }
 
 /// A loop that cocycles are measured on.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum LoopAnswer {
     /// A closed walk on a surface: its vertices, the first again at the end.
@@ -64,7 +65,8 @@ impl LoopAnswer {
 }
 
 /// The intersection numbers of loops on a closed oriented surface.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LoopIntersections {
     /// How often loop j crosses loop i, from the right to the left as plus, in row i.
     pub matrix: Vec<Vec<i64>>,
@@ -73,7 +75,8 @@ pub struct LoopIntersections {
 }
 
 /// A harmonic one-form: the cochain of the least energy in its class.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HarmonicFormAnswer {
     /// The values on the edges, in their order.
     pub values: Vec<f64>,
@@ -84,7 +87,8 @@ pub struct HarmonicFormAnswer {
 }
 
 /// Whether a cochain of degree 1 is closed and exact, with what shows it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CochainTestAnswer {
     /// The name of the input.
     pub file: String,
@@ -112,7 +116,8 @@ pub struct CochainTestAnswer {
 }
 
 /// A value of a cochain: exact where all values are integers.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum CochainValue {
     /// An integer.
@@ -131,7 +136,8 @@ impl std::fmt::Display for CochainValue {
 }
 
 /// How cocycles are found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum CocycleBasisMethod {
     /// By crossing the faces between loops, of a surface.
@@ -159,7 +165,8 @@ impl CocycleBasisMethod {
 }
 
 /// The weights of edges in the energy of harmonic forms.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum EdgeWeights {
     /// By the cotangents of the angles opposite to an edge, of triangles.

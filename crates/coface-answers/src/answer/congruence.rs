@@ -1,11 +1,11 @@
 //! What `congruence` answers: models merged within a tolerance.
 
 use super::Remark;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The quotient of the chain complexes of models by the vertices within a tolerance. Lists have an entry for each degree.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct CongruenceAnswer {
     /// The inputs in their order.
@@ -37,7 +37,8 @@ pub struct CongruenceAnswer {
 }
 
 /// One model among the inputs of a congruence.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct CongruenceInput {
     /// The name of the file.
@@ -47,7 +48,8 @@ pub struct CongruenceInput {
 }
 
 /// Vertices of one block that became one.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BlockMergeAnswer {
     /// The class.

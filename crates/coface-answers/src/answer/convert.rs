@@ -4,11 +4,11 @@ use super::{MapRepairAnswer, Remark};
 use crate::{PlanarSet, SurfaceRepair};
 use coface_complexes::surface::MeshRepair;
 use coface_io::Model;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A file written from another one.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ConvertAnswer {
     /// The name of the file that was read.
@@ -33,7 +33,8 @@ pub struct ConvertAnswer {
 }
 
 /// How much a file holds.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum ConvertCounts {
     /// A set of the plane.
@@ -43,7 +44,8 @@ pub enum ConvertCounts {
 }
 
 /// How much of a set of the plane a file holds.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SetCounts {
     /// The number of curves.
@@ -53,7 +55,8 @@ pub struct SetCounts {
 }
 
 /// How much of a model a file holds.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ModelCounts {
     /// The number of vertices.
@@ -69,7 +72,8 @@ pub struct ModelCounts {
 }
 
 /// What was repaired, by the vertices and polygons of the input.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MeshRepairAnswer {
     /// The edges in more than two faces that were split, each by its ends.
@@ -87,7 +91,8 @@ pub struct MeshRepairAnswer {
 }
 
 /// What was merged, left out and filled to make a surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SurfaceRepairAnswer {
     /// How many vertices were merged with another one.
@@ -218,7 +223,8 @@ impl ConvertAnswer {
 }
 
 /// The cells that triangles of a subdivision lie in, in the file of `convert --labels`.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct CarriersAnswer {
     /// For each vertex of the subdivision the cell that it is the middle of: a degree and a number.

@@ -2,11 +2,11 @@
 
 use super::Remark;
 use crate::{PlacedCover, SurfaceCover};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A part of a universal cover: copies of the surface cut to a disk, one for each element of the fundamental group.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CoverAnswer {
     /// The name of the input; absent for a model that was made in memory.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -40,7 +40,8 @@ pub struct CoverAnswer {
 }
 
 /// An orientation double cover: every face twice, so that neighbors agree.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DoubleCoverAnswer {
     /// The name of the input.
     pub file: String,

@@ -3,11 +3,11 @@
 use super::{Place, RefinementAnswer, Remark, RemarkCode, TreesAnswer};
 use crate::{CutComponent, PlacedPolygons, SurfaceCut};
 use coface_algebra::Word;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A surface cut open.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CutAnswer {
     /// The name of the input; absent for a model that was made in memory.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -34,7 +34,8 @@ pub struct CutAnswer {
 }
 
 /// Canonical polygons drawn as regular polygons.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LayoutAnswer {
     /// `polygon`: in the unit circle of the Euclidean plane; `klein`: in the disk of Klein, where geodesics are straight, so that the corners make
     /// one full turn together. Polygons of several components are 2.5 apart.
@@ -50,7 +51,8 @@ pub struct LayoutAnswer {
 }
 
 /// A path along which a surface was cut.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CutPath {
     /// `two-sided`, `one-sided` or `open`.
     pub kind: String,
@@ -59,7 +61,8 @@ pub struct CutPath {
 }
 
 /// One component after the cut.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CutPiece {
     /// The surface: before it was cut to a disk, or after it was cut along a path.
     pub surface: String,
@@ -77,7 +80,8 @@ pub struct CutPiece {
 }
 
 /// The disk that a component was cut to.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FundamentalDomain {
     /// The vertex where loops start, by its number in the file.
     pub base: u32,
@@ -96,7 +100,8 @@ pub struct FundamentalDomain {
 }
 
 /// A path of edges along which a component was cut.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SeamAnswer {
     /// The number among all seams, counted from 1.
     pub number: usize,

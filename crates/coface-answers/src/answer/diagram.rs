@@ -1,11 +1,11 @@
 //! The answers of `diagram`: distances of persistence diagrams, and diagrams as curves and images.
 
 use super::Remark;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// How far two persistence diagrams are from each other.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct DiagramDistanceAnswer {
     /// The names of the inputs.
@@ -25,7 +25,8 @@ pub struct DiagramDistanceAnswer {
 }
 
 /// How far the classes of one degree are from each other.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct DegreeDistance {
     /// The degree.
@@ -42,7 +43,8 @@ pub struct DegreeDistance {
 }
 
 /// A diagram as functions of the value: Betti curves, the Euler characteristic, landscapes, silhouettes.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct DiagramCurvesAnswer {
     /// The name of the input.
@@ -58,7 +60,8 @@ pub struct DiagramCurvesAnswer {
 }
 
 /// A function of the value.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct DiagramCurve {
     /// What it is: `degree 1`, `landscape 2 of degree 1`, `euler characteristic`.
@@ -68,7 +71,8 @@ pub struct DiagramCurve {
 }
 
 /// A persistence image.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct DiagramImageAnswer {
     /// The name of the input.

@@ -2,12 +2,12 @@
 
 use super::Remark;
 use super::arrange::DrawingInput;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 /// Features of maps united by the values of their properties.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct DissolveAnswer {
     /// The dimension of the space: 2.
@@ -27,7 +27,8 @@ pub struct DissolveAnswer {
 }
 
 /// The features that have the same values of the properties.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct DissolvedGroupAnswer {
     /// The values in the order of the properties; null for one that the features do not have.

@@ -2,11 +2,11 @@
 
 use super::Remark;
 use crate::EditRecord;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A surface that was edited.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct EditAnswer {
     /// The name of the input.
     pub file: String,

@@ -3,13 +3,13 @@
 use super::Remark;
 use coface_algebra::Error;
 use coface_io::Model;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::Producer;
 
 /// A model made by rule.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct GenerateAnswer {
     /// The numbers of cells of each dimension.

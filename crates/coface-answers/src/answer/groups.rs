@@ -2,7 +2,6 @@
 
 use coface_algebra::Integer;
 use coface_topology::AbelianGroup;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -14,7 +13,8 @@ use std::fmt;
 /// use coface_answers::answer::WholeNumber;
 /// assert_eq!(WholeNumber::from(&Integer::from(-3)), WholeNumber::Number(-3));
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum WholeNumber {
     /// An integer of at most 64 bits.
@@ -71,7 +71,8 @@ impl From<&Integer> for WholeNumber {
 /// let groups = HomologyGroup::list(&[AbelianGroup::new(1, vec![]), AbelianGroup::new(0, vec![2.into()])]);
 /// assert_eq!((groups[1].degree, groups[1].betti, groups[1].torsion.len()), (1, 0, 1));
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct HomologyGroup {
     /// The degree of the group.
@@ -102,7 +103,8 @@ impl HomologyGroup {
 }
 
 /// A finitely generated abelian group.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct GroupAnswer {
     /// The rank of the free part.
     pub betti: usize,

@@ -1,10 +1,10 @@
 //! What the halfedges of a surface point to.
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What a halfedge of a small surface points to, by the numbers of the file.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HalfedgePointers {
     /// The halfedge.
     pub halfedge: usize,

@@ -1,11 +1,11 @@
 //! The answers of `cycles --handles` and `cycles --fill-handles`.
 
 use super::{ClosedPath, Remark};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The handles of closed surfaces in space, each by a handle loop and a tunnel loop.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HandlesAnswer {
     /// The name of the input.
     pub file: String,
@@ -20,7 +20,8 @@ pub struct HandlesAnswer {
 }
 
 /// A handle: a handle loop and a tunnel loop that cross an odd number of times.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HandleAnswer {
     /// The component that it is on, from 0 in the order of the first vertices of components.
     pub component: usize,
@@ -35,7 +36,8 @@ pub struct HandleAnswer {
 }
 
 /// Where a loop on a closed surface in space bounds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum LoopKind {
     /// On the inside: it runs around a handle.
@@ -60,7 +62,8 @@ impl LoopKind {
 }
 
 /// Closed surfaces without their short handles, with what shows it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FilledHandlesAnswer {
     /// The name of the input.
     pub file: String,
@@ -79,7 +82,8 @@ pub struct FilledHandlesAnswer {
 }
 
 /// The size and the kind of a surface.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HandleCounts {
     /// The numbers of vertices, edges and triangles. Vertices in no triangle do not count.
     pub f_vector: [usize; 3],
@@ -96,7 +100,8 @@ pub struct HandleCounts {
 }
 
 /// A loop along which a surface was cut, and both rims filled.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FilledHandle {
     /// On which side the rims were filled: a handle on the inside, a tunnel on the outside.
     pub kind: LoopKind,
@@ -110,7 +115,8 @@ pub struct FilledHandle {
 }
 
 /// A loop that was not filled.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LeftHandle {
     /// Where it bounds.
     pub kind: LoopKind,

@@ -3,7 +3,6 @@
 use super::{GroupAnswer, HomologyGroup, Remark, WholeNumber};
 use coface_io::Group;
 use coface_topology::{AbelianGroup, Coefficients, HomologyMap};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A term of a chain or cochain: a coefficient and a cell by its vertices.
@@ -12,7 +11,8 @@ pub type ChainTerm = (WholeNumber, Vec<u64>);
 pub type RealTerm = (f64, Vec<u32>);
 
 /// Homology or cohomology groups, and what else was asked about them.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HomologyAnswer {
     /// The name of the input.
     pub file: String,
@@ -93,7 +93,8 @@ impl HomologyAnswer {
 }
 
 /// A generator as a physical group of a mesh.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PhysicalGroup {
     /// The degree of the generator: the dimension of the elements.
     pub degree: usize,
@@ -121,14 +122,16 @@ impl PhysicalGroup {
 }
 
 /// Generators alone, as they are written to a file.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct GeneratorsFile {
     /// For each degree generators of the group.
     pub generators: Vec<Vec<GeneratorAnswer>>,
 }
 
 /// How a complex was cut into parts.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PartsAnswer {
     /// The number of parts.
     pub count: u32,
@@ -143,7 +146,8 @@ pub struct PartsAnswer {
 }
 
 /// One level of merging.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LevelAnswer {
     /// The number of parts.
     pub parts: u32,
@@ -160,7 +164,8 @@ pub struct LevelAnswer {
 }
 
 /// A generator of a homology or cohomology group.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct GeneratorAnswer {
     /// The order of its class; 0 is infinite.
     pub order: WholeNumber,
@@ -174,7 +179,8 @@ pub struct GeneratorAnswer {
 }
 
 /// The class of a cycle, and whether it bounds.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CycleClass {
     /// The degree of the cycle.
     pub degree: usize,
@@ -196,7 +202,8 @@ pub struct CycleClass {
 }
 
 /// The long exact sequence of a pair. Columns of maps are images of generators; a map that is not there is `null`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SequenceAnswer {
     /// The homology of the subcomplex.
     pub subcomplex: Vec<HomologyGroup>,
@@ -218,7 +225,8 @@ pub struct SequenceAnswer {
 }
 
 /// A map of a long exact sequence.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SequenceMap {
     /// `inclusion`, `projection` or `connecting`.
@@ -251,7 +259,8 @@ impl SequenceMap {
 }
 
 /// Cup products of a basis of degree p with one of degree q, in a basis of degree p + q.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CupProducts {
     /// The degrees p and q.
     pub degrees: [usize; 2],
@@ -272,7 +281,8 @@ pub struct CupProducts {
 }
 
 /// The intersection form of a closed oriented manifold of even dimension.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct IntersectionFormAnswer {
     /// The rank.
     pub rank: usize,
@@ -295,7 +305,8 @@ pub struct IntersectionFormAnswer {
 }
 
 /// A harmonic cochain.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HarmonicCochain {
     /// Its values.
     pub chain: Vec<RealTerm>,
@@ -308,7 +319,8 @@ pub struct HarmonicCochain {
 }
 
 /// The Hodge decomposition of a cochain.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HodgeParts {
     /// The degree of the cochain.
     pub degree: usize,
@@ -323,7 +335,8 @@ pub struct HodgeParts {
 }
 
 /// The norms of a cochain and the parts of its Hodge decomposition.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HodgeNorms {
     /// Of the cochain.
     pub cochain: f64,
@@ -336,7 +349,8 @@ pub struct HodgeNorms {
 }
 
 /// The maps on homology that a simplicial map induces.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct InducedMaps {
     /// The name of the target.
     pub target: String,
@@ -345,7 +359,8 @@ pub struct InducedMaps {
 }
 
 /// The map of one degree.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct InducedMap {
     /// The degree.
     pub degree: usize,

@@ -1,12 +1,12 @@
 //! The answer of `incidence`: an operator between cells.
 
 use super::Remark;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// An operator between the cells of a model: a sparse matrix.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct IncidenceAnswer {
     /// The name of the input.
     pub file: String,

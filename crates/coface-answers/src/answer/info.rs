@@ -4,11 +4,11 @@ use super::{HalfedgePointers, HomologyGroup, MapRepairAnswer, Remark};
 use crate::{DrawnFault, DrawnPlace, DrawnPolygons, GeometryFacts, Problem, Report};
 use coface_arrange::spatial::checks::{Fault, FaultPlace, GeometryFaults};
 use coface_complexes::surface::{SurfaceComponent, SurfaceType};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The report on one model. A notion that does not apply is `null`. Lengths, areas and volumes are in the unit of the file.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct InfoAnswer {
     /// The name of the input; absent for a model that was made in memory.
@@ -91,7 +91,8 @@ pub struct InfoAnswer {
 }
 
 /// The reference system that the file of a map names.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ReferenceAnswer {
     /// Its number, such as 25832 of EPSG; `null` if it has none.
@@ -101,7 +102,8 @@ pub struct ReferenceAnswer {
 }
 
 /// How many cells have a shape.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct CellsOfShape {
     /// The shape, such as `triangle`.
@@ -111,7 +113,8 @@ pub struct CellsOfShape {
 }
 
 /// Whether a model is a manifold, with or without boundary.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ManifoldAnswer {
     /// `yes`, `no` or `unknown`.
@@ -123,7 +126,8 @@ pub struct ManifoldAnswer {
 }
 
 /// Cells that show why a model is no manifold.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct WitnessAnswer {
     /// What sort of witness this is.
@@ -135,7 +139,8 @@ pub struct WitnessAnswer {
 }
 
 /// The boundary of a volume.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BoundarySurface {
     /// The number of its faces.
@@ -151,7 +156,8 @@ pub struct BoundarySurface {
 }
 
 /// A connected component of a model of polygons.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SurfaceAnswer {
     /// The numbers of its vertices, edges and faces.
@@ -169,7 +175,8 @@ pub struct SurfaceAnswer {
 }
 
 /// Mass properties of a solid of density 1.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MassAnswer {
     /// The volume; `null` beyond the range of floating point.
@@ -181,7 +188,8 @@ pub struct MassAnswer {
 }
 
 /// The integrals of a monomial x^a y^b z^c.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MomentAnswer {
     /// The exponents a, b, c.
@@ -193,7 +201,8 @@ pub struct MomentAnswer {
 }
 
 /// Named numbers on the cells of a model.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct DataAnswer {
     /// The name.
@@ -210,7 +219,8 @@ pub struct DataAnswer {
 }
 
 /// A named set of vertices, lines, polygons or cells of a model: an object of an OBJ, a solid of an STL, a physical group of Gmsh.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct NamedGroup {
     /// The name, or the number, that the file gives it; one of polygons is read alone as `FILE#name`.
@@ -222,7 +232,8 @@ pub struct NamedGroup {
 }
 
 /// One sort of fault with its places.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ProblemAnswer {
     /// What sort of fault it is, such as `nonmanifold_edge`.
@@ -238,7 +249,8 @@ pub struct ProblemAnswer {
 }
 
 /// Whether the faces of a model are sound in space.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct GeometryAnswer {
     /// Whether the faces were checked.
@@ -258,7 +270,8 @@ pub struct GeometryAnswer {
 }
 
 /// One code of faults of faces in space.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct GeometryFaultAnswer {
     /// The code of ISO 19107, from 101 to 405.
@@ -278,7 +291,8 @@ pub struct GeometryFaultAnswer {
 }
 
 /// Where a fault of faces in space is.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct GeometryPlace {
     /// The faces of the file, from 0.
@@ -329,7 +343,8 @@ impl GeometryAnswer {
 }
 
 /// Whether the polygons with rings of a drawing are valid: those of one geometry together, as OGC's Simple feature access says.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct DrawnPolygonsAnswer {
     /// The number of polygons.
@@ -345,7 +360,8 @@ pub struct DrawnPolygonsAnswer {
 }
 
 /// One kind of fault of polygons of a drawing.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct DrawnFaultAnswer {
     /// The word for it, such as `ring_crosses_itself`.
@@ -361,7 +377,8 @@ pub struct DrawnFaultAnswer {
 }
 
 /// Where a polygon of a drawing is not valid.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct DrawnPlaceAnswer {
     /// A point of the place, rounded.
@@ -401,14 +418,16 @@ impl DrawnPolygonsAnswer {
 }
 
 /// The reports on several inputs.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct InfoReports {
     /// One entry for each input, in their order.
     pub reports: Vec<InfoEntry>,
 }
 
 /// The report on one of several inputs, or why there is none.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum InfoEntry {
     /// The report.
@@ -418,7 +437,8 @@ pub enum InfoEntry {
 }
 
 /// An input that cannot be served.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FailedInput {
     /// The name of the input.
     pub file: String,

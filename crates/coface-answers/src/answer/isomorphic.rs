@@ -1,11 +1,11 @@
 //! The answer of `isomorphic`: whether two triangulations differ by names alone.
 
 use super::Remark;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Whether two triangulations are the same under other names.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct IsomorphicAnswer {
     /// The names of the two inputs.
     pub files: [String; 2],

@@ -1,11 +1,11 @@
 //! The answers of `loops`, `cycles`, `homotopic` and `subgroups`.
 
 use super::{ClosedPath, GroupAnswer, GroupCounts, Remark, WalkAnswer, WalkPair};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Loops that generate the fundamental group of each component.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LoopsAnswer {
     /// The name of the input.
     pub file: String,
@@ -21,7 +21,8 @@ pub struct LoopsAnswer {
 }
 
 /// The loops of one component.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LoopsComponent {
     /// The vertex where loops start and end, by its number in the file.
     pub base: u32,
@@ -34,7 +35,8 @@ pub struct LoopsComponent {
 }
 
 /// The edges of a small complex by what they are in a tree-cotree decomposition, each by its vertices.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct TreesAnswer {
     /// The edges of the spanning trees of vertices.
@@ -46,7 +48,8 @@ pub struct TreesAnswer {
 }
 
 /// Short closed paths on a surface.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CyclesAnswer {
     /// The name of the input.
     pub file: String,
@@ -63,7 +66,8 @@ pub struct CyclesAnswer {
 }
 
 /// Closed walks on a surface compared with each other.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HomotopicAnswer {
     /// The name of the input.
     pub file: String,
@@ -78,7 +82,8 @@ pub struct HomotopicAnswer {
 }
 
 /// The group that the words of walks on a component are in.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HomotopicComponent {
     /// The vertex where loops start and end, by its number in the file.
     pub base: u32,
@@ -89,7 +94,8 @@ pub struct HomotopicComponent {
 }
 
 /// The numbers of subgroups of the fundamental group of each component.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SubgroupsAnswer {
     /// The name of the input.
     pub file: String,
@@ -102,7 +108,8 @@ pub struct SubgroupsAnswer {
 }
 
 /// The numbers of one component.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SubgroupsComponent {
     /// The vertex where loops start and end, by its number in the file.
     pub base: u32,

@@ -1,11 +1,11 @@
 //! What `map` answers: a map changed feature by feature, or what is wrong with it.
 
 use super::{DrawingInput, DrawnFaultAnswer, Remark};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A map that was changed or examined.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MapAnswer {
     /// What was done: repair, buffer, clip, node, polygonize, simplify or coverage.
@@ -40,7 +40,8 @@ pub struct MapAnswer {
 }
 
 /// How much a map has.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MapCounts {
     /// The number of features, those that draw nothing included.
@@ -58,7 +59,8 @@ pub struct MapCounts {
 }
 
 /// Polygons that were made valid.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MapRepairAnswer {
     /// What decided what is inside: structure or linework.
@@ -82,7 +84,8 @@ pub struct MapRepairAnswer {
 }
 
 /// Arcs as straight lines.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BufferArcsAnswer {
     /// The distance.
@@ -94,7 +97,8 @@ pub struct BufferArcsAnswer {
 }
 
 /// Edges that bound no face.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PolygonizeAnswer {
     /// The number of edges that hang on the rest at one end or at none.
@@ -104,7 +108,8 @@ pub struct PolygonizeAnswer {
 }
 
 /// A map with fewer vertices.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SimplificationAnswer {
     /// How far a border may be from where it was.
@@ -120,7 +125,8 @@ pub struct SimplificationAnswer {
 }
 
 /// Whether polygons are a coverage.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MapCoverageAnswer {
     /// Whether polygons do not overlap, common borders have the same vertices on both sides, and no gap is too narrow.
@@ -136,7 +142,8 @@ pub struct MapCoverageAnswer {
 }
 
 /// A part of the plane that several features contain.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct OverlapAnswer {
     /// The features, numbered from 0.
@@ -148,7 +155,8 @@ pub struct OverlapAnswer {
 }
 
 /// A bounded part of the plane that no feature contains.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct GapAnswer {
     /// The features around it, numbered from 0.

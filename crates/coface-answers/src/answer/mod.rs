@@ -4,7 +4,7 @@
 //! and its unit. Every answer has `remarks`: what was assumed or left out on the way, each a [`Remark`] with a
 //! [`RemarkCode`] that programs can match on.
 //!
-//! [`schema()`] describes all of them as one JSON schema; the file `docs/answers.schema.json` is its output.
+//! With the feature `schema` the function `schema` describes all of them as one JSON schema; the file `docs/answers.schema.json` is its output.
 
 mod arrange;
 mod batch;
@@ -34,6 +34,7 @@ mod pi1;
 mod picture;
 mod refinement;
 mod remark;
+#[cfg(feature = "schema")]
 mod schema;
 mod shards;
 mod signatures;
@@ -111,8 +112,8 @@ pub use picture::{BlockAnswer, MatrixAnswer, RenderAnswer, SchemaAnswer};
 pub(crate) use remark::remarks_of_file;
 pub use remark::{Place, Remark, RemarkCode};
 #[doc(hidden)]
-pub use schema::reprinted;
-pub use schema::schema;
+#[cfg(feature = "schema")]
+pub use schema::{reprinted, schema};
 pub use shards::{ReduceAnswer, ReducedShard, ShardAnswer};
 pub use signatures::{PresentedGroup, SignatureAnswer, SpaceAnswer};
 pub use simplices::SimplicesAnswer;

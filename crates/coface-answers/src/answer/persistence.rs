@@ -1,11 +1,11 @@
 //! The answer of `persistence`: a diagram.
 
 use super::{ChainTerm, Remark};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Persistent homology of a function on a complex.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PersistenceAnswer {
     /// The name of the input.
     pub file: String,
@@ -31,7 +31,8 @@ pub struct PersistenceAnswer {
 }
 
 /// A homology class that is born and dies, or stays.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PersistencePairAnswer {
     /// The degree of the class.
     pub degree: usize,

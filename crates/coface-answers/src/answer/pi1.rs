@@ -1,12 +1,12 @@
 //! The answer of `pi1`: fundamental groups.
 
 use super::{GroupAnswer, Remark};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// The fundamental group of each component, by generators and relators.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Pi1Answer {
     /// The name of the input.
     pub file: String,
@@ -28,7 +28,8 @@ pub struct Pi1Answer {
 }
 
 /// The fundamental group of one component.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Pi1Component {
     /// The vertex where loops start and end, by its number in the file.
     pub base: u32,
@@ -49,7 +50,8 @@ pub struct Pi1Component {
 }
 
 /// Numbers that distinguish groups.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct GroupCounts {
     /// The numbers of subgroups of index 1, 2, ...; `null` if they take too long to count.
     pub subgroups: Option<Vec<SubgroupCount>>,
@@ -58,7 +60,8 @@ pub struct GroupCounts {
 }
 
 /// The number of subgroups of one index.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SubgroupCount {
     /// The index.
     pub index: usize,
@@ -69,7 +72,8 @@ pub struct SubgroupCount {
 }
 
 /// The number of homomorphisms to a finite group.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HomomorphismAnswer {
     /// All of them.
     pub all: u64,
@@ -78,7 +82,8 @@ pub struct HomomorphismAnswer {
 }
 
 /// A closed path with its length.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ClosedPath {
     /// The length in the unit of the file, or the number of edges without positions.
     pub length: f64,
@@ -87,7 +92,8 @@ pub struct ClosedPath {
 }
 
 /// What is known of a closed walk on a surface.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct WalkAnswer {
     /// The number of its edges.
     pub steps: usize,
@@ -104,7 +110,8 @@ pub struct WalkAnswer {
 }
 
 /// Two walks compared.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct WalkPair {
     /// The numbers of the two walks, counted from 0.
     pub walks: [usize; 2],

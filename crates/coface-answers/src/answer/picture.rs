@@ -1,11 +1,11 @@
 //! What `render` answers: the picture that was written.
 
 use super::Remark;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A still picture.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct RenderAnswer {
     /// The name of the file that is shown.
@@ -25,7 +25,8 @@ pub struct RenderAnswer {
 }
 
 /// A boundary matrix in blocks.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MatrixAnswer {
     /// The degree of the cells of columns; rows are cells of the degree below.
@@ -39,7 +40,8 @@ pub struct MatrixAnswer {
 }
 
 /// A block of rows or columns of a matrix.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BlockAnswer {
     /// What its cells are.
     pub name: String,
@@ -48,7 +50,8 @@ pub struct BlockAnswer {
 }
 
 /// A polygon whose sides are glued by letters.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SchemaAnswer {
     /// The letters of its sides, counterclockwise: `a b a^-1 b^-1`.

@@ -1,10 +1,10 @@
 //! What was added to a surface that was refined.
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A surface that was refined.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RefinementAnswer {
     /// The numbers of vertices, edges and faces of the refined surface, before it is cut.
     pub f_vector: Vec<usize>,
@@ -13,7 +13,8 @@ pub struct RefinementAnswer {
 }
 
 /// A vertex that was added to a surface, on an edge or in a face.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RefinedVertex {
     /// Its number: those of the file come first.
     pub vertex: u32,

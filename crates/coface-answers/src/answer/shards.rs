@@ -1,11 +1,11 @@
 //! The answers of `shard` and `reduce`.
 
 use super::Remark;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A complex cut into files.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ShardAnswer {
     /// The name of the input.
     pub file: String,
@@ -24,7 +24,8 @@ pub struct ShardAnswer {
 }
 
 /// Shards that were reduced to their critical cells.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ReduceAnswer {
     /// One entry for each shard.
     pub reduced: Vec<ReducedShard>,
@@ -33,7 +34,8 @@ pub struct ReduceAnswer {
 }
 
 /// What is left of one shard.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ReducedShard {
     /// The file that was written.
     pub file: String,

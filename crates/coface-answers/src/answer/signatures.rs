@@ -2,12 +2,12 @@
 
 use super::{GroupAnswer, HomologyGroup};
 use coface_topology::NamedSpace;
-use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize};
 
 /// What is known of the gluing table of a signature. Ideal vertices are cut off unless they are taken as points: manifold, homology
 /// and groups are those of the space with boundary that is left.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SignatureAnswer {
     /// The numbers of vertices, edges, triangles and tetrahedra of the triangulation.
@@ -42,7 +42,8 @@ fn there<'de, D: Deserializer<'de>>(value: D) -> Result<Option<Option<SpaceAnswe
 }
 
 /// A fundamental group in a row, by a presentation that was simplified.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PresentedGroup {
     /// The group in words; `null` if it is not recognized, which says nothing.
@@ -56,7 +57,8 @@ pub struct PresentedGroup {
 }
 
 /// Which 3-manifold a space is, up to homeomorphism that may reverse orientation.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SpaceAnswer {
     /// The name: `S3`, `RP3`, `L(8,3)`, `S2 x S1`, `SFS [S2: (2,1) (3,1) (5,-4)]`, ...

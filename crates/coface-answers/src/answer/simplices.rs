@@ -2,11 +2,11 @@
 
 use super::Remark;
 use coface_complexes::simplicial::{Simplex, SimplexSet};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A set of simplices of a complex.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SimplicesAnswer {
     /// The name of the input.
     pub file: String,

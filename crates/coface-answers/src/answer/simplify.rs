@@ -1,11 +1,11 @@
 //! The answer of `simplify`: a 3-manifold with fewer tetrahedra.
 
 use super::{HomologyGroup, Remark};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A triangulated 3-manifold that was simplified by moves.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SimplifyAnswer {
     /// The name of the input.

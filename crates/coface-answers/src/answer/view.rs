@@ -1,11 +1,11 @@
 //! The answer of `view`: a page.
 
 use super::Remark;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A page that shows a model.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ViewAnswer {
     /// The name of the input.
     pub file: String,
@@ -24,7 +24,8 @@ pub struct ViewAnswer {
 }
 
 /// A layer over the model.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LayerAnswer {
     /// Layers of one group stand together, such as `homology` or `boundary`.
     pub group: String,

@@ -1,11 +1,11 @@
 //! What the verbs of `yin` answer: regular sets of the plane with curved boundaries.
 
 use super::Remark;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A set of the plane.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinSetAnswer {
     /// Whether it is the empty set.
@@ -39,7 +39,8 @@ pub struct YinSetAnswer {
 }
 
 /// A curve of a boundary.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinCurve {
     /// 1 if it runs counterclockwise, -1 if it runs clockwise.
@@ -63,7 +64,8 @@ pub struct YinCurve {
 }
 
 /// The answer of `yin info`.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinInfoAnswer {
     /// The name of the file.
@@ -81,7 +83,8 @@ impl YinInfoAnswer {
 }
 
 /// The answer of `yin complement`, `meet`, `join`, `difference`, `xor` and `combine`.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinCombinationAnswer {
     /// The names of the inputs.
@@ -114,7 +117,8 @@ impl YinCombinationAnswer {
 pub type YinPieceSource = (u32, u32, u32, f64, f64);
 
 /// A decision of a combination that was taken without proof.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinDecision {
     /// Where.
@@ -126,7 +130,8 @@ pub struct YinDecision {
 }
 
 /// Where the boundary of a combination comes from.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinProvenance {
     /// For each curve of the result the source of each of its pieces.
@@ -134,7 +139,8 @@ pub struct YinProvenance {
 }
 
 /// The answer of `yin kinks`.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinKinksAnswer {
     /// The name of the file.
@@ -157,7 +163,8 @@ impl YinKinksAnswer {
 }
 
 /// A kink with its place.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinKinkPoint {
     /// Its name.
@@ -184,7 +191,8 @@ impl YinKinkPoint {
 }
 
 /// The answer of `yin compare`.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinComparisonAnswer {
     /// The names of the inputs.
@@ -221,7 +229,8 @@ pub struct YinComparisonAnswer {
 }
 
 /// The answer of `yin cut-cells`.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinCutCellsAnswer {
     /// The name of the file.
@@ -250,7 +259,8 @@ pub struct YinCutCellsAnswer {
 }
 
 /// A Cartesian grid.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct GridAnswer {
     /// Its lower left corner.
@@ -262,7 +272,8 @@ pub struct GridAnswer {
 }
 
 /// How much of a cell is in a set.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum CoverageAnswer {
     /// All of it.
@@ -290,7 +301,8 @@ impl CoverageAnswer {
 }
 
 /// A cell of a grid that has some of a set or of its boundary.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct CutCellAnswer {
     /// The column, from 0 at the left.
@@ -306,7 +318,8 @@ pub struct CutCellAnswer {
 }
 
 /// The answer of `yin advect`.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinAdvectAnswer {
     /// The name of the file.
@@ -335,7 +348,8 @@ pub struct YinAdvectAnswer {
 }
 
 /// A curve that vanished.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct VanishedAnswer {
     /// When it vanished.
@@ -345,7 +359,8 @@ pub struct VanishedAnswer {
 }
 
 /// A step in which a boundary that met itself was cut and pasted.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinRepairAnswer {
     /// The step, counted from the beginning.

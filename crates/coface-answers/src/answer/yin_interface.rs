@@ -1,11 +1,11 @@
 //! The answer of `yin interface`.
 
 use super::Remark;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The answer of `yin interface`.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinInterfaceAnswer {
     /// The names of the files.
@@ -27,7 +27,8 @@ pub struct YinInterfaceAnswer {
 }
 
 /// A phase of an interface.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinPhaseAnswer {
     /// The name: of the feature, or of the file.
@@ -45,7 +46,8 @@ pub struct YinPhaseAnswer {
 }
 
 /// What phases have in common.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinNeighborAnswer {
     /// The number of the other phase; null for what is in no phase.
@@ -57,7 +59,8 @@ pub struct YinNeighborAnswer {
 }
 
 /// An edge of an interface.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinEdgeAnswer {
     /// The vertices at its start and at its end.
@@ -79,7 +82,8 @@ pub struct YinEdgeAnswer {
 }
 
 /// A junction of an interface.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinJunctionAnswer {
     /// Its vertex.
@@ -99,7 +103,8 @@ pub struct YinJunctionAnswer {
 }
 
 /// The type of a junction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum JunctionKind {
     /// Three edges, none of which goes on smoothly into another.

@@ -1,11 +1,11 @@
 //! What the verbs of `yin` answer about places on and around a boundary.
 
 use super::{Remark, YinSetAnswer};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The answer of `yin locate`.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinLocateAnswer {
     /// The name of the file.
@@ -23,7 +23,8 @@ pub struct YinLocateAnswer {
 }
 
 /// Where a point lies of a set.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum YinLocation {
     /// In the set.
@@ -51,7 +52,8 @@ impl YinLocation {
 }
 
 /// A point, and the point of a boundary that is nearest to it.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinLocatedPoint {
     /// The point.
@@ -71,7 +73,8 @@ pub struct YinLocatedPoint {
 }
 
 /// The answer of `yin sample`.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinSampleAnswer {
     /// The name of the file.
@@ -83,7 +86,8 @@ pub struct YinSampleAnswer {
 }
 
 /// A point of a boundary.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinBoundarySample {
     /// The curve.
@@ -103,7 +107,8 @@ pub struct YinBoundarySample {
 }
 
 /// The answer of `yin curvature`.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinCurvatureAnswer {
     /// The name of the file.
@@ -115,7 +120,8 @@ pub struct YinCurvatureAnswer {
 }
 
 /// How a curve bends.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinCurveBend {
     /// The curve.
@@ -131,7 +137,8 @@ pub struct YinCurveBend {
 }
 
 /// A place on a curve, and what is known there.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinBendPlace {
     /// The piece of the curve.
@@ -145,7 +152,8 @@ pub struct YinBendPlace {
 }
 
 /// The answer of `yin validate`.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinValidationAnswer {
     /// The name of the file.
@@ -164,7 +172,8 @@ pub struct YinValidationAnswer {
 }
 
 /// What is wrong with a boundary.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinFaultAnswer {
     /// What it is.
@@ -178,7 +187,8 @@ pub struct YinFaultAnswer {
 }
 
 /// A kind of fault of a boundary.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum YinFaultKind {
     /// A curve does not end where it begins.
@@ -202,7 +212,8 @@ pub enum YinFaultKind {
 }
 
 /// A knot that is no kink, where a curve turns.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinRoughKnot {
     /// The curve.
@@ -216,7 +227,8 @@ pub struct YinRoughKnot {
 }
 
 /// The answer of `yin normalize`.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinNormalizeAnswer {
     /// The name of the file.

@@ -1,11 +1,11 @@
 //! The answer of `yin compare --series`.
 
 use super::Remark;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The answer of `yin compare --series`.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinSeriesAnswer {
     /// The name of the set that the others are compared with.
@@ -17,7 +17,8 @@ pub struct YinSeriesAnswer {
 }
 
 /// How far a set of a series is from the one that it is compared with.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct YinSeriesRow {
     /// The name of the file.

@@ -1,7 +1,6 @@
 //! One edit of a surface.
 
 use coface_algebra::Error;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
@@ -17,7 +16,8 @@ use std::str::FromStr;
 /// assert!("3 5 6".parse::<CellName>().is_err());
 /// # Ok(()) }
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum CellName {
     /// Its number.
@@ -69,7 +69,8 @@ impl FromStr for CellName {
 }
 
 /// A local change of a surface that keeps its homeomorphism type.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "op", rename_all = "snake_case")]
 pub enum Edit {
     /// Turns an edge by one corner counterclockwise: between two triangles, the other diagonal.
@@ -134,7 +135,8 @@ pub enum Edit {
 }
 
 /// An edit that was done, and how it is undone.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct EditRecord {
     /// What was done.
     #[serde(flatten)]

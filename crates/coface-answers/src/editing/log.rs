@@ -1,11 +1,11 @@
 //! What is written of edits, so that they can be undone.
 
 use super::EditRecord;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A surface before it was edited, and what was done to it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct EditLog {
     /// The surface before the first edit.
     pub before: EditorState,
@@ -14,7 +14,8 @@ pub struct EditLog {
 }
 
 /// A surface as it is edited.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum EditorState {
     /// Permutations of halfedges.

@@ -6,6 +6,6 @@ fn the_committed_schema_is_that_of_the_types() {
     assert!(
         committed == coface_answers::answer::schema(),
         "docs/answers.schema.json is not up to date: \
-         cargo run -p coface-answers --example schema > docs/answers.schema.json"
+         cargo run -p coface-answers --features schema --example schema > docs/answers.schema.json"
     );
 }

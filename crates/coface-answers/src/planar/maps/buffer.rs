@@ -262,7 +262,9 @@ impl Strips {
                 let part = (limit - cosine) / sine;
                 let ends = [(n, first.along), (m, minus(second.along))]
                     .map(|(normal, along)| plus(plus(corner, normal), along.map(|x| x * part)));
-                pieces.push(vec![[corner, plus(corner, n), ends[0], ends[1], plus(corner, m)].map(at).to_vec()]);
+                pieces.push(vec![
+                    [corner, plus(corner, n), ends[0], ends[1], plus(corner, m)].map(at).to_vec(),
+                ]);
             }
             _ => pieces.push(vec![[corner, plus(corner, n), plus(corner, m)].map(at).to_vec()]),
         }

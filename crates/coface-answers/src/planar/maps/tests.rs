@@ -120,7 +120,10 @@ fn buffers_of_squares_and_lines_have_the_areas_of_formulas() {
     let area = |model: &Model, options: BufferOptions| after(model, &MapTask::Buffer(options)).0.measure;
     assert_eq!(area(&square, BufferOptions::new(0.5).joins(BufferJoins::Mitre(5.0))), 25.0 - 1.0);
     // Cut off at the limit, as high as the diagonal of a unit square less 1.
-    let cut = area(&read("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))"), BufferOptions::new(1.0).joins(BufferJoins::Mitre(1.0)));
+    let cut = area(
+        &read("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))"),
+        BufferOptions::new(1.0).joins(BufferJoins::Mitre(1.0)),
+    );
     assert!((cut - (36.0 - 4.0 * (2f64.sqrt() - 1.0).powi(2))).abs() < 1e-12);
     assert_eq!(area(&square, BufferOptions::new(0.5).joins(BufferJoins::Bevel)), 25.0 - 4.0 * 0.125 - 1.0);
     assert_eq!(area(&square, BufferOptions::new(2.0).joins(BufferJoins::Mitre(5.0))), 64.0);
