@@ -3,7 +3,8 @@
 //!
 //! A certificate has the exact vertices, and for each segment of the inputs the vertices along it. [`check`] tests that these are an
 //! arrangement: each segment is covered, and a sweep finds no two edges that cross. Faces, winding numbers and areas it finds by
-//! itself, and compares them with the answer. Certificates of other kinds it hands to [`coface_check`]. `docs/certificates.md` has each
+//! itself, and compares them with the answer. Certificates of other kinds it hands to [`coface_check_persistence`], which hands those
+//! of homology and reports to [`coface_check`]. `docs/certificates.md` has each
 //! rule and why it proves the claim.
 
 mod area;
@@ -50,6 +51,6 @@ pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     match text(field(&whole, "kind", "certificate")?, "\"kind\"", "certificate")? {
         "arrangement" => claims::check(&whole, inputs),
         "boolean" => boolean::check(&whole, inputs),
-        _ => coface_check::check(certificate, inputs),
+        _ => coface_check_persistence::check(certificate, inputs),
     }
 }

@@ -156,6 +156,20 @@ impl Complex {
         self.columns[degree - 1].get(cell)
     }
 
+    /// The vertices of a cell: rising those of a simplex, around those of a polygon; `None` where cells have numbers alone.
+    ///
+    /// # Panics
+    /// If there is no such cell.
+    ///
+    /// # Examples
+    /// ```
+    /// let triangle = coface_check::Complex::read(b"[[0, 1, 2]]").expect("a facet list");
+    /// assert_eq!(triangle.vertices(1, 2), Some(&[1, 2][..]));
+    /// ```
+    pub fn vertices(&self, degree: usize, cell: usize) -> Option<&[u32]> {
+        Some(self.names.as_ref()?[degree].get(cell))
+    }
+
     /// The cells by their vertices, where they have such names.
     pub(crate) fn names(&self) -> Option<&Names> {
         self.names.as_ref()

@@ -103,7 +103,13 @@ fn divisor_chain(mut orders: Vec<IBig>) -> Vec<IBig> {
     orders
 }
 
-fn is_prime(p: u32) -> bool {
+/// Whether a number is prime.
+///
+/// # Examples
+/// ```
+/// assert!(coface_check::is_prime(7) && !coface_check::is_prime(1));
+/// ```
+pub fn is_prime(p: u32) -> bool {
     p >= 2
         && (2..)
             .take_while(|d| u64::from(*d) * u64::from(*d) <= u64::from(p))

@@ -7,8 +7,8 @@ use crate::work::run;
 use coface::Error;
 use coface::algebra::ErrorKind;
 use coface::answers::{
-    ArrangementRequest, BooleanRequest, DrawingArrangement, HomologyRequest, PlanarDrawing, RegionBoolean,
-    RegionSource, RelativeTo, Report, ReportRequest,
+    ArrangementRequest, BooleanRequest, DrawingArrangement, Growth, HomologyRequest, PersistenceRequest,
+    PlanarDrawing, Producer, RegionBoolean, RegionSource, RelativeTo, Report, ReportRequest, VertexFunction,
 };
 use coface::io::{Format, read_path};
 use pyo3::prelude::*;
@@ -38,7 +38,7 @@ pub(crate) fn _certificate(
         "info" => true,
         _ => {
             let message = format!("no answer is called {of:?}");
-            return Err(invalid(py, message, "give of=\"homology\" or of=\"info\""));
+            return Err(invalid(py, message, "give of=\"homology\", \"info\" or \"persistence\""));
         }
     };
     run(py, progress, || {
@@ -73,6 +73,56 @@ pub(crate) fn _certificate(
             .certified(true);
         request.found(&name, model)?.certificate(&inputs)
     })
+}
+
+/// The certificate of a persistence diagram of a complex in a file, as text.
+#[pyfunction]
+#[pyo3(signature = (path, coefficients, function, upper_star, min_persistence, progress=None))]
+pub(crate) fn _persistence_certificate(
+    py: Python<'_>,
+    path: PathBuf,
+    coefficients: &Bound<'_, PyAny>,
+    function: Option<Function>,
+    upper_star: bool,
+    min_persistence: f64,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<String> {
+    let coefficients = ring(coefficients)?;
+    let function = match function {
+        None => None,
+        Some(Function::Values(values)) => {
+            Some(VertexFunction::Values { place: "function".to_owned(), values })
+        }
+        Some(Function::Coordinate(name)) => match ["x", "y", "z"].iter().position(|axis| *axis == name) {
+            Some(axis) => Some(VertexFunction::Coordinate(axis)),
+            None => {
+                let message = format!("no coordinate is called {name:?}");
+                return Err(invalid(
+                    py,
+                    message,
+                    "give function=\"x\", \"y\" or \"z\", or a number for each vertex",
+                ));
+            }
+        },
+    };
+    let growth = if upper_star { Growth::Upper(function) } else { Growth::Lower(function) };
+    run(py, progress, || {
+        let name = path.display().to_string();
+        let producer = Producer::of(read_path(&path, None)?)?;
+        let bytes = content(&path)?;
+        let request = PersistenceRequest::new()
+            .coefficients(coefficients)
+            .growth(growth)
+            .min_persistence(min_persistence);
+        request.found(&name, &producer)?.certificate(&[(&name, &bytes)])
+    })
+}
+
+/// A function on vertices.
+#[derive(FromPyObject)]
+pub(crate) enum Function {
+    Coordinate(String),
+    Values(Vec<f64>),
 }
 
 /// The certificate of an arrangement of drawings in files, or with an operation of a Boolean, as text.

@@ -20,7 +20,8 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("coface-arrange", &["coface-algebra", "coface-geometry"]),
     ("coface-yin", &["coface-algebra", "coface-geometry", "coface-complexes", "coface-arrange"]),
     ("coface-check", &[]),
-    ("coface-check-plane", &["coface-check"]),
+    ("coface-check-persistence", &["coface-check"]),
+    ("coface-check-plane", &["coface-check", "coface-check-persistence"]),
     ("coface-io", &["coface-algebra", "coface-geometry", "coface-complexes", "coface-arrange", "coface-yin"]),
     (
         "coface-answers",
@@ -33,6 +34,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "coface-yin",
             "coface-io",
             "coface-check",
+            "coface-check-persistence",
             "coface-check-plane",
         ],
     ),

@@ -80,14 +80,7 @@ impl TriangleSurface {
     }
 
     fn turn_to_agree(&mut self, map: &GeneralizedMap) -> Result<(), Error> {
-        if let Some(side) = map.sides().find(|&side| map.mate(side).is_none()) {
-            let ends = map.skeleton().edge(map.edge(side)).map(|end| self.number_of(end.to_u32()));
-            return Err(Error::new(
-                ErrorKind::NonManifold,
-                format!("edge {} {} lies in one face only: an open surface has no inside", ends[0], ends[1]),
-            )
-            .with_cure("close it first: coface convert INPUT --repair closed -o OUT.off"));
-        }
+        // A surface with one side cannot be closed to one that has an inside.
         let turned = map.orientation();
         if let Some(edge) = turned.conflicts().iter().flatten().next() {
             let ends = map.skeleton().edge(*edge).map(|end| self.number_of(end.to_u32()));
@@ -96,6 +89,14 @@ impl TriangleSurface {
                 format!("the faces at edge {} {} cannot be turned to agree: a surface that is not orientable has no inside", ends[0], ends[1]),
             )
             .with_cure("leave --handles out: coface cycles INPUT"));
+        }
+        if let Some(side) = map.sides().find(|&side| map.mate(side).is_none()) {
+            let ends = map.skeleton().edge(map.edge(side)).map(|end| self.number_of(end.to_u32()));
+            return Err(Error::new(
+                ErrorKind::NonManifold,
+                format!("edge {} {} lies in one face only: an open surface has no inside", ends[0], ends[1]),
+            )
+            .with_cure("close it first: coface convert INPUT --repair closed -o OUT.off"));
         }
         for (triangle, sign) in self.triangles.iter_mut().zip(turned.signs()) {
             if *sign == Sign::Minus {

@@ -10,6 +10,7 @@
 //! * [`write_diagram`] writes a diagram as the text that other programs read.
 
 mod alpha;
+mod certificate;
 mod curves;
 mod diagram;
 mod distance;
@@ -288,7 +289,17 @@ impl PersistenceRequest {
             false => (None, None),
         };
         let diagram = whole.longer_than(self.min_persistence);
-        Ok(FoundDiagram { producer, name: name.to_owned(), function, star, diagram, cycles, torsion_primes })
+        Ok(FoundDiagram {
+            producer,
+            name: name.to_owned(),
+            function,
+            star,
+            filtration,
+            min_persistence: self.min_persistence,
+            diagram,
+            cycles,
+            torsion_primes,
+        })
     }
 
     fn filtration(
@@ -343,6 +354,8 @@ pub struct FoundDiagram<'a> {
     name: String,
     function: String,
     star: Option<&'static str>,
+    filtration: Filtration,
+    min_persistence: f64,
     diagram: PersistenceDiagram,
     /// In the order of the diagram.
     cycles: Option<Vec<PersistentCycle>>,

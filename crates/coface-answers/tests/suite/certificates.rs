@@ -1,8 +1,8 @@
 //! Certificates of random complexes are accepted by the checker, which shares no code with what made them.
 
 use coface_answers::{
-    ArrangementRequest, BooleanRequest, DrawingArrangement, HomologyRequest, PlanarDrawing, RegionBoolean,
-    RegionSource, RelativeTo, Report,
+    ArrangementRequest, BooleanRequest, DrawingArrangement, Growth, HomologyRequest, PersistenceRequest,
+    PlanarDrawing, Producer, RegionBoolean, RegionSource, RelativeTo, Report, VertexFunction,
 };
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
 use coface_topology::Coefficients;
@@ -40,6 +40,40 @@ proptest! {
         let verdict = coface_check::check(certificate.as_bytes(), &[&input]).expect("it has been checked");
         prop_assert!(verdict.unchecked().is_empty());
         prop_assert_eq!(verdict.proved().len(), found.groups().len() + 1);
+    }
+
+    /// Pairs of any filtration over any field are what the chains prove.
+    #[test]
+    fn diagrams_are_proved(
+        facets in facets(),
+        values in prop::collection::vec(-2i8..3, 8),
+        (prime, kind, least) in (prop::sample::select(vec![2u64, 3, 5, 4_294_967_291]), 0..4, -1..2i32),
+    ) {
+        let input = format!("{facets:?}").into_bytes();
+        let producer = Producer::of(model(&input)).expect("a complex");
+        let count = facets.iter().flatten().max().expect("facets have vertices") + 1;
+        let values: Vec<f64> = values[..count as usize].iter().map(|&value| f64::from(value)).collect();
+        let function = Some(VertexFunction::Values { place: "f.txt".to_owned(), values });
+        let growth = match kind {
+            0 => Growth::Lower(None),
+            1 => Growth::Lower(function),
+            2 => Growth::Upper(function),
+            _ => {
+                let listed = facets.iter().zip(0..).map(|(facet, value)| (facet.clone(), f64::from(value % 3)));
+                Growth::Listed { place: "cells.json".to_owned(), values: listed.collect() }
+            }
+        };
+        let request = PersistenceRequest::new()
+            .coefficients(Coefficients::Modulo(prime))
+            .growth(growth)
+            .min_persistence(f64::from(least));
+        // Values of cells that are faces of each other need not rise.
+        if let Ok(found) = request.found("in.json", &producer) {
+            let certificate = found.certificate(&[("in.json", &input)]).expect("the checker accepts the proof");
+            let verdict = coface_check_plane::check(certificate.as_bytes(), &[&input]).expect("it has been checked");
+            prop_assert!(verdict.unchecked().is_empty());
+            prop_assert_eq!(verdict.proved().len(), 2 + found.answer().betti.len());
+        }
     }
 
     /// Links, orientations, boundaries and components of reports are what the checker finds by itself.

@@ -41,11 +41,12 @@ pub(crate) struct Cycles {
     #[arg(long, conflicts_with_all = ["kind", "through"])]
     handles: bool,
     /// With --handles: only handles with a loop shorter than this, in the unit of the file
-    #[arg(long, value_name = "LENGTH", requires = "handles", value_parser = length)]
+    #[arg(long, value_name = "LENGTH", requires = "handles", allow_negative_numbers = true, value_parser = length)]
     shorter_than: Option<f64>,
     /// Cut a closed surface in space along handle loops and tunnel loops shorter than this and fill the cuts with triangles, until no
     /// such loop is left; all fills all handles. The file of -o has the surface
-    #[arg(long, value_name = "LENGTH", conflicts_with_all = ["kind", "through", "handles"], value_parser = length_or_all)]
+    #[arg(long, value_name = "LENGTH", conflicts_with_all = ["kind", "through", "handles"],
+          allow_negative_numbers = true, value_parser = length_or_all)]
     fill_handles: Option<f64>,
     /// With --kind non-contractible or non-separating: stop after this time (500ms, 60s, 5m; a number alone is seconds) with the best closed
     /// path so far and a length that none falls below; without it, results do not depend on the machine

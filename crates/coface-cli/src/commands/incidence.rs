@@ -39,8 +39,11 @@ pub(crate) struct Incidence {
     #[arg(value_name = "INPUT")]
     input: PathBuf,
     /// Rows and columns: VV, VE, VF, VC, EV, EE, EF, EC, FV, FE, FF, FC, CV, CE, CF, CC, or two degrees as in 4:3
-    #[arg(long, value_name = "ROWS COLUMNS", value_parser = operator)]
-    operator: Operator,
+    #[arg(value_name = "OPERATOR", value_parser = operator, required_unless_present = "operator")]
+    named: Option<Operator>,
+    /// The operator, as an option
+    #[arg(long, value_name = "OPERATOR", value_parser = operator, conflicts_with = "named")]
+    operator: Option<Operator>,
     /// The number of vertices that two cells share; of two vertices the number of edges between them
     #[arg(long, group = "kind")]
     shared: bool,
@@ -66,6 +69,10 @@ fn operator(name: &str) -> Result<Operator, String> {
 }
 
 impl Incidence {
+    fn operator(&self) -> Operator {
+        self.named.or(self.operator).expect("clap requires one of both")
+    }
+
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let output = common.output.as_deref().map(Output::of).transpose()?;
         let progress = Progress::start(common.quiet);
@@ -73,7 +80,7 @@ impl Incidence {
         progress.stage("relating cells");
         let needs_entries = output.is_some() || (common.json && self.entries);
         let kind = self.kind();
-        let found = OperatorRequest::new(self.operator, kind)
+        let found = OperatorRequest::new(self.operator(), kind)
             .entries(needs_entries)
             .found(&producer)
             .map_err(|error| error.in_file(file.clone()))?;
@@ -96,10 +103,10 @@ impl Incidence {
                 let counts = found.counts(&file);
                 let mut whole = String::new();
                 if (1..=SMALL[0]).contains(&counts.rows) && (1..=SMALL[1]).contains(&counts.columns) {
-                    let found = OperatorRequest::new(self.operator, kind).entries(true).found(&producer)?;
+                    let found = OperatorRequest::new(self.operator(), kind).entries(true).found(&producer)?;
                     whole = found.by_rows().map_or_else(String::new, matrix);
                 }
-                let page = page(&counts, self.operator, kind, found.histogram());
+                let page = page(&counts, self.operator(), kind, found.histogram());
                 print_text(&format!("{page}{whole}"))
             }
         }
@@ -111,7 +118,7 @@ impl Incidence {
             (_, Some(n)) => OperatorKind::Shared(Shared::Exactly(n)),
             _ if self.signed => OperatorKind::Signed,
             _ if self.incident => OperatorKind::Incident,
-            _ if self.shared || self.operator.is_square() => OperatorKind::Counts,
+            _ if self.shared || self.operator().is_square() => OperatorKind::Counts,
             _ => OperatorKind::Incident,
         }
     }

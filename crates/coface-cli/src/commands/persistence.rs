@@ -4,6 +4,7 @@ pub(super) mod image;
 mod points;
 
 use crate::arguments::Common;
+use crate::certified;
 use crate::failure::Failure;
 use crate::filtration::{read_function, read_values};
 use crate::input::{self, Source};
@@ -61,6 +62,9 @@ pub(crate) struct Persistence {
     /// in .vtk, .obj and other mesh formats, with groups of triangles and cells. Not made short
     #[arg(long, value_name = "OUT", num_args = 0..=1)]
     cycles: Option<Option<PathBuf>>,
+    /// A certificate of the pairs, which coface check verifies against the input; of a facet list, a chain complex, or a surface as plain OFF or OBJ
+    #[arg(long, value_name = "OUT")]
+    certificate: Option<PathBuf>,
     #[command(flatten)]
     points: PointArguments,
     #[command(flatten)]
@@ -113,6 +117,10 @@ impl Persistence {
             // Before the work, not after it.
             check_output(place)?;
         }
+        if let Some(place) = &self.certificate {
+            check_output(place)?;
+            certified::refuse_standard_input(std::slice::from_ref(&self.input))?;
+        }
         let progress = Progress::start(common.quiet);
         if self.points.rips {
             if common.alpha.reading().is_some() {
@@ -121,6 +129,7 @@ impl Persistence {
                 ));
             }
             self.refuse_cycles("of points")?;
+            self.refuse_certificate("of points")?;
             let found =
                 self.points.found(&self.input, common, self.coefficients, self.min_persistence, &progress)?;
             return self.give(common, output.as_ref(), progress, &found.answer(), |bytes, format| {
@@ -136,6 +145,7 @@ impl Persistence {
                 self.image.found(&source, common, self.coefficients, self.min_persistence, &progress)?;
             if let Some(found) = found {
                 self.refuse_cycles("of the values of a volume")?;
+                self.refuse_certificate("of the values of a volume")?;
                 return self.give(common, output.as_ref(), progress, &found.answer(), |bytes, format| {
                     found.write(bytes, format)
                 });
@@ -174,6 +184,7 @@ impl Persistence {
                 "{name}: {option} is for volumes; to end the alpha complex at the value A give --alpha A"
             )));
         }
+        self.refuse_certificate("of points")?;
         progress.stage(format!("reading {name}"));
         let points = match source {
             Source::File(path) => reading.points_of_path(path, &common.reading())?,
@@ -205,6 +216,10 @@ impl Persistence {
             progress.stage(format!("writing {}", place.display()));
             save_cycles(place, &found)?;
         }
+        if let Some(place) = &self.certificate {
+            progress.stage(format!("proving {}", place.display()));
+            certified::save(place, std::slice::from_ref(&self.input), |inputs| found.certificate(inputs))?;
+        }
         self.give(common, output, progress, &found.answer(), |bytes, format| {
             write_diagram(found.diagram(), bytes, format)
         })
@@ -217,6 +232,17 @@ impl Persistence {
         }
         Err(Failure::new(format!(
             "{}: --cycles is for functions on complexes, not for persistence {what}; leave --cycles out",
+            input::name(&self.input)
+        )))
+    }
+
+    /// The checker reads complexes: no points, and no volumes.
+    fn refuse_certificate(&self, what: &str) -> Result<(), Failure> {
+        if self.certificate.is_none() {
+            return Ok(());
+        }
+        Err(Failure::new(format!(
+            "{}: --certificate is for functions on complexes, not for persistence {what}; leave --certificate out",
             input::name(&self.input)
         )))
     }

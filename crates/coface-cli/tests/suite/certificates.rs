@@ -392,3 +392,38 @@ fn holes_of_polygons_without_area_bound_nothing() {
     );
     assert_eq!(checked(&place, &drawing)["verified"], true);
 }
+
+/// A torus of nine vertices in space.
+const TORUS: &str = "OFF\n9 18 0\n3 0 0\n2 0 1\n2 0 -1\n-1.5 2.6 0\n-1 1.7 1\n-1 1.7 -1\n-1.5 -2.6 0\n-1 -1.7 1\n-1 -1.7 -1\n\
+    3 0 3 1\n3 3 4 1\n3 1 4 2\n3 4 5 2\n3 2 5 0\n3 5 3 0\n3 3 6 4\n3 6 7 4\n3 4 7 5\n3 7 8 5\n3 5 8 3\n3 8 6 3\n\
+    3 6 0 7\n3 0 1 7\n3 7 1 8\n3 1 2 8\n3 8 2 6\n3 2 0 6\n";
+
+#[test]
+fn diagrams_are_proved_and_lies_about_them_are_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let (input, certificate) = (folder.path().join("torus.off"), folder.path().join("torus.cert"));
+    fs::write(&input, TORUS).unwrap();
+    let words = ["persistence", argument(&input), "--certificate", argument(&certificate), "--json"];
+    for (options, of_values) in [
+        (&[][..], "the values of the vertices are z"),
+        (&["--function", "x", "--upper-star", "--coefficients", "3"][..], "the values of the vertices are x"),
+        (&["--min-persistence", "-1", "--cycles"][..], "the values of the vertices are z"),
+    ] {
+        let answer = coface(&[&words[..], options].concat()).json();
+        assert_eq!(answer["betti"], json!([1, 2, 1]));
+        let verdict = checked(&certificate, &input);
+        assert_eq!((&verdict["proved"][0], &verdict["unchecked"]), (&json!(of_values), &json!([])));
+        let count = answer["diagram"].as_array().unwrap().iter().filter(|pair| pair["degree"] == 1).count();
+        let line = verdict["proved"][3].as_str().unwrap();
+        assert!(line.starts_with(&format!("degree 1: the {count} pairs")), "{line}");
+    }
+    lie_about(&certificate, &[&input]);
+    // A height that the file does not have.
+    let text = fs::read_to_string(&certificate).unwrap();
+    let mut lie: Value = serde_json::from_str(&text).unwrap();
+    lie["proof"]["values"][0][4] = json!(1.5);
+    fs::write(&certificate, lie.to_string()).unwrap();
+    let refused = coface(&["check", argument(&certificate), argument(&input)]);
+    assert_eq!(refused.status, 1);
+    assert!(refused.stderr.contains("the values of the vertices are not z"), "{}", refused.stderr);
+}

@@ -58,6 +58,8 @@ fn counts_have_a_histogram() {
     assert_eq!(reading(&["--operator", "vv"], CUBE)["histogram"], json!({"1": 24, "3": 8}));
     assert_eq!(reading(&["--operator", "FF"], CUBE)["histogram"], json!({"2": 24, "4": 6}));
     assert_eq!(reading(&["--operator", "CC"], CUBE)["entries_count"], 0);
+    let named = coface_reading(&["incidence", "-", "FF", "--json"], CUBE.as_bytes()).json();
+    assert_eq!(named, reading(&["--operator", "FF"], CUBE));
     let listed = reading(&["--operator", "FF", "--entries"], CUBE);
     assert_eq!(listed["histogram"], json!({"2": 24, "4": 6}));
     let first: Vec<&Value> = listed["entries"].as_array().unwrap().iter().take(5).collect();

@@ -26,13 +26,16 @@ class Verified(TypedDict):
 @in_words
 def certificate(
     path: _Path | Sequence[_Path],
-    of: Literal["homology", "info", "arrange", "boolean"] = "homology",
+    of: Literal["homology", "info", "persistence", "arrange", "boolean"] = "homology",
     *,
-    coefficients: str | int = "z",
+    coefficients: str | int | None = None,
     cohomology: bool = False,
     reduced: bool = False,
     relative: _Path | None = None,
     generators: bool = False,
+    function: str | Sequence[float] | None = None,
+    upper_star: bool = False,
+    min_persistence: float = 0.0,
     operation: str | None = None,
     rule: str | None = None,
     exact: bool = False,
@@ -48,12 +51,17 @@ def certificate(
         coordinates, or lines of four numbers.
     of
         ``"homology"``; ``"info"`` for the report: counts, components, manifold up to dimension 3, orientability, boundary loops and genus;
+        ``"persistence"`` for the diagram of a function on the vertices: pairs with their cells, and Betti numbers;
         ``"arrange"`` for the cells of drawings: counts, areas, and which files contain each face; ``"boolean"`` for a result of drawings: area,
         components, holes and pinches.
     coefficients, cohomology, reduced, generators
-        As for :func:`homology` and :func:`cohomology`; with generators it is proved that they generate the groups.
+        As for :func:`homology` and :func:`cohomology`; with generators it is proved that they generate the groups. ``None`` are the integers, for
+        persistence the field of two elements.
     relative
         ``"boundary"``, or the file of a part that is divided out.
+    function, upper_star, min_persistence
+        Of persistence: ``"x"``, ``"y"`` or ``"z"``, or a number for each vertex, by default the last coordinate; whether cells enter from high values
+        to low ones; pairs whose persistence is not greater are left out.
     operation
         Of a Boolean: ``"union"``, ``"intersection"``, ``"difference"``, ``"xor"``, or a formula of the files such as ``"(a | b) - c"``.
     rule, exact
@@ -73,6 +81,9 @@ def certificate(
     >>> proof = coface.certificate("plane.json")
     >>> coface.check(proof)["proved"]
     ['H_0 = Z', 'H_1 = Z/2', 'H_2 = 0']
+    >>> coface.generate("torus").write("torus.off")
+    >>> coface.check(coface.certificate("torus.off", "persistence"))["proved"][:2]
+    ['the values of the vertices are z', 'Betti numbers over F_2 = [1, 2, 1]']
     """
     if of in ("arrange", "boolean"):
         paths = [path] if isinstance(path, (str, os.PathLike)) else list(path)
@@ -81,7 +92,10 @@ def certificate(
         return _coface._drawing_certificate(paths, operation if of == "boolean" else None, rule, exact, progress)
     if not isinstance(path, (str, os.PathLike)):
         raise _coface.InvalidInputError(f"a certificate of {of} is of one file; give its path")
-    return _coface._certificate(path, of, coefficients, cohomology, reduced, relative, generators, progress)
+    if of == "persistence":
+        field = "f2" if coefficients is None else coefficients
+        return _coface._persistence_certificate(path, field, function, upper_star, min_persistence, progress)
+    return _coface._certificate(path, of, "z" if coefficients is None else coefficients, cohomology, reduced, relative, generators, progress)
 
 
 @in_words

@@ -33,6 +33,10 @@ pub(super) const CASES: &[Case] = &[
         .files(POINTS)
         .refused("coface persistence points.csv --rips --cycles")
         .cured(&[&["coface persistence points.csv --rips"]]),
+    Case::new("commands/persistence.rs", "leave --certificate out")
+        .files(POINTS)
+        .refused("coface persistence points.csv --rips --certificate points.cert")
+        .cured(&[&["coface persistence points.csv --rips"]]),
     Case::new("commands/diagram.rs", "all values with -o or --json")
         .files(&[("many.csv", "0 1\n2 3\n4 5\n6 7\n8 9\n10 11\n12 13\n14 15\n16 17\n18 19\n20 21\n")])
         .answered("coface diagram betti many.csv")

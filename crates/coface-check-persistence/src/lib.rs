@@ -1,0 +1,145 @@
+//! A checker of the certificates of persistence diagrams. It shares no code with what computed them: complexes are those of [`coface_check`], and it
+//! adds in the field by itself.
+//!
+//! A certificate has a value for each vertex, or for each cell, and chains. [`check`] sorts the cells by value, and tests that all chains have different
+//! last cells, and their boundaries too: then the last cell of a boundary makes a class that the last cell of its chain ends. `docs/certificates.md` has
+//! each rule and why it proves the claim. Certificates of other kinds are handed to [`coface_check`].
+
+mod pairs;
+mod values;
+
+use coface_check::json::{field, index, list, optional, text};
+use coface_check::{Complex, Fault, Verdict};
+use pairs::Pair;
+use serde_json::Value;
+use std::collections::HashMap;
+
+const KNOWN: [&str; 7] = ["file", "field", "function", "star", "diagram", "betti", "remarks"];
+const PAIR_KEYS: [&str; 5] = ["degree", "birth", "death", "birth_cell", "death_cell"];
+
+/// Checks a certificate of persistence, or of what [`coface_check`] knows, against the bytes of its inputs, in their order.
+///
+/// # Errors
+/// A [`Fault`] with the first step that fails.
+///
+/// # Complexity
+/// For n cells O(n log n), and the sizes of the chains and of their boundaries; certificates of other kinds as [`coface_check::check`].
+///
+/// # Examples
+/// Vertices 0 and 2 enter before vertex 1, which is joined to both: one of two components ends.
+/// ```
+/// let input = b"[[0,1],[1,2]]";
+/// let hash = coface_check::sha256(input);
+/// let certificate = |death: f64| format!(
+///     r#"{{"coface_certificate":1,"kind":"persistence","inputs":[{{"name":"a.json","sha256":"{hash}"}}],"min_persistence":0.0,
+///         "answer":{{"file":"a.json","field":2,"function":"f.txt","star":"lower","betti":[1,0],"diagram":[
+///             {{"degree":0,"birth":0.0,"death":null,"birth_cell":[0],"death_cell":null}},
+///             {{"degree":0,"birth":1.0,"death":{death:?},"birth_cell":[2],"death_cell":[1,2]}}],"remarks":[]}},
+///         "proof":{{"values":[[0.0,5.0,1.0]],"chains":[[[[1,0]],[[1,0],[1,1]]]]}}}}"#
+/// );
+/// let verdict = coface_check_persistence::check(certificate(5.0).as_bytes(), &[input]).expect("the chains prove it");
+/// assert_eq!(verdict.proved()[1], "Betti numbers over F_2 = [1, 0]");
+/// assert!(coface_check_persistence::check(certificate(6.0).as_bytes(), &[input]).is_err());
+/// ```
+pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
+    let whole = coface_check::opened(certificate, inputs)?;
+    match text(field(&whole, "kind", "certificate")?, "\"kind\"", "certificate")? {
+        "persistence" => diagram(&whole, inputs),
+        _ => coface_check::check(certificate, inputs),
+    }
+}
+
+fn diagram(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
+    let complex = Complex::read(inputs[0])?;
+    let (answer, proof) = (field(whole, "answer", "answer")?, field(whole, "proof", "proof")?);
+    let prime = index(field(answer, "field", "answer")?, "\"field\"", "answer")?;
+    if !coface_check::is_prime(prime) {
+        return Err(Fault::new("answer", format!("{prime} is not prime")));
+    }
+    let (values, of_function) =
+        values::values(&complex, answer, field(proof, "values", "values")?, inputs[0])?;
+    let is_upper = optional(answer, "star").and_then(Value::as_str) == Some("upper");
+    let orders = pairs::orders(&complex, &values, is_upper)?;
+    let pairs = pairs::pairs(&complex, &orders, field(proof, "chains", "chains")?, prime.into())?;
+    let mut betti = vec![0u64; complex.counts().len()];
+    pairs.iter().filter(|pair| pair.2.is_none()).for_each(|pair| betti[pair.0] += 1);
+    let claimed = list(field(answer, "betti", "answer")?, "\"betti\"", "answer")?;
+    if !claimed.iter().map(Value::as_u64).eq(betti.iter().map(|count| Some(*count))) {
+        return Err(Fault::new("answer", format!("the Betti numbers over F_{prime} are {betti:?}")));
+    }
+    let least = field(whole, "min_persistence", "answer")?.as_f64();
+    let least = least.ok_or_else(|| Fault::new("answer", "\"min_persistence\" is not a number"))?;
+    let length = |(k, birth, death): &Pair| {
+        death.map_or(f64::INFINITY, |cell| (values[k + 1][cell as usize] - values[*k][*birth as usize]).abs())
+    };
+    let mut expected: Vec<Pair> = pairs.into_iter().filter(|pair| length(pair) > least).collect();
+    let cells = Cells::of(&complex);
+    let claimed = list(field(answer, "diagram", "answer")?, "\"diagram\"", "answer")?;
+    let found = claimed.iter().map(|pair| claimed_pair(&cells, &values, pair));
+    let mut found = found.collect::<Result<Vec<Pair>, Fault>>()?;
+    expected.sort_unstable();
+    found.sort_unstable();
+    if expected != found {
+        return Err(Fault::new("answer", "the pairs of the chains are others than those of the answer"));
+    }
+    let mut proved = vec![of_function, format!("Betti numbers over F_{prime} = {betti:?}")];
+    for k in 0..betti.len() {
+        let count = found.iter().filter(|pair| pair.0 == k).count();
+        proved
+            .push(format!("degree {k}: the {count} pairs whose persistence is above {least}, and no others"));
+    }
+    Ok(Verdict::of(proved, answer, &KNOWN))
+}
+
+/// The cells of each degree by their vertices in rising order, or by their numbers where they have no vertices.
+struct Cells(Vec<HashMap<Vec<u32>, u32>>);
+
+impl Cells {
+    fn of(complex: &Complex) -> Self {
+        let of_degree = |(k, &count): (usize, &usize)| {
+            let name = |cell: usize| match complex.vertices(k, cell) {
+                Some(vertices) => sorted(vertices.to_vec()),
+                None => vec![cell as u32],
+            };
+            (0..count).map(|cell| (name(cell), cell as u32)).collect()
+        };
+        Self(complex.counts().iter().enumerate().map(of_degree).collect())
+    }
+
+    fn find(&self, degree: usize, vertices: &Value, what: &str) -> Result<u32, Fault> {
+        let vertices = list(vertices, what, "answer")?.iter().map(|vertex| index(vertex, what, "answer"));
+        let vertices = sorted(vertices.collect::<Result<Vec<u32>, Fault>>()?);
+        let found = self.0.get(degree).and_then(|cells| cells.get(&vertices)).copied();
+        found.ok_or_else(|| Fault::new("answer", format!("there is no cell {vertices:?} of degree {degree}")))
+    }
+}
+
+fn sorted(mut vertices: Vec<u32>) -> Vec<u32> {
+    vertices.sort_unstable();
+    vertices
+}
+
+/// A pair of the answer, whose values are those of its cells.
+fn claimed_pair(cells: &Cells, values: &[Vec<f64>], pair: &Value) -> Result<Pair, Fault> {
+    let step = "answer";
+    let keys = pair.as_object().into_iter().flat_map(|object| object.keys());
+    if let Some(key) = keys.into_iter().find(|key| !PAIR_KEYS.contains(&key.as_str())) {
+        return Err(Fault::new(step, format!("a pair has the key {key:?}, of which nothing is proved")));
+    }
+    let degree = index(field(pair, "degree", step)?, "\"degree\"", step)? as usize;
+    let cell = |degree: usize, key: &str, value: &Value| {
+        let cell = cells.find(degree, field(pair, key, step)?, key)?;
+        let own = values[degree][cell as usize];
+        match value.as_f64() == Some(own) {
+            true => Ok(cell),
+            false => Err(Fault::new(step, format!("the value of the {key} {} is {own}", pair[key]))),
+        }
+    };
+    let birth = cell(degree, "birth_cell", field(pair, "birth", step)?)?;
+    let death = match (optional(pair, "death"), optional(pair, "death_cell")) {
+        (None, None) => None,
+        (Some(death), _) => Some(cell(degree + 1, "death_cell", death)?),
+        (None, Some(_)) => return Err(Fault::new(step, "a pair has a cell of its death, but no value")),
+    };
+    Ok((degree, birth, death))
+}
