@@ -8,6 +8,7 @@ mod made;
 mod pickling;
 mod reading;
 mod repairs;
+mod triangulations;
 
 pub(crate) use pickling::_model;
 pub(crate) use reading::{entries, format_of, read, read_options};

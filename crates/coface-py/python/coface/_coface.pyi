@@ -2051,6 +2051,10 @@ class Model:
             loops in their order; ``left``, the loops on which no patch fits.
         """
         ...
+    def simplified(self, *, attempts: int = 200, progress: _Progress = ...) -> tuple[Model, dict[str, Json]]:
+        ...
+    def isomorphism(self, other: Model, *, progress: _Progress = ...) -> dict[str, Json]:
+        ...
     def subdivided(self, *, progress: _Progress = ...) -> tuple[Model, NDArray[np.int64]]:
         """A gluing table or a surface of halfedges as a facet list, subdivided where that is needed to keep simplices apart.
 
