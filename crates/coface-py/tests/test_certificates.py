@@ -88,3 +88,25 @@ def test_what_is_not_so_is_refused(plane: Path, tmp_path: Path) -> None:
     for junk in ["{}", '{"a":1}', plane]:
         with pytest.raises(coface.InvalidInputError, match="not verified: certificate"):
             coface.check(junk)
+
+
+def test_diagrams_are_proved(tmp_path: Path) -> None:
+    torus = tmp_path / "torus.off"
+    coface.generate("torus", columns=8, rows=6).write(torus)
+    count = coface.read(torus).vertex_count
+    for options, of in [
+        ({}, "the values of the vertices are z"),
+        ({"function": "x", "upper_star": True, "coefficients": "f3"}, "the values of the vertices are x"),
+        ({"function": [float(vertex % 7) for vertex in range(count)]}, "the values of the vertices are those of the certificate"),
+    ]:
+        proof = coface.certificate(torus, "persistence", **options)
+        verified = coface.check(proof, torus)
+        assert verified["proved"][0] == of
+        assert verified["proved"][1].endswith("= [1, 2, 1]")
+        assert verified["unchecked"] == []
+    lie = json.loads(proof)
+    lie["answer"]["diagram"].pop()
+    with pytest.raises(coface.InvalidInputError, match="not verified"):
+        coface.check(json.dumps(lie), torus)
+    with pytest.raises(coface.InvalidInputError, match="function="):
+        coface.certificate(torus, "persistence", function="w")
