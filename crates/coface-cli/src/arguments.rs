@@ -98,7 +98,7 @@ impl AlphaArguments {
 /// Which voxels of a volume are set.
 #[derive(Args, Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct VoxelArguments {
-    /// Of a volume (.npy, NRRD, NIfTI) take the voxels of T and above, instead of all that are not 0
+    /// Of a volume (.npy, NRRD, NIfTI, MetaImage, PGM) take the voxels of T and above, instead of all that are not 0
     #[arg(long, value_name = "T", global = true, help_heading = "Volumes", allow_negative_numbers = true,
           value_parser = number, conflicts_with_all = ["below", "between", "value"])]
     threshold: Option<f64>,

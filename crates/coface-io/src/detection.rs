@@ -94,6 +94,8 @@ impl Format {
             Self::Npy => certain_if(start.starts_with(volume::NPY_MAGIC)),
             Self::Nrrd => certain_if(start.starts_with(volume::NRRD_MAGIC)),
             Self::Nifti => certain_if(volume::is_nifti(start)),
+            Self::MetaImage => certain_if(volume::is_metaimage(start)),
+            Self::Pgm => certain_if(volume::is_pgm(start)),
             Self::VtkGrid | Self::VtkPolygons => match vtk_xml_kind(start) {
                 Some(b"PolyData") => certain_if(self == Self::VtkPolygons),
                 Some(b"UnstructuredGrid") => certain_if(self == Self::VtkGrid),

@@ -46,13 +46,13 @@ pub(crate) fn gunzipped<'r>(_packed: impl Read + 'r) -> Result<Box<dyn Read + 'r
 }
 
 /// The bytes of a zlib stream.
-#[cfg(all(feature = "xml", feature = "compression"))]
+#[cfg(feature = "compression")]
 pub(crate) fn inflated<'r>(packed: impl Read + 'r) -> Result<Box<dyn Read + 'r>, Error> {
     Ok(Box::new(flate2::read::ZlibDecoder::new(packed)))
 }
 
 /// The bytes of a zlib stream.
-#[cfg(all(feature = "xml", not(feature = "compression")))]
+#[cfg(not(feature = "compression"))]
 pub(crate) fn inflated<'r>(_packed: impl Read + 'r) -> Result<Box<dyn Read + 'r>, Error> {
     Err(without_compression())
 }

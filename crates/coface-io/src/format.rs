@@ -53,6 +53,10 @@ pub enum Format {
     Nrrd,
     /// NIfTI-1 and -2: arrays of voxels, compressed or not, in one file or two.
     Nifti,
+    /// MetaImage of ITK: arrays of voxels, in one file or two, read only.
+    MetaImage,
+    /// Grey images of Netpbm: arrays of pixels, read only.
+    Pgm,
     /// glTF and GLB: placed meshes, read only.
     Gltf,
     /// 3MF: placed meshes, read only.
@@ -71,7 +75,7 @@ pub enum Format {
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 29] = [
+    pub const ALL: [Self; 31] = [
         Self::Off,
         Self::Obj,
         Self::Ply,
@@ -94,6 +98,8 @@ impl Format {
         Self::Npy,
         Self::Nrrd,
         Self::Nifti,
+        Self::MetaImage,
+        Self::Pgm,
         Self::Gltf,
         Self::ThreeMf,
         Self::Collada,
@@ -164,6 +170,8 @@ impl Format {
             Self::Npy => &["npy"],
             Self::Nrrd => &["nrrd", "nhdr"],
             Self::Nifti => &["nii", "nii.gz", "hdr", "img"],
+            Self::MetaImage => &["mha", "mhd"],
+            Self::Pgm => &["pgm"],
             Self::Gltf => &["gltf", "glb"],
             Self::ThreeMf => &["3mf"],
             Self::Collada => &["dae"],
@@ -205,6 +213,8 @@ impl Format {
             Self::Npy => "NumPy array",
             Self::Nrrd => "NRRD",
             Self::Nifti => "NIfTI",
+            Self::MetaImage => "MetaImage",
+            Self::Pgm => "PGM image",
             Self::Gltf => "glTF",
             Self::ThreeMf => "3MF",
             Self::Collada => "COLLADA",
@@ -215,7 +225,7 @@ impl Format {
         }
     }
 
-    /// The format of this name: any of [`Self::extensions`], or `medit`, `gmsh`, `numpy`, `nifti`, `collada`, `abaqus`,
+    /// The format of this name: any of [`Self::extensions`], or `medit`, `gmsh`, `numpy`, `nifti`, `metaimage`, `collada`, `abaqus`,
     /// `tetgen` or `points`, in any case.
     ///
     /// # Errors
@@ -234,6 +244,7 @@ impl Format {
             "gmsh" => return Ok(Self::Msh),
             "numpy" => return Ok(Self::Npy),
             "nifti" => return Ok(Self::Nifti),
+            "metaimage" => return Ok(Self::MetaImage),
             "collada" => return Ok(Self::Collada),
             "abaqus" => return Ok(Self::Abaqus),
             "tetgen" => return Ok(Self::TetGen),
@@ -309,7 +320,7 @@ impl Format {
     /// assert!(Format::Nifti.is_volume() && !Format::Vtk.is_volume());
     /// ```
     pub const fn is_volume(self) -> bool {
-        matches!(self, Self::Npy | Self::Nrrd | Self::Nifti)
+        matches!(self, Self::Npy | Self::Nrrd | Self::Nifti | Self::MetaImage | Self::Pgm)
     }
 
     /// Whether models are only read in this format, not written.
@@ -331,6 +342,8 @@ impl Format {
                 | Self::CityJson
                 | Self::Nrrd
                 | Self::Nifti
+                | Self::MetaImage
+                | Self::Pgm
         )
     }
 

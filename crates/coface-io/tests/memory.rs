@@ -138,6 +138,9 @@ fn dense_files() -> Vec<(Format, &'static str, Vec<u8>)> {
     add(Format::Npy, "bytes", npy);
     let nrrd = "NRRD0001\ntype: uchar\ndimension: 3\nsizes: 60 60 60\nencoding: raw\n\n";
     add(Format::Nrrd, "bytes", [nrrd.as_bytes(), &vec![1; 216_000]].concat());
+    let mha = "NDims = 3\nDimSize = 60 60 60\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
+    add(Format::MetaImage, "bytes", [mha.as_bytes(), &vec![1; 216_000]].concat());
+    add(Format::Pgm, "bytes", [&b"P5 600 360 255\n"[..], &vec![1; 216_000]].concat());
     let inp = format!(
         "*NODE\n{}*ELEMENT, TYPE=S3\n{}",
         (1..=n).map(|i| format!("{i},0,0\n")).collect::<String>(),
@@ -191,6 +194,8 @@ const BOUNDS: [(Format, usize); 20] = [
     (Format::Svg, 400),
     (Format::Npy, 4),
     (Format::Nrrd, 4),
+    (Format::MetaImage, 4),
+    (Format::Pgm, 4),
     (Format::Abaqus, 10),
     (Format::Gltf, 24),
     (Format::Isosig, 4),
@@ -261,6 +266,8 @@ fn claims() -> Vec<(Format, String)> {
             (Format::Npy, format!("\u{1}NUMPY\u{1}{count}")),
             (Format::Nrrd, with("NRRD0001\ntype: uchar\ndimension: 3\nsizes: N N N\nencoding: raw\n\n")),
             (Format::Nrrd, with("NRRD0001\ntype: uchar\ndimension: N\nsizes: 1\nencoding: raw\n\n")),
+            (Format::MetaImage, with("NDims = 3\nDimSize = N N N\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n")),
+            (Format::Pgm, with("P5 N N 255\n")),
             (Format::Abaqus, with("*NODE\nN,0,0,0\n*ELEMENT,TYPE=S3\nN,N,N,N\n*NSET, GENERATE, NSET=a\n1, N, 1\n")),
             (Format::Points, with("N 0\n")),
         ]);

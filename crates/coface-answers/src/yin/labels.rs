@@ -1,9 +1,9 @@
 //! Sets of equal pixels of an image of labels.
 
 use super::{NamedSet, PlanarSet};
-use coface_algebra::Error;
+use coface_algebra::{Error, ErrorKind};
 use coface_arrange::boolean::InsideRule;
-use coface_io::NumberTable;
+use coface_io::{Format, NumberTable, VolumeStream};
 use coface_yin::YinSet;
 use std::collections::BTreeMap;
 
@@ -70,45 +70,18 @@ impl LabelImage {
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn read_pgm(bytes: &[u8]) -> Result<Self, Error> {
-        let damaged = |what: &str| {
-            Error::parse(format!("the image {what}")).with_cure("write it again, as a .pgm of type P2 or P5")
-        };
-        let mut words = Words { bytes, at: 0 };
-        let is_binary = match words.next() {
-            Some(b"P2") => false,
-            Some(b"P5") => true,
-            _ => return Err(damaged("does not begin with P2 or P5")),
-        };
-        let mut header = [0usize; 3];
-        for number in &mut header {
-            *number = words.number().ok_or_else(|| damaged("has no width, height and greatest value"))?;
+        let image = VolumeStream::new(bytes, Format::Pgm)?;
+        let width = image.shape()[0] as usize;
+        let count = image.shape().iter().map(|&length| length as usize).product::<usize>();
+        if count > MOST_PIXELS {
+            return Err(Error::new(
+                ErrorKind::TooLarge,
+                format!("the image has {count} pixels, more than 2^28"),
+            )
+            .with_cure("give a smaller one"));
         }
-        let [width, height, greatest] = header;
-        if width == 0 || height == 0 || !(1..=65_535).contains(&greatest) {
-            return Err(damaged("has a width, a height or a greatest value that cannot be"));
-        }
-        let count = width.checked_mul(height).filter(|&count| count <= MOST_PIXELS);
-        let count = count.ok_or_else(|| damaged("has more than 2^28 pixels"))?;
-        let size = if greatest > 255 { 2 } else { 1 };
-        let labels: Vec<u32> = if is_binary {
-            // One blank ends the header.
-            let data = bytes.get(words.at + 1..).unwrap_or_default();
-            let data = data.get(..count * size).ok_or_else(|| damaged("ends before its last pixel"))?;
-            let label = |pixel: &[u8]| pixel.iter().fold(0, |sum, byte| 256 * sum + u32::from(*byte));
-            data.chunks_exact(size).map(label).collect()
-        } else {
-            // A file cannot make more room than its own length.
-            let mut labels = Vec::with_capacity(count.min(bytes.len()));
-            for _ in 0..count {
-                let number = words.number().ok_or_else(|| damaged("ends before its last pixel"))?;
-                labels.push(number as u32);
-            }
-            labels
-        };
-        if labels.iter().any(|&label| label as usize > greatest) {
-            return Err(damaged("has a value above the greatest one"));
-        }
-        Self::new(width, labels)
+        let (numbers, _) = image.numbers()?;
+        Self::new(width, numbers.into_iter().map(|number| number as u32).collect())
     }
 
     /// The image of a table of labels, its first row the highest.
@@ -120,7 +93,7 @@ impl LabelImage {
     /// # Examples
     /// ```
     /// use coface_answers::LabelImage;
-    /// use coface_io::NumberTable;
+    /// use coface_io::{Format, NumberTable, VolumeStream};
     /// let table = NumberTable::from_rows([[1.0, 1.0], [0.0, 2.0]]);
     /// assert_eq!(LabelImage::of_table(&table)?, LabelImage::new(2, vec![1, 1, 0, 2])?);
     /// assert!(LabelImage::of_table(&NumberTable::from_rows([[0.5]])).is_err());
@@ -176,35 +149,5 @@ impl LabelImage {
             Ok(NamedSet::new(label.to_string(), PlanarSet::from_set(set)))
         };
         runs.into_iter().map(set).collect()
-    }
-}
-
-/// The words of a header, with comments left out.
-struct Words<'a> {
-    bytes: &'a [u8],
-    at: usize,
-}
-
-impl<'a> Words<'a> {
-    fn next(&mut self) -> Option<&'a [u8]> {
-        loop {
-            match self.bytes.get(self.at)? {
-                b'#' => {
-                    let rest = &self.bytes[self.at..];
-                    self.at += rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
-                }
-                byte if byte.is_ascii_whitespace() => self.at += 1,
-                _ => break,
-            }
-        }
-        let rest = &self.bytes[self.at..];
-        let ends = |byte: &u8| byte.is_ascii_whitespace() || *byte == b'#';
-        let length = rest.iter().position(ends).unwrap_or(rest.len());
-        self.at += length;
-        Some(&rest[..length])
-    }
-
-    fn number(&mut self) -> Option<usize> {
-        std::str::from_utf8(self.next()?).ok()?.parse().ok()
     }
 }

@@ -28,7 +28,7 @@ use std::path::{Path, PathBuf};
 /// Persistent homology: which components, loops and cavities are born and die as a model grows.
 ///
 /// The model grows by sublevel sets of a function on vertices (each cell enters with its highest vertex), or by values
-/// given for cells; points, with --rips or --alpha, as balls around them meet; a volume (.npy, NRRD, NIfTI) by its grey values: each class has the
+/// given for cells; points, with --rips or --alpha, as balls around them meet; a volume (.npy, NRRD, NIfTI, MetaImage, PGM) by its grey values: each class has the
 /// voxels whose values its birth and death are. A volume whose voxels are chosen (--threshold, --below, --between, --value), or that
 /// has a --function, is the model of its set voxels. Without --function the function is the last coordinate, the height; without positions it is the
 /// vertex number. Pairs of persistence 0 are left out unless --min-persistence says otherwise.
@@ -153,7 +153,7 @@ impl Persistence {
         }
         if let Some(option) = self.image.given() {
             return Err(Failure::new(format!(
-                "{}: {option} is for the values of a volume; give a volume (.npy, NRRD, NIfTI) without a function and without a choice of voxels",
+                "{}: {option} is for the values of a volume; give a volume (.npy, NRRD, NIfTI, MetaImage, PGM) without a function and without a choice of voxels",
                 input::name(&self.input)
             )));
         }

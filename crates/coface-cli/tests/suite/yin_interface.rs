@@ -125,7 +125,7 @@ fn labels_of_an_image_are_phases() {
     assert_eq!([&neighbors[1]["phase"], &neighbors[1]["length"]], [&json!(2), &json!(1.0)]);
     let wrong = file(&folder, "short.pgm", "P2 2 2 1\n1 1 0\n");
     let said = coface(&["yin", "interface", argument(&wrong), "--quiet"]);
-    assert!(said.fails_with(1).contains("ends before its last pixel"));
+    assert!(said.fails_with(1).contains("3 of 4"));
 }
 
 /// An array of NumPy of format 1.0 with these rows of bytes.

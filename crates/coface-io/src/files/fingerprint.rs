@@ -59,6 +59,7 @@ fn files_read(path: &Path, options: &ReadOptions) -> Vec<PathBuf> {
     let extension = path.extension().map(|extension| extension.to_ascii_lowercase());
     let format = match extension.as_deref().and_then(|extension| extension.to_str()) {
         Some("nhdr" | "nrrd") => Format::Nrrd,
+        Some("mha" | "mhd") => Format::MetaImage,
         Some("hdr" | "img" | "nii") => Format::Nifti,
         Some("ele" | "face" | "edge") => {
             let nodes = path.with_extension("node");

@@ -44,7 +44,71 @@ impl Skip {
 pub(super) enum Encoding {
     Raw,
     Gzip,
+    Zlib,
     Ascii,
+}
+
+/// The bytes of a header that lines make.
+const LONGEST_HEADER: usize = 1 << 20;
+
+/// Lines of a header, which the numbers follow.
+pub(super) struct Lines<'a, R> {
+    input: &'a mut R,
+    /// What ends a header.
+    end: &'static str,
+    line: Vec<u8>,
+    number: u64,
+    total: usize,
+}
+
+impl<'a, R: Read> Lines<'a, R> {
+    pub(super) fn new(input: &'a mut R, end: &'static str) -> Self {
+        Self { input, end, line: Vec::new(), number: 0, total: 0 }
+    }
+
+    /// The number of the last line, from 1.
+    pub(super) fn number(&self) -> u64 {
+        self.number
+    }
+
+    /// The bytes that have been read.
+    pub(super) fn total(&self) -> usize {
+        self.total
+    }
+
+    /// The next line without its end; `None` at the end of the file.
+    pub(super) fn next(&mut self) -> Result<Option<String>, Error> {
+        self.line.clear();
+        self.number += 1;
+        let mut byte = [0];
+        loop {
+            if self.input.read(&mut byte)? == 0 {
+                if self.line.is_empty() {
+                    return Ok(None);
+                }
+                break;
+            }
+            self.total += 1;
+            if self.total > LONGEST_HEADER {
+                return Err(Error::parse("the header has no end")
+                    .at_line(self.number)
+                    .with_cure(format!("{}: check that the file is the one meant", self.end)));
+            }
+            if byte[0] == b'\n' {
+                break;
+            }
+            self.line.push(byte[0]);
+        }
+        if self.line.last() == Some(&b'\r') {
+            self.line.pop();
+        }
+        Ok(Some(String::from_utf8_lossy(&self.line).into_owned()))
+    }
+}
+
+/// The start of a text, for a message.
+pub(super) fn shortened(text: &str) -> String {
+    text.chars().take(40).flat_map(char::escape_debug).collect()
 }
 
 /// The lengths of axes, each checked.

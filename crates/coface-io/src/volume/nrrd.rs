@@ -1,20 +1,19 @@
 //! NRRD: `.nrrd`, and `.nhdr` with numbers in another file.
 
-use super::header::{Encoding, Skip, VolumeHeader, shape_of};
+use super::header::{Encoding, Lines, Skip, VolumeHeader, shape_of, shortened};
 use super::numbers::NumberType;
 use coface_algebra::{Error, ErrorKind};
 use std::io::Read;
 use std::path::PathBuf;
 
 pub(crate) const MAGIC: &[u8] = b"NRRD000";
-const LONGEST_HEADER: usize = 1 << 20;
 
 /// Reads the header, up to the empty line that ends it, or the end of the file.
 ///
 /// # Errors
 /// [`ErrorKind::Parse`] with the line for what is no header; [`ErrorKind::UnsupportedFormat`] for types and encodings that are not read.
 pub(super) fn read_header(input: &mut impl Read) -> Result<VolumeHeader, Error> {
-    let mut lines = Lines { input, line: Vec::new(), number: 0, total: 0 };
+    let mut lines = Lines::new(input, "an empty line ends it");
     let first = lines.next()?.unwrap_or_default();
     if !matches!(first.as_bytes(), [b'N', b'R', b'R', b'D', b'0', b'0', b'0', b'1'..=b'5']) {
         return Err(Error::parse("the first line is not NRRD0001 to NRRD0005")
@@ -28,57 +27,18 @@ pub(super) fn read_header(input: &mut impl Read) -> Result<VolumeHeader, Error> 
             has_end = true;
             break;
         }
-        let number = lines.number;
+        let number = lines.number();
         if !line.starts_with('#') {
             fields.take(&line).map_err(|error| error.at_line(number))?;
         }
     }
     if !has_end && fields.data_file.is_none() {
         return Err(Error::parse("the header does not end with an empty line, and names no file of numbers")
-            .at_line(lines.number)
+            .at_line(lines.number())
             .with_cure("the file is cut short: copy or write it again"));
     }
-    let (number, total) = (lines.number, lines.total);
+    let (number, total) = (lines.number(), lines.total());
     fields.into_header(total as u64).map_err(|error| error.at_line(number))
-}
-
-/// Lines of a header, which the numbers follow.
-struct Lines<'a, R> {
-    input: &'a mut R,
-    line: Vec<u8>,
-    number: u64,
-    total: usize,
-}
-
-impl<R: Read> Lines<'_, R> {
-    /// The next line without its end; `None` at the end of the file.
-    fn next(&mut self) -> Result<Option<String>, Error> {
-        self.line.clear();
-        self.number += 1;
-        let mut byte = [0];
-        loop {
-            if self.input.read(&mut byte)? == 0 {
-                if self.line.is_empty() {
-                    return Ok(None);
-                }
-                break;
-            }
-            self.total += 1;
-            if self.total > LONGEST_HEADER {
-                return Err(Error::parse("the header has no end")
-                    .at_line(self.number)
-                    .with_cure("an empty line ends it: check that the file is the one meant"));
-            }
-            if byte[0] == b'\n' {
-                break;
-            }
-            self.line.push(byte[0]);
-        }
-        if self.line.last() == Some(&b'\r') {
-            self.line.pop();
-        }
-        Ok(Some(String::from_utf8_lossy(&self.line).into_owned()))
-    }
 }
 
 /// What the lines of a header say.
@@ -185,11 +145,6 @@ impl Fields {
             length,
         })
     }
-}
-
-/// The start of a text, for a message.
-fn shortened(text: &str) -> String {
-    text.chars().take(40).flat_map(char::escape_debug).collect()
 }
 
 fn encoding(name: &str) -> Result<Encoding, Error> {

@@ -3,10 +3,10 @@
 use super::header::{Encoding, Skip, VolumeHeader, unreadable, up_to};
 use super::numbers::{Decode, Test, Values, Words};
 use super::rule::{VolumeReading, VoxelRule};
-use super::{nifti, npy, nrrd};
+use super::{metaimage, nifti, npy, nrrd, pgm};
 use crate::Format;
 use crate::counted_stream::{name_of, reading};
-use crate::features::{GZIP, gunzipped};
+use crate::features::{GZIP, gunzipped, inflated};
 use crate::files::Companions;
 use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
@@ -176,8 +176,9 @@ impl<'r> VolumeStream<'r> {
             }
         };
         let skipped = skip_lines(&mut input, lines).map_err(in_data)?;
-        if header.encoding == Encoding::Gzip {
-            input = Box::new(BufReader::with_capacity(1 << 18, gunzipped(input)?));
+        if let Encoding::Gzip | Encoding::Zlib = header.encoding {
+            let unpacked = if header.encoding == Encoding::Gzip { gunzipped(input) } else { inflated(input) };
+            input = Box::new(BufReader::with_capacity(1 << 18, unpacked?));
             (size, first_byte) = (None, None);
         }
         let passed = std::io::copy(&mut input.by_ref().take(bytes), &mut std::io::sink());
@@ -626,6 +627,8 @@ fn begin<'r>(
     let header = match format {
         Format::Npy => npy::read_header(&mut input)?,
         Format::Nrrd => nrrd::read_header(&mut input)?,
+        Format::MetaImage => metaimage::read_header(&mut input)?,
+        Format::Pgm => pgm::read_header(&mut input)?,
         Format::Nifti => {
             let (mut header, is_single) = nifti::read_header(&mut input)?;
             if !is_single {
@@ -638,7 +641,7 @@ fn begin<'r>(
                 ErrorKind::UnsupportedFormat,
                 format!("{} holds no volume", format.title()),
             )
-            .with_cure("give a volume as .npy, NRRD or NIfTI"));
+            .with_cure("give a volume as .npy, NRRD, NIfTI, MetaImage, PGM, MetaImage or PGM"));
         }
     };
     let first_byte = (!is_packed).then_some(header.length);

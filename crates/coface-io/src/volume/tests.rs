@@ -6,7 +6,7 @@ use crate::{Format, ReadOptions, Structure};
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::cubical::{CubicalVolume, VoxelBoxes, Voxels};
 use flate2::Compression;
-use flate2::write::GzEncoder;
+use flate2::write::{GzEncoder, ZlibEncoder};
 use proptest::prelude::*;
 use std::io::Write;
 
@@ -14,27 +14,28 @@ use std::io::Write;
 const VALUES: [i64; 12] = [0, 1, 2, 3, 100, 0, 7, 7, 1, 0, 0, 5];
 const SHAPE: [u32; 3] = [3, 2, 2];
 
-/// A type in all three formats: NumPy, NRRD, NIfTI.
+/// A type in all formats: NumPy, NRRD, MetaImage, NIfTI.
 struct Type {
     npy: &'static str,
     nrrd: &'static str,
+    meta: &'static str,
     nifti: i16,
     size: usize,
 }
 
 const TYPES: [Type; 12] = [
-    Type { npy: "i1", nrrd: "int8", nifti: 256, size: 1 },
-    Type { npy: "u1", nrrd: "unsigned char", nifti: 2, size: 1 },
-    Type { npy: "i2", nrrd: "short", nifti: 4, size: 2 },
-    Type { npy: "u2", nrrd: "uint16_t", nifti: 512, size: 2 },
-    Type { npy: "i4", nrrd: "int", nifti: 8, size: 4 },
-    Type { npy: "u4", nrrd: "uint32", nifti: 768, size: 4 },
-    Type { npy: "i8", nrrd: "long long int", nifti: 1024, size: 8 },
-    Type { npy: "u8", nrrd: "ulonglong", nifti: 1280, size: 8 },
-    Type { npy: "f4", nrrd: "float", nifti: 16, size: 4 },
-    Type { npy: "f8", nrrd: "double", nifti: 64, size: 8 },
-    Type { npy: "f2", nrrd: "", nifti: 0, size: 2 },
-    Type { npy: "b1", nrrd: "", nifti: 0, size: 1 },
+    Type { npy: "i1", nrrd: "int8", meta: "MET_CHAR", nifti: 256, size: 1 },
+    Type { npy: "u1", nrrd: "unsigned char", meta: "MET_UCHAR", nifti: 2, size: 1 },
+    Type { npy: "i2", nrrd: "short", meta: "MET_SHORT", nifti: 4, size: 2 },
+    Type { npy: "u2", nrrd: "uint16_t", meta: "MET_USHORT", nifti: 512, size: 2 },
+    Type { npy: "i4", nrrd: "int", meta: "MET_INT", nifti: 8, size: 4 },
+    Type { npy: "u4", nrrd: "uint32", meta: "MET_ULONG", nifti: 768, size: 4 },
+    Type { npy: "i8", nrrd: "long long int", meta: "MET_LONG_LONG", nifti: 1024, size: 8 },
+    Type { npy: "u8", nrrd: "ulonglong", meta: "MET_ULONG_LONG", nifti: 1280, size: 8 },
+    Type { npy: "f4", nrrd: "float", meta: "MET_FLOAT", nifti: 16, size: 4 },
+    Type { npy: "f8", nrrd: "double", meta: "MET_DOUBLE", nifti: 64, size: 8 },
+    Type { npy: "f2", nrrd: "", meta: "", nifti: 0, size: 2 },
+    Type { npy: "b1", nrrd: "", meta: "", nifti: 0, size: 1 },
 ];
 
 /// A small integer as 16 bits of floating point.
@@ -69,6 +70,22 @@ fn gzip(bytes: &[u8]) -> Vec<u8> {
     let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
     encoder.write_all(bytes).unwrap();
     encoder.finish().unwrap()
+}
+
+fn zlib(bytes: &[u8]) -> Vec<u8> {
+    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
+    encoder.write_all(bytes).unwrap();
+    encoder.finish().unwrap()
+}
+
+/// A MetaImage of the shape of the fixture, with more fields before the last one.
+fn metaimage(kind: &str, is_big: bool, fields: &str, file: &str, data: &[u8]) -> Vec<u8> {
+    let order = if is_big { "True" } else { "False" };
+    let header = format!(
+        "ObjectType = Image\nNDims = 3\r\nDimSize = 3 2 2\nElementSpacing = 1 1 2.5\nElementType = {kind}\n\
+         BinaryDataByteOrderMSB = {order}\n{fields}ElementDataFile = {file}\n"
+    );
+    [header.as_bytes(), data].concat()
 }
 
 fn npy(descr: &str, is_fortran: bool, shape: &str, version: u8, data: &[u8]) -> Vec<u8> {
@@ -220,6 +237,10 @@ fn files() -> Vec<(String, Vec<u8>, bool)> {
             files.push((format!("nrrd {} gzip", kind.nrrd), with("gzip", &gzip(&data)), false));
             let text = VALUES.map(|value| value.to_string()).join(" ");
             files.push((format!("nrrd {} ascii", kind.nrrd), with("ascii", text.as_bytes()), false));
+            let meta = |fields: &str, data: &[u8]| metaimage(kind.meta, is_big, fields, "LOCAL", data);
+            files.push((format!("{} raw", kind.meta), meta("", &data), false));
+            files.push((format!("{} zlib", kind.meta), meta("CompressedData = True\n", &zlib(&data)), false));
+            files.push((format!("{} text", kind.meta), meta("BinaryData = False\n", text.as_bytes()), false));
             for (version, magic) in [(1, &b"n+1\0"[..]), (2, b"n+2\0\r\n\x1a\n")] {
                 let dims: &[i64] = if is_big { &[3, 2, 2, 1, 1] } else { &[3, 2, 2] };
                 let file = nifti(
@@ -303,6 +324,24 @@ fn scaled_numbers_are_what_is_compared() {
     }
 }
 
+/// Rows run along axis 0, from the top down along axis 1.
+#[test]
+fn grey_images_are_volumes_of_two_axes() {
+    let values: Vec<u8> = vec![0, 9, 5, 5, 0, 9];
+    for bytes in [
+        b"P2\n# made by hand\n3 2\n255\n0 9 5\n5 0 9\n".to_vec(),
+        [&b"P5 3 2 255\n"[..], &values].concat(),
+        [&b"P5#c\n3 2\n65535\n"[..], &values.iter().flat_map(|&value| [0, value]).collect::<Vec<_>>()]
+            .concat(),
+    ] {
+        let volume = read_with(&bytes, VoxelRule::AtLeast(5.0)).unwrap();
+        assert_eq!(volume.shape(), [3, 2]);
+        let set: Vec<bool> = (0..6).map(|at| volume.is_set(&[at % 3, at / 3])).collect();
+        assert_eq!(set, [false, true, true, true, false, true]);
+        assert_eq!(io::read_with(&bytes[..], &ReadOptions::new()).unwrap().format(), Some(Format::Pgm));
+    }
+}
+
 /// What a header may lie about, and what is said.
 #[test]
 fn lies_are_named() {
@@ -335,6 +374,37 @@ fn lies_are_named() {
         (nifti(1, false, (2, 8), &[2], (0.0, 0.0), b"\0\0\0\0", &[]), Format::Nifti, "ANALYZE"),
         (nifti(2, false, (2, 8), &[2], (0.0, 0.0), b"n+3\0", &[]), Format::Nifti, "mark of NIfTI"),
         (vec![7; 400], Format::Nifti, "348 or 540"),
+        (metaimage("MET_SHORT", false, "", "LOCAL", &[0; 20]), Format::MetaImage, "20 bytes are left"),
+        (metaimage("MET_OTHER", false, "", "LOCAL", &[]), Format::MetaImage, "\"MET_OTHER\""),
+        (
+            metaimage("MET_SHORT", false, "ElementNumberOfChannels = 3\n", "LOCAL", &[]),
+            Format::MetaImage,
+            "3 numbers",
+        ),
+        (
+            metaimage("MET_SHORT", false, "CompressedData = yes\n", "LOCAL", &[]),
+            Format::MetaImage,
+            "not True or False",
+        ),
+        (
+            metaimage("MET_SHORT", false, "CompressedData = True\n", "LOCAL", &[7; 30]),
+            Format::MetaImage,
+            "unpacked",
+        ),
+        (metaimage("MET_SHORT", false, "", "LIST", &[]), Format::MetaImage, "several files"),
+        (metaimage("MET_SHORT", false, "", "../other.raw", &[]), Format::MetaImage, "other file"),
+        (b"ObjectType = Image\nNDims = 2\nDimSize = 2 2\n".to_vec(), Format::MetaImage, "ElementDataFile"),
+        (b"ObjectType = Mesh\n".to_vec(), Format::MetaImage, "not Image"),
+        (
+            b"NDims = 2\nDimSize = 2\nElementType = MET_CHAR\nElementDataFile = LOCAL\n".to_vec(),
+            Format::MetaImage,
+            "2 axes",
+        ),
+        (b"P2 2 2 1\n1 1 0\n".to_vec(), Format::Pgm, "3 of 4"),
+        (b"P5 4000000000 4000000000 255\n".to_vec(), Format::Pgm, "bytes"),
+        (b"P2 2 x 1\n".to_vec(), Format::Pgm, "\"x\""),
+        (b"P2 2 2 70000\n".to_vec(), Format::Pgm, "largest value"),
+        (b"P2 2".to_vec(), Format::Pgm, "no end"),
         (nrrd("type: block\ndimension: 1\nsizes: 2\nencoding: raw"), Format::Nrrd, "\"block\""),
         (nrrd("type: short\ndimension: 1\nsizes: 2\nencoding: raw"), Format::Nrrd, "\"endian\""),
         (
@@ -397,7 +467,7 @@ fn lies_are_named() {
 /// Bytes are changed one at a time: whatever it says, nothing panics.
 #[test]
 fn damage_never_panics() {
-    let chosen = |name: &str| name.contains("i2") || name.contains("short");
+    let chosen = |name: &str| name.contains("i2") || name.contains("short") || name.contains("MET_SHORT");
     for (_, bytes, _) in files().into_iter().filter(|(name, ..)| chosen(name)) {
         for at in 0..bytes.len() {
             for change in [0xff, 0x01, 0x80] {
@@ -427,9 +497,22 @@ fn pairs_are_read_by_either_name() {
         .unwrap();
     std::fs::write(path("skipped.raw"), [b"one\ntwo\n.", &data[..]].concat()).unwrap();
     std::fs::write(path("b.nhdr"), format!("{nhdr}data file: skipped.raw\nbyte skip: -1\n")).unwrap();
+    let outside = |fields: &str| metaimage("MET_SHORT", true, fields, "skipped.raw", &[]);
+    std::fs::write(path("d.mhd"), outside("HeaderSize = 9\n")).unwrap();
+    std::fs::write(path("e.mhd"), outside("HeaderSize = -1\n")).unwrap();
     std::fs::write(path("c.nrrd"), [nhdr.as_bytes(), b"byte skip: -1\n\nwhatever", &data].concat()).unwrap();
     let expected = expected(&VALUES, &SHAPE, VoxelRule::AtLeast(5.0));
-    for name in ["brain.hdr", "brain.img", "packed.hdr", "packed.img.gz", "a.nhdr", "b.nhdr", "c.nrrd"] {
+    for name in [
+        "brain.hdr",
+        "brain.img",
+        "packed.hdr",
+        "packed.img.gz",
+        "a.nhdr",
+        "b.nhdr",
+        "c.nrrd",
+        "d.mhd",
+        "e.mhd",
+    ] {
         let model = io::read_path_with(path(name), &options(VoxelRule::AtLeast(5.0))).unwrap();
         assert_eq!(model.structure(), Some(&Structure::Volume(expected.clone())), "{name}");
     }

@@ -63,6 +63,11 @@ const SAMPLES: [(Format, &str); 16] = [
     (Format::Json, "{\"facets\":[[0,1,2]]}"),
     (Format::Isosig, "# figure 8\ncPcbbbiht\n"),
     (Format::Nrrd, "NRRD0004\ntype: uint8\ndimension: 2\nsizes: 2 2\nencoding: ascii\n\n1 0 1 1\n"),
+    (Format::Pgm, "P2\n2 2\n1\n1 0\n1 1\n"),
+    (
+        Format::MetaImage,
+        "ObjectType = Image\nNDims = 2\nDimSize = 2 2\nBinaryData = False\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n1 0 1 1\n",
+    ),
     (Format::Lines, "0,0,1,0\n1,0,0,1\n0,1,0,0\n"),
     (
         Format::GeoJson,

@@ -1137,7 +1137,7 @@ def cubical(
     Parameters
     ----------
     x
-        An array of numbers with one to four axes, or a file: ``.npy``, NRRD or NIfTI. A voxel that is NaN never enters, and neither does one at
+        An array of numbers with one to four axes, or a file: ``.npy``, NRRD, NIfTI, MetaImage or PGM. A voxel that is NaN never enters, and neither does one at
         infinity.
     construction
         ``"t"``: voxels are top cells, as ``top_dimensional_cells`` of gudhi and ``tcripser``; ``"v"``: voxels are vertices, as ``vertices`` of gudhi
@@ -1177,7 +1177,7 @@ def cubical(
     if isinstance(x, (str, os.PathLike)):
         values = _coface._values_of_volume(x)
         if values is None:
-            raise_invalid(f"{os.fspath(x)!r} is no volume", "give an array, or a file of the format .npy, NRRD or NIfTI")
+            raise_invalid(f"{os.fspath(x)!r} is no volume", "give an array, or a file of the format .npy, NRRD, NIfTI, MetaImage or PGM")
         x = values
     x = np.asarray(plain(x))
     if x.dtype != np.float32:
