@@ -641,7 +641,7 @@ fn begin<'r>(
                 ErrorKind::UnsupportedFormat,
                 format!("{} holds no volume", format.title()),
             )
-            .with_cure("give a volume as .npy, NRRD, NIfTI, MetaImage, PGM, MetaImage or PGM"));
+            .with_cure("give a volume as .npy, NRRD, NIfTI, MetaImage or PGM"));
         }
     };
     let first_byte = (!is_packed).then_some(header.length);
