@@ -54,10 +54,9 @@ pub use isomorphism::isomorphic;
 pub use matrix_blocks::{BlockedMatrix, MatrixBlocks};
 pub use parts::RegionSource;
 pub use persistence::{
-    AlphaFiltration, CurveValues, DiagramCurveKind, DiagramCurvesRequest, DiagramDistanceRequest,
-    DiagramFormat, DiagramImageRequest, DiagramMetric, FoundDiagram, FoundImage, FoundRips, GivenDiagram,
-    GreyImage, Growth, ImageRequest, PersistenceRequest, RipsRequest, TableForm, VertexFunction,
-    write_diagram,
+    CurveValues, DiagramCurveKind, DiagramCurvesRequest, DiagramDistanceRequest, DiagramFormat,
+    DiagramImageRequest, DiagramMetric, FoundDiagram, FoundImage, FoundRips, GivenDiagram, GreyImage, Growth,
+    ImageRequest, PersistenceRequest, PointFiltration, RipsRequest, VertexFunction, write_diagram,
 };
 pub use planar::{
     ArrangementRequest, BooleanRequest, BufferCaps, BufferJoins, BufferOptions, DissolveRequest, Dissolved,

@@ -1,9 +1,9 @@
 //! The options that verbs share.
 
-use crate::failure::Failure;
+use crate::points::PointArguments;
 use clap::Args;
 use coface::complexes::cubical::CubicalVolume;
-use coface::io::{AlphaReading, Format, ReadOptions, VolumeReading, VoxelRule};
+use coface::io::{Format, ReadOptions, VolumeReading, VoxelRule};
 use coface::scale::workers::{parse_bytes, parse_duration};
 use coface::topology::Coefficients;
 use serde::{Deserialize, Serialize};
@@ -58,47 +58,14 @@ pub(crate) struct Common {
     #[command(flatten)]
     pub(crate) voxels: VoxelArguments,
     #[command(flatten)]
-    pub(crate) alpha: AlphaArguments,
-}
-
-/// How points are read as their alpha complex.
-#[derive(Args, Clone, Copy, Debug, Default)]
-pub(crate) struct AlphaArguments {
-    /// Take points, the rows of a table (.csv, .txt, .npy) or the vertices of a model, as their alpha complex in dimension 1, 2 or 3: the simplices of
-    /// the Delaunay triangulation that enter at the value A or before, or all. Values are squared radii, as in GUDHI's AlphaComplex
-    #[arg(long, value_name = "A", num_args = 0..=1, global = true, help_heading = "Alpha complexes",
-          allow_negative_numbers = true, value_parser = number)]
-    alpha: Option<Option<f64>>,
-    /// The last number of each row is the weight of the point, a squared radius: the simplices are those of the regular triangulation
-    #[arg(long, global = true, help_heading = "Alpha complexes", requires = "alpha")]
-    weighted: bool,
-    /// A and all values are radii instead of squared radii (GUDHI: output_squared_values=False)
-    #[arg(long, global = true, help_heading = "Alpha complexes", requires = "alpha")]
-    radii: bool,
-}
-
-impl AlphaArguments {
-    /// How points are read, if they are to be.
-    pub(crate) fn reading(self) -> Option<AlphaReading> {
-        let bound = self.alpha?;
-        Some(AlphaReading { bound, weighted: self.weighted, radii: self.radii })
-    }
-
-    /// Refuses points for what takes files as they are.
-    pub(crate) fn refuse(self, verb: &str) -> Result<(), Failure> {
-        match self.alpha {
-            None => Ok(()),
-            Some(_) => Err(Failure::new(format!(
-                "coface {verb} takes no --alpha; write the complex first: coface convert POINTS --alpha -o COMPLEX.vtk"
-            ))),
-        }
-    }
+    pub(crate) points: PointArguments,
 }
 
 /// Which voxels of a volume are set.
 #[derive(Args, Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct VoxelArguments {
-    /// Of a volume (.npy, NRRD, NIfTI, MetaImage, PGM) take the voxels of T and above, instead of all that are not 0
+    /// Of a volume (.npy, NRRD, NIfTI, MetaImage, PGM) take the voxels of T and above, instead of all that are not 0; of points and graphs (--rips, --cech, --flag) the simplices
+    /// up to the diameter, radius or value T
     #[arg(long, value_name = "T", global = true, help_heading = "Volumes", allow_negative_numbers = true,
           value_parser = number, conflicts_with_all = ["below", "between", "value"])]
     threshold: Option<f64>,
@@ -144,7 +111,7 @@ fn limit<T>(text: &str, parse: fn(&str) -> Result<T, coface::Error>) -> Result<L
 type PeriodicAxes = [bool; CubicalVolume::MOST_AXES];
 
 impl VoxelArguments {
-    /// The threshold by itself; of points it is the largest diameter.
+    /// The threshold by itself; of points it is the largest diameter, of graphs the largest value.
     pub(crate) fn threshold(&self) -> Option<f64> {
         self.threshold
     }
@@ -185,7 +152,7 @@ pub(crate) fn length(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "give a finite length that is not negative".to_owned())
 }
 
-fn number(text: &str) -> Result<f64, String> {
+pub(crate) fn number(text: &str) -> Result<f64, String> {
     let number: Option<f64> = text.parse().ok().filter(|number: &f64| number.is_finite());
     number.ok_or_else(|| "give a finite number".to_owned())
 }
@@ -207,7 +174,7 @@ fn periodic_axes(text: &str) -> Result<PeriodicAxes, String> {
 impl Common {
     /// How inputs are read.
     pub(crate) fn reading(&self) -> ReadOptions {
-        ReadOptions::new()
+        let options = ReadOptions::new()
             .format(self.format)
             .flatten(self.flatten)
             .volume(self.voxels.reading())
@@ -215,8 +182,8 @@ impl Common {
             .partial(self.partial)
             .allow_outside(self.allow_outside)
             .lod(self.lod)
-            .pseudomanifold(self.pseudomanifold)
-            .alpha(self.alpha.reading())
+            .pseudomanifold(self.pseudomanifold);
+        self.points.reading(options, self.voxels.threshold())
     }
 }
 

@@ -16,6 +16,7 @@ mod input;
 mod limits;
 mod output;
 mod pictures;
+mod points;
 mod progress;
 mod remarks;
 mod simplices;

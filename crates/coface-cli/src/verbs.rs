@@ -84,6 +84,21 @@ impl Arguments {
         let of_inputs = |option: &&Arg| OF_INPUTS.contains(&option.get_id().as_str());
         let inputs: Vec<Arg> =
             whole.get_arguments().filter(of_inputs).map(|one| one.clone().hide(true)).collect();
+        let with_dimension: Vec<String> = whole
+            .get_subcommands()
+            .filter(|verb| has_dimension(verb))
+            .map(|verb| verb.get_name().to_owned())
+            .collect();
+        for verb in with_dimension {
+            // These have a dimension of their own.
+            let mut other = whole
+                .get_arguments()
+                .find(|option| option.get_id() == "points_dimension")
+                .expect("an option of points")
+                .clone();
+            other = other.long("points-dimension").hide(true);
+            whole = whole.mut_subcommand(verb, |verb| verb.arg(other));
+        }
         for verb in WITHOUT_VOLUMES {
             whole = whole.mut_subcommand(verb, |verb| verb.args(&volumes));
         }
@@ -109,6 +124,12 @@ impl Arguments {
         }
         shown
     }
+}
+
+/// Whether a verb has an option `--dimension` of its own.
+fn has_dimension(verb: &Command) -> bool {
+    verb.get_arguments().any(|option| option.get_long() == Some("dimension"))
+        || verb.get_subcommands().any(has_dimension)
 }
 
 /// Whether the word that is no verb names a file that is there, or standard input; `None` if it looks like a verb.
@@ -177,7 +198,7 @@ const WITHOUT_VOLUMES: [&str; 12] = [
 const WITHOUT_INPUTS: [&str; 4] = ["check", "diagram", "completions", "man"];
 
 /// The options that say how a model is read.
-const OF_INPUTS: [&str; 10] = [
+const OF_INPUTS: [&str; 20] = [
     "format",
     "flatten",
     "strict",
@@ -188,6 +209,16 @@ const OF_INPUTS: [&str; 10] = [
     "alpha",
     "weighted",
     "radii",
+    "rips",
+    "flag",
+    "directed",
+    "cech",
+    "landmarks",
+    "strong",
+    "points_dimension",
+    "distances",
+    "delay",
+    "embedding",
 ];
 
 const AFTER_HELP: &str = "\
@@ -252,6 +283,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 fn serve(arguments: &Arguments) -> Result<(), Failure> {
     let common = &arguments.common;
+    common.points.check()?;
     if let Some(output) = &common.output {
         // Before the work, not after it.
         check_output(output)?;

@@ -1,8 +1,9 @@
 //! Alpha complexes: the simplices of a Delaunay triangulation with the squared radii at which they enter.
 
+use crate::filtered::FilteredComplex;
 use crate::simplicial::FrozenComplex;
 use coface_algebra::progress::stage;
-use coface_algebra::{Error, RaggedArray, SparseMatrix, VertexId};
+use coface_algebra::{Error, SparseMatrix, VertexId};
 use coface_geometry::predicates::{WeightedPoint, smallest_sphere, smallest_sphere_side};
 use coface_geometry::{Positions, RegularTriangulation};
 use rayon::prelude::*;
@@ -30,9 +31,7 @@ use rayon::prelude::*;
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AlphaComplex {
-    complex: FrozenComplex,
-    /// For each degree the value of each simplex.
-    values: Vec<Vec<f64>>,
+    filtered: FilteredComplex,
     hidden: Vec<VertexId>,
 }
 
@@ -61,7 +60,8 @@ impl AlphaComplex {
         };
         let points: Vec<WeightedPoint> = (0..points.len()).map(at).collect();
         let values = Radii { complex: &complex, points, is_weighted: weights.is_some() }.values()?;
-        Ok(Self { complex, values, hidden: triangulation.hidden().to_vec() })
+        let filtered = FilteredComplex::from_trusted_parts(complex, values);
+        Ok(Self { filtered, hidden: triangulation.hidden().to_vec() })
     }
 
     /// The simplices of the Delaunay triangulation.
@@ -69,7 +69,7 @@ impl AlphaComplex {
     /// # Examples
     /// See [`AlphaComplex`].
     pub fn complex(&self) -> &FrozenComplex {
-        &self.complex
+        self.filtered.complex()
     }
 
     /// The values of the simplices of a degree, in the order of the complex: squared radii. Empty beyond the dimension.
@@ -77,19 +77,18 @@ impl AlphaComplex {
     /// # Examples
     /// See [`AlphaComplex`].
     pub fn values(&self, degree: usize) -> &[f64] {
-        self.values.get(degree).map_or(&[], Vec::as_slice)
+        self.filtered.values(degree)
     }
 
-    /// The complex, and for each degree the values.
+    /// The complex with its values.
     ///
     /// # Examples
     /// ```
     /// use coface_complexes::alpha::AlphaComplex;
-    /// let (complex, values) = AlphaComplex::default().into_parts();
-    /// assert!(complex.is_empty() && values.is_empty());
+    /// assert!(AlphaComplex::default().into_filtered().complex().is_empty());
     /// ```
-    pub fn into_parts(self) -> (FrozenComplex, Vec<Vec<f64>>) {
-        (self.complex, self.values)
+    pub fn into_filtered(self) -> FilteredComplex {
+        self.filtered
     }
 
     /// The points in no simplex of the triangulation, rising.
@@ -121,12 +120,9 @@ impl AlphaComplex {
     /// assert_eq!(AlphaComplex::new(&two, None)?.with_radii().values(1), [3.]);
     /// # Ok(()) }
     /// ```
-    pub fn with_radii(mut self) -> Self {
-        for value in self.values.iter_mut().flatten() {
-            assert!(*value >= 0.0, "negative values have no roots");
-            *value = value.sqrt();
-        }
-        self
+    pub fn with_radii(self) -> Self {
+        assert!(self.filtered.all_values().all(|value| value >= 0.0), "negative values have no roots");
+        Self { filtered: self.filtered.map_values(f64::sqrt), hidden: self.hidden }
     }
 
     /// The part that is there at a value: the simplices that enter at it or before.
@@ -137,51 +133,7 @@ impl AlphaComplex {
     /// # Examples
     /// See [`AlphaComplex`].
     pub fn up_to(&self, bound: f64) -> Self {
-        let facets = self.facets_up_to(bound);
-        let complex = FrozenComplex::from_facets(&facets).expect("a part of a complex is no larger");
-        let value = |degree: usize, i: usize| {
-            let here = self.complex.index_of(complex.numbers(degree, i)).expect("a part of the complex");
-            self.values[degree][here]
-        };
-        let of_degree = |(degree, count): (usize, usize)| (0..count).map(|i| value(degree, i)).collect();
-        let values = complex.f_vector().into_iter().enumerate().map(of_degree).collect();
-        Self { complex, values, hidden: self.hidden.clone() }
-    }
-
-    /// The simplices that enter at a value or before and are in no larger one that does, by their points: those of the highest dimension first.
-    ///
-    /// # Complexity
-    /// As of [`Self::up_to`].
-    ///
-    /// # Examples
-    /// ```
-    /// use coface_complexes::alpha::AlphaComplex;
-    /// use coface_geometry::Positions;
-    /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let corners = Positions::from_flat(2, vec![0., 0., 6., 0., 0., 8.])?;
-    /// let alpha = AlphaComplex::new(&corners, None)?;
-    /// assert_eq!(alpha.facets_up_to(9.).iter().collect::<Vec<_>>(), [&[0, 1][..], &[2]]);
-    /// assert_eq!(alpha.facets_up_to(25.).iter().collect::<Vec<_>>(), [[0, 1, 2]]);
-    /// # Ok(()) }
-    /// ```
-    pub fn facets_up_to(&self, bound: f64) -> RaggedArray {
-        let mut facets = RaggedArray::new();
-        let mut is_covered: Vec<bool> = Vec::new();
-        for degree in (0..self.values.len()).rev() {
-            let below = degree.checked_sub(1).map_or(0, |below| self.complex.simplex_count(below));
-            let mut is_covered_below = vec![false; below];
-            for (i, _) in self.values[degree].iter().enumerate().filter(|&(_, &value)| value <= bound) {
-                let is_facet = !is_covered.get(i).copied().unwrap_or(false);
-                if is_facet {
-                    facets.push(self.complex.numbers(degree, i));
-                }
-                for (_, face) in self.complex.facets(degree, i) {
-                    is_covered_below[face] = true;
-                }
-            }
-            is_covered = is_covered_below;
-        }
-        facets
+        Self { filtered: self.filtered.up_to(bound), hidden: self.hidden.clone() }
     }
 }
 
@@ -266,7 +218,7 @@ mod tests {
     }
 
     fn euler_characteristic(alpha: &AlphaComplex, bound: f64) -> i64 {
-        let counts = alpha.up_to(bound).complex.f_vector();
+        let counts = alpha.up_to(bound).complex().f_vector();
         counts.iter().enumerate().map(|(k, &n)| if k % 2 == 0 { n as i64 } else { -(n as i64) }).sum()
     }
 
@@ -277,16 +229,16 @@ mod tests {
             let (dimension, flat) = flat;
             let points = Positions::from_flat(dimension, flat).unwrap();
             let alpha = AlphaComplex::new(&points, None).unwrap();
-            alpha.complex.check().unwrap();
-            for degree in 1..alpha.values.len() {
+            alpha.complex().check().unwrap();
+            for degree in 1..alpha.complex().f_vector().len() {
                 for (i, &value) in alpha.values(degree).iter().enumerate() {
-                    for (_, face) in alpha.complex.facets(degree, i) {
+                    for (_, face) in alpha.complex().facets(degree, i) {
                         prop_assert!(alpha.values(degree - 1)[face] <= value);
                     }
                 }
             }
             prop_assert_eq!(euler_characteristic(&alpha, f64::INFINITY), i64::from(!points.is_empty()));
-            prop_assert_eq!(alpha.complex.simplex_count(0) + alpha.hidden.len(), points.len());
+            prop_assert_eq!(alpha.complex().simplex_count(0) + alpha.hidden.len(), points.len());
         }
 
         /// The Euler characteristics along the values are those of the points in another order.
@@ -301,7 +253,7 @@ mod tests {
             turned.reverse();
             let turned = Positions::from_flat(3, turned.concat()).unwrap();
             let [one, other] = [points, turned].map(|points| AlphaComplex::new(&points, None).unwrap());
-            for &bound in one.values.iter().chain(&other.values).flatten() {
+            for bound in one.filtered.all_values().chain(other.filtered.all_values()) {
                 prop_assert_eq!(euler_characteristic(&one, bound), euler_characteristic(&other, bound));
             }
         }
@@ -314,7 +266,7 @@ mod tests {
         // The circle through all three has the radius 5.
         assert_eq!((alpha.values(1), alpha.values(2)), (&[25., 5., 5.][..], &[25.][..]));
         assert_eq!(alpha.clone().with_radii().values(2), [5.]);
-        assert_eq!(alpha.facets_up_to(f64::INFINITY).len(), 1);
+        assert_eq!(alpha.into_filtered().facets_up_to(f64::INFINITY).len(), 1);
     }
 
     #[test]

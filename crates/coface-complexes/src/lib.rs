@@ -10,6 +10,7 @@
 //! * [`cell_mesh`]: tetrahedra, hexahedra, wedges and pyramids with shared faces.
 //! * [`lar`]: cells as lists of vertices, incidence operators, oriented boundaries.
 //! * [`alpha`]: alpha complexes of points, from Delaunay triangulations.
+//! * [`filtered`]: simplicial complexes with values: flag complexes of weighted graphs and of points with distances.
 //! * [`grids`], [`cubical`], [`shapes`]: products of intervals, voxels, and mapped grids with positions.
 //! * [`families`]: the shapes and known spaces by name, with their parameters.
 //!
@@ -22,6 +23,7 @@ mod coherence;
 mod components;
 pub mod cubical;
 pub mod families;
+pub mod filtered;
 pub mod gluing;
 pub mod grids;
 pub mod known_spaces;

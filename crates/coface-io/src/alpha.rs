@@ -1,14 +1,12 @@
 //! Points that are read as their alpha complex.
 
+use crate::filtered_model::mesh_of;
 use crate::number_table::NumberTable;
 use crate::readers::{ReadOptions, read_path_with};
-use crate::{CellData, Format, GroupKind, Model, ModelParts, Remark, RemarkCode};
-use coface_algebra::{Error, RaggedArray, VertexId, memory};
+use crate::{Format, Model, Remark, RemarkCode};
+use coface_algebra::{Error, VertexId, memory};
 use coface_complexes::alpha::AlphaComplex;
-use coface_complexes::cell_mesh::CellShape;
 use coface_geometry::Positions;
-use coface_geometry::predicates::{orientation, spatial_orientation};
-use std::io::Read;
 use std::path::Path;
 
 /// How points become an alpha complex.
@@ -172,7 +170,7 @@ pub fn vertices_of_path(
     if !is_model {
         return Ok(None);
     }
-    let model = read_path_with(path, &options.alpha(None))?;
+    let model = read_path_with(path, &options.as_file())?;
     model.require_finite().map_err(|error| error.in_file(path.display().to_string()))?;
     let positions = model.positions();
     let table = NumberTable::from_rows(positions.as_flat().chunks(positions.dimension().max(1)));
@@ -244,55 +242,7 @@ impl AlphaPoints {
     /// assert_eq!((model.vertex_count(), model.polygons().len()), (3, 1));
     /// ```
     pub fn into_model(self) -> Model {
-        let used = self.complex.complex().flat(0);
-        let is_whole = used.len() == self.positions.len();
-        let number = |id: u32| match is_whole {
-            true => id,
-            false => used.binary_search(&id).expect("a point of a simplex") as u32,
-        };
-        let dimension = self.positions.dimension().max(if used.is_empty() { 0 } else { 2 });
-        let coordinates = |id: u32| {
-            let point = self.positions.point(VertexId::new(id as usize));
-            (0..dimension).map(move |axis| point.get(axis).copied().unwrap_or(0.0))
-        };
-        let (mut polygons, mut cells) = (RaggedArray::new(), RaggedArray::new());
-        let (mut lines, mut points) = (RaggedArray::new(), Vec::new());
-        for facet in self.complex.facets_up_to(f64::INFINITY).iter() {
-            let mut corners = facet.to_vec();
-            if is_turned(&self.positions, facet) {
-                corners.swap(0, 1);
-            }
-            let corners: Vec<u32> = corners.into_iter().map(number).collect();
-            match corners[..] {
-                [point] => points.push(VertexId::new(point as usize)),
-                [_, _] => lines.push(&corners),
-                [_, _, _] => polygons.push(&corners),
-                _ => cells.push(&corners),
-            }
-        }
-        let flat = used.iter().flat_map(|&id| coordinates(id)).collect();
-        let positions = Positions::from_flat(dimension, flat).expect("points have finite coordinates");
-        let mut data = Vec::new();
-        if !is_whole {
-            let numbers = used.iter().map(|&id| i64::from(id)).collect();
-            let named = CellData::integers("point", GroupKind::Vertices, 1, numbers);
-            data.push(named.expect("one number for each point"));
-        }
-        let shapes = vec![CellShape::Tetrahedron; cells.len()];
-        ModelParts {
-            format: Some(Format::Points),
-            vertex_count: used.len(),
-            positions,
-            polygons,
-            shapes,
-            cells,
-            lines,
-            points,
-            data,
-            remarks: self.remarks,
-            ..ModelParts::default()
-        }
-        .into_model()
+        mesh_of(&self.positions, &self.complex.into_filtered(), self.remarks)
     }
 }
 
@@ -307,48 +257,10 @@ fn hidden_points(hidden: &[VertexId]) -> Option<Remark> {
     Some(Remark::new(RemarkCode::InputReading, message).at(count, []))
 }
 
-/// Whether a triangle of the plane or a tetrahedron runs the wrong way.
-fn is_turned(positions: &Positions, corners: &[u32]) -> bool {
-    let point = |id: u32| positions.point(VertexId::new(id as usize));
-    match *corners {
-        [a, b, c] if positions.dimension() == 2 => {
-            let [a, b, c] = [a, b, c].map(|id| [point(id)[0], point(id)[1]]);
-            orientation(a, b, c).is_lt()
-        }
-        [a, b, c, d] => {
-            let [a, b, c, d] = [a, b, c, d].map(|id| [point(id)[0], point(id)[1], point(id)[2]]);
-            spatial_orientation(a, b, c, d).is_lt()
-        }
-        _ => false,
-    }
-}
-
-/// The model of the points in a file, if they are to be read as an alpha complex.
-pub(crate) fn model_of_path(path: &Path, options: &ReadOptions) -> Option<Result<Model, Error>> {
-    let alpha = options.alpha?;
-    let read = || {
-        let model = alpha.points_of_path(path, options)?.into_model();
-        options.accept(model.remarks()).map_err(|error| error.in_file(path.display().to_string()))?;
-        Ok(model)
-    };
-    Some(read())
-}
-
-/// The model of the points in a stream, if they are to be read as an alpha complex.
-pub(crate) fn model_of_stream(input: &mut dyn Read, options: &ReadOptions) -> Option<Result<Model, Error>> {
-    let alpha = options.alpha?;
-    let read = || {
-        let model = alpha.points(&NumberTable::read(input)?)?.into_model();
-        options.accept(model.remarks())?;
-        Ok(model)
-    };
-    Some(read())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::read_with;
+    use crate::{GroupKind, read_with};
 
     fn read(text: &str, alpha: AlphaReading) -> Result<Model, Error> {
         read_with(text.as_bytes(), &ReadOptions::new().alpha(alpha))

@@ -19,9 +19,11 @@ mod alpha;
 mod arcs;
 mod assembly;
 mod blocks;
+mod cech;
 mod cells_not_balls;
 pub mod cityjson;
 pub mod collada;
+mod complex_reading;
 pub mod container;
 mod counted_stream;
 mod data;
@@ -33,11 +35,13 @@ mod entries;
 mod feature_table;
 mod features;
 mod files;
+mod filtered_model;
 mod foreign;
 mod format;
 mod generated;
 pub mod geojson;
 pub mod gltf;
+mod graph;
 mod group;
 pub mod isosig;
 pub mod json;
@@ -63,6 +67,7 @@ pub mod points_text;
 mod readers;
 mod reference_system;
 mod remark;
+mod rips;
 #[cfg(test)]
 mod samples;
 mod scanner;
@@ -70,6 +75,7 @@ mod scene;
 mod scratch_mesh;
 pub mod stl;
 pub mod svg;
+mod table_form;
 mod tail;
 pub mod tetgen;
 pub mod three_mf;
@@ -77,6 +83,7 @@ mod unpacking;
 mod values;
 pub mod volume;
 pub mod vtk;
+mod witness;
 pub mod wkb;
 pub mod wkt;
 #[cfg(feature = "xml")]
@@ -84,6 +91,7 @@ mod xml_text;
 pub mod yin;
 
 pub use alpha::{AlphaPoints, AlphaReading, vertices_of_path};
+pub use cech::{CechPoints, CechReading};
 pub use cells_not_balls::cells_not_balls;
 pub use data::CellData;
 #[doc(hidden)]
@@ -97,6 +105,7 @@ pub use files::{
 };
 pub use files::{abandon_files, content_hash, replace_file};
 pub use format::Format;
+pub use graph::FileGraph;
 pub use group::{Group, GroupKind, GroupRole};
 pub use isosig::{SignatureLine, SignatureLines};
 pub use model::repeated_vertex;
@@ -113,6 +122,9 @@ pub use readers::{
 pub use readers::{entry_of, read_companion, stream_mesh, write_empty_polygon};
 pub use reference_system::ReferenceSystem;
 pub use remark::{Place, Remark, RemarkCode};
+pub use rips::{FlagReading, RipsPoints, RipsReading};
 #[doc(hidden)]
 pub use scratch_mesh::NO_VERTEX;
+pub use table_form::TableForm;
 pub use volume::{VolumeReading, VolumeStream, VoxelRule};
+pub use witness::{WitnessPoints, WitnessReading};

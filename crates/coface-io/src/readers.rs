@@ -6,10 +6,11 @@ use super::scratch_mesh::{self, ScratchMesh, ScratchStream};
 use super::tail::Tail;
 use super::unpacking::{Packing, unpacked};
 use super::{
-    AlphaReading, Format, Model, Remark, Structure, VolumeReading, VolumeStream, abaqus, alpha, cityjson,
-    collada, container, detection, format, geojson, gltf, isosig, json, lines_text, medit, msh, obj, off,
-    parts, ply, points_text, stl, svg, tetgen, three_mf, volume, vtk, wkb, wkt, yin,
+    Format, Model, Remark, Structure, VolumeReading, VolumeStream, abaqus, cityjson, collada,
+    complex_reading, container, detection, format, geojson, gltf, isosig, json, lines_text, medit, msh, obj,
+    off, parts, ply, points_text, stl, svg, tetgen, three_mf, volume, vtk, wkb, wkt, yin,
 };
+use crate::complex_reading::ComplexReading;
 use crate::{ReferenceSystem, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use std::fs::File;
@@ -69,7 +70,8 @@ pub struct ReadOptions {
     pub(crate) allow_outside: bool,
     pub(crate) lod: Option<f64>,
     pub(crate) pseudomanifold: bool,
-    pub(crate) alpha: Option<AlphaReading>,
+    /// What points and graphs make, if they are no models by themselves.
+    pub(crate) complex: Option<ComplexReading>,
 }
 
 impl ReadOptions {
@@ -147,23 +149,6 @@ impl ReadOptions {
     #[must_use]
     pub fn pseudomanifold(mut self, is_pseudomanifold: bool) -> Self {
         self.pseudomanifold = is_pseudomanifold;
-        self
-    }
-
-    /// Reads points, rows of numbers or the vertices of a model, as their alpha complex: a mesh of tetrahedra, triangles, edges and points.
-    ///
-    /// # Examples
-    /// The edges of a triangle, of which two are there at the squared radius 16.
-    /// ```
-    /// use coface_io::{AlphaReading, ReadOptions, read_with};
-    /// let alpha = AlphaReading { bound: Some(16.0), ..AlphaReading::default() };
-    /// let model = read_with(&b"0 0\n6 0\n0 8\n"[..], &ReadOptions::new().alpha(alpha))?;
-    /// assert_eq!((model.lines().len(), model.polygons().len()), (2, 0));
-    /// # Ok::<(), coface_algebra::Error>(())
-    /// ```
-    #[must_use]
-    pub fn alpha(mut self, alpha: impl Into<Option<AlphaReading>>) -> Self {
-        self.alpha = alpha.into();
         self
     }
 
@@ -303,7 +288,7 @@ pub fn read_path_with(path: impl AsRef<Path>, options: &ReadOptions) -> Result<M
     let path = &volume::header_path(path.as_ref());
     let format = options.format;
     options.check()?;
-    if let Some(read) = alpha::model_of_path(path, options) {
+    if let Some(read) = complex_reading::model_of_path(path, options) {
         return read;
     }
     if !path.exists()
@@ -489,7 +474,7 @@ pub fn read(input: impl Read, format: Format) -> Result<Model, Error> {
 /// ```
 pub fn read_with(mut input: impl Read, options: &ReadOptions) -> Result<Model, Error> {
     options.check()?;
-    if let Some(read) = alpha::model_of_stream(&mut input, options) {
+    if let Some(read) = complex_reading::model_of_stream(&mut input, options) {
         return read;
     }
     read_started(opened(reading(STREAM, input, 0), None, options.format)?, options)
@@ -513,7 +498,7 @@ pub fn read_with(mut input: impl Read, options: &ReadOptions) -> Result<Model, E
 pub fn read_named(mut input: impl Read, name: &str, options: &ReadOptions) -> Result<Model, Error> {
     let read = || {
         options.check()?;
-        if let Some(read) = alpha::model_of_stream(&mut input, options) {
+        if let Some(read) = complex_reading::model_of_stream(&mut input, options) {
             return read;
         }
         read_started(opened(reading(name, input, 0), Some(Path::new(name)), options.format)?, options)

@@ -5,18 +5,17 @@ use crate::chain::Chain;
 use crate::chain_complex::{ChainComplex, ring};
 use crate::diagrams::{self, Curves};
 use crate::errors::{OrRaise, invalid, warn, whole};
-use crate::model::Model;
 use crate::pictures::flat_file;
-use crate::source::{Names, Naming};
+use crate::source::Naming;
 use crate::work::run;
 use coface::algebra::Integer;
 use coface::algebra::chains::ChainComplex as Chains;
 use coface::answers::{
     DiagramCurveKind, DiagramFormat, DiagramImageRequest, FoundImage, FoundRips, GivenDiagram, GreyImage,
-    ImageRequest, RipsRequest, TableForm, write_diagram,
+    ImageRequest, write_diagram,
 };
 use coface::complexes::cubical::CubicalVolume;
-use coface::io::{AlphaReading, NumberTable, ReadOptions, VolumeReading};
+use coface::io::{ReadOptions, VolumeReading};
 use coface::pictures::{DiagramPoint, diagram_picture};
 use coface::topology;
 use coface::topology::{Barcode, Coefficients, Filtration, PersistenceDiagram, PersistencePair};
@@ -42,11 +41,11 @@ use std::sync::Arc;
 ///        [ 1.,  2.]])
 #[pyclass(frozen, dict, module = "coface", name = "Persistence")]
 pub(crate) struct Persistence {
-    diagram: Diagram,
+    pub(crate) diagram: Diagram,
 }
 
 /// The diagram of a complex, whose cells have names, of points, or of an image.
-enum Diagram {
+pub(crate) enum Diagram {
     Complex {
         diagram: PersistenceDiagram,
         naming: Arc<Naming>,
@@ -145,151 +144,47 @@ pub(crate) fn persistence(
     Ok(Persistence { diagram: Diagram::Complex { diagram, naming, complex, filtration, least } })
 }
 
-/// Persistent homology of the Vietoris-Rips filtration of points or distances.
+/// Extended persistence of values of vertices.
 ///
 /// Parameters
 /// ----------
-/// table : array_like of float
-///     Rows of numbers.
-/// form : {"points", "lower", "upper", "square", "sparse"}, optional
-///     What the rows are: coordinates, distances to the points before or behind or to all, or two points and their distance; by default what they
-///     look like.
-/// dimension : int
-///     The highest degree of classes.
-/// threshold : float, optional
-///     The largest diameter of simplices; the enclosing radius if not given.
+/// complex : ChainComplex
+///     The complex.
+/// vertex_values : array_like of float
+///     A value for each vertex in the order of the complex.
 /// coefficients : str or int
 ///     A prime field: ``"f2"``, ``"f3"``, ...
 /// least : float
-///     Classes that live no longer than this are left out.
-/// progress : bool or callable, optional
-///     ``True`` shows a bar; a function is called with (stage, done, total).
+///     Ordinary and relative classes that live no longer than this are left out.
 ///
 /// Returns
 /// -------
-/// Persistence
-///     The diagram.
+/// list of tuple
+///     Kind, degree, birth and death of each class.
 #[pyfunction]
-#[pyo3(signature = (table, *, form=None, dimension=None, threshold=None, coefficients=None, least=0.0, progress=None), text_signature = "(table, *, form=None, dimension=1, threshold=None, coefficients='f2', least=0.0, progress=False)")]
-#[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
-pub(crate) fn rips(
+#[pyo3(signature = (complex, vertex_values, *, coefficients=None, least=0.0), text_signature = "(complex, vertex_values, *, coefficients='f2', least=0.0)")]
+pub(crate) fn _extended_persistence(
     py: Python<'_>,
-    table: &Bound<'_, PyAny>,
-    form: Option<&str>,
-    dimension: Option<&Bound<'_, PyAny>>,
-    threshold: Option<f64>,
+    complex: &Bound<'_, ChainComplex>,
+    vertex_values: &Bound<'_, PyAny>,
     coefficients: Option<&Bound<'_, PyAny>>,
     least: f64,
-    progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<Persistence> {
-    let table = rows(table)?;
+) -> PyResult<Vec<(&'static str, usize, f64, f64)>> {
+    let complex = complex.get();
     let field = coefficients.map_or(Ok(Coefficients::Modulo(2)), ring)?;
-    let dimension = dimension.map_or(Ok(1), whole)?;
-    let (form, said) = match form {
-        Some(form) => (TableForm::from_name(form).or_raise(py)?, None),
-        None => TableForm::of(&table),
+    let values = arrays::finite(vertex_values, "vertex_values")?;
+    let pairs = run(py, None, || topology::extended_persistence(&complex.complex, &values, field))?;
+    let class = |pair: &topology::ExtendedPair| {
+        let (kind, is_whole) = match pair.kind() {
+            topology::ExtendedKind::Ordinary => ("ordinary", false),
+            topology::ExtendedKind::Relative => ("relative", false),
+            topology::ExtendedKind::ExtendedPlus => ("extended+", true),
+            topology::ExtendedKind::ExtendedMinus => ("extended-", true),
+        };
+        let is_long = is_whole || (pair.death() - pair.birth()).abs() > least;
+        is_long.then(|| (kind, pair.degree(), pair.birth(), pair.death()))
     };
-    if let Some(remark) = said {
-        warn(py, &remark.message)?;
-    }
-    let found = run(py, progress, || {
-        let request = RipsRequest::new().coefficients(field).dimension(dimension);
-        request.threshold(threshold).min_persistence(least).found("points", &form.distances(&table)?)
-    })?;
-    Ok(Persistence { diagram: Diagram::Points(found) })
-}
-
-/// Persistent homology of the alpha complex of points.
-///
-/// Parameters
-/// ----------
-/// table : array_like of float
-///     Rows of at most three coordinates, and the weight behind them if points have weights.
-/// weighted : bool
-///     Whether points have weights.
-/// bound : float, optional
-///     The value at which the complex ends.
-/// radii : bool
-///     Whether values are radii instead of squared radii.
-/// coefficients : str or int
-///     A prime field: ``"f2"``, ``"f3"``, ...
-/// least : float
-///     Classes that live no longer than this are left out.
-/// progress : bool or callable, optional
-///     ``True`` shows a bar; a function is called with (stage, done, total).
-///
-/// Returns
-/// -------
-/// Persistence
-///     The diagram.
-#[pyfunction]
-#[pyo3(signature = (table, *, weighted=false, bound=None, radii=false, coefficients=None, least=0.0, progress=None), text_signature = "(table, *, weighted=False, bound=None, radii=False, coefficients='f2', least=0.0, progress=False)")]
-#[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
-pub(crate) fn alpha(
-    py: Python<'_>,
-    table: &Bound<'_, PyAny>,
-    weighted: bool,
-    bound: Option<f64>,
-    radii: bool,
-    coefficients: Option<&Bound<'_, PyAny>>,
-    least: f64,
-    progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<Persistence> {
-    let table = rows(table)?;
-    let field = coefficients.map_or(Ok(Coefficients::Modulo(2)), ring)?;
-    let (diagram, simplices, complex, filtration) = run(py, progress, || {
-        let points = AlphaReading { bound, weighted, radii }.points(&table)?;
-        let (_, alpha) = points.into_parts();
-        let (simplices, values) = alpha.into_parts();
-        let complex = simplices.chain_complex()?;
-        let filtration = Filtration::new(&complex, values)?;
-        let diagram = topology::persistence(&complex, &filtration, field)?.longer_than(least);
-        Ok((diagram, simplices, complex, filtration))
-    })?;
-    let naming = Arc::new(Naming::of(Names::Simplices(Arc::new(simplices))));
-    let (complex, filtration) = (Arc::new(complex), Arc::new(filtration));
-    Ok(Persistence { diagram: Diagram::Complex { diagram, naming, complex, filtration, least } })
-}
-
-/// The alpha complex of points as a model.
-///
-/// Parameters
-/// ----------
-/// table : array_like of float
-///     As of :func:`alpha`.
-/// weighted : bool
-///     As of :func:`alpha`.
-/// bound : float, optional
-///     As of :func:`alpha`.
-/// radii : bool
-///     As of :func:`alpha`.
-///
-/// Returns
-/// -------
-/// Model
-///     Tetrahedra, triangles, edges and points.
-#[pyfunction]
-#[pyo3(signature = (table, *, weighted=false, bound=None, radii=false))]
-pub(crate) fn alpha_complex(
-    py: Python<'_>,
-    table: &Bound<'_, PyAny>,
-    weighted: bool,
-    bound: Option<f64>,
-    radii: bool,
-) -> PyResult<Model> {
-    let table = rows(table)?;
-    let model = run(py, None, || Ok(AlphaReading { bound, weighted, radii }.points(&table)?.into_model()))?;
-    for remark in model.remarks() {
-        warn(py, &remark.message)?;
-    }
-    Ok(Model::of(model))
-}
-
-/// The rows of a table.
-fn rows(table: &Bound<'_, PyAny>) -> PyResult<NumberTable> {
-    let rows: Vec<Vec<f64>> =
-        table.try_iter()?.map(|row| arrays::real_list(&row?, "table")).collect::<PyResult<_>>()?;
-    Ok(NumberTable::from_rows(rows))
+    Ok(pairs.iter().filter_map(class).collect())
 }
 
 /// Persistent homology of the sublevel or superlevel sets of an image.
@@ -497,6 +392,15 @@ impl Persistence {
         match &self.diagram {
             Diagram::Complex { .. } | Diagram::Image(_) => None,
             Diagram::Points(found) => Some(found.diagram().threshold()),
+        }
+    }
+
+    /// The names of the vertices of a graph by their numbers; ``None`` where vertices have numbers.
+    #[getter]
+    fn vertex_names<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyTuple>>> {
+        match &self.diagram {
+            Diagram::Complex { .. } | Diagram::Image(_) => Ok(None),
+            Diagram::Points(found) => found.vertex_names().map(|names| PyTuple::new(py, names)).transpose(),
         }
     }
 
@@ -755,8 +659,7 @@ impl Persistence {
                 self.pairs_of_degree(degree).iter().map(names).collect()
             }
             Diagram::Points(found) => {
-                let points =
-                    |simplex: &[VertexId]| simplex.iter().map(|point| point.index() as u32).collect();
+                let points = |simplex: &[VertexId]| found.numbers(simplex);
                 let of_degree = found.pairs().iter().filter(|pair| pair.degree() == degree);
                 of_degree
                     .map(|pair| (points(pair.birth_simplex()), pair.death_simplex().map(points)))

@@ -11,7 +11,7 @@
 //! * **Hodge theory**: a [`MetricComplex`] is a complex with weights. A [`HodgeSpace`] decomposes real cochains into
 //!   exact, coexact and harmonic parts; [`harmonic_basis`] has one harmonic cochain for each free class.
 //! * **Persistence**: [`persistence`] reports over a prime field when the classes of a [`Filtration`] are born and die, and a
-//!   [`RipsFiltration`] those of points with [`Distances`], an [`ImageFiltration`] those of an image. A
+//!   [`RipsFiltration`] those of points with [`Distances`](coface_complexes::filtered::Distances), an [`ImageFiltration`] those of an image. A
 //!   [`Barcode`] compares diagrams and makes them curves and images.
 //! * **Groups**: [`EdgePathGroups`] presents fundamental groups, a [`Simplification`] shortens presentations, and a
 //!   [`SurfaceGroup`] has normal forms that decide homotopy.
@@ -53,10 +53,10 @@ pub use hodge::{
     HarmonicCochain, HodgeDecomposition, HodgeSpace, MetricComplex, harmonic_basis, laplacian_matrix,
 };
 pub use persistence::{
-    Barcode, BarcodeMatching, Distances, Filtration, ImageConstruction, ImageDiagram, ImageFiltration,
-    ImagePair, PersistenceDiagram, PersistencePair, PersistenceSurface, PersistentCycle, RipsDiagram,
-    RipsFiltration, RipsPair, RipsSize, euler_characteristic_curve, persistence, persistent_cycles,
-    torsion_primes,
+    Barcode, BarcodeMatching, ExtendedKind, ExtendedPair, Filtration, ImageConstruction, ImageDiagram,
+    ImageFiltration, ImagePair, PersistenceDiagram, PersistencePair, PersistenceSurface, PersistentCycle,
+    RipsDiagram, RipsFiltration, RipsPair, RipsSize, euler_characteristic_curve, extended_persistence,
+    persistence, persistent_cycles, torsion_primes,
 };
 
 mod curves;

@@ -1506,19 +1506,24 @@ export interface PersistenceAnswer {
   field: number;
   /** The name of the input. */
   file: string;
-  /** The function on the vertices, the file of the values, `vietoris-rips`, or `voxels, v-construction` or `voxels, t-construction` of an image. */
+  /** The function on the vertices, the file of the values, `vietoris-rips`, `flag complex`, or `voxels, v-construction` or `voxels, t-construction` of an image. */
   function: string;
   /** What was assumed or left out. */
   remarks: Remark[];
-  /** How cells follow from the function: `lower` or `upper`; `null` for given values. Of an image sublevel or superlevel sets. */
+  /**
+   * How cells follow from the function: `lower` or `upper`; `null` for given values. Of an image sublevel or superlevel sets; `extended` where
+   * both are asked for.
+   */
   star?: string | null;
-  /** The largest diameter of the simplices that were looked at; `null` unless the input is points or distances. */
+  /** The largest diameter or value of the simplices that were looked at; `null` unless the input is points, distances or a graph. */
   threshold?: number | null;
   /**
    * The primes over whose fields other cells are paired than over the rational numbers: torsion comes or goes along the way. Only if cycles were asked
    * for.
    */
   torsion_primes?: number[] | null;
+  /** The names of the vertices by their numbers, of a graph whose vertices have names. */
+  vertex_names?: string[] | null;
 }
 
 /** A homology class that is born and dies, or stays. */
@@ -1539,6 +1544,8 @@ export interface PersistencePairAnswer {
   death_cell?: number[] | null;
   /** The degree of the class. */
   degree: number;
+  /** Of extended persistence `ordinary`, `extended+`, `extended-` or `relative`; of a relative class the degree is that of relative homology. */
+  kind?: string | null;
 }
 
 /** A generator as a physical group of a mesh. */

@@ -11,11 +11,12 @@ pub struct PersistenceAnswer {
     pub file: String,
     /// The characteristic of the field of coefficients.
     pub field: u32,
-    /// The function on the vertices, the file of the values, `vietoris-rips`, or `voxels, v-construction` or `voxels, t-construction` of an image.
+    /// The function on the vertices, the file of the values, `vietoris-rips`, `flag complex`, or `voxels, v-construction` or `voxels, t-construction` of an image.
     pub function: String,
-    /// How cells follow from the function: `lower` or `upper`; `null` for given values. Of an image sublevel or superlevel sets.
+    /// How cells follow from the function: `lower` or `upper`; `null` for given values. Of an image sublevel or superlevel sets; `extended` where
+    /// both are asked for.
     pub star: Option<String>,
-    /// The largest diameter of the simplices that were looked at; `null` unless the input is points or distances.
+    /// The largest diameter or value of the simplices that were looked at; `null` unless the input is points, distances or a graph.
     #[serde(default)]
     pub threshold: Option<f64>,
     /// The pairs of all degrees.
@@ -26,6 +27,9 @@ pub struct PersistenceAnswer {
     /// for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub torsion_primes: Option<Vec<u32>>,
+    /// The names of the vertices by their numbers, of a graph whose vertices have names.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub vertex_names: Option<Vec<String>>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,
 }
@@ -36,6 +40,9 @@ pub struct PersistenceAnswer {
 pub struct PersistencePairAnswer {
     /// The degree of the class.
     pub degree: usize,
+    /// Of extended persistence `ordinary`, `extended+`, `extended-` or `relative`; of a relative class the degree is that of relative homology.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub kind: Option<String>,
     /// The value at which it is born.
     pub birth: f64,
     /// The value at which it dies; `null` if it stays.

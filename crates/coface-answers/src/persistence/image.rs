@@ -355,6 +355,7 @@ impl FoundImage {
             let (birth_cell, death_cell) = self.voxels(pair);
             PersistencePairAnswer {
                 degree: pair.degree(),
+                kind: None,
                 birth: pair.birth(),
                 death: pair.death(),
                 birth_cell,
@@ -373,6 +374,7 @@ impl FoundImage {
             diagram: self.diagram.pairs().iter().map(pair).collect(),
             betti: self.diagram.betti_numbers(),
             torsion_primes: None,
+            vertex_names: None,
             remarks: Vec::new(),
         }
     }

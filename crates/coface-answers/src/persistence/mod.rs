@@ -2,29 +2,30 @@
 //!
 //! * [`PersistenceRequest`] says over which field, and how the model grows: by a [`Growth`].
 //! * [`FoundDiagram`] has the diagram and makes the [`PersistenceAnswer`].
-//! * A [`RipsRequest`] asks for that of points or distances, which a [`TableForm`] reads from a table; [`FoundRips`] has the diagram.
-//! * An [`AlphaFiltration`] has the simplices and the values of the alpha complex of points, for a [`PersistenceRequest`].
+//! * A [`RipsRequest`] asks for that of points or distances, or of the flag complex of a graph; [`FoundRips`] has the diagram.
+//! * A [`PointFiltration`] has the simplices and the values of a complex that points make, such as their alpha complex, for a [`PersistenceRequest`].
 //! * An [`ImageRequest`] asks for that of a [`GreyImage`], whose numbers are those of an array or a volume file; [`FoundImage`] has the diagram.
 //! * A [`GivenDiagram`] is one that was written before. A [`DiagramDistanceRequest`] asks how far two are from each other, a [`DiagramCurvesRequest`]
 //!   and a [`DiagramImageRequest`] for curves and images.
 //! * [`write_diagram`] writes a diagram as the text that other programs read.
 
-mod alpha;
 mod certificate;
 mod curves;
 mod diagram;
 mod distance;
+mod extended;
+mod filtered;
 mod given;
 mod image;
 mod points;
 
-pub use alpha::AlphaFiltration;
 pub use curves::{CurveValues, DiagramCurveKind, DiagramCurvesRequest, DiagramImageRequest};
 pub use diagram::{DiagramFormat, write_diagram};
 pub use distance::{DiagramDistanceRequest, DiagramMetric};
+pub use filtered::PointFiltration;
 pub use given::GivenDiagram;
 pub use image::{FoundImage, GreyImage, ImageRequest};
-pub use points::{FoundRips, RipsRequest, TableForm};
+pub use points::{FoundRips, RipsRequest};
 
 use crate::answer::{PersistenceAnswer, PersistencePairAnswer};
 use crate::{CellNames, Producer};
@@ -176,12 +177,14 @@ pub struct PersistenceRequest {
     growth: Growth,
     min_persistence: f64,
     cycles: bool,
+    most_degree: Option<usize>,
 }
 
 impl Default for PersistenceRequest {
     fn default() -> Self {
         let coefficients = Coefficients::Modulo(2);
-        Self { coefficients, growth: Growth::Lower(None), min_persistence: 0.0, cycles: false }
+        let growth = Growth::Lower(None);
+        Self { coefficients, growth, min_persistence: 0.0, cycles: false, most_degree: None }
     }
 }
 
@@ -258,6 +261,21 @@ impl PersistenceRequest {
         self
     }
 
+    /// Asks for the degrees up to one: of a model that lacks its cells of higher degree, those that it tells.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PersistenceRequest, Producer};
+    /// let path = Producer::of(coface_io::read(&b"[[0,2],[2,1]]"[..], coface_io::Format::Json)?)?;
+    /// assert_eq!(PersistenceRequest::new().up_to_degree(0).found("path", &path)?.answer().betti, [1]);
+    /// # Ok(()) }
+    /// ```
+    pub fn up_to_degree(mut self, degree: usize) -> Self {
+        self.most_degree = Some(degree);
+        self
+    }
+
     /// Finds the diagram of a model with this name.
     ///
     /// # Errors
@@ -279,7 +297,10 @@ impl PersistenceRequest {
         let (function, star, filtration) = self.filtration(name, producer, &complex)?;
         drop(steps);
         let steps = stage("pairing cells", 0);
-        let whole = persistence(&complex, &filtration, self.coefficients)?;
+        let mut whole = persistence(&complex, &filtration, self.coefficients)?;
+        if let Some(degree) = self.most_degree {
+            whole = whole.up_to_degree(degree);
+        }
         drop(steps);
         let (cycles, torsion_primes) = match self.cycles {
             true => {
@@ -447,6 +468,7 @@ impl FoundDiagram<'_> {
             let terms = |chain: &Chain<Integer>| names.terms(chain.degree(), chain.terms());
             PersistencePairAnswer {
                 degree: pair.degree(),
+                kind: None,
                 birth: pair.birth(),
                 death: pair.death(),
                 birth_cell: vertices(pair.degree(), pair.birth_cell()),
@@ -465,6 +487,7 @@ impl FoundDiagram<'_> {
             diagram: self.diagram.pairs().iter().enumerate().map(pair).collect(),
             betti: self.diagram.betti_numbers(),
             torsion_primes: self.torsion_primes.clone(),
+            vertex_names: self.producer.vertex_names().map(<[String]>::to_vec),
             remarks: Vec::new(),
         }
     }

@@ -22,7 +22,7 @@ impl Producer {
         match &self.cells {
             Cells::Polygons(_) | Cells::Solids(_) | Cells::Simplices(_) => true,
             Cells::Voxels(cells) => cells.are_told_by_vertices(),
-            Cells::Halfedges(_) | Cells::Gluings(_) | Cells::Chains(_) => false,
+            Cells::Halfedges(_) | Cells::Gluings(_) | Cells::Chains(_) | Cells::Ordered(_) => false,
         }
     }
 

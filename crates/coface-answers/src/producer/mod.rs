@@ -30,6 +30,7 @@ use coface_algebra::chains::{ChainComplex, TwoSkeleton};
 use coface_algebra::{CellId, EdgeId, FaceId};
 use coface_complexes::cell_mesh::CellMesh;
 use coface_complexes::cubical::CubicalVolume;
+use coface_complexes::filtered::DirectedFlagComplex;
 use coface_complexes::gluing::{FaceClasses, GluingTable};
 use coface_complexes::lar::LarModel;
 use coface_complexes::simplicial::FrozenComplex;
@@ -79,6 +80,18 @@ pub(crate) enum Cells {
     Chains(ChainComplex),
     /// Voxels with their faces.
     Voxels(Box<VolumeCells>),
+    /// Lists of vertices.
+    Ordered(Box<OrderedCells>),
+}
+
+/// The simplices of a directed flag complex.
+#[derive(Debug)]
+pub(crate) struct OrderedCells {
+    pub(crate) complex: DirectedFlagComplex,
+    /// The numbers of the vertices in the file.
+    pub(crate) numbers: Vec<u32>,
+    /// Their names, if they have some.
+    pub(crate) names: Option<Vec<String>>,
 }
 
 impl Producer {
@@ -186,6 +199,14 @@ impl Producer {
         self.partial_positions.as_ref().and_then(PartialPositions::fault).map_or(Ok(()), Err)
     }
 
+    /// The names of the vertices of a graph by their numbers.
+    pub(crate) fn vertex_names(&self) -> Option<&[String]> {
+        match &self.cells {
+            Cells::Ordered(cells) => cells.names.as_deref(),
+            _ => None,
+        }
+    }
+
     /// What the reader of the model assumed, changed or left out.
     ///
     /// # Examples
@@ -242,6 +263,7 @@ impl Producer {
             Cells::Gluings(gluings) => gluings.1.chain_complex()?,
             Cells::Chains(complex) => complex.clone(),
             Cells::Voxels(cells) => cells.chain_complex()?,
+            Cells::Ordered(cells) => cells.complex.complex().chain_complex()?,
         })
     }
 
@@ -268,6 +290,7 @@ impl Producer {
             Cells::Gluings(gluings) => gluings.1.chain_complex()?,
             Cells::Chains(complex) => complex,
             Cells::Voxels(cells) => cells.chain_complex()?,
+            Cells::Ordered(cells) => cells.complex.complex().chain_complex()?,
         })
     }
 
@@ -297,6 +320,7 @@ impl Producer {
                 return Err(Error::invalid("loops in a volume of voxels have no words")
                     .with_cure("ask for its homology, or make a mesh of its boundary: coface convert VOLUME -o boundary.obj"));
             }
+            Cells::Ordered(cells) => cells.complex.complex().two_skeleton()?,
             Cells::Chains(complex) => TwoSkeleton::from_chain_complex(complex).map_err(|_| {
                 Error::invalid(
                     "boundary matrices do not say in which order faces run along their edges, so loops have no words",
@@ -328,16 +352,17 @@ impl Producer {
             Cells::Simplices(complex) => LarModel::try_from(complex),
             Cells::Chains(complex) => LarModel::try_from(complex),
             Cells::Voxels(cells) => LarModel::try_from(&cells.chain_complex()?),
-            Cells::Halfedges(_) | Cells::Gluings(_) => {
-                Err(Error::invalid("the cells of halfedges and gluings are not sets of vertices")
-                    .with_cure("give the complex as facets, polygons or cells, or its boundary matrices"))
-            }
+            Cells::Halfedges(_) | Cells::Gluings(_) | Cells::Ordered(_) => Err(Error::invalid(
+                "the cells of halfedges, gluings and directed flag complexes are not sets of vertices",
+            )
+            .with_cure("give the complex as facets, polygons or cells, or its boundary matrices")),
         }
     }
 
     /// The vertices of a cell, by their numbers in the file, in an order that has the orientation of the cell: an edge
     /// from its start to its end, a polygon around. The cells of a chain complex have no vertices, and those of halfedge
-    /// permutations and gluing tables may have one vertex several times: they are named by their own numbers. With a
+    /// permutations and gluing tables may have one vertex several times: they are named by their own numbers. The vertices of a directed flag complex
+    /// have edges to those behind them. With a
     /// folded face class the cells of a gluing table are those of its barycentric subdivision.
     ///
     /// # Panics
@@ -362,6 +387,10 @@ impl Producer {
             Cells::Simplices(complex) => return complex.numbers(degree, cell).to_vec(),
             Cells::Halfedges(_) | Cells::Gluings(_) | Cells::Chains(_) => return vec![cell as u32],
             Cells::Voxels(cells) => return cells.vertices(degree, cell),
+            Cells::Ordered(cells) => {
+                let simplex = cells.complex.simplex(degree, cell).iter();
+                return simplex.map(|&vertex| cells.numbers[vertex as usize]).collect();
+            }
         };
         self.labels.of_all(match degree {
             0 => vec![cell as u32],

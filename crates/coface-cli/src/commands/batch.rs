@@ -96,7 +96,7 @@ impl Batch {
             ));
         };
         let format = TableFormat::of_path(out)?;
-        common.alpha.refuse("batch")?;
+        common.points.refuse("batch")?;
         let progress = Progress::start(common.quiet);
         if are_signature_lists(&self.paths, common.format) {
             let summary = self.signatures(common).write(out, format)?;

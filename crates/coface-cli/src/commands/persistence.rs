@@ -16,19 +16,21 @@ use coface::algebra::escaped;
 use coface::answers::answer::{PersistenceAnswer, PersistencePairAnswer};
 use coface::answers::text;
 use coface::answers::{
-    AlphaFiltration, DiagramFormat, FoundDiagram, Growth, PersistenceRequest, Producer, write_diagram,
+    DiagramFormat, FoundDiagram, FoundRips, Growth, PersistenceRequest, PointFiltration, Producer,
+    write_diagram,
 };
-use coface::io::{AlphaReading, Format, NumberTable, check_output, write_path};
+use coface::io::{Format, check_output, write_path};
 use coface::topology::Coefficients;
 use image::ImageArguments;
-use points::PointArguments;
+use points::{PointQuestion, stored};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Persistent homology: which components, loops and cavities are born and die as a model grows.
 ///
 /// The model grows by sublevel sets of a function on vertices (each cell enters with its highest vertex), or by values
-/// given for cells; points, with --rips or --alpha, as balls around them meet; a volume (.npy, NRRD, NIfTI, MetaImage, PGM) by its grey values: each class has the
+/// given for cells; points, with --rips, --alpha or
+/// --cech, as balls around them meet; a weighted graph, with --flag, by its edges; a volume (.npy, NRRD, NIfTI, MetaImage, PGM) by its grey values: each class has the
 /// voxels whose values its birth and death are. A volume whose voxels are chosen (--threshold, --below, --between, --value), or that
 /// has a --function, is the model of its set voxels. Without --function the function is the last coordinate, the height; without positions it is the
 /// vertex number. Pairs of persistence 0 are left out unless --min-persistence says otherwise.
@@ -55,6 +57,10 @@ pub(crate) struct Persistence {
     /// Grow by superlevel sets, from high values to low ones: each cell enters with its lowest vertex
     #[arg(long)]
     upper_star: bool,
+    /// Extended persistence: behind the sublevel sets the homology relative to growing superlevel sets, where all classes die. Pairs have a "kind": ordinary,
+    /// relative, extended+ (dead no lower than born), or extended- (dead lower than born). Classes of the whole model are all listed
+    #[arg(long, conflicts_with_all = ["values", "upper_star", "cycles", "certificate"])]
+    extended: bool,
     /// Only pairs whose persistence is greater than R; a negative R keeps all
     #[arg(long, value_name = "R", default_value = "0", allow_negative_numbers = true, value_parser = length)]
     min_persistence: f64,
@@ -65,8 +71,6 @@ pub(crate) struct Persistence {
     /// A certificate of the pairs, which coface check verifies against the input; of a facet list, a chain complex, or a surface as plain OFF or OBJ
     #[arg(long, value_name = "OUT")]
     certificate: Option<PathBuf>,
-    #[command(flatten)]
-    points: PointArguments,
     #[command(flatten)]
     image: ImageArguments,
 }
@@ -122,23 +126,19 @@ impl Persistence {
             certified::refuse_standard_input(std::slice::from_ref(&self.input))?;
         }
         let progress = Progress::start(common.quiet);
-        if self.points.rips {
-            if common.alpha.reading().is_some() {
-                return Err(Failure::new(
-                    "--rips and --alpha are two filtrations of points; give one of them",
-                ));
-            }
-            self.refuse_cycles("of points")?;
-            self.refuse_certificate("of points")?;
-            let found =
-                self.points.found(&self.input, common, self.coefficients, self.min_persistence, &progress)?;
+        if let Some(found) = self.found_of_points(common, &progress)? {
             return self.give(common, output.as_ref(), progress, &found.answer(), |bytes, format| {
                 found.write(bytes, format)
             });
         }
         let source = Source::of(&self.input)?;
-        if let Some(reading) = common.alpha.reading().filter(|_| !self.is_of_a_function()) {
-            return self.run_alpha(&source, reading, common, output.as_ref(), progress);
+        if let Some((points, most_degree)) = self.filtration_of_points(&source, common, &progress)? {
+            let name = input::name(&self.input);
+            let mut request = PersistenceRequest::new().growth(points.growth());
+            if let Some(degree) = most_degree {
+                request = request.up_to_degree(degree);
+            }
+            return self.give_complex(common, output.as_ref(), progress, (&name, points.producer(), request));
         }
         if self.is_of_values(common) {
             let found =
@@ -165,37 +165,61 @@ impl Persistence {
                 if self.upper_star { Growth::Upper(function) } else { Growth::Lower(function) }
             }
         };
-        self.give_complex(common, output.as_ref(), progress, (&name, &producer, growth))
+        let request = PersistenceRequest::new().growth(growth);
+        if self.extended {
+            let request = request.coefficients(self.coefficients).min_persistence(self.min_persistence);
+            let answer = request.extended(&name, &producer)?;
+            return self.give(common, output.as_ref(), progress, &answer, |_, _| {
+                Err(coface::Error::invalid("files of diagrams have no kinds of pairs")
+                    .with_cure("write extended persistence as .json"))
+            });
+        }
+        self.give_complex(common, output.as_ref(), progress, (&name, &producer, request))
     }
 
-    /// The diagram of points as their alpha complex grows.
-    fn run_alpha(
+    /// The diagram of points, distances or a graph whose complex is not stored.
+    fn found_of_points(&self, common: &Common, progress: &Progress) -> Result<Option<FoundRips>, Failure> {
+        if self.is_of_a_function() {
+            return Ok(None);
+        }
+        let question =
+            PointQuestion { coefficients: self.coefficients, min_persistence: self.min_persistence };
+        let found = question.found(&self.input, common, progress)?;
+        if found.is_some() {
+            self.refuse_cycles("of points")?;
+            self.refuse_certificate("of points")?;
+        }
+        Ok(found)
+    }
+
+    /// Points or a graph with the complex that is stored of them, if the options say that the input is one, and the highest degree that it tells, if it lacks
+    /// cells above.
+    fn filtration_of_points(
         &self,
         source: &Source<'_>,
-        reading: AlphaReading,
         common: &Common,
-        output: Option<&(&Path, Output)>,
-        progress: Progress,
-    ) -> Result<(), Failure> {
+        progress: &Progress,
+    ) -> Result<Option<(PointFiltration, Option<usize>)>, Failure> {
+        if self.is_of_a_function() {
+            return Ok(None);
+        }
         let name = input::name(&self.input);
         let given = [self.image.given(), common.voxels.rule_given()];
-        if let Some(option) = given.into_iter().flatten().next() {
+        if common.points.alpha().is_some()
+            && let Some(option) = given.into_iter().flatten().next()
+        {
             return Err(Failure::new(format!(
                 "{name}: {option} is for volumes; to end the alpha complex at the value A give --alpha A"
             )));
         }
-        self.refuse_certificate("of points")?;
-        progress.stage(format!("reading {name}"));
-        let points = match source {
-            Source::File(path) => reading.points_of_path(path, &common.reading())?,
-            Source::Bytes(bytes) => NumberTable::read(&bytes[..])
-                .and_then(|table| reading.points(&table))
-                .map_err(|error| error.in_file(name.clone()))?,
-        };
-        let alpha = AlphaFiltration::new(points, reading.radii);
-        remarks::take(&name, alpha.producer().remarks());
-        let growth = alpha.growth();
-        self.give_complex(common, output, progress, (&name, alpha.producer(), growth))
+        let found = stored(source, common, &name, progress)?;
+        if let Some((points, _)) = &found {
+            self.refuse_certificate("of points")?;
+            let said = points.producer().remarks();
+            common.reading().accept(said).map_err(|error| error.in_file(&name))?;
+            remarks::take(&name, said);
+        }
+        Ok(found)
     }
 
     /// The diagram of a complex that grows.
@@ -204,11 +228,10 @@ impl Persistence {
         common: &Common,
         output: Option<&(&Path, Output)>,
         progress: Progress,
-        (name, producer, growth): (&str, &Producer, Growth),
+        (name, producer, request): (&str, &Producer, PersistenceRequest),
     ) -> Result<(), Failure> {
-        let request = PersistenceRequest::new()
+        let request = request
             .coefficients(self.coefficients)
-            .growth(growth)
             .min_persistence(self.min_persistence)
             .cycles(self.cycles.is_some());
         let found = request.found(name, producer)?;
@@ -254,7 +277,7 @@ impl Persistence {
 
     /// Whether a function or values of cells are given.
     fn is_of_a_function(&self) -> bool {
-        self.function.is_some() || self.values.is_some() || self.upper_star
+        self.extended || self.function.is_some() || self.values.is_some() || self.upper_star
     }
 
     /// Writes the file that was asked for, and prints.
@@ -296,8 +319,12 @@ impl Persistence {
                 let sets = if star == "upper" { "superlevel" } else { "sublevel" };
                 writeln!(page, "    function: {function}, {sets} sets")
             }
+            (Some(star), _) if star == "extended" => writeln!(page, "    function: {function}, extended"),
             (Some(star), _) => writeln!(page, "    function: {function}, {star} star"),
-            (None, Some(threshold)) => writeln!(page, "    {function}, diameters up to {threshold}"),
+            (None, Some(threshold)) => {
+                let what = if function == "vietoris-rips" { "diameters" } else { "values" };
+                writeln!(page, "    {function}, {what} up to {threshold}")
+            }
             (None, None) => writeln!(page, "    values: {function}"),
         };
         if let Some(primes) = &answer.torsion_primes {
@@ -321,14 +348,20 @@ impl Persistence {
             );
             pairs.sort_by(|a, b| persistence(b).total_cmp(&persistence(a)));
             for pair in pairs.iter().take(LISTED) {
-                let (birth, born) = (pair.birth, &pair.birth_cell);
+                let (birth, born) = (pair.birth, shown(answer, &pair.birth_cell));
                 let _ = match (pair.death, &pair.death_cell) {
+                    (Some(death), Some(by)) if let Some(kind) = &pair.kind => writeln!(
+                        page,
+                        "      {birth} to {death}  {kind}, from {born} to {}",
+                        shown(answer, by)
+                    ),
                     (Some(death), Some(by)) => writeln!(
                         page,
-                        "      [{birth}, {death})  persistence {:.6}, from {born:?} to {by:?}",
-                        persistence(pair)
+                        "      [{birth}, {death})  persistence {:.6}, from {born} to {}",
+                        persistence(pair),
+                        shown(answer, by)
                     ),
-                    _ => writeln!(page, "      [{birth}, never)  from {born:?}"),
+                    _ => writeln!(page, "      [{birth}, never)  from {born}"),
                 };
             }
             if let Some(more) = pairs.len().checked_sub(LISTED).filter(|&more| more > 0) {
@@ -345,6 +378,17 @@ fn save_cycles(place: &Path, found: &FoundDiagram<'_>) -> Result<(), Failure> {
         return write_json(place, &found.answer());
     }
     Ok(write_path(&found.cycles_model()?, place, None)?)
+}
+
+/// A cell by the names or numbers of its vertices.
+fn shown(answer: &PersistenceAnswer, cell: &[u32]) -> String {
+    match &answer.vertex_names {
+        Some(names) => {
+            let names: Vec<_> = cell.iter().map(|&vertex| escaped(&names[vertex as usize])).collect();
+            format!("[{}]", names.join(", "))
+        }
+        None => format!("{cell:?}"),
+    }
 }
 
 /// How long a class lives.

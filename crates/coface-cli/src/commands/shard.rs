@@ -222,7 +222,7 @@ impl Shard {
         let Some(folder) = &common.output else {
             return Err(Failure::new("no folder for the shards: give -o FOLDER"));
         };
-        common.alpha.refuse("shard")?;
+        common.points.refuse("shard")?;
         let progress = Progress::start(common.quiet);
         let asked = CutRequest {
             input: self.input.as_deref().unwrap_or(Path::new("")),

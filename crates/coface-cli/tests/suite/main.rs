@@ -26,6 +26,8 @@ mod outputs;
 mod persistence;
 mod persistence_alpha;
 mod persistence_cycles;
+mod persistence_extended;
+mod persistence_graphs;
 mod persistence_images;
 mod persistence_points;
 mod physical_groups;

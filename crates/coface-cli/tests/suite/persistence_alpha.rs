@@ -140,8 +140,8 @@ fn wrong_tables_are_named_by_their_lines() {
     assert!(said("0 0\n1 inf\n", &[]).contains("a coordinate of point 1 is inf"));
     assert!(said("1 2 3 4\n", &[]).contains("--rips"));
     assert!(said("1 2\n", &["--threshold", "2"]).contains("--alpha A"));
-    assert!(said("1 2\n", &["--rips"]).contains("two filtrations"));
     coface(&["persistence", "a.csv", "--weighted"]).fails_with(2);
+    coface(&["persistence", "a.csv", "--alpha", "--rips"]).fails_with(2);
     coface(&["info", "a.csv", "--alpha", "two"]).fails_with(2);
 }
 

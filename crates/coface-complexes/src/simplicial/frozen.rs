@@ -109,6 +109,16 @@ impl FrozenComplex {
         Ok(Self { levels })
     }
 
+    /// The complex of simplices that a construction has just listed, with all their faces.
+    pub(crate) fn from_levels(levels: FrozenLevels) -> Self {
+        let mut levels = levels.levels;
+        for k in 0..levels.len() {
+            let child_count = levels.get(k + 1).map_or(0, |level| level.tuples.len() / (k + 2));
+            levels[k].child_starts.push(child_count as u32);
+        }
+        Self { levels }
+    }
+
     /// The greatest dimension of a simplex; `None` for the empty complex.
     ///
     /// # Examples
@@ -445,27 +455,36 @@ impl SimplicialComplex {
     /// # Ok(()) }
     /// ```
     pub fn freeze(&self) -> FrozenComplex {
-        let mut levels: Vec<Level> = self
-            .f_vector()
-            .iter()
-            .enumerate()
-            .map(|(k, &count)| Level {
-                tuples: Vec::with_capacity(count * (k + 1)),
-                child_starts: Vec::with_capacity(count + 1),
-            })
-            .collect();
+        let level = |(k, &count): (usize, &usize)| Level {
+            tuples: Vec::with_capacity(count * (k + 1)),
+            child_starts: Vec::with_capacity(count + 1),
+        };
+        let mut levels = FrozenLevels { levels: self.f_vector().iter().enumerate().map(level).collect() };
         let mut walk = Walk::new(self.tree(), usize::MAX);
         while walk.advance() {
-            let k = walk.path().len() - 1;
-            let child_start = levels.get(k + 1).map_or(0, |level| level.child_starts.len());
-            levels[k].tuples.extend_from_slice(walk.path());
-            levels[k].child_starts.push(child_start as u32);
+            levels.push(walk.path());
         }
-        for k in 0..levels.len() {
-            let child_count = levels.get(k + 1).map_or(0, |level| level.tuples.len() / (k + 2));
-            levels[k].child_starts.push(child_count as u32);
+        FrozenComplex::from_levels(levels)
+    }
+}
+
+/// Simplices that are listed one after the other in lexicographic order, each with its faces before it or after it.
+#[derive(Default)]
+pub(crate) struct FrozenLevels {
+    /// Without the ends of the last children.
+    levels: Vec<Level>,
+}
+
+impl FrozenLevels {
+    /// Adds a simplex by its vertices, which rise.
+    pub(crate) fn push(&mut self, simplex: &[u32]) {
+        let k = simplex.len() - 1;
+        if self.levels.len() == k {
+            self.levels.push(Level::default());
         }
-        FrozenComplex { levels }
+        let child_start = self.levels.get(k + 1).map_or(0, |level| level.child_starts.len());
+        self.levels[k].tuples.extend_from_slice(simplex);
+        self.levels[k].child_starts.push(child_start as u32);
     }
 }
 

@@ -59,6 +59,7 @@ pub use extrusion::{Extrusion, extrude};
 pub use facets::{FacetTable, facets};
 pub use faults::FaultyCells;
 pub use frozen::FrozenComplex;
+pub(crate) use frozen::FrozenLevels;
 pub use manifold::{LINK_BUDGET, LinkFault, ManifoldVerdict, ManifoldWitness};
 pub use map::SimplicialMap;
 pub use neighborhood::SimplexSet;

@@ -99,6 +99,8 @@ from coface._questions import (
     arrange,
     boolean,
     bottleneck,
+    cech,
+    cech_complex,
     classify,
     cocycles,
     cohomology,
@@ -107,6 +109,9 @@ from coface._questions import (
     cubical,
     cut,
     dissolve,
+    extended_persistence,
+    flag,
+    flag_complex,
     harmonic,
     homology,
     incidence,
@@ -114,7 +119,10 @@ from coface._questions import (
     pi1,
     polygon,
     rips,
+    rips_complex,
     wasserstein,
+    witness,
+    witness_complex,
 )
 from coface import _faults, _records, maps
 from coface._notebook import repr_html as _repr_html
@@ -218,6 +226,8 @@ __all__ = [
     "batch",
     "boolean",
     "bottleneck",
+    "cech",
+    "cech_complex",
     "certificate",
     "check",
     "classes",
@@ -232,8 +242,11 @@ __all__ = [
     "decompose",
     "dissolve",
     "entries",
+    "extended_persistence",
     "extruded",
     "families",
+    "flag",
+    "flag_complex",
     "from_gudhi",
     "from_ifcopenshell",
     "from_labels",
@@ -269,6 +282,7 @@ __all__ = [
     "read",
     "render",
     "rips",
+    "rips_complex",
     "schema_picture",
     "sequence_picture",
     "signatures",
@@ -285,6 +299,8 @@ __all__ = [
     "view",
     "volume",
     "wasserstein",
+    "witness",
+    "witness_complex",
 ]
 
 _records.install()

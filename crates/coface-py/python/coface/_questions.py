@@ -931,6 +931,77 @@ def persistence(
 
 
 @in_words
+def extended_persistence(
+    x: Any,
+    vertex_values: Any,
+    *,
+    coefficients: str | int = "f2",
+    least: float = 0.0,
+    progress: Any = False,
+) -> dict[str, list[tuple[int, tuple[float, float]]]]:
+    """Extended persistence of a function on vertices: of growing sublevel sets, then of the whole relative to growing superlevel sets, where all classes die.
+
+    Parameters
+    ----------
+    x
+        Anything that :func:`as_chain_complex` understands.
+    vertex_values
+        A number for each vertex of `x` by its id, an array of shape ``(n,)``.
+    coefficients
+        A prime field: ``"f2"``, ``"f3"``, ...
+    least
+        Ordinary and relative classes that live no longer than this are left out; those of the whole complex are all listed.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    dict
+        ``(degree, (birth, death))`` of the classes of each kind: ``"ordinary"``, ``"relative"``, ``"extended+"`` with deaths no lower than births, and ``"extended-"``. A relative
+        class has the degree of relative homology.
+
+    Examples
+    --------
+    A circle at the heights 0, 2, 1, 3:
+
+    >>> import coface
+    >>> found = coface.extended_persistence([[0, 1], [1, 2], [2, 3], [3, 0]], [0.0, 2.0, 1.0, 3.0])
+    >>> found["ordinary"], found["relative"]
+    ([(0, (1.0, 2.0))], [(1, (2.0, 1.0))])
+    >>> found["extended+"], found["extended-"]
+    ([(0, (0.0, 3.0))], [(1, (3.0, 0.0))])
+    """
+    complex = as_chain_complex(x, progress=progress)
+    values = _at_vertices(vertex_values, x, complex)
+    kinds: dict[str, list[tuple[int, tuple[float, float]]]] = {"ordinary": [], "relative": [], "extended+": [], "extended-": []}
+    for kind, degree, birth, death in _coface._extended_persistence(complex, values, coefficients=coefficients, least=least):
+        kinds[kind].append((degree, (birth, death)))
+    return kinds
+
+
+def _distances(x: Any, distances: Any) -> tuple[Any, Any]:
+    """Points or distances as rows, and what these are."""
+    if hasattr(x, "tocoo"):
+        entries = x.tocoo()
+        # Both places of a pair say the same: the lower one is kept, and the upper one where the lower is not stored.
+        stored: dict[tuple[int, int], float] = {}
+        for i, j, distance in zip(entries.row.tolist(), entries.col.tolist(), entries.data.tolist(), strict=True):
+            if i == j:
+                continue
+            pair = (max(i, j), min(i, j))
+            if stored.setdefault(pair, float(distance)) != float(distance):
+                raise_invalid(f"the distance of the points {pair[1]} and {pair[0]} is {stored[pair]} and {distance}", "give one")
+        # The last point may be at no stored distance to another: it is at 0 to itself.
+        last = entries.shape[0] - 1
+        x, distances = [[i, j, distance] for (i, j), distance in stored.items()] + [[last, last, 0.0]], "sparse"
+    elif distances is None or distances in ("square", "sparse"):
+        x = numbers(x, "x")
+        if x.ndim != 2:
+            raise_invalid(f"x has the shape {x.shape}", "give an array of two axes, a row for each point")
+    return x, distances
+
+
+@in_words
 def rips(
     x: Any,
     *,
@@ -980,23 +1051,7 @@ def rips(
            [ 0.,  3.],
            [ 0.,  4.]])
     """
-    if hasattr(x, "tocoo"):
-        entries = x.tocoo()
-        # Both places of a pair say the same: the lower one is kept, and the upper one where the lower is not stored.
-        stored: dict[tuple[int, int], float] = {}
-        for i, j, distance in zip(entries.row.tolist(), entries.col.tolist(), entries.data.tolist(), strict=True):
-            if i == j:
-                continue
-            pair = (max(i, j), min(i, j))
-            if stored.setdefault(pair, float(distance)) != float(distance):
-                raise_invalid(f"the distance of the points {pair[1]} and {pair[0]} is {stored[pair]} and {distance}", "give one")
-        # The last point may be at no stored distance to another: it is at 0 to itself.
-        last = entries.shape[0] - 1
-        x, distances = [[i, j, distance] for (i, j), distance in stored.items()] + [[last, last, 0.0]], "sparse"
-    elif distances is None or distances in ("square", "sparse"):
-        x = numbers(x, "x")
-        if x.ndim != 2:
-            raise_invalid(f"x has the shape {x.shape}", "give an array of two axes, a row for each point")
+    x, distances = _distances(x, distances)
     found: Persistence = asked(
         "rips",
         x,
@@ -1008,6 +1063,178 @@ def rips(
         progress=progress,
     )
     return found
+
+
+@in_words
+def rips_complex(
+    x: Any,
+    threshold: float | None = None,
+    dimension: int | None = None,
+    *,
+    distances: Literal["points", "lower", "upper", "square", "sparse"] | None = None,
+) -> Model:
+    """The Vietoris-Rips complex of points or of distances as a model.
+
+    Parameters
+    ----------
+    x
+        As for :func:`rips`.
+    threshold
+        The largest diameter of simplices; the enclosing radius if not given.
+    dimension
+        The highest dimension of simplices, 2 if not given.
+    distances
+        As for :func:`rips`.
+
+    Returns
+    -------
+    Model
+        Tetrahedra, the triangles and edges in none of them, and points, where points have at most three coordinates; else simplices.
+
+    Examples
+    --------
+    >>> import coface
+    >>> coface.homology(coface.rips_complex([[0, 0], [3, 0], [3, 4], [0, 4]], threshold=4)).betti_numbers
+    (1, 1)
+    """
+    x, distances = _distances(x, distances)
+    return _coface.rips_complex(x, form=distances, threshold=threshold, dimension=dimension)
+
+
+def _edges(edges: Any, vertex_values: Any) -> Any:
+    """The path of a graph, or its rows, with the values of vertices behind them."""
+    if isinstance(edges, (str, os.PathLike)):
+        if vertex_values is not None:
+            raise_invalid("the file of a graph has the values of its vertices", "leave vertex_values out, or give rows of edges")
+        return os.fspath(edges)
+    if hasattr(edges, "nodes") and hasattr(edges, "edges"):
+        place = {node: number for number, node in enumerate(edges.nodes)}
+        table = [[number] for number in place.values()]
+        table += [[place[i], place[j], float(value)] for i, j, value in edges.edges(data="weight", default=1.0) if i != j]
+    else:
+        if hasattr(edges, "tocoo"):
+            entries = edges.tocoo()
+            edges = np.column_stack([entries.row, entries.col, entries.data])
+        rows = numbers(edges, "edges")
+        if rows.size and (rows.ndim != 2 or rows.shape[1] not in (2, 3)):
+            raise_invalid(f"edges have the shape {rows.shape}", "give rows of two vertices and a value")
+        table = rows.reshape(len(rows), -1).tolist() if rows.size else []
+    if vertex_values is not None:
+        values = vertex_values.items() if isinstance(vertex_values, Mapping) else enumerate(numbers(vertex_values, "vertex_values").tolist())
+        table += [[vertex, vertex, value] for vertex, value in values]
+    return table
+
+
+@in_words
+def flag(
+    edges: Any,
+    vertex_values: Any = None,
+    *,
+    directed: bool = False,
+    dimension: int = 1,
+    threshold: float | None = None,
+    coefficients: str | int = "f2",
+    least: float = 0.0,
+    progress: Any = False,
+) -> Persistence:
+    """Persistent homology of the flag complex (clique complex) of a weighted graph.
+
+    A simplex for each set of vertices of which each two are joined enters with its last edge. No complex is stored, as with :func:`rips`. Where vertices have names,
+    simplices have their numbers in the order of the file, and ``vertex_names`` the names.
+
+    Parameters
+    ----------
+    edges
+        Rows ``u, v, value`` of two vertices, whole numbers from 0 on, and the value at which their edge enters; rows ``u, v`` are edges of the value 1, and
+        ``u, u, value`` is a vertex that enters at the value. Of an edge that is given twice the smaller value is taken, with a warning. Or a square sparse
+        matrix of values; a graph of networkx, whose nodes are numbered in its order and whose edges enter at their ``weight``; or the path of an edge list or
+        of GraphML, where vertices may have names.
+    vertex_values
+        A mapping of vertices to the values at which they enter, or a value for each vertex from 0 on; vertices without one enter at 0, or with their first
+        edge if that is sooner. Vertices in no edge are taken from here.
+    directed
+        Whether edges have directions, from `u` to `v`: a simplex is a list of vertices with an edge from each to each later one, so that ``u, v`` and ``v, u``
+        make a loop (directed flag complex, as of flagser). This complex is stored.
+    dimension
+        The highest degree of classes.
+    threshold
+        The value at which the complex ends.
+    coefficients
+        A prime field: ``"f2"``, ``"f3"``, ...
+    least
+        Classes that live no longer than this are left out.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    Persistence
+        ``diagram(degree)`` is an array ``(n, 2)`` of births and deaths, ``simplices(degree)`` has the vertices that make and end each class.
+
+    Examples
+    --------
+    A cycle of four vertices, and a diagonal that comes later:
+
+    >>> import coface
+    >>> coface.flag([[0, 1, 1], [1, 2, 2], [2, 3, 3], [3, 0, 4], [0, 2, 6]]).diagram(1)
+    array([[4., 6.]])
+
+    Two edges that lead to and fro:
+
+    >>> coface.flag([[0, 1, 1], [1, 0, 2]], directed=True).diagram(1)
+    array([[ 2., inf]])
+    """
+    table = _edges(edges, vertex_values)
+    found: Persistence = asked(
+        "flag",
+        table,
+        directed=directed,
+        dimension=dimension,
+        threshold=threshold,
+        coefficients=coefficients,
+        least=least,
+        progress=progress,
+    )
+    return found
+
+
+@in_words
+def flag_complex(
+    edges: Any,
+    vertex_values: Any = None,
+    *,
+    directed: bool = False,
+    threshold: float | None = None,
+    dimension: int | None = None,
+) -> Model:
+    """The flag complex (clique complex) of a graph at a value as a model.
+
+    Parameters
+    ----------
+    edges
+        As for :func:`flag`.
+    vertex_values
+        As for :func:`flag`.
+    directed
+        As for :func:`flag`.
+    threshold
+        The value at which the complex ends.
+    dimension
+        The highest dimension of simplices, 2 if not given.
+
+    Returns
+    -------
+    Model
+        Simplices of vertices; if edges have directions a chain complex, whose cells of each degree are the lists of vertices in lexicographic order.
+
+    Examples
+    --------
+    >>> import coface
+    >>> cycle = [[0, 1, 1], [1, 2, 2], [2, 3, 3], [3, 0, 4], [0, 2, 6]]
+    >>> coface.homology(coface.flag_complex(cycle, threshold=5)).betti_numbers
+    (1, 1)
+    """
+    return _coface.flag_complex(_edges(edges, vertex_values), directed=directed, threshold=threshold, dimension=dimension)
 
 
 def _with_weights(points: Any, weights: Any) -> NDArray[np.float64]:
@@ -1023,6 +1250,191 @@ def _with_weights(points: Any, weights: Any) -> NDArray[np.float64]:
     if behind.shape != (len(rows),):
         raise_invalid(f"weights have the shape {behind.shape} for {len(rows)} points", "give one weight for each point")
     return np.column_stack([rows, behind])
+
+
+@in_words
+def cech(
+    points: Any,
+    *,
+    threshold: float | None = None,
+    dimension: int = 1,
+    coefficients: str | int = "f2",
+    least: float = 0.0,
+    progress: Any = False,
+) -> Persistence:
+    """Persistent homology of the Čech complex of points of any dimension.
+
+    A set of points enters at the radius of the smallest ball that holds it, as in ``CechComplex`` of GUDHI. Diagrams are those of :func:`alpha` with ``radii=True``,
+    which takes less time and memory where points have at most three coordinates.
+
+    Parameters
+    ----------
+    points
+        An array of shape ``(points, coordinates)``.
+    threshold
+        The largest radius of balls; that of a ball that holds all points if not given, behind which nothing changes.
+    dimension
+        The highest degree of classes.
+    coefficients
+        A prime field: ``"f2"``, ``"f3"``, ...
+    least
+        Classes that live no longer than this are left out.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    Persistence
+        ``diagram(degree)`` is an array ``(n, 2)`` of births and deaths, ``simplices(degree)`` has the points that make and end each class.
+
+    Examples
+    --------
+    The corners of a rectangle:
+
+    >>> import coface
+    >>> coface.cech([[0, 0], [6, 0], [6, 8], [0, 8]]).diagram(1)
+    array([[4., 5.]])
+    """
+    found: Persistence = asked(
+        "cech",
+        _with_weights(points, None),
+        threshold=threshold,
+        dimension=dimension,
+        coefficients=coefficients,
+        least=least,
+        progress=progress,
+    )
+    return found
+
+
+@in_words
+def cech_complex(points: Any, threshold: float | None = None, dimension: int | None = None) -> Model:
+    """The Čech complex of points at a radius as a model.
+
+    Parameters
+    ----------
+    points
+        As for :func:`cech`.
+    threshold
+        As for :func:`cech`.
+    dimension
+        The highest dimension of simplices, 2 if not given.
+
+    Returns
+    -------
+    Model
+        Tetrahedra, the triangles and edges in none of them, and points, where points have at most three coordinates; else simplices.
+
+    Examples
+    --------
+    >>> import coface
+    >>> coface.homology(coface.cech_complex([[0, 0], [6, 0], [6, 8], [0, 8]], threshold=4)).betti_numbers
+    (1, 1)
+    """
+    return _coface.cech_complex(_with_weights(points, None), threshold=threshold, dimension=dimension)
+
+
+@in_words
+def witness(
+    points: Any,
+    landmarks: int,
+    *,
+    strong: bool = False,
+    threshold: float | None = None,
+    dimension: int = 1,
+    coefficients: str | int = "f2",
+    least: float = 0.0,
+    progress: Any = False,
+) -> Persistence:
+    """Persistent homology of the witness complex of landmarks among points of any dimension.
+
+    Landmarks are the first point, then again and again the point that is farthest from those before it. A set of landmarks enters at the least ``a`` for which a
+    point has squared distances to all of them that are at most ``a`` more than that to any other landmark, as in ``EuclideanWitnessComplex`` of GUDHI.
+
+    Parameters
+    ----------
+    points
+        An array of shape ``(points, coordinates)``: the witnesses.
+    landmarks
+        How many landmarks are chosen: the vertices, numbered in the order in which they are chosen.
+    strong
+        Whether all landmarks of a set are as near to a witness as the nearest one, as in ``EuclideanStrongWitnessComplex`` of GUDHI.
+    threshold
+        The largest value, as ``max_alpha_square`` of GUDHI; all sets if not given.
+    dimension
+        The highest degree of classes.
+    coefficients
+        A prime field: ``"f2"``, ``"f3"``, ...
+    least
+        Classes that live no longer than this are left out.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    Persistence
+        ``diagram(degree)`` is an array ``(n, 2)`` of births and deaths, ``simplices(degree)`` has the landmarks that make and end each class.
+
+    Examples
+    --------
+    Two landmarks with a point between them:
+
+    >>> import coface
+    >>> coface.witness([[0.0], [1.0], [4.0]], 2, strong=True, dimension=0).diagram(0)
+    array([[ 0., inf],
+           [ 0.,  8.]])
+    """
+    found: Persistence = asked(
+        "witness",
+        _with_weights(points, None),
+        landmarks,
+        strong=strong,
+        threshold=threshold,
+        dimension=dimension,
+        coefficients=coefficients,
+        least=least,
+        progress=progress,
+    )
+    return found
+
+
+@in_words
+def witness_complex(
+    points: Any,
+    landmarks: int,
+    threshold: float | None = None,
+    dimension: int | None = None,
+    *,
+    strong: bool = False,
+) -> Model:
+    """The witness complex of landmarks among points at a value as a model.
+
+    Parameters
+    ----------
+    points
+        As for :func:`witness`.
+    landmarks
+        As for :func:`witness`.
+    threshold
+        As for :func:`witness`.
+    dimension
+        The highest dimension of simplices, 2 if not given.
+    strong
+        As for :func:`witness`.
+
+    Returns
+    -------
+    Model
+        Tetrahedra, the triangles and edges in none of them, and landmarks, where points have at most three coordinates; else simplices.
+
+    Examples
+    --------
+    >>> import coface
+    >>> ring = [[0, 0], [2, 0], [2, 2], [0, 2], [1, 0], [2, 1], [1, 2], [0, 1]]
+    >>> coface.homology(coface.witness_complex(ring, 4, threshold=0)).betti_numbers
+    (1, 1)
+    """
+    return _coface.witness_complex(_with_weights(points, None), landmarks, strong=strong, threshold=threshold, dimension=dimension)
 
 
 @in_words

@@ -56,7 +56,7 @@ MAKERS: dict[str, Callable[..., Any]] = {
     "YinSet.cut_cells": YinSet.cut_cells,
     "interface": _coface._interface,
     **{name: getattr(_coface, name) for name in ("_chains", "_curve", "_group", "_model", "_report", "_surface", "_yin_set")},
-    **{name: getattr(_coface, name) for name in ("alpha", "arrange", "boolean", "congruence", "cubical", "persistence", "rips")},
+    **{name: getattr(_coface, name) for name in ("alpha", "arrange", "boolean", "cech", "congruence", "cubical", "flag", "persistence", "rips", "witness")},
 }
 #: Classes whose answers are asked for again.
 ASKED = (
@@ -176,7 +176,7 @@ def read_back(value: Any) -> Any:
 
 
 #: The makers whose answers remember how they were made.
-RECIPES = ("alpha", "arrange", "boolean", "congruence", "cubical", "interface", "persistence", "rips", "Surface.cocycles", "Surface.cover", "Surface.cut", "YinSet.cut_cells")
+RECIPES = ("alpha", "arrange", "boolean", "cech", "congruence", "cubical", "flag", "interface", "persistence", "rips", "Surface.cocycles", "Surface.cover", "Surface.cut", "witness", "YinSet.cut_cells")
 #: The methods among them as they are compiled.
 _TOLD: dict[str, Callable[..., Any]] = {name: maker for name, maker in MAKERS.items() if name.startswith(("Surface.", "YinSet."))}
 

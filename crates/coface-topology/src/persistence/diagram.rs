@@ -309,6 +309,29 @@ impl PersistenceDiagram {
         }
     }
 
+    /// The degrees up to one: of a complex that lacks its cells of higher degree, those that it tells.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, Filtration, persistence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edges = SparseMatrix::from_entries(2, 2, [(0, 0, -1), (1, 0, 1), (0, 1, -1), (1, 1, 1)])?;
+    /// let circle = ChainComplex::new(vec![edges])?;
+    /// let filtration = Filtration::lower_star(&circle, &[0.0, 1.0])?;
+    /// let diagram = persistence(&circle, &filtration, Coefficients::Modulo(2))?;
+    /// assert_eq!(diagram.up_to_degree(0).betti_numbers(), [1]);
+    /// # Ok(()) }
+    /// ```
+    pub fn up_to_degree(mut self, degree: usize) -> Self {
+        if let Some(&end) = degree.checked_add(1).and_then(|next| self.starts.get(next)) {
+            self.pairs.truncate(end);
+            self.starts.truncate(degree + 2);
+        }
+        self
+    }
+
     /// The births and deaths of a degree; deaths of essential classes are infinite.
     ///
     /// # Examples

@@ -7,6 +7,7 @@
 //!   never: then it is **essential**. A [`PersistencePair`] names both cells and both values, a
 //!   [`PersistenceDiagram`] holds all pairs. The number of essential classes of a degree is its Betti number.
 //! * A [`Barcode`] has births and deaths alone: what diagrams of all filtrations have in common. Distances are distances of barcodes.
+//! * **Extended** persistence goes on with the homology relative to growing superlevel sets, where each class dies: [`extended_persistence`].
 //! * The **persistence** of a pair is the distance between birth and death. Pairs of persistence zero, on the
 //!   **diagonal**, depend on how ties are broken; the others do not.
 
@@ -14,6 +15,7 @@ mod barcode;
 mod cycles;
 mod diagram;
 mod elimination;
+mod extended;
 mod filtration;
 mod image;
 mod reduction;
@@ -28,8 +30,9 @@ mod tests;
 pub use barcode::{Barcode, BarcodeMatching, PersistenceSurface, euler_characteristic_curve};
 pub use cycles::{PersistentCycle, persistent_cycles};
 pub use diagram::{PersistenceDiagram, PersistencePair};
+pub use extended::{ExtendedKind, ExtendedPair, extended_persistence};
 pub use filtration::Filtration;
 pub use image::{ImageConstruction, ImageDiagram, ImageFiltration, ImagePair};
 pub use reduction::persistence;
-pub use rips::{Distances, RipsDiagram, RipsFiltration, RipsPair, RipsSize};
+pub use rips::{RipsDiagram, RipsFiltration, RipsPair, RipsSize};
 pub use torsion::torsion_primes;

@@ -3,6 +3,7 @@
 
 use coface::algebra::{RaggedArray, VertexId};
 use coface::complexes::alpha::AlphaComplex;
+use coface::complexes::filtered::{FilteredComplex, enclosing_ball_radius};
 use coface::complexes::simplicial::FrozenComplex;
 use coface::geometry::predicates::{
     WeightedPoint, orientation, smallest_sphere, smallest_sphere_side, spatial_orientation, sphere_side,
@@ -70,7 +71,7 @@ fn diagram(complex: &FrozenComplex, values: Vec<Vec<f64>>, end: usize) -> Vec<(u
 }
 
 fn of_alpha(points: &Positions, weights: Option<&[f64]>) -> Vec<(usize, f64, Option<f64>)> {
-    let (complex, values) = AlphaComplex::new(points, weights).unwrap().into_parts();
+    let (complex, values) = AlphaComplex::new(points, weights).unwrap().into_filtered().into_parts();
     diagram(&complex, values, points.dimension())
 }
 
@@ -121,7 +122,34 @@ fn points() -> impl Strategy<Value = (Positions, Option<Vec<f64>>)> {
     )
 }
 
+/// The pairs of the Čech complex of the library that live longer than rounding.
+fn of_radii(points: &Positions) -> Vec<(usize, f64, Option<f64>)> {
+    let complex = FilteredComplex::cech(points, enclosing_ball_radius(points), points.dimension()).unwrap();
+    let (complex, values) = complex.into_parts();
+    complex.check().unwrap();
+    let mut pairs = diagram(&complex, values, points.dimension());
+    pairs.retain(|pair| pair.2.is_none_or(|death| death - pair.1 > 1e-9));
+    pairs
+}
+
 proptest! {
+    /// Radii of smallest balls are those of exact spheres, but for rounding.
+    #[test]
+    fn cech_complexes_of_the_library_have_the_diagram_too((points, _) in points()) {
+        let radius = |pair: &(usize, f64, Option<f64>)| (pair.0, pair.1.sqrt(), pair.2.map(f64::sqrt));
+        let mut exact: Vec<_> = of_alpha(&points, None).iter().map(radius).collect();
+        exact.retain(|pair| pair.2.is_none_or(|death| death - pair.1 > 1e-9));
+        let mut found = of_radii(&points);
+        // Equal points are one in the alpha complex, and die at once here.
+        found.retain(|pair| pair.2 != Some(pair.1));
+        prop_assert_eq!(found.len(), exact.len());
+        for (one, other) in found.iter().zip(&exact) {
+            prop_assert_eq!((one.0, one.2.is_some()), (other.0, other.2.is_some()));
+            prop_assert!((one.1 - other.1).abs() < 1e-9);
+            prop_assert!((one.2.unwrap_or(0.0) - other.2.unwrap_or(0.0)).abs() < 1e-9);
+        }
+    }
+
     /// Invariant 121.
     #[test]
     fn alpha_and_cech_complexes_have_one_diagram((points, weights) in points()) {

@@ -2,10 +2,11 @@
 //!
 //! The process that was called reads no model and no shard: it hands out requests, one a line, and shows what comes back.
 
-use crate::arguments::{AlphaArguments, Common, Limit, VoxelArguments, memory_limit};
+use crate::arguments::{Common, Limit, VoxelArguments, memory_limit};
 use crate::commands::merge::{Answer, Question};
 use crate::commands::shard::{Cut, CutRequest, GridArguments, cut_input, fingerprint};
 use crate::failure::Failure;
+use crate::points::PointArguments;
 use crate::progress::Progress;
 use crate::workers::{Task, core_count, pool};
 use clap::Args;
@@ -60,7 +61,7 @@ impl PartsOptions {
     /// Answers the question about an input.
     pub(super) fn run(&self, input: &Path, question: &Question, common: &Common) -> Result<(), Failure> {
         question.check()?;
-        common.alpha.refuse("homology in parts")?;
+        common.points.refuse("homology in parts")?;
         if let Some(memory) = self.memory().filter(|&memory| memory < LEAST) {
             return Err(Failure::new(format!(
                 "{} of memory is too little for any part; give --memory {} or more",
@@ -446,7 +447,7 @@ fn shard(task: &ShardTask) -> Result<Reply, Failure> {
         lod: task.lod,
         pseudomanifold: task.pseudomanifold,
         voxels: task.voxels.clone(),
-        alpha: AlphaArguments::default(),
+        points: PointArguments::default(),
     };
     let progress = Progress::start(true);
     let asked = CutRequest {

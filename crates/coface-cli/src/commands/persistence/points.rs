@@ -1,112 +1,145 @@
-//! `coface persistence --rips`: points and distances.
+//! `coface persistence` of points, distances and graphs: with `--rips` and `--flag` their complexes are not stored, with `--alpha`, `--cech`, `--landmarks` and
+//! `--flag --directed` they are.
 
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input::{self, Source};
 use crate::progress::Progress;
 use crate::remarks;
-use clap::Args;
 use coface::answers::answer::Remark;
-use coface::answers::{FoundRips, RipsRequest, TableForm};
-use coface::io::{NumberTable, vertices_of_path};
-use coface::topology::{Coefficients, Distances};
+use coface::answers::{FoundRips, PointFiltration, RipsRequest};
+use coface::complexes::filtered::DirectedFlagComplex;
+use coface::io::{CechReading, FileGraph, FlagReading, NumberTable, RipsReading, WitnessReading};
+use coface::topology::Coefficients;
 use std::path::Path;
 
-/// What is asked of points and distances.
-#[derive(Args)]
-pub(super) struct PointArguments {
-    /// Of points, the Vietoris-Rips filtration: each set of points enters at the largest distance of two of them. The input
-    /// is a table with a row for each point (.csv, .txt, .npy, any number of coordinates), or the vertices of a model.
-    /// --threshold T ends it at diameter T instead of the enclosing radius, behind which nothing changes
-    #[arg(long, conflicts_with_all = ["function", "values", "upper_star"], help_heading = "Points")]
-    pub(super) rips: bool,
-    /// The highest degree of classes [default: 1]
-    #[arg(long, value_name = "K", requires = "rips", help_heading = "Points",
-          value_parser = clap::value_parser!(u8).range(..=15))]
-    dimension: Option<u8>,
-    /// The table has distances: lower or upper (those of a triangle, one row after the other), square, or sparse (rows
-    /// i j distance, points from 0 on; all others are infinitely far apart); or points, which is meant without this option
-    /// unless the table is symmetric with zeros on its diagonal
-    #[arg(long, value_name = "FORM", requires = "rips", help_heading = "Points", value_parser = form)]
-    distances: Option<TableForm>,
-    /// The table is a time series, a row for each time: a point is the rows at times t, t + D, t + 2D, .. one after the other
-    /// (embedding by delays)
-    #[arg(long, value_name = "D", requires = "rips", conflicts_with = "distances", help_heading = "Points",
-          value_parser = clap::value_parser!(u32).range(1..))]
-    delay: Option<u32>,
-    /// How many times a point of a time series has [default: 2]
-    #[arg(long, value_name = "N", requires = "delay", help_heading = "Points",
-          value_parser = clap::value_parser!(u32).range(1..=1000))]
-    embedding: Option<u32>,
+/// What is asked of points and graphs.
+pub(super) struct PointQuestion {
+    pub(super) coefficients: Coefficients,
+    pub(super) min_persistence: f64,
 }
 
-fn form(name: &str) -> Result<TableForm, String> {
-    TableForm::from_name(name).map_err(|error| error.to_string())
-}
-
-impl PointArguments {
-    /// Finds the diagram.
+impl PointQuestion {
+    /// The diagram of points, distances or a graph, if the options say that the input is one.
     pub(super) fn found(
         &self,
         path: &Path,
         common: &Common,
-        coefficients: Coefficients,
-        min_persistence: f64,
         progress: &Progress,
-    ) -> Result<FoundRips, Failure> {
-        let name = input::name(path);
-        let (distances, said) = self.read(path, common, progress)?;
-        remarks::take(&name, said.as_slice());
-        let request = RipsRequest::new()
-            .coefficients(coefficients)
-            .dimension(self.dimension.unwrap_or(1).into())
-            .threshold(common.voxels.threshold())
-            .min_persistence(min_persistence);
-        Ok(request.found(&name, &distances)?)
+    ) -> Result<Option<FoundRips>, Failure> {
+        let threshold = common.voxels.threshold();
+        if let Some(rips) = common.points.rips(threshold) {
+            return self.of_points(path, common, rips, progress).map(Some);
+        }
+        match common.points.flag(threshold).filter(|flag| !flag.directed) {
+            Some(flag) => self.of_graph(path, common, flag, progress).map(Some),
+            None => Ok(None),
+        }
     }
 
-    fn read(
+    fn request(&self, common: &Common) -> RipsRequest {
+        RipsRequest::new()
+            .coefficients(self.coefficients)
+            .dimension(common.points.dimension().unwrap_or(1))
+            .threshold(common.voxels.threshold())
+            .min_persistence(self.min_persistence)
+    }
+
+    fn of_points(
         &self,
         path: &Path,
         common: &Common,
+        reading: RipsReading,
         progress: &Progress,
-    ) -> Result<(Distances, Option<Remark>), Failure> {
+    ) -> Result<FoundRips, Failure> {
         let name = input::name(path);
         progress.stage(format!("reading {name}"));
-        let in_file = |error: coface::Error| Failure::from(error.in_file(name.clone()));
-        let form = self.distances.or_else(|| form_of_extension(path));
-        if matches!(form, None | Some(TableForm::Points))
-            && self.delay.is_none()
-            && let Some((vertices, said)) = vertices_of_path(path, &common.reading())?
-        {
-            remarks::take(&name, &said);
-            return Ok((TableForm::Points.distances(&vertices).map_err(in_file)?, None));
-        }
-        let table = match Source::of(path)? {
-            Source::File(path) => NumberTable::read_path(path)?,
-            Source::Bytes(bytes) => NumberTable::read(&bytes[..]).map_err(in_file)?,
+        let points = match Source::of(path)? {
+            Source::File(path) => reading.distances_of_path(path, &common.reading())?,
+            Source::Bytes(bytes) => NumberTable::read(&bytes[..])
+                .and_then(|table| reading.distances(&table))
+                .map_err(|error| error.in_file(name.clone()))?,
         };
-        let (table, (form, said)) = match (self.delay, form) {
-            (Some(delay), _) => {
-                let embedding = self.embedding.unwrap_or(2) as usize;
-                (table.delayed(delay as usize, embedding).map_err(in_file)?, (TableForm::Points, None))
-            }
-            (None, Some(form)) => (table, (form, None)),
-            (None, None) => {
-                let found = TableForm::of(&table);
-                (table, found)
-            }
+        accept(common, points.remarks(), &name)?;
+        Ok(self.request(common).found(&name, points.distances())?)
+    }
+
+    fn of_graph(
+        &self,
+        path: &Path,
+        common: &Common,
+        reading: FlagReading,
+        progress: &Progress,
+    ) -> Result<FoundRips, Failure> {
+        let name = input::name(path);
+        progress.stage(format!("reading {name}"));
+        let graph = match Source::of(path)? {
+            Source::File(path) => reading.graph_of_path(path)?,
+            Source::Bytes(bytes) => reading.graph(&bytes[..]).map_err(|error| error.in_file(name.clone()))?,
         };
-        Ok((form.distances(&table).map_err(in_file)?, said))
+        accept(common, graph.remarks(), &name)?;
+        Ok(self.request(common).found_of_graph(&name, &graph)?)
     }
 }
 
-/// Files of Ripser are named by what they hold.
-fn form_of_extension(path: &Path) -> Option<TableForm> {
-    match path.extension().and_then(|extension| extension.to_str()) {
-        Some("lower_distance_matrix") => Some(TableForm::Lower),
-        Some("upper_distance_matrix") => Some(TableForm::Upper),
-        Some("distance_matrix") => Some(TableForm::Square),
-        _ => None,
+fn graph_of(source: &Source<'_>, reading: FlagReading, name: &str) -> Result<FileGraph, coface::Error> {
+    match source {
+        Source::File(path) => reading.graph_of_path(path),
+        Source::Bytes(bytes) => reading.graph(&bytes[..]).map_err(|error| error.in_file(name)),
     }
+}
+
+/// Points or a graph with the complex that is stored of them, and the highest degree that it tells, if it lacks cells above.
+pub(super) fn stored(
+    source: &Source<'_>,
+    common: &Common,
+    name: &str,
+    progress: &Progress,
+) -> Result<Option<(PointFiltration, Option<usize>)>, Failure> {
+    let threshold = common.voxels.threshold();
+    let degree = common.points.dimension().unwrap_or(1);
+    let options = common.reading();
+    let in_file = |error: coface::Error| error.in_file(name);
+    let table = |bytes: &[u8]| NumberTable::read(bytes);
+    if let Some(alpha) = common.points.alpha() {
+        progress.stage(format!("reading {name}"));
+        let points = match source {
+            Source::File(path) => alpha.points_of_path(path, &options)?,
+            Source::Bytes(bytes) => table(bytes).and_then(|table| alpha.points(&table)).map_err(in_file)?,
+        };
+        return Ok(Some((PointFiltration::of_alpha(points, alpha.radii), None)));
+    }
+    if let Some(cech) = common.points.cech(threshold) {
+        progress.stage(format!("reading {name}"));
+        let cech = CechReading { dimension: Some(degree + 1), ..cech };
+        let points = match source {
+            Source::File(path) => cech.points_of_path(path, &options)?,
+            Source::Bytes(bytes) => table(bytes).and_then(|table| cech.points(&table)).map_err(in_file)?,
+        };
+        return Ok(Some((PointFiltration::of_cech(points), Some(degree))));
+    }
+    if let Some(witness) = common.points.witness(threshold) {
+        progress.stage(format!("reading {name}"));
+        let witness = WitnessReading { dimension: Some(degree + 1), ..witness };
+        let points = match source {
+            Source::File(path) => witness.points_of_path(path, &options)?,
+            Source::Bytes(bytes) => table(bytes).and_then(|table| witness.points(&table)).map_err(in_file)?,
+        };
+        return Ok(Some((PointFiltration::of_witness(points), Some(degree))));
+    }
+    if let Some(flag) = common.points.flag(threshold).filter(|flag| flag.directed) {
+        progress.stage(format!("reading {name}"));
+        let graph = graph_of(source, flag, name)?;
+        let threshold = threshold.unwrap_or(f64::INFINITY);
+        let complex = DirectedFlagComplex::new(&graph.digraph(), threshold, degree + 1).map_err(in_file)?;
+        return Ok(Some((PointFiltration::of_directed(&graph, complex), Some(degree))));
+    }
+    Ok(None)
+}
+
+/// Says what a reader assumed, or refuses it.
+fn accept(common: &Common, said: &[Remark], name: &str) -> Result<(), Failure> {
+    common.reading().accept(said).map_err(|error| error.in_file(name))?;
+    remarks::take(name, said);
+    Ok(())
 }

@@ -235,6 +235,21 @@ const EXCEPTIONS: &[(&str, &str, &str)] = &[
         "(--threshold {fitting})",
         "has a test of its own, which asks for the threshold that it names",
     ),
+    (
+        "filtered/flag.rs",
+        "(--threshold {fitting})",
+        "has a test of its own, which asks for the threshold that it names",
+    ),
+    (
+        "filtered/cech.rs",
+        "(--threshold {fitting})",
+        "has a test of its own, which asks for the threshold that it names",
+    ),
+    (
+        "filtered/directed.rs",
+        "(--threshold {fitting})",
+        "has a test of its own, which asks for the threshold that it names",
+    ),
     ("cli/src/classes.rs", "build it with --features arrow", "needs another build of the program"),
     ("facts/volume.rs", "coface homology --parts N", "needs a volume of a thousand million voxels"),
     (

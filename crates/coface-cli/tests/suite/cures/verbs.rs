@@ -28,32 +28,45 @@ pub(super) const CASES: &[Case] = &[
         .files(POINTS)
         .refused("coface persistence points.csv --alpha --threshold 9")
         .cured(&[&["coface persistence points.csv --alpha 9"]]),
-    Case::new(
-        "commands/persistence.rs",
-        "--rips and --alpha are two filtrations of points; give one of them",
-    )
-    .files(POINTS)
-    .refused("coface persistence points.csv --alpha --rips")
-    .cured(&[&["coface persistence points.csv --alpha"], &["coface persistence points.csv --rips"]]),
-    Case::new("src/arguments.rs", "write the complex first: coface convert POINTS --alpha -o COMPLEX.vtk")
+    Case::new("src/points.rs", "write the complex first: coface convert INPUT {option} -o COMPLEX.json")
         .files(POINTS)
         .refused("coface shard points.csv --alpha --parts 1 -o parts")
         .cured(&[&[
-            "coface convert points.csv --alpha -o complex.vtk",
-            "coface shard complex.vtk --parts 1 -o parts",
+            "coface convert points.csv --alpha -o complex.json",
+            "coface shard complex.json --parts 1 -o parts",
         ]]),
-    Case::new("persistence/points.rs", "or say what they are by --distances lower")
+    Case::new("src/points.rs", "give --rips, --cech, --landmarks or --flag")
+        .files(&[("points.csv", "0,0,1\n6,0,1\n6,8,1\n"), ("graph.txt", "0 1 2\n")])
+        .misused("coface persistence points.csv --dimension 1")
+        .cured(&[
+            &["coface persistence points.csv --rips --dimension 1"],
+            &["coface persistence points.csv --cech --dimension 1"],
+            &["coface persistence points.csv --landmarks 2 --dimension 1"],
+            &["coface persistence graph.txt --flag --dimension 1"],
+        ]),
+    Case::new("io/src/rips.rs", "--dimension K takes those up to K")
+        .files(&[("points.csv", "0,0\n3,0\n3,4\n0,4\n")])
+        .answered("coface info points.csv --rips")
+        .cured(&[&["coface info points.csv --rips --dimension 3"]]),
+    Case::new("graph/rows.rs", "--directed takes the directed flag complex")
+        .files(&[(
+            "graph.graphml",
+            "<graphml><graph edgedefault=\"directed\"><node id=\"a\"/><node id=\"b\"/><edge source=\"a\" target=\"b\"/></graph></graphml>",
+        )])
+        .answered("coface persistence graph.graphml --flag")
+        .cured(&[&["coface persistence graph.graphml --flag --directed"]]),
+    Case::new("io/src/table_form.rs", "or say what they are by --distances lower")
         .files(&[("a.csv", "1\n2 3\n")])
         .refused("coface persistence a.csv --rips")
         .cured(&[&["coface persistence a.csv --rips --distances lower"]]),
     Case::new(
-        "persistence/points.rs",
+        "io/src/table_form.rs",
         "or say how the table is laid out by --distances square or --distances sparse",
     )
     .files(&[("a.csv", "0 1 2\n1 2 1\n0 2 2\n")])
     .refused("coface persistence a.csv --rips --distances lower --threshold 5")
     .cured(&[&["coface persistence a.csv --rips --distances sparse"]]),
-    Case::new("persistence/points.rs", "--distances points takes its rows as points")
+    Case::new("io/src/table_form.rs", "--distances points takes its rows as points")
         .files(&[("a.csv", "0 1 2\n1 0 1\n2 1 0\n")])
         .answered("coface persistence a.csv --rips")
         .cured(&[&["coface persistence a.csv --rips --distances points"]]),

@@ -61,7 +61,8 @@ impl RipsPair {
 /// # Examples
 /// The corners of a unit square: the loop of the four sides is filled when the diagonals come.
 /// ```
-/// use coface_topology::{Coefficients, Distances, RipsFiltration};
+/// use coface_complexes::filtered::Distances;
+/// use coface_topology::{Coefficients, RipsFiltration};
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let root = 2f64.sqrt();
 /// let square = Distances::from_lower_triangle(4, vec![1.0, root, 1.0, 1.0, root, 1.0])?;
@@ -84,7 +85,8 @@ impl RipsDiagram {
     ///
     /// # Examples
     /// ```
-    /// use coface_topology::{Coefficients, Distances, RipsFiltration};
+    /// use coface_complexes::filtered::Distances;
+    /// use coface_topology::{Coefficients, RipsFiltration};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let two = RipsFiltration::new(&Distances::from_lower_triangle(2, vec![3.0])?, None)?;
     /// assert_eq!(two.persistence(0, Coefficients::Modulo(5))?.prime(), 5);
@@ -98,7 +100,8 @@ impl RipsDiagram {
     ///
     /// # Examples
     /// ```
-    /// use coface_topology::{Coefficients, Distances, RipsFiltration};
+    /// use coface_complexes::filtered::Distances;
+    /// use coface_topology::{Coefficients, RipsFiltration};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let two = RipsFiltration::new(&Distances::from_lower_triangle(2, vec![3.0])?, None)?;
     /// assert_eq!(two.persistence(0, Coefficients::Modulo(2))?.threshold(), 3.0);
@@ -112,7 +115,8 @@ impl RipsDiagram {
     ///
     /// # Examples
     /// ```
-    /// use coface_topology::{Coefficients, Distances, RipsFiltration};
+    /// use coface_complexes::filtered::Distances;
+    /// use coface_topology::{Coefficients, RipsFiltration};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let two = RipsFiltration::new(&Distances::from_lower_triangle(2, vec![3.0])?, None)?;
     /// assert_eq!(two.persistence(1, Coefficients::Modulo(2))?.degree_count(), 2);
@@ -126,7 +130,8 @@ impl RipsDiagram {
     ///
     /// # Examples
     /// ```
-    /// use coface_topology::{Coefficients, Distances, RipsFiltration};
+    /// use coface_complexes::filtered::Distances;
+    /// use coface_topology::{Coefficients, RipsFiltration};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let two = RipsFiltration::new(&Distances::from_lower_triangle(2, vec![3.0])?, None)?;
     /// // One point stays, the other one is joined to it at 3.
@@ -149,7 +154,8 @@ impl RipsDiagram {
     ///
     /// # Examples
     /// ```
-    /// use coface_topology::{Coefficients, Distances, RipsFiltration};
+    /// use coface_complexes::filtered::Distances;
+    /// use coface_topology::{Coefficients, RipsFiltration};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let two = RipsFiltration::new(&Distances::from_lower_triangle(2, vec![3.0])?, None)?;
     /// let diagram = two.persistence(0, Coefficients::Modulo(2))?;

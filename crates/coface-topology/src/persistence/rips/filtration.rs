@@ -1,14 +1,14 @@
 //! Vietoris-Rips filtrations, and how large they are.
 
 use super::diagram::RipsDiagram;
-use super::distances::Distances;
-use super::near::{Lists, MOST_POINTS, Near, Square};
+use super::near::{FAR, Lists, MOST_POINTS, Near, Square};
 use super::reduction::Reduction;
 use super::simplices::{Binomials, Simplex, Simplices};
 use crate::homology::Coefficients;
 use crate::persistence::reduction::prime;
 use coface_algebra::progress::stage;
 use coface_algebra::{Binary, Error, ErrorKind, Field, Odd};
+use coface_complexes::filtered::{Distances, WeightedGraph};
 use rayon::prelude::*;
 
 /// The Vietoris-Rips filtration of points: a simplex for each set of points, which enters at the largest distance of two of them, up to a
@@ -17,7 +17,8 @@ use rayon::prelude::*;
 /// # Examples
 /// Three points in a row, of which the outer ones are 3 apart.
 /// ```
-/// use coface_topology::{Coefficients, Distances, RipsFiltration};
+/// use coface_complexes::filtered::Distances;
+/// use coface_topology::{Coefficients, RipsFiltration};
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let line = Distances::from_lower_triangle(3, vec![1.0, 3.0, 2.0])?;
 /// let filtration = RipsFiltration::new(&line, None)?;
@@ -32,8 +33,10 @@ use rayon::prelude::*;
 pub struct RipsFiltration {
     count: usize,
     threshold: f64,
-    /// The different distances up to the threshold, rising, 0 first.
+    /// The different distances up to the threshold, rising, 0 first; of a graph the values of vertices and edges.
     values: Vec<f64>,
+    /// The ranks at which points enter; [`FAR`] beyond the threshold.
+    births: Vec<u32>,
     /// Pairs of points i > j with their ranks, as they enter.
     edges: Vec<(u32, u32, u32)>,
 }
@@ -104,7 +107,57 @@ impl RipsFiltration {
             (i, j, (values.len() - 1) as u32)
         });
         let edges = edges.collect();
-        Ok(Self { count: distances.point_count(), threshold, values, edges })
+        let count = distances.point_count();
+        Ok(Self { count, threshold, values, births: vec![0; count], edges })
+    }
+
+    /// The filtration of the flag complex of a graph up to a threshold, or of all of it: a simplex for each set of vertices of which each two are joined, which
+    /// enters at the largest value of an edge, a vertex at its own.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`] for a threshold that is no number.
+    ///
+    /// # Complexity
+    /// n log n for n vertices and edges.
+    ///
+    /// # Examples
+    /// A cycle of four edges that come one after the other, and a vertex by itself.
+    /// ```
+    /// use coface_complexes::filtered::WeightedGraph;
+    /// use coface_topology::{Coefficients, RipsFiltration};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let edges = [(0, 1, 1.0), (1, 2, 2.0), (2, 3, 3.0), (3, 0, 4.0)];
+    /// let graph = WeightedGraph::new(vec![-1.0, 0.0, 0.0, 0.0, 0.5], edges)?;
+    /// let diagram = RipsFiltration::of_graph(&graph, None)?.persistence(1, Coefficients::Modulo(2))?;
+    /// let classes: Vec<_> = diagram.pairs().map(|pair| (pair.degree(), pair.birth(), pair.death())).collect();
+    /// let components = [(0, -1.0, None), (0, 0.0, Some(1.0)), (0, 0.0, Some(2.0)), (0, 0.0, Some(3.0)), (0, 0.5, None)];
+    /// assert_eq!((&classes[..5], classes[5]), (&components[..], (1, 4.0, None)));
+    /// # Ok(()) }
+    /// ```
+    pub fn of_graph(graph: &WeightedGraph, threshold: Option<f64>) -> Result<Self, Error> {
+        if threshold.is_some_and(f64::is_nan) {
+            return Err(Error::invalid("the threshold is NaN").with_cure("give a number"));
+        }
+        let _steps = stage("sorting edges", 0);
+        let all = graph.births().iter().copied().chain(graph.edges().iter().map(|edge| edge.2));
+        let most = threshold.unwrap_or(f64::INFINITY);
+        let mut values: Vec<f64> = all.filter(|&value| value <= most).collect();
+        values.par_sort_unstable_by(f64::total_cmp);
+        values.dedup();
+        let rank = |value: f64| match value <= most {
+            true => values.partition_point(|&other| other < value) as u32,
+            false => FAR,
+        };
+        let births = graph.births().iter().map(|&birth| rank(birth)).collect();
+        let mut edges: Vec<(u32, u32, u32)> = graph
+            .edges()
+            .iter()
+            .filter(|edge| edge.2 <= most)
+            .map(|&(i, j, value)| (i, j, rank(value)))
+            .collect();
+        edges.par_sort_unstable_by(|a, b| a.2.cmp(&b.2).then((b.0, b.1).cmp(&(a.0, a.1))));
+        let threshold = threshold.unwrap_or_else(|| values.last().copied().unwrap_or(0.0));
+        Ok(Self { count: graph.vertex_count(), threshold, values, births, edges })
     }
 
     /// The largest diameter of its simplices.
@@ -119,7 +172,8 @@ impl RipsFiltration {
     ///
     /// # Examples
     /// ```
-    /// use coface_topology::{Distances, RipsFiltration};
+    /// use coface_complexes::filtered::Distances;
+    /// use coface_topology::RipsFiltration;
     /// let line = Distances::from_lower_triangle(3, vec![1.0, 3.0, 2.0]).expect("three distances");
     /// assert_eq!(RipsFiltration::new(&line, None).expect("a threshold").edge_count(), 2);
     /// ```
@@ -183,8 +237,8 @@ impl RipsFiltration {
     where
         F::Unit: Send + Sync,
     {
-        let values = &self.values;
-        Reduction { simplices, field, values, edges, point_count: self.count }.pairs(dimension)
+        let (values, births) = (&self.values, &self.births);
+        Reduction { simplices, field, values, births, edges }.pairs(dimension)
     }
 
     /// How many simplices there are up to a degree, and how much memory [`Self::persistence`] takes, as far as a sample shows, if the threshold
@@ -198,7 +252,8 @@ impl RipsFiltration {
     ///
     /// # Examples
     /// ```
-    /// use coface_topology::{Distances, RipsFiltration};
+    /// use coface_complexes::filtered::Distances;
+    /// use coface_topology::RipsFiltration;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// // Ten points, all 1 apart.
     /// let filtration = RipsFiltration::new(&Distances::from_lower_triangle(10, vec![1.0; 45])?, None)?;
@@ -226,7 +281,8 @@ impl RipsFiltration {
     ///
     /// # Examples
     /// ```
-    /// use coface_topology::{Distances, RipsFiltration};
+    /// use coface_complexes::filtered::Distances;
+    /// use coface_topology::RipsFiltration;
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let filtration = RipsFiltration::new(&Distances::from_lower_triangle(3, vec![1.0, 3.0, 2.0])?, None)?;
     /// assert_eq!(filtration.threshold_within(1, 1e9)?, Some(2.0));

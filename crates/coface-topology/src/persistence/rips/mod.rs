@@ -2,6 +2,8 @@
 //!
 //! # Words and conventions
 //! * A simplex enters a **Vietoris-Rips filtration** at its diameter, the largest distance of two of its points. Points enter at 0.
+//! * The **flag complex** of a graph has a simplex for each set of vertices of which each two are joined. With values of vertices and edges a simplex
+//!   enters at the largest of its edges: that of the complete graph of points, whose vertices have the value 0, is the Vietoris-Rips filtration.
 //! * The **rank** of a distance is its place among all different distances up to the threshold, from 0 (the distance 0) on. Inside this section
 //!   simplices are compared by ranks.
 //! * A simplex with the points a > b > .. > z has the **index** C(a, k + 1) + C(b, k) + .. + C(z, 1): the simplices of degree k are numbered
@@ -10,7 +12,6 @@
 //!   of it to enter. Both are seen from the distances, so such pairs are neither stored nor reduced.
 
 mod diagram;
-mod distances;
 mod filtration;
 mod near;
 mod reduction;
@@ -20,5 +21,4 @@ mod simplices;
 mod tests;
 
 pub use diagram::{RipsDiagram, RipsPair};
-pub use distances::Distances;
 pub use filtration::{RipsFiltration, RipsSize};

@@ -1,7 +1,7 @@
 //! The coboundaries of a Vietoris-Rips filtration, reduced without being stored.
 
 use super::diagram::RipsPair;
-use super::near::Near;
+use super::near::{FAR, Near};
 use super::simplices::{Simplex, Simplices};
 use coface_algebra::progress::stage;
 use coface_algebra::{Field, UnionFind, VertexId};
@@ -39,9 +39,10 @@ pub(super) struct Reduction<'a, N, F> {
     pub(super) field: &'a F,
     /// The different distances, rising.
     pub(super) values: &'a [f64],
+    /// The ranks at which points enter; [`FAR`] for those that do not.
+    pub(super) births: &'a [u32],
     /// The edges as they enter.
     pub(super) edges: &'a [Simplex],
-    pub(super) point_count: usize,
 }
 
 impl<N: Near, F: Field + Sync> Reduction<'_, N, F>
@@ -66,30 +67,35 @@ where
 
     /// The pairs of the points, and the edges that make loops.
     fn merge(&self, with_loops: bool) -> (Vec<RipsPair>, Vec<Simplex>) {
-        let mut trees = UnionFind::new(self.point_count);
+        let point_count = self.births.len();
+        let mut trees = UnionFind::new(point_count);
         // The first point of the tree of each root.
-        let mut oldest: Vec<u32> = (0..self.point_count as u32).collect();
-        let mut killer = vec![None; self.point_count];
+        let mut oldest: Vec<u32> = (0..point_count as u32).collect();
+        let mut killer: Vec<Option<Simplex>> = vec![None; point_count];
         let mut loops = Vec::new();
         let steps = stage("merging components", self.edges.len());
         for &edge in steps.each(self.edges.iter()) {
             let ends = self.simplices.points(1, edge.index());
             let (a, b) = (oldest[trees.find(ends[0]) as usize], oldest[trees.find(ends[1]) as usize]);
             if trees.unite(a, b) {
-                oldest[trees.find(a) as usize] = a.min(b);
-                killer[a.max(b) as usize] = Some(edge);
+                let age = |point: u32| (self.births[point as usize], point);
+                let (older, younger) = if age(a) < age(b) { (a, b) } else { (b, a) };
+                oldest[trees.find(a) as usize] = older;
+                killer[younger as usize] = Some(edge);
             } else if with_loops {
                 loops.push(edge);
             }
         }
         drop(steps);
         loops = loops.into_par_iter().filter(|&edge| !self.simplices.has_apparent_cofacet(1, edge)).collect();
-        let pairs = killer.into_iter().enumerate().filter_map(|(point, killer)| {
-            let death = killer.map(|edge| self.values[edge.rank as usize]);
-            (death != Some(0.0)).then(|| RipsPair {
+        let mut points: Vec<usize> = (0..point_count).filter(|&point| self.births[point] != FAR).collect();
+        points.sort_by_key(|&point| self.births[point]);
+        let pairs = points.into_iter().filter_map(|point| {
+            let (birth, killer) = (self.births[point], killer[point]);
+            killer.is_none_or(|edge| edge.rank > birth).then(|| RipsPair {
                 degree: 0,
-                birth: 0.0,
-                death,
+                birth: self.values[birth as usize],
+                death: killer.map(|edge| self.values[edge.rank as usize]),
                 birth_simplex: vec![VertexId::new(point)],
                 death_simplex: killer.map(|edge| self.vertices(1, edge)),
             })

@@ -5,9 +5,11 @@ use crate::homology::Coefficients;
 use crate::persistence::{Filtration, persistence};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{ErrorKind, SparseMatrix};
+use coface_complexes::filtered::{Distances, WeightedGraph};
 use proptest::prelude::*;
 
-/// The second method: every simplex up to the degree above `dimension` in a chain complex, reduced as any other.
+/// The second method: every simplex up to the degree above `dimension` in a chain complex, reduced as any other. The distance of a point to itself is where
+/// it enters.
 fn by_the_whole_complex(
     count: usize,
     distance: impl Fn(usize, usize) -> f64,
@@ -15,7 +17,8 @@ fn by_the_whole_complex(
     dimension: usize,
     p: u64,
 ) -> Vec<(usize, String)> {
-    let mut levels: Vec<Vec<Vec<usize>>> = vec![(0..count).map(|i| vec![i]).collect()];
+    let points = (0..count).filter(|&i| distance(i, i) <= threshold);
+    let mut levels: Vec<Vec<Vec<usize>>> = vec![points.map(|i| vec![i]).collect()];
     for _ in 0..=dimension {
         let last = levels.last().unwrap();
         let grown = last.iter().flat_map(|simplex| {
@@ -29,7 +32,7 @@ fn by_the_whole_complex(
     }
     let value = |simplex: &Vec<usize>| {
         let pairs = simplex.iter().flat_map(|&i| simplex.iter().map(move |&j| (i, j)));
-        pairs.filter(|(i, j)| i < j).map(|(i, j)| distance(i, j)).fold(0.0, f64::max)
+        pairs.filter(|(i, j)| i <= j).map(|(i, j)| distance(i, j)).fold(f64::NEG_INFINITY, f64::max)
     };
     let matrices = levels.windows(2).map(|two| {
         let entries = two[1].iter().enumerate().flat_map(|(column, simplex)| {
@@ -75,7 +78,10 @@ proptest! {
         dimension in 0usize..4,
         p in prop::sample::select(vec![2u64, 3, 5]),
     ) {
-        let number = |i: usize, j: usize| f64::from(numbers[i.max(j) * (i.max(j) - 1) / 2 + i.min(j)]) / 2.0;
+        let number = |i: usize, j: usize| match i.cmp(&j) {
+            std::cmp::Ordering::Equal => 0.0,
+            _ => f64::from(numbers[i.max(j) * (i.max(j) - 1) / 2 + i.min(j)]) / 2.0,
+        };
         let lower = (0..count).flat_map(|i| (0..i).map(move |j| number(i, j))).collect();
         let all = Distances::from_lower_triangle(count, lower).unwrap();
         let filtration = RipsFiltration::new(&all, threshold.map(f64::from)).unwrap();
@@ -97,6 +103,31 @@ proptest! {
             prop_assert_eq!(pair.death_simplex().map(diameter), pair.death());
             prop_assert_eq!(pair.birth_simplex().len(), pair.degree() + 1);
         }
+    }
+
+    /// Flag complexes of graphs whose vertices have values too, and of which some edges are missing.
+    #[test]
+    fn pairs_of_graphs_are_those_of_the_whole_complex(
+        births in prop::collection::vec(-2i8..3, 0..9),
+        numbers in prop::collection::vec(-3i8..6, 36),
+        threshold in prop::option::of(-3i8..6),
+        dimension in 0usize..4,
+        p in prop::sample::select(vec![2u64, 3]),
+    ) {
+        let count = births.len();
+        let value = |i: usize, j: usize| -> f64 {
+            let number = if i == j { -3 } else { numbers[i.max(j) * (i.max(j) - 1) / 2 + i.min(j)] };
+            // No edge.
+            if number == 5 { f64::INFINITY } else { number.max(births[i]).max(births[j]).into() }
+        };
+        let edges = (0..count).flat_map(|i| (0..i).map(move |j| (j, i, value(i, j))));
+        let edges = edges.filter(|edge| edge.2.is_finite());
+        let graph = WeightedGraph::new(births.iter().map(|&birth| birth.into()).collect(), edges).unwrap();
+        let filtration = RipsFiltration::of_graph(&graph, threshold.map(f64::from)).unwrap();
+        let diagram = filtration.persistence(dimension, Coefficients::Modulo(p)).unwrap();
+        let expected = by_the_whole_complex(count, value, threshold.map_or(1e9, f64::from), dimension, p);
+        prop_assert_eq!(&found(&diagram), &expected);
+        prop_assert!(filtration.size(dimension, f64::INFINITY).unwrap().bytes() >= 0.0);
     }
 
     /// Past the enclosing radius nothing happens.
@@ -136,6 +167,16 @@ fn wrong_requests_are_refused() {
     );
     assert_eq!(Distances::from_list(3, [(1, 1, 2.0)]).map_err(kind), Err(ErrorKind::InvalidInput));
     assert_eq!(Distances::from_lower_triangle(2, vec![f64::NAN]).map_err(kind), Err(ErrorKind::InvalidInput));
+    for (births, edges) in [
+        (vec![0.0, f64::NAN], vec![]),
+        (vec![0.0, 1.0], vec![(0, 1, 0.5)]),
+        (vec![0.0, 0.0], vec![(0, 2, 1.0)]),
+        (vec![0.0, 0.0], vec![(1, 1, 1.0)]),
+        (vec![0.0, 0.0], vec![(0, 1, f64::INFINITY)]),
+        (vec![0.0, 0.0], vec![(0, 1, 1.0), (1, 0, 2.0)]),
+    ] {
+        assert_eq!(WeightedGraph::new(births, edges).map_err(kind), Err(ErrorKind::InvalidInput));
+    }
     let many = Distances::from_list(1 << 20, []).unwrap();
     let filtration = RipsFiltration::new(&many, None).unwrap();
     assert_eq!(filtration.persistence(9, Coefficients::Modulo(2)).map_err(kind), Err(ErrorKind::TooLarge));

@@ -1,5 +1,6 @@
 //! Distances between finitely many points.
 
+use super::WeightedGraph;
 use coface_algebra::{Error, ErrorKind};
 
 /// The distances between points that are numbered from 0 on: all of them, or those that are known, where the others are
@@ -9,7 +10,7 @@ use coface_algebra::{Error, ErrorKind};
 ///
 /// # Examples
 /// ```
-/// use coface_topology::Distances;
+/// use coface_complexes::filtered::Distances;
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// // Points 0, 1 and 3 on a line: the distances 1-0, 2-0, 2-1.
 /// let line = Distances::from_lower_triangle(3, vec![1.0, 3.0, 2.0])?;
@@ -39,7 +40,7 @@ impl Distances {
     ///
     /// # Examples
     /// ```
-    /// use coface_topology::Distances;
+    /// use coface_complexes::filtered::Distances;
     /// assert!(Distances::from_lower_triangle(2, vec![1.5]).is_ok());
     /// assert!(Distances::from_lower_triangle(2, vec![-1.5]).is_err());
     /// assert!(Distances::from_lower_triangle(3, vec![1.5]).is_err());
@@ -70,7 +71,7 @@ impl Distances {
     ///
     /// # Examples
     /// ```
-    /// use coface_topology::Distances;
+    /// use coface_complexes::filtered::Distances;
     /// let path = Distances::from_list(3, [(0, 1, 1.0), (2, 1, 4.0)]).expect("two distances");
     /// assert_eq!(path.enclosing_radius(), Some(4.0));
     /// assert_eq!(Distances::from_list(3, [(0, 1, 1.0)]).expect("one distance").enclosing_radius(), None);
@@ -119,7 +120,7 @@ impl Distances {
     ///
     /// # Examples
     /// ```
-    /// use coface_topology::Distances;
+    /// use coface_complexes::filtered::Distances;
     /// assert_eq!(Distances::from_lower_triangle(2, vec![1.5]).expect("one distance").point_count(), 2);
     /// ```
     pub fn point_count(&self) -> usize {
@@ -130,7 +131,7 @@ impl Distances {
     ///
     /// # Examples
     /// ```
-    /// use coface_topology::Distances;
+    /// use coface_complexes::filtered::Distances;
     /// assert!(!Distances::from_lower_triangle(2, vec![1.5]).expect("one distance").is_sparse());
     /// ```
     pub fn is_sparse(&self) -> bool {
@@ -144,7 +145,7 @@ impl Distances {
     ///
     /// # Examples
     /// ```
-    /// use coface_topology::Distances;
+    /// use coface_complexes::filtered::Distances;
     /// let line = Distances::from_lower_triangle(3, vec![1.0, 3.0, 2.0]).expect("three distances");
     /// assert_eq!(line.enclosing_radius(), Some(2.0));
     /// ```
@@ -162,7 +163,13 @@ impl Distances {
     }
 
     /// The least threshold at which the answer is whole: the enclosing radius, or the largest finite distance if there is none.
-    pub(super) fn whole_threshold(&self) -> f64 {
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::filtered::Distances;
+    /// assert_eq!(Distances::from_list(3, [(0, 1, 4.0)]).expect("one distance").whole_threshold(), 4.0);
+    /// ```
+    pub fn whole_threshold(&self) -> f64 {
         self.enclosing_radius().unwrap_or_else(|| {
             let mut largest = 0f64;
             self.each(|_, _, distance| {
@@ -174,8 +181,34 @@ impl Distances {
         })
     }
 
+    /// The graph of the points that are within a distance of each other, whose edges enter at it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::filtered::Distances;
+    /// let line = Distances::from_lower_triangle(3, vec![1.0, 3.0, 2.0]).expect("three distances");
+    /// assert_eq!(line.graph_within(2.0).edges(), [(1, 0, 1.0), (2, 1, 2.0)]);
+    /// ```
+    pub fn graph_within(&self, threshold: f64) -> WeightedGraph {
+        let mut edges = Vec::new();
+        self.each(|i, j, distance| {
+            if distance <= threshold && distance.is_finite() {
+                edges.push((i as u32, j as u32, distance));
+            }
+        });
+        WeightedGraph::from_trusted_parts(vec![0.0; self.count], edges)
+    }
+
     /// Calls with each known distance: point i, point j < i.
-    pub(super) fn each(&self, mut visit: impl FnMut(usize, usize, f64)) {
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::filtered::Distances;
+    /// let mut found = Vec::new();
+    /// Distances::from_lower_triangle(2, vec![1.5]).expect("one distance").each(|i, j, distance| found.push((i, j, distance)));
+    /// assert_eq!(found, [(1, 0, 1.5)]);
+    /// ```
+    pub fn each(&self, mut visit: impl FnMut(usize, usize, f64)) {
         match &self.kind {
             Kind::All(distances) => {
                 let mut all = distances.iter();

@@ -1,0 +1,96 @@
+//! Extended persistence of a function on a model.
+
+use super::{Growth, PersistenceRequest, VertexFunction};
+use crate::Producer;
+use crate::answer::{PersistenceAnswer, PersistencePairAnswer};
+use coface_algebra::Error;
+use coface_algebra::progress::stage;
+use coface_topology::{Coefficients, ExtendedKind, ExtendedPair, extended_persistence};
+
+impl PersistenceRequest {
+    /// Finds the extended persistence of a function on the vertices of a model with this name: pairs have a kind, and all classes die.
+    ///
+    /// # Errors
+    /// Those of [`Producer::chain_complex`], [`VertexFunction::values`] and [`extended_persistence`];
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if the model is to grow by superlevel sets or by values of cells, or cycles are asked for.
+    ///
+    /// # Examples
+    /// The boundary of a triangle, by the numbers of its vertices.
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PersistenceRequest, Producer};
+    /// let circle = Producer::of(coface_io::read(&b"[[0,1],[1,2],[2,0]]"[..], coface_io::Format::Json)?)?;
+    /// let answer = PersistenceRequest::new().extended("circle", &circle)?;
+    /// let (component, circle) = (&answer.diagram[0], &answer.diagram[1]);
+    /// assert_eq!((component.kind.as_deref(), component.birth, component.death), (Some("extended+"), 0.0, Some(2.0)));
+    /// assert_eq!((circle.kind.as_deref(), circle.birth, circle.death), (Some("extended-"), 2.0, Some(0.0)));
+    /// # Ok(()) }
+    /// ```
+    pub fn extended(&self, name: &str, producer: &Producer) -> Result<PersistenceAnswer, Error> {
+        let Growth::Lower(function) = &self.growth else {
+            return Err(Error::invalid(
+                "extended persistence is of a function on vertices, and has superlevel sets too",
+            )
+            .with_cure("ask for it without superlevel sets and without values of cells"));
+        };
+        let Coefficients::Modulo(prime) = self.coefficients else {
+            return Err(Error::invalid("persistence has a prime field").with_cure("give f2, f3, f5, ..."));
+        };
+        if function.is_none() {
+            producer.require_finite().map_err(|error| error.in_file(name))?;
+        }
+        let complex = producer.chain_complex()?;
+        let function = function.clone().unwrap_or_else(|| VertexFunction::of_positions(producer.positions()));
+        let values = function.values(producer, complex.cell_count(0))?;
+        let steps = stage("pairing cells", 0);
+        let pairs = extended_persistence(&complex, &values, self.coefficients)
+            .map_err(|error| error.in_file(name))?;
+        drop(steps);
+        let mut betti = vec![0; complex.degree_count()];
+        for pair in pairs.iter().filter(|pair| is_extended(pair.kind())) {
+            betti[pair.degree()] += 1;
+        }
+        let is_long = |pair: &&ExtendedPair| {
+            is_extended(pair.kind()) || (pair.death() - pair.birth()).abs() > self.min_persistence
+        };
+        let answer = |pair: &ExtendedPair| {
+            let vertices = |(degree, cell)| producer.cell_vertices(degree, cell);
+            PersistencePairAnswer {
+                degree: pair.degree(),
+                kind: Some(kind_name(pair.kind()).to_owned()),
+                birth: pair.birth(),
+                death: Some(pair.death()),
+                birth_cell: vertices(pair.birth_cell()),
+                death_cell: Some(vertices(pair.death_cell())),
+                cycle: None,
+                bounding_chain: None,
+                cocycle: None,
+            }
+        };
+        Ok(PersistenceAnswer {
+            file: name.to_owned(),
+            field: prime as u32,
+            function: function.name(),
+            star: Some("extended".to_owned()),
+            threshold: None,
+            diagram: pairs.iter().filter(is_long).map(answer).collect(),
+            betti,
+            torsion_primes: None,
+            vertex_names: None,
+            remarks: Vec::new(),
+        })
+    }
+}
+
+fn is_extended(kind: ExtendedKind) -> bool {
+    matches!(kind, ExtendedKind::ExtendedPlus | ExtendedKind::ExtendedMinus)
+}
+
+fn kind_name(kind: ExtendedKind) -> &'static str {
+    match kind {
+        ExtendedKind::Ordinary => "ordinary",
+        ExtendedKind::ExtendedPlus => "extended+",
+        ExtendedKind::ExtendedMinus => "extended-",
+        ExtendedKind::Relative => "relative",
+    }
+}

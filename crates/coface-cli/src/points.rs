@@ -1,0 +1,151 @@
+//! How points, distances and graphs become complexes: options that every verb takes.
+
+use crate::failure::Failure;
+use clap::Args;
+use clap::error::ErrorKind;
+use coface::complexes::filtered::WitnessRule;
+use coface::io::{
+    AlphaReading, CechReading, FlagReading, ReadOptions, RipsReading, TableForm, WitnessReading,
+};
+
+/// What is made of points and graphs.
+#[derive(Args, Clone, Copy, Debug, Default)]
+pub(crate) struct PointArguments {
+    /// Take points, the rows of a table (.csv, .txt, .npy) or the vertices of a model, as their alpha complex in dimension 1, 2 or 3: the simplices of
+    /// the Delaunay triangulation that enter at the value A or before, or all. Values are squared radii, as in GUDHI's AlphaComplex
+    #[arg(long, value_name = "A", num_args = 0..=1, global = true, help_heading = "Points and graphs", group = "complex",
+          allow_negative_numbers = true, value_parser = super::arguments::number)]
+    alpha: Option<Option<f64>>,
+    /// The last number of each row is the weight of the point, a squared radius: the simplices are those of the regular triangulation
+    #[arg(long, global = true, help_heading = "Points and graphs", requires = "alpha", conflicts_with_all = ["rips", "flag", "cech", "landmarks"])]
+    weighted: bool,
+    /// A and all values are radii instead of squared radii (GUDHI: output_squared_values=False)
+    #[arg(long, global = true, help_heading = "Points and graphs", requires = "alpha", conflicts_with_all = ["rips", "flag", "cech", "landmarks"])]
+    radii: bool,
+    /// Take points (any number of coordinates) or a table of distances as their Vietoris-Rips complex: each set of points enters at the largest distance of two
+    /// of them. --threshold T ends it at diameter T instead of the enclosing radius, behind which nothing changes
+    #[arg(long, global = true, help_heading = "Points and graphs", group = "complex")]
+    rips: bool,
+    /// Take a graph with values as its flag complex: each set of vertices of which each two are joined enters with its last edge. The input is GraphML with
+    /// the key "weight", or an edge list (.csv, .txt, .npy) with rows u v value of numbers or names; u v is an edge of the value 1, u u value a vertex that enters at the value, u a
+    /// vertex. --threshold T ends it at the value T
+    #[arg(long, global = true, help_heading = "Points and graphs", group = "complex")]
+    flag: bool,
+    /// The edges of the graph have directions, and simplices are lists of vertices with an edge from each to each later one (directed flag complex): u v and v u are
+    /// two edges, and make a loop
+    #[arg(long, global = true, help_heading = "Points and graphs", requires = "flag", conflicts_with_all = ["alpha", "rips", "cech", "landmarks"])]
+    directed: bool,
+    /// Take points (any number of coordinates) as their Čech complex: each set of points enters at the radius of the smallest ball that holds it, as in GUDHI's
+    /// CechComplex. --threshold R ends it at the radius R instead of that of a ball that holds all
+    #[arg(long, global = true, help_heading = "Points and graphs", group = "complex")]
+    cech: bool,
+    /// Take points (any number of coordinates) as witnesses of N landmarks among them, the vertices of a witness complex as in GUDHI's EuclideanWitnessComplex: the first point, then again and
+    /// again the one farthest from those before. A set of landmarks enters at the least a with a point that is not farther from them than from others, but for a in
+    /// squared distances. --threshold A ends it at the value A
+    #[arg(long, value_name = "N", global = true, help_heading = "Points and graphs", group = "complex",
+          value_parser = clap::value_parser!(u32).range(1..))]
+    landmarks: Option<u32>,
+    /// All landmarks of a set are as near to a witness as the nearest one, but for the value (GUDHI: EuclideanStrongWitnessComplex)
+    #[arg(long, global = true, help_heading = "Points and graphs", requires = "landmarks", conflicts_with_all = ["alpha", "rips", "cech", "flag"])]
+    strong: bool,
+    /// With --rips, --flag, --cech and --landmarks: of persistence the highest degree of classes [default: 1], of a complex the highest dimension of simplices [default: 2]
+    #[arg(id = "points_dimension", long = "dimension", value_name = "K", global = true, help_heading = "Points and graphs",
+          value_parser = clap::value_parser!(u8).range(..=15))]
+    dimension: Option<u8>,
+    /// The table has distances: lower or upper (those of a triangle, one row after the other), square, or sparse (rows
+    /// i j distance, points from 0 on; all others are infinitely far apart); or points, which is meant without this option
+    /// unless the table is symmetric with zeros on its diagonal
+    #[arg(long, value_name = "FORM", requires = "rips", global = true, help_heading = "Points and graphs", value_parser = form, conflicts_with_all = ["alpha", "flag", "cech", "landmarks"])]
+    distances: Option<TableForm>,
+    /// The table is a time series, a row for each time: a point is the rows at times t, t + D, t + 2D, .. one after the other
+    /// (embedding by delays)
+    #[arg(long, value_name = "D", requires = "rips", conflicts_with_all = ["distances", "alpha", "flag", "cech", "landmarks"], global = true, help_heading = "Points and graphs",
+          value_parser = clap::value_parser!(u32).range(1..))]
+    delay: Option<u32>,
+    /// How many times a point of a time series has [default: 2]
+    #[arg(long, value_name = "N", requires = "delay", global = true, help_heading = "Points and graphs",
+          value_parser = clap::value_parser!(u32).range(1..=1000))]
+    embedding: Option<u32>,
+}
+
+fn form(name: &str) -> Result<TableForm, String> {
+    TableForm::from_name(name).map_err(|error| error.to_string())
+}
+
+impl PointArguments {
+    /// How points are read as their alpha complex, if they are to be.
+    pub(crate) fn alpha(self) -> Option<AlphaReading> {
+        let bound = self.alpha?;
+        Some(AlphaReading { bound, weighted: self.weighted, radii: self.radii })
+    }
+
+    /// How points are read as their Vietoris-Rips complex, if they are to be.
+    pub(crate) fn rips(self, threshold: Option<f64>) -> Option<RipsReading> {
+        let delay = self.delay.map(|delay| (delay as usize, self.embedding.unwrap_or(2) as usize));
+        let reading = RipsReading { form: self.distances, delay, threshold, dimension: self.dimension() };
+        self.rips.then_some(reading)
+    }
+
+    /// How a graph is read as its flag complex, if it is to be.
+    pub(crate) fn flag(self, threshold: Option<f64>) -> Option<FlagReading> {
+        self.flag.then_some(FlagReading { directed: self.directed, threshold, dimension: self.dimension() })
+    }
+
+    /// How points are read as their Čech complex, if they are to be.
+    pub(crate) fn cech(self, radius: Option<f64>) -> Option<CechReading> {
+        self.cech.then_some(CechReading { radius, dimension: self.dimension() })
+    }
+
+    /// How points are read as witnesses of landmarks, if they are to be.
+    pub(crate) fn witness(self, bound: Option<f64>) -> Option<WitnessReading> {
+        let landmarks = self.landmarks? as usize;
+        let rule = if self.strong { WitnessRule::Strong } else { WitnessRule::Weak };
+        Some(WitnessReading { landmarks, rule, bound, dimension: self.dimension() })
+    }
+
+    /// The highest dimension or degree.
+    pub(crate) fn dimension(self) -> Option<usize> {
+        self.dimension.map(usize::from)
+    }
+
+    /// How inputs are read, up to a threshold.
+    pub(crate) fn reading(self, options: ReadOptions, threshold: Option<f64>) -> ReadOptions {
+        options
+            .alpha(self.alpha())
+            .rips(self.rips(threshold))
+            .flag(self.flag(threshold))
+            .cech(self.cech(threshold))
+            .witness(self.witness(threshold))
+    }
+
+    /// The option that makes a complex of the input, if there is one.
+    fn given(self) -> Option<&'static str> {
+        let given = [
+            ("--alpha", self.alpha.is_some()),
+            ("--rips", self.rips),
+            ("--flag", self.flag),
+            ("--cech", self.cech),
+            ("--landmarks", self.landmarks.is_some()),
+        ];
+        given.into_iter().find(|&(_, is_given)| is_given).map(|(name, _)| name)
+    }
+
+    /// Refuses options of complexes that are made of points or graphs where none is.
+    pub(crate) fn check(self) -> Result<(), Failure> {
+        if self.dimension.is_some() && matches!(self.given(), None | Some("--alpha")) {
+            let message = "--dimension is for complexes of points and graphs; give --rips, --cech, --landmarks or --flag";
+            return Err(Failure::Usage(ErrorKind::MissingRequiredArgument, message.to_owned()));
+        }
+        Ok(())
+    }
+
+    /// Refuses points and graphs for what takes files as they are.
+    pub(crate) fn refuse(self, verb: &str) -> Result<(), Failure> {
+        match self.given() {
+            None => Ok(()),
+            Some(option) => Err(Failure::new(format!(
+                "coface {verb} takes no {option}; write the complex first: coface convert INPUT {option} -o COMPLEX.json"
+            ))),
+        }
+    }
+}
