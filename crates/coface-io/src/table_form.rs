@@ -115,7 +115,7 @@ fn of_points(table: &NumberTable) -> Result<Distances, Error> {
     let count = table.row_count();
     table.point_dimension("give each point as many numbers, or say what they are by --distances lower")?;
     memory::require((count as u64).saturating_mul(count as u64).saturating_mul(4), || {
-        format!("the distances of {} points", count)
+        format!("the distances of {count} points")
     })?;
     let steps = stage("measuring distances", count);
     let mut lower = Vec::with_capacity(count * count.saturating_sub(1) / 2);
