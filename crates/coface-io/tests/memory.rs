@@ -176,7 +176,7 @@ fn dense_files() -> Vec<(Format, &'static str, Vec<u8>)> {
 }
 
 /// The most bytes of memory for each byte of a file, by format. `docs/limits.md` has the same.
-const BOUNDS: [(Format, usize); 20] = [
+const BOUNDS: [(Format, usize); 22] = [
     (Format::Off, 16),
     (Format::Obj, 12),
     (Format::Ply, 20),

@@ -11,7 +11,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// One sound file of each format: a triangle, or a tetrahedron where the format has cells.
-const SAMPLES: [(Format, &str); 16] = [
+const SAMPLES: [(Format, &str); 18] = [
     (Format::Off, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
     (Format::Obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
     (
