@@ -2095,6 +2095,10 @@ class Persistence:
         """The prime of the field."""
         ...
     @property
+    def vertex_names(self) -> tuple[str, ...] | None:
+        """The names of the vertices of a graph by their numbers; ``None`` where vertices have numbers."""
+        ...
+    @property
     def is_falling(self) -> bool:
         """Whether values fall along the filtration."""
         ...
@@ -4234,6 +4238,165 @@ def alpha_complex(table: Any, *, weighted: bool = False, bound: float | None = N
     -------
     Model
         Tetrahedra, triangles, edges and points.
+    """
+    ...
+def _extended_persistence(complex: ChainComplex, vertex_values: ArrayLike, *, coefficients: str | int = ..., least: float = 0.0) -> list[tuple[str, int, float, float]]: ...
+def cech(table: Any, *, threshold: float | None = None, dimension: int = ..., coefficients: str | int = ..., least: float = 0.0, progress: _Progress = ...) -> Persistence:
+    """Persistent homology of the Čech complex of points.
+
+    Parameters
+    ----------
+    table : array_like of float
+        Rows of coordinates.
+    threshold : float, optional
+        The largest radius of balls.
+    dimension : int
+        The highest degree of classes.
+    coefficients : str or int
+        A prime field: ``"f2"``, ``"f3"``, ...
+    least : float
+        Classes that live no longer than this are left out.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    Persistence
+        The diagram.
+    """
+    ...
+def cech_complex(table: Any, *, threshold: float | None = None, dimension: int | None = None) -> Model:
+    """The Čech complex of points as a model.
+
+    Parameters
+    ----------
+    table : array_like of float
+        Rows of coordinates.
+    threshold : float, optional
+        As of :func:`cech`.
+    dimension : int, optional
+        The highest dimension of simplices, 2 if not given.
+
+    Returns
+    -------
+    Model
+        Tetrahedra, triangles, edges and points, or simplices.
+    """
+    ...
+def flag(graph: Any, *, directed: bool = False, dimension: int = ..., threshold: float | None = None, coefficients: str | int = ..., least: float = 0.0, progress: _Progress = ...) -> Persistence:
+    """Persistent homology of the flag complex of a weighted graph.
+
+    Parameters
+    ----------
+    graph : str or array_like of float
+        The path of a file, or rows of two vertices and the value of their edge, or of a vertex twice and its value.
+    directed : bool
+        Whether edges have directions.
+    dimension : int
+        The highest degree of classes.
+    threshold : float, optional
+        The largest value of simplices.
+    coefficients : str or int
+        A prime field: ``"f2"``, ``"f3"``, ...
+    least : float
+        Classes that live no longer than this are left out.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    Persistence
+        The diagram.
+    """
+    ...
+def flag_complex(graph: Any, *, directed: bool = False, threshold: float | None = None, dimension: int | None = None) -> Model:
+    """The flag complex of a graph as a model.
+
+    Parameters
+    ----------
+    graph : str or array_like of float
+        As of :func:`flag`.
+    directed : bool
+        As of :func:`flag`.
+    threshold : float, optional
+        As of :func:`flag`.
+    dimension : int, optional
+        The highest dimension of simplices, 2 if not given.
+
+    Returns
+    -------
+    Model
+        Simplices, or a chain complex if edges have directions.
+    """
+    ...
+def rips_complex(table: Any, *, form: str | None = None, threshold: float | None = None, dimension: int | None = None) -> Model:
+    """The Vietoris-Rips complex of points or distances as a model.
+
+    Parameters
+    ----------
+    table : array_like of float
+        As of :func:`rips`.
+    form : str, optional
+        As of :func:`rips`.
+    threshold : float, optional
+        As of :func:`rips`.
+    dimension : int, optional
+        The highest dimension of simplices, 2 if not given.
+
+    Returns
+    -------
+    Model
+        Tetrahedra, triangles, edges and points, or simplices.
+    """
+    ...
+def witness(table: Any, landmarks: int, *, strong: bool = False, threshold: float | None = None, dimension: int = ..., coefficients: str | int = ..., least: float = 0.0, progress: _Progress = ...) -> Persistence:
+    """Persistent homology of the witness complex of landmarks.
+
+    Parameters
+    ----------
+    table : array_like of float
+        Rows of coordinates.
+    landmarks : int
+        How many landmarks are chosen.
+    strong : bool
+        Whether all landmarks of a simplex are as near to a witness as the nearest one.
+    threshold : float, optional
+        The largest value.
+    dimension : int
+        The highest degree of classes.
+    coefficients : str or int
+        A prime field: ``"f2"``, ``"f3"``, ...
+    least : float
+        Classes that live no longer than this are left out.
+    progress : bool or callable, optional
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    Persistence
+        The diagram.
+    """
+    ...
+def witness_complex(table: Any, landmarks: int, *, strong: bool = False, threshold: float | None = None, dimension: int | None = None) -> Model:
+    """The witness complex of landmarks as a model.
+
+    Parameters
+    ----------
+    table : array_like of float
+        Rows of coordinates.
+    landmarks : int
+        As of :func:`witness`.
+    strong : bool
+        As of :func:`witness`.
+    threshold : float, optional
+        As of :func:`witness`.
+    dimension : int, optional
+        The highest dimension of simplices, 2 if not given.
+
+    Returns
+    -------
+    Model
+        Tetrahedra, triangles, edges and points, or simplices.
     """
     ...
 def rips(table: Any, *, form: str | None = None, dimension: int = ..., threshold: float | None = None, coefficients: str | int = ..., least: float = 0.0, progress: _Progress = ...) -> Persistence:
