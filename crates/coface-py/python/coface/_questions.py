@@ -1107,6 +1107,7 @@ def _edges(edges: Any, vertex_values: Any) -> Any:
         if vertex_values is not None:
             raise_invalid("the file of a graph has the values of its vertices", "leave vertex_values out, or give rows of edges")
         return os.fspath(edges)
+    table: list[list[float]]
     if hasattr(edges, "nodes") and hasattr(edges, "edges"):
         place = {node: number for number, node in enumerate(edges.nodes)}
         table = [[number] for number in place.values()]
