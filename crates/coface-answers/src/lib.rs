@@ -80,8 +80,8 @@ pub use surface_model::{
     PlacedPolygons, PolygonSchema, SurfaceCover, SurfaceCut, SurfaceModel, edge_lengths,
 };
 pub use yin::{
-    CutCellsRequest, KinkRequest, LabelImage, MotionRequest, NamedSet, PlanarInterface, PlanarMotion,
-    PlanarSet, SetRequest,
+    CutCellsRequest, InterfaceMotion, KinkRequest, LabelImage, MotionRequest, NamedSet, PlanarInterface,
+    PlanarMotion, PlanarSet, SetRequest,
 };
 #[doc(hidden)]
 pub use yin::{SetPiece, set_pieces};

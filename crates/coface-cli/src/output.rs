@@ -75,7 +75,12 @@ pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 
 /// Writes one JSON object to a file, with a line end.
 pub(crate) fn write_json(path: &Path, answer: &(impl Serialize + ?Sized)) -> Result<(), Failure> {
-    write_file(path, (object(answer) + "\n").as_bytes())
+    write_file(path, &json_bytes(answer))
+}
+
+/// One JSON object as a file has it, with a line end.
+pub(crate) fn json_bytes(answer: &(impl Serialize + ?Sized)) -> Vec<u8> {
+    (object(answer) + "\n").into_bytes()
 }
 
 /// Whether a file is one of JSON by its name.

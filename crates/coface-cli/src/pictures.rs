@@ -36,7 +36,11 @@ impl PictureFormat {
     }
 
     /// A flat picture as a file of this format: PNG is twice as large as the picture by itself, so that letters are clear, but not beyond 4000 pixels.
-    pub(crate) fn bytes(self, picture: &FlatPicture, size: Option<[usize; 2]>) -> Result<Vec<u8>, Failure> {
+    pub(crate) fn bytes(
+        self,
+        picture: &FlatPicture,
+        size: Option<[usize; 2]>,
+    ) -> Result<Vec<u8>, coface::Error> {
         Ok(match self {
             Self::Png => picture.png(size.unwrap_or_else(|| usual_size(picture)))?,
             Self::Svg => picture.svg(size)?.into_bytes(),

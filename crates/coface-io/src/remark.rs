@@ -304,6 +304,8 @@ pub enum RemarkCode {
     TopologyRepaired,
     /// Curves of a moving region became shorter than three times the least distance of knots, and were left out.
     CurvesVanished,
+    /// Parts of the boundary of a moving region came into contact, and were left as they are.
+    ContactsKept,
     /// A geometric decision could not be certified at the resolution of the arithmetic.
     DecisionUncertified,
     /// Edges or vertices were split, or faces turned, to make the model a manifold.

@@ -6,14 +6,15 @@ mod flow;
 mod interface;
 mod kink_request;
 mod kinks;
+mod motion;
 
 pub(crate) use curve::{_curve, Curve};
 pub(crate) use cut_cells::CutCells;
 pub(crate) use interface::{_feature_sets, _interface, _label_sets, Interface};
 pub(crate) use kinks::Kinks;
 
-use self::flow::UserFlow;
 use self::kink_request::kinks_of;
+use self::motion::{GivenFlow, scheme_of, tracking_options, verification_of};
 use crate::answer::answer;
 use crate::arrangement::{formula, named_format, rule_of};
 use crate::arrays;
@@ -24,20 +25,20 @@ use crate::objects::to_python;
 use crate::pictures::flat_file;
 use crate::source::Source;
 use crate::work::run;
-use coface::answers::answer::{YinDecision, YinProvenance, YinSetAnswer};
-use coface::answers::{PlanarSet, SetRequest};
+use coface::answers::answer::{YinDecision, YinEventAnswer, YinProvenance, YinSetAnswer};
+use coface::answers::{PlanarSet, SetRequest, text};
 use coface::io;
 use coface::io::Format;
 use coface::pictures::{SetPicture, set_picture};
 use coface::yin;
 use coface::yin::{
-    CartesianGrid, Coverage, CutCells as Cells, EndCondition, Flow, KnotIndex, Order, RungeKutta,
-    SetLocation, TrackingOptions, VelocityExpression, Verification,
+    CartesianGrid, Coverage, CutCells as Cells, EndCondition, EventKind, KnotIndex, OnContact, Order,
+    SetLocation,
 };
 use coface::{Error, VertexId};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyString, PyTuple};
+use pyo3::types::{PyBytes, PyTuple};
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -130,6 +131,7 @@ struct MotionFacts {
     removed: usize,
     vanished: Vec<VanishedCurve>,
     repairs: Vec<Repair>,
+    events: Option<Vec<YinEventAnswer>>,
 }
 
 /// A curve that became too small, and when.
@@ -777,6 +779,16 @@ answer! { YinSet {
     /// keep_small : bool
     ///     Keep curves that become short beside ``spacing``: they have points nearer together. Otherwise they leave the set, with an
     ///     :class:`AssumptionWarning`, when they are shorter than three times the least distance.
+    /// events : bool
+    ///     Whether changes of the topology are listed, with their times narrowed down within steps.
+    /// event_tolerance : float, optional
+    ///     How exactly; a thousandth of the step if left out.
+    /// on_contact : {"keep", "merge"}, optional
+    ///     What to do where parts of the boundary come nearer to each other than ``contact_distance``: ``"merge"`` joins the set across gaps
+    ///     and cuts it through necks, ``"keep"`` goes on with the curves as they are, with an :class:`AssumptionWarning`, and is an error only
+    ///     if they cross at the end. Left out, contacts are not looked for, and crossing is an error at once. Events are listed too.
+    /// contact_distance : float, optional
+    ///     The least distance of points along curves if left out.
     /// progress : bool or callable, optional
     ///     ``True`` shows a bar; a function is called with (stage, done, total).
     ///
@@ -785,8 +797,21 @@ answer! { YinSet {
     /// set : YinSet
     ///     The set.
     /// facts : dict
-    ///     ``steps``, ``added``, ``removed``, ``vanished``, ``repairs``.
-    #[pyo3(signature = (flow, end=None, *, step=None, spacing=None, period=4.0, vortices=4, velocity=[1.0, 0.0], center=[0.0, 0.0], speed=1.0, verify="each-step", repair=None, scheme=None, least_ratio=0.1, turn=None, keep_small=false, progress=None))]
+    ///     ``steps``, ``added``, ``removed``, ``vanished``, ``repairs``, and ``events``: ``None`` unless asked for, else dictionaries with
+    ///     ``time``, ``kind``, ``words``, ``place``, ``before`` and ``after``, as ``coface yin advect --events`` gives them.
+    ///
+    /// Examples
+    /// --------
+    /// The gap between two disks is 0.5 exp(-t):
+    ///
+    /// >>> import coface
+    /// >>> disks = coface.YinSet([coface.Curve.circle([x, 0], 1) for x in (-1.25, 1.25)])
+    /// >>> one, facts = disks.advected("-x; 0", 2.0, step=0.1, on_contact="merge", contact_distance=0.25)
+    /// >>> [(event["kind"], round(event["time"], 2)) for event in facts["events"]]
+    /// [('components-merge', 0.69)]
+    /// >>> one.betti_open
+    /// [1, 0]
+    #[pyo3(signature = (flow, end=None, *, step=None, spacing=None, period=4.0, vortices=4, velocity=[1.0, 0.0], center=[0.0, 0.0], speed=1.0, verify="each-step", repair=None, scheme=None, least_ratio=0.1, turn=None, keep_small=false, events=false, event_tolerance=None, on_contact=None, contact_distance=None, progress=None))]
     #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
     fn advected<'py>(
         &self,
@@ -806,69 +831,31 @@ answer! { YinSet {
         least_ratio: f64,
         turn: Option<f64>,
         keep_small: bool,
+        events: bool,
+        event_tolerance: Option<f64>,
+        on_contact: Option<&str>,
+        contact_distance: Option<f64>,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Self, Bound<'py, PyAny>)> {
-        let mut written = None;
-        let (named, usual) = match flow.cast::<PyString>() {
-            Ok(word) => match word.to_str()? {
-                text if text.contains(';') => {
-                    let found = VelocityExpression::parse(text, period).or_raise(py)?;
-                    let usual = if found.has_period() { period } else { 1.0 };
-                    written = Some(found);
-                    (None, usual)
-                }
-                "vortex" => (Some(Flow::Vortex { period }), period),
-                "deformation" => (Some(Flow::Deformation { period, vortices }), period),
-                "rotation" => (Some(Flow::Rotation { center, speed }), 1.0),
-                "translation" => (Some(Flow::Translation { velocity }), 1.0),
-                other => {
-                    let cure = "give \"vortex\", \"deformation\", \"rotation\", \"translation\", two expressions as in \"-y; x\", or a function";
-                    return Err(invalid(py, format!("the flow is {other:?}"), cure));
-                }
-            },
-            Err(_) if flow.is_callable() => (None, 1.0),
-            Err(_) => return Err(invalid(py, format!("the flow is {flow}"), "give a name, or a function of (points, t) or (x, y, t)")),
-        };
-        let [low, high] = self.set.bounding_box().unwrap_or([[0.0; 2], [1.0; 2]]);
-        let end = end.unwrap_or(usual);
-        let step = step.unwrap_or(end.abs() / 100.0).max(f64::MIN_POSITIVE);
-        let spacing = spacing.unwrap_or(f64::max(high[0] - low[0], high[1] - low[1]) / 100.0);
-        let mut options = TrackingOptions::new(end, step, spacing);
-        let times = [("each-step", Verification::EachStep), ("end", Verification::End), ("never", Verification::Never)];
-        options = options.verification(choice(py, "verify", verify, &times)?);
-        options = options.repair(rule_of(py, repair)?);
-        let schemes = [
-            ("midpoint", RungeKutta::Midpoint),
-            ("classical", RungeKutta::Classical),
-            ("verner", RungeKutta::Verner),
-            ("cooper-verner", RungeKutta::CooperVerner),
-        ];
-        options = options.scheme(scheme.map(|word| choice(py, "scheme", word, &schemes)).transpose()?);
+        let (flow, usual) = GivenFlow::read(flow, period, vortices, velocity, center, speed)?;
+        let extent = self.set.bounding_box();
+        let mut options = tracking_options(end.unwrap_or(usual), step, spacing, extent);
+        options = options.verification(verification_of(py, verify)?).repair(rule_of(py, repair)?);
+        options = options.scheme(scheme_of(py, scheme)?);
         options = options.least_ratio(least_ratio).most_turn(turn.map(f64::to_radians)).keep_small(keep_small);
-        let moved = match (named, written) {
-            (Some(flow), _) => run(py, progress, || {
-                self.inner().advected(|point, time| flow.velocity(point, time), &options)
-            })?,
-            (None, Some(flow)) => run(py, progress, || {
-                self.inner().advected(|point, time| flow.velocity(point, time), &options)
-            })?,
-            (None, None) => {
-                // The function of the user is called with the lock of the interpreter; its first fault is raised at the end.
-                let function = UserFlow::new(flow)?;
-                let moved = match function.takes_arrays {
-                    true => run(py, progress, || {
-                        self.inner().advected_together(|points, time| function.velocities(points, time), &options)
-                    }),
-                    false => run(py, progress, || {
-                        self.inner().advected(|point, time| function.velocity(point, time), &options)
-                    }),
-                };
-                if let Some(error) = function.into_fault() {
-                    return Err(error);
-                }
-                moved?
-            }
-        };
+        let on_contact = on_contact
+            .map(|word| {
+                choice(py, "on_contact", word, &[("keep", OnContact::Keep), ("merge", OnContact::Merge)])
+            })
+            .transpose()?;
+        options = options.events(events).event_tolerance(event_tolerance);
+        options = options.on_contact(on_contact).contact_distance(contact_distance);
+        let moved = flow.moved(
+            py,
+            progress,
+            |velocity| self.inner().advected(velocity, &options),
+            |velocities| self.inner().advected_together(velocities, &options),
+        )?;
         let counts = moved.counts();
         let vanished = |curve: &yin::VanishedCurve| VanishedCurve { time: curve.time(), curve: curve.curve() };
         let repairs = moved.repairs().iter().map(|repair| Repair {
@@ -882,7 +869,18 @@ answer! { YinSet {
             removed: counts.removed(),
             vanished: moved.vanished().iter().map(vanished).collect(),
             repairs: repairs.collect(),
+            events: options.times_within().or_raise(py)?.map(|_| moved.events().iter().map(YinEventAnswer::new).collect()),
         };
+        let kept = moved.events().iter().filter(|event| event.kind() == EventKind::Contact);
+        if let Some((first, count)) = kept.clone().next().map(|first| (first, kept.count())) {
+            let [x, y] = first.place();
+            let message = format!(
+                "boundaries came into contact at {} and were left as they are, the first at time {} near ({x}, {y})",
+                text::count(count, "place"),
+                first.time()
+            );
+            errors::warn(py, &message)?;
+        }
         if let Some(first) = moved.vanished().first() {
             let count = moved.vanished().len();
             let message = format!(

@@ -63,3 +63,25 @@ def test_options_are_those_of_the_program() -> None:
     assert moved.area == pytest.approx(_disk().area, rel=1e-9)
     with pytest.raises(coface.InvalidInputError, match="scheme"):
         _disk().advected("rotation", scheme="euler")
+
+
+def test_events_are_listed() -> None:
+    disks = coface.YinSet([coface.Curve.circle([x, 0], 1) for x in (-1.25, 1.25)])
+    squeeze = {"step": 0.1, "contact_distance": 0.1}
+    merged, facts = disks.advected("-x; 0", 2.0, on_contact="merge", event_tolerance=1e-6, **squeeze)
+    (event,) = facts["events"]
+    assert event["kind"] == "components-merge"
+    assert event["time"] == pytest.approx(np.log(5), abs=1e-3)
+    assert (event["before"], event["after"]) == ({"components": 2, "holes": 0}, {"components": 1, "holes": 0})
+    assert merged.betti_open == [1, 0]
+    with pytest.warns(coface.AssumptionWarning, match="came into contact at 1 place"):
+        kept, facts = disks.advected("-x; 0", 2.0, on_contact="keep", **squeeze)
+    assert [event["kind"] for event in facts["events"]] == ["contact"] and kept.betti_open == [2, 0]
+    _, facts = disks.advected("-y; x", 1.0, step=0.1, events=True)
+    assert facts["events"] == []
+    _, facts = disks.advected("-y; x", 1.0, step=0.1)
+    assert facts["events"] is None
+    with pytest.raises(coface.InvalidInputError, match="on_contact"):
+        disks.advected("-x; 0", on_contact="join")
+    with pytest.raises(coface.InvalidInputError, match="contact distance"):
+        disks.advected("-x; 0", on_contact="merge", contact_distance=-1)

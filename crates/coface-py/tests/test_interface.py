@@ -76,3 +76,21 @@ def test_models_are_sets_too() -> None:
     assert rooms.neighbors == [(0, 1, 1.0)]
     with pytest.raises(coface.InvalidInputError, match='overlaps="first"'):
         coface.interface([left, left])
+
+
+def test_interfaces_move() -> None:
+    rooms = coface.interface({"left": _square(0, 0), "right": _square(1, 0), "top": _square(0, 1, 2)})
+    moved, facts = rooms.advected("-y; x", np.pi / 2, step=0.05, spacing=0.5, scheme="verner")
+    assert moved.names == rooms.names and facts["steps"] == 32
+    assert moved.areas == pytest.approx(rooms.areas, abs=1e-6)
+    assert len(moved.junctions) == len(rooms.junctions)
+    assert sorted(junction["kind"] for junction in moved.junctions) == sorted(junction["kind"] for junction in rooms.junctions)
+    # A quarter turn of the corner (1, 1).
+    assert any(np.allclose(junction["point"], (-1, 1), atol=1e-6) for junction in moved.junctions)
+    again, _ = rooms.advected(lambda p, t: np.column_stack([-p[:, 1], p[:, 0]]), np.pi / 2, step=0.05, spacing=0.5, scheme="verner")
+    assert again.areas == pytest.approx(moved.areas, abs=1e-12)
+    # Phases of what has moved give the same interface.
+    same = coface.interface(dict(zip(moved.names, moved.sets())))
+    assert same.areas == pytest.approx(moved.areas, abs=1e-12) and len(same.junctions) == len(moved.junctions)
+    with pytest.raises(coface.InvalidInputError, match="flow"):
+        rooms.advected("drift")

@@ -35,6 +35,6 @@ pub use set::{
     Sampling, SetLocation, YinFault, YinSet,
 };
 pub use tracking::{
-    Flow, InterfaceRepair, Repair, RungeKutta, TrackedGraph, TrackedSet, TrackingCounts, TrackingOptions,
-    VanishedCurve, VelocityExpression, Verification,
+    EventKind, Flow, InterfaceRepair, OnContact, Repair, RungeKutta, TopologyEvent, TrackedGraph, TrackedSet,
+    TrackingCounts, TrackingOptions, VanishedCurve, VelocityExpression, Verification,
 };

@@ -1865,7 +1865,7 @@ export interface Remark {
 }
 
 /** What sort of remark a [`Remark`] is. The word in the JSON is the name in kebab case: `isolated-vertex`. */
-export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "reference-assumed" | "heights-left-out" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "invalid-polygon" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "ideal-vertices-cut" | "format-keeps-less" | "step-left-out" | "handles-left" | "search-ended" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "triangles-turned" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "overlapping-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "property-missing" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "points-rounded" | "numbers-rounded" | "features-joined" | "thin-cells" | "beyond-range" | "data-left-out" | "merged-within-block" | "topology-repaired" | "curves-vanished" | "decision-uncertified" | "model-repaired" | "not-drawn" | "drawn-instead" | "positions-invented" | "earlier-run-ignored" | "input-refused";
+export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "reference-assumed" | "heights-left-out" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "invalid-polygon" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "ideal-vertices-cut" | "format-keeps-less" | "step-left-out" | "handles-left" | "search-ended" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "triangles-turned" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "overlapping-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "property-missing" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "points-rounded" | "numbers-rounded" | "features-joined" | "thin-cells" | "beyond-range" | "data-left-out" | "merged-within-block" | "topology-repaired" | "curves-vanished" | "contacts-kept" | "decision-uncertified" | "model-repaired" | "not-drawn" | "drawn-instead" | "positions-invented" | "earlier-run-ignored" | "input-refused";
 
 /** A still picture. */
 export interface RenderAnswer {
@@ -2362,6 +2362,14 @@ export interface VanishedAnswer {
   time: number;
 }
 
+/** A closed edge that vanished. */
+export interface VanishedEdgeAnswer {
+  /** Its number at the beginning; null for one that a repair has made. */
+  edge?: number | null;
+  /** When it vanished: the end of the step. */
+  time: number;
+}
+
 /** A page that shows a model. */
 export interface ViewAnswer {
   /** The size of the page, in bytes. */
@@ -2448,12 +2456,18 @@ export interface YinAdvectAnswer {
   bounded: boolean;
   /** The lower left and the upper right corner of the box around all curves; null without curves. */
   bounding_box?: [[number, number], [number, number]] | null;
+  /** The distance at which boundaries are in contact; null if contacts were not looked for. */
+  contact_distance?: number | null;
   /** The numbers of positive and of negative curves, and one more for an unbounded component, as the papers on Yin sets count. */
   curve_counts: [number, number];
   /** The curves of the boundary. */
   curves: YinCurve[];
   /** Whether it is the empty set. */
   empty: boolean;
+  /** How exactly the times of events are found; null if they were not looked for. */
+  event_tolerance?: number | null;
+  /** The changes of the topology, by time; null if they were not looked for. */
+  events?: YinEventAnswer[] | null;
   /** The name of the file. */
   file: string;
   /** The files of the way, in the order of time. */
@@ -2689,6 +2703,33 @@ export interface YinEdgeAnswer {
   right?: number | null;
 }
 
+/** A change of the topology of a set that moves, or a contact of its boundary with itself. */
+export interface YinEventAnswer {
+  /** What there is just after. */
+  after: YinEventCounts;
+  /** What there was just before. */
+  before: YinEventCounts;
+  /** What changed. */
+  kind: YinEventKind;
+  /** Where: the middle of the gap or the neck, the point at which curves cross, or the mean of the knots of a curve that vanishes. */
+  place: [number, number];
+  /** When it came, as exactly as "event_tolerance" says: the first time at which it is seen. */
+  time: number;
+  /** What changed, in words. */
+  words: string;
+}
+
+/** The numbers of components and holes: of positive and negative curves, and one component more for an unbounded set. */
+export interface YinEventCounts {
+  /** The number of components. */
+  components: number;
+  /** The number of holes. */
+  holes: number;
+}
+
+/** A kind of change. */
+export type YinEventKind = "components-merge" | "component-splits" | "hole-forms" | "hole-opens" | "holes-merge" | "hole-splits" | "component-vanishes" | "hole-vanishes" | "contact";
+
 /** What is wrong with a boundary. */
 export interface YinFaultAnswer {
   /** The curves that it is about, by their numbers in the file; none where it is about all. */
@@ -2738,6 +2779,49 @@ export interface YinInfoAnswer {
   remarks: Remark[];
 }
 
+/** The answer of `yin advect` for an interface. */
+export interface YinInterfaceAdvectAnswer {
+  /** The number of knots that were added. */
+  added: number;
+  /** The areas of the phases at the beginning; null where one is infinite. */
+  areas_before: (number | null)[];
+  /** The edges: arcs between two phases, or between a phase and what is in none. */
+  edges: YinEdgeAnswer[];
+  /** The names of the files. */
+  files: string[];
+  /** The files of the way, in the order of time. */
+  frames: string[];
+  /** The vertices at which three or more edges end. */
+  junctions: YinJunctionAnswer[];
+  /** The length of all edges, each once, in the unit of the coordinates; null beyond the range of numbers. */
+  length?: number | null;
+  /** The order of the edges. */
+  order: number;
+  /** The phases, in the order of the sets. */
+  phases: YinPhaseAnswer[];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The number of knots that were removed. */
+  removed: number;
+  /** The steps in which edges were cut and pasted. */
+  repairs: YinRepairAnswer[];
+  /** The order of the Runge-Kutta scheme. */
+  scheme: number;
+  /**
+   * The pairs of edges that go on smoothly into each other at a vertex, each with its direction: 1 as it runs, -1 against that; in files
+   * only.
+   */
+  smooth_pairs?: [[number, number], [number, number]][] | null;
+  /** The number of time steps. */
+  steps: number;
+  /** The time at the end. */
+  time: number;
+  /** The closed edges that became too short to be kept. */
+  vanished: VanishedEdgeAnswer[];
+  /** The points at which edges end: junctions, kinks, and one point of each closed edge. */
+  vertices: [number, number][];
+}
+
 /** The answer of `yin interface`. */
 export interface YinInterfaceAnswer {
   /** The edges: arcs between two phases, or between a phase and what is in none. */
@@ -2754,6 +2838,11 @@ export interface YinInterfaceAnswer {
   phases: YinPhaseAnswer[];
   /** What was assumed or left out. */
   remarks: Remark[];
+  /**
+   * The pairs of edges that go on smoothly into each other at a vertex, each with its direction: 1 as it runs, -1 against that; in files
+   * only.
+   */
+  smooth_pairs?: [[number, number], [number, number]][] | null;
   /** The points at which edges end: junctions, kinks, and one point of each closed edge. */
   vertices: [number, number][];
 }

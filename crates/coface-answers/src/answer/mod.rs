@@ -42,6 +42,7 @@ mod simplices;
 mod simplify;
 mod view;
 mod yin;
+mod yin_events;
 mod yin_interface;
 mod yin_places;
 mod yin_series;
@@ -124,8 +125,10 @@ pub use yin::{
     YinComparisonAnswer, YinCurve, YinCutCellsAnswer, YinDecision, YinInfoAnswer, YinKinkPoint,
     YinKinksAnswer, YinPieceSource, YinProvenance, YinRepairAnswer, YinSetAnswer,
 };
+pub use yin_events::{YinEventAnswer, YinEventCounts, YinEventKind};
 pub use yin_interface::{
-    JunctionKind, YinEdgeAnswer, YinInterfaceAnswer, YinJunctionAnswer, YinNeighborAnswer, YinPhaseAnswer,
+    JunctionKind, VanishedEdgeAnswer, YinEdgeAnswer, YinInterfaceAdvectAnswer, YinInterfaceAnswer,
+    YinJunctionAnswer, YinNeighborAnswer, YinPhaseAnswer,
 };
 pub use yin_places::{
     YinBendPlace, YinBoundarySample, YinCurvatureAnswer, YinCurveBend, YinFaultAnswer, YinFaultKind,

@@ -9,8 +9,8 @@ use super::{
     RenderAnswer, RowAnswer, ShardAnswer, SignatureAnswer, SimplicesAnswer, SimplifyAnswer,
     SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer, YinAdvectAnswer,
     YinCombinationAnswer, YinComparisonAnswer, YinCurvatureAnswer, YinCutCellsAnswer, YinInfoAnswer,
-    YinInterfaceAnswer, YinKinksAnswer, YinLocateAnswer, YinNormalizeAnswer, YinSampleAnswer,
-    YinSeriesAnswer, YinSetAnswer, YinValidationAnswer,
+    YinInterfaceAdvectAnswer, YinInterfaceAnswer, YinKinksAnswer, YinLocateAnswer, YinNormalizeAnswer,
+    YinSampleAnswer, YinSeriesAnswer, YinSetAnswer, YinValidationAnswer,
 };
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
@@ -113,6 +113,7 @@ answers! {
     "yin interface" => YinInterfaceAnswer,
     "yin cut-cells" => YinCutCellsAnswer,
     "yin advect" => YinAdvectAnswer,
+    "yin advect --inputs" => YinInterfaceAdvectAnswer,
     "yin locate" => YinLocateAnswer,
     "yin sample" => YinSampleAnswer,
     "yin curvature" => YinCurvatureAnswer,

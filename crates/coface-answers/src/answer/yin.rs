@@ -1,6 +1,6 @@
 //! What the verbs of `yin` answer: regular sets of the plane with curved boundaries.
 
-use super::Remark;
+use super::{Remark, YinEventAnswer};
 use serde::{Deserialize, Serialize};
 
 /// A set of the plane.
@@ -338,6 +338,12 @@ pub struct YinAdvectAnswer {
     pub vanished: Vec<VanishedAnswer>,
     /// The steps in which the boundary was cut and pasted.
     pub repairs: Vec<YinRepairAnswer>,
+    /// The changes of the topology, by time; null if they were not looked for.
+    pub events: Option<Vec<YinEventAnswer>>,
+    /// How exactly the times of events are found; null if they were not looked for.
+    pub event_tolerance: Option<f64>,
+    /// The distance at which boundaries are in contact; null if contacts were not looked for.
+    pub contact_distance: Option<f64>,
     /// The area at the beginning; null if it is infinite.
     pub area_before: Option<f64>,
     /// The files of the way, in the order of time.

@@ -1,6 +1,6 @@
 //! The answer of `yin interface`.
 
-use super::Remark;
+use super::{Remark, YinRepairAnswer};
 use serde::{Deserialize, Serialize};
 
 /// The answer of `yin interface`.
@@ -20,10 +20,53 @@ pub struct YinInterfaceAnswer {
     pub edges: Vec<YinEdgeAnswer>,
     /// The vertices at which three or more edges end.
     pub junctions: Vec<YinJunctionAnswer>,
+    /// The pairs of edges that go on smoothly into each other at a vertex, each with its direction: 1 as it runs, -1 against that; in files
+    /// only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub smooth_pairs: Option<Vec<[(u32, i8); 2]>>,
     /// The length of all edges, each once, in the unit of the coordinates; null beyond the range of numbers.
     pub length: Option<f64>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,
+}
+
+/// The answer of `yin advect` for an interface.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct YinInterfaceAdvectAnswer {
+    /// The time at the end.
+    pub time: f64,
+    /// The number of time steps.
+    pub steps: usize,
+    /// The order of the Runge-Kutta scheme.
+    pub scheme: u32,
+    /// The number of knots that were added.
+    pub added: usize,
+    /// The number of knots that were removed.
+    pub removed: usize,
+    /// The closed edges that became too short to be kept.
+    pub vanished: Vec<VanishedEdgeAnswer>,
+    /// The steps in which edges were cut and pasted.
+    pub repairs: Vec<YinRepairAnswer>,
+    /// The areas of the phases at the beginning; null where one is infinite.
+    pub areas_before: Vec<Option<f64>>,
+    /// The files of the way, in the order of time.
+    pub frames: Vec<String>,
+    /// The interface at the end.
+    #[serde(flatten)]
+    pub interface: YinInterfaceAnswer,
+}
+
+/// A closed edge that vanished.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct VanishedEdgeAnswer {
+    /// When it vanished: the end of the step.
+    pub time: f64,
+    /// Its number at the beginning; null for one that a repair has made.
+    pub edge: Option<u32>,
 }
 
 /// A phase of an interface.

@@ -8,7 +8,7 @@ use crate::answer::{
 use coface_algebra::{EdgeId, Error, Sign, VertexId};
 use coface_geometry::Sum;
 use coface_io::yin::{BoundaryCurve, BoundaryDrawing, Filling};
-use coface_yin::{InterfaceGraph, InterfaceOptions, Order, Overlaps, YinSet};
+use coface_yin::{DirectedEdge, InterfaceGraph, InterfaceOptions, Order, Overlaps, YinSet};
 use std::collections::BTreeMap;
 
 /// The part of the largest extent that lengths are known to.
@@ -115,11 +115,11 @@ impl NamedSet {
 /// ```
 #[derive(Clone, Debug)]
 pub struct PlanarInterface {
-    graph: InterfaceGraph,
-    names: Vec<String>,
+    pub(super) graph: InterfaceGraph,
+    pub(super) names: Vec<String>,
     /// The set that covers the plane alone, where one does.
-    plane: Option<u32>,
-    remarks: Vec<Remark>,
+    pub(super) plane: Option<u32>,
+    pub(super) remarks: Vec<Remark>,
 }
 
 impl PlanarInterface {
@@ -300,6 +300,11 @@ impl PlanarInterface {
             vertices: graph.vertices().to_vec(),
             edges,
             junctions: self.junctions(),
+            smooth_pairs: has_curves.then(|| {
+                let signed =
+                    |own: DirectedEdge| (own.edge.to_u32(), if own.sign == Sign::Plus { 1 } else { -1 });
+                graph.smooth_pairs().iter().map(|pair| pair.map(signed)).collect()
+            }),
             length: finite(all.value()),
             remarks: self.remarks.clone(),
         })
@@ -314,7 +319,7 @@ impl PlanarInterface {
         }
         let junction = |vertex: VertexId| {
             let leaving = graph.edges_at(vertex);
-            let left = |edge: &coface_yin::DirectedEdge| {
+            let left = |edge: &DirectedEdge| {
                 let [left, right] = graph.phases_of(edge.edge);
                 if edge.sign == Sign::Plus { left } else { right }
             };

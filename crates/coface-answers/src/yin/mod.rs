@@ -9,6 +9,8 @@ mod cells;
 mod exact;
 mod facts;
 mod interface;
+mod interface_file;
+mod interface_motion;
 mod labels;
 mod making;
 mod motion;
@@ -19,6 +21,7 @@ mod writing;
 
 pub use cells::CutCellsRequest;
 pub use interface::{NamedSet, PlanarInterface};
+pub use interface_motion::InterfaceMotion;
 pub use labels::LabelImage;
 pub use making::{KinkRequest, PlanarSet, SetRequest};
 pub use motion::{MotionRequest, PlanarMotion};

@@ -1,11 +1,14 @@
 //! A set that moves with a velocity field.
 
 use super::PlanarSet;
-use crate::answer::{Remark, RemarkCode, VanishedAnswer, YinAdvectAnswer, YinRepairAnswer, YinSetAnswer};
+use crate::answer::{
+    Remark, RemarkCode, VanishedAnswer, YinAdvectAnswer, YinEventAnswer, YinEventKind, YinRepairAnswer,
+    YinSetAnswer,
+};
 use crate::text;
 use coface_algebra::Error;
 use coface_arrange::boolean::InsideRule;
-use coface_yin::{RungeKutta, TrackingOptions, Verification};
+use coface_yin::{OnContact, RungeKutta, TrackingOptions, Verification};
 
 /// How a set moves.
 ///
@@ -37,6 +40,14 @@ pub struct MotionRequest {
     pub frames: usize,
     /// Whether curves stay that become short beside the spacing.
     pub keep_small: bool,
+    /// Whether changes of the topology are listed.
+    pub events: bool,
+    /// What becomes of boundaries that come into contact; they are not looked for without it.
+    pub on_contact: Option<OnContact>,
+    /// Boundaries are in contact when they are nearer than this; than the least distance of knots if none is given.
+    pub contact_distance: Option<f64>,
+    /// How exactly times of events are found; a thousandth of the step if none is given.
+    pub event_tolerance: Option<f64>,
 }
 
 impl MotionRequest {
@@ -59,6 +70,10 @@ impl MotionRequest {
             repair: None,
             frames: 1,
             keep_small: false,
+            events: false,
+            on_contact: None,
+            contact_distance: None,
+            event_tolerance: None,
         }
     }
 
@@ -179,6 +194,75 @@ impl MotionRequest {
         self.keep_small = keeps;
         self
     }
+
+    /// The same with changes of the topology listed, or not.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::MotionRequest;
+    /// assert!(MotionRequest::until(2.0).events(true).events);
+    /// ```
+    #[must_use]
+    pub fn events(mut self, events: bool) -> Self {
+        self.events = events;
+        self
+    }
+
+    /// The same with this done where boundaries come into contact.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::MotionRequest;
+    /// use coface_yin::OnContact;
+    /// assert_eq!(MotionRequest::until(2.0).on_contact(Some(OnContact::Merge)).on_contact, Some(OnContact::Merge));
+    /// ```
+    #[must_use]
+    pub fn on_contact(mut self, what: Option<OnContact>) -> Self {
+        self.on_contact = what;
+        self
+    }
+
+    /// The same with boundaries in contact when they are nearer than this.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::MotionRequest;
+    /// assert_eq!(MotionRequest::until(2.0).contact_distance(Some(0.1)).contact_distance, Some(0.1));
+    /// ```
+    #[must_use]
+    pub fn contact_distance(mut self, distance: Option<f64>) -> Self {
+        self.contact_distance = distance;
+        self
+    }
+
+    /// The same with times of events found as exactly as this.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::MotionRequest;
+    /// assert_eq!(MotionRequest::until(2.0).event_tolerance(Some(1e-6)).event_tolerance, Some(1e-6));
+    /// ```
+    #[must_use]
+    pub fn event_tolerance(mut self, tolerance: Option<f64>) -> Self {
+        self.event_tolerance = tolerance;
+        self
+    }
+
+    /// The options of tracking from one time to another, in steps of at most `step`.
+    pub(super) fn tracking(&self, [start, end]: [f64; 2], step: f64, spacing: f64) -> TrackingOptions {
+        TrackingOptions::new(end, step, spacing)
+            .start(start)
+            .scheme(self.scheme)
+            .least_ratio(self.least_ratio)
+            .most_turn(self.most_turn)
+            .verification(self.verification)
+            .repair(self.repair)
+            .keep_small(self.keep_small)
+            .events(self.events)
+            .on_contact(self.on_contact)
+            .contact_distance(self.contact_distance)
+            .event_tolerance(self.event_tolerance)
+    }
 }
 
 /// What came of moving a set.
@@ -190,6 +274,9 @@ pub struct PlanarMotion {
     counts: [usize; 3],
     vanished: Vec<VanishedAnswer>,
     repairs: Vec<YinRepairAnswer>,
+    events: Option<Vec<YinEventAnswer>>,
+    event_tolerance: Option<f64>,
+    contact_distance: Option<f64>,
     area_before: Option<f64>,
 }
 
@@ -232,6 +319,7 @@ impl PlanarSet {
         let [low, high] = self.bounding_box().unwrap_or([[0.0; 2], [1.0; 2]]);
         let spacing = request.spacing.unwrap_or(f64::max(high[0] - low[0], high[1] - low[1]) / 100.0);
         let scheme = request.scheme.unwrap_or(RungeKutta::for_curves(self.set().order()));
+        let is_watching = request.events || request.on_contact.is_some();
         let mut motion = PlanarMotion {
             last: self.clone(),
             time: end,
@@ -239,6 +327,11 @@ impl PlanarSet {
             counts: [0; 3],
             vanished: Vec::new(),
             repairs: Vec::new(),
+            events: is_watching.then(Vec::new),
+            event_tolerance: None,
+            contact_distance: request
+                .on_contact
+                .map(|_| request.contact_distance.unwrap_or(request.least_ratio * spacing)),
             area_before: self.set().area(),
         };
         // The number that each curve had at the beginning.
@@ -246,13 +339,8 @@ impl PlanarSet {
         let count = request.frames.max(1);
         for frame in 1..=count {
             progress(frame);
-            let mut tracking = TrackingOptions::new(end * frame as f64 / count as f64, step, spacing);
-            tracking = tracking.start(end * (frame - 1) as f64 / count as f64);
-            tracking = tracking.scheme(request.scheme);
-            tracking = tracking.least_ratio(request.least_ratio);
-            tracking = tracking.most_turn(request.most_turn);
-            tracking = tracking.verification(request.verification);
-            tracking = tracking.repair(request.repair).keep_small(request.keep_small);
+            let times = [frame - 1, frame].map(|at| end * at as f64 / count as f64);
+            let tracking = request.tracking(times, step, spacing);
             let moved = motion.last.set().advected(&velocity, &tracking)?;
             let counts = moved.counts();
             let before = motion.counts[0];
@@ -261,6 +349,10 @@ impl PlanarSet {
                 time: repair.time(),
                 fault: repair.fault().to_string(),
             }));
+            if let Some(events) = &mut motion.events {
+                events.extend(moved.events().iter().map(YinEventAnswer::new));
+                motion.event_tolerance = tracking.times_within()?;
+            }
             for (sum, count) in
                 motion.counts.iter_mut().zip([counts.steps(), counts.added(), counts.removed()])
             {
@@ -348,6 +440,43 @@ impl PlanarMotion {
         Some(Remark::new(RemarkCode::CurvesVanished, message).at(count, []))
     }
 
+    /// That boundaries came into contact, if any did, and what was done there.
+    fn contacts(&self) -> Vec<Remark> {
+        let of = |is_kept: bool| {
+            let events = self.events.iter().flatten();
+            let is_own = move |event: &&YinEventAnswer| match event.kind {
+                YinEventKind::Contact => is_kept,
+                YinEventKind::ComponentVanishes | YinEventKind::HoleVanishes => false,
+                _ => !is_kept,
+            };
+            let own: Vec<&YinEventAnswer> = events.filter(is_own).collect();
+            own.first().map(|&first| (own.len(), first.clone()))
+        };
+        let place = |event: &YinEventAnswer| {
+            let [x, y] = event.place.map(text::number);
+            format!("at time {} near ({x}, {y})", text::number(event.time))
+        };
+        let kept = of(true).map(|(count, first)| {
+            let message = format!(
+                "{} of boundaries left as they are, the first {}",
+                text::count(count, "contact"),
+                place(&first)
+            );
+            Remark::new(RemarkCode::ContactsKept, message).at(count, [])
+        });
+        let changed = of(false).map(|(count, first)| {
+            let message = format!(
+                "the topology changed {}: {}, {}{}",
+                if count == 1 { "once".to_owned() } else { text::count(count, "time") },
+                first.words,
+                place(&first),
+                if count == 1 { "" } else { ", is the first change" }
+            );
+            Remark::new(RemarkCode::TopologyRepaired, message).at(count, [])
+        });
+        kept.into_iter().chain(changed).collect()
+    }
+
     /// The motion as an answer; `files` are those that the sets of the way were written to.
     ///
     /// # Errors
@@ -369,6 +498,7 @@ impl PlanarMotion {
     pub fn answer(&self, file: &str, files: Vec<String>) -> Result<YinAdvectAnswer, Error> {
         let mut set: YinSetAnswer = self.last().answer()?;
         set.remarks.extend(self.vanishing());
+        set.remarks.extend(self.contacts());
         if !self.repairs.is_empty() {
             let count = self.repairs.len();
             let message = format!("the boundary was cut and pasted in {}", text::count(count, "step"));
@@ -384,6 +514,9 @@ impl PlanarMotion {
             removed,
             vanished: self.vanished.clone(),
             repairs: self.repairs.clone(),
+            events: self.events.clone(),
+            event_tolerance: self.event_tolerance,
+            contact_distance: self.contact_distance,
             area_before: self.area_before,
             frames: files,
             set,

@@ -155,3 +155,134 @@ fn arrays_of_labels_are_images() {
     std::fs::write(&one, b"\x93NUMPY\x01\x00damaged").unwrap();
     assert_eq!(coface(&["yin", "interface", argument(&one)]).status, 1);
 }
+
+fn advect(arguments: &[&str]) -> Value {
+    coface(&[&["yin", "advect"], arguments, &["--json", "--quiet"]].concat()).json()
+}
+
+fn areas(found: &Value) -> Vec<f64> {
+    found["phases"].as_array().unwrap().iter().map(|phase| phase["area"].as_f64().unwrap()).collect()
+}
+
+/// Three phases in a vortex: areas come nearer to what they were as the spacing falls, junctions stay, and what is written goes in again.
+#[test]
+fn interfaces_move_and_keep_areas_and_junctions() {
+    let folder = TempDir::new().unwrap();
+    // The map in the middle of the unit square.
+    let map = MAP.replace("[0,", "[0.4,").replace("[1,", "[0.5,").replace("[2,", "[0.6,");
+    let map = map.replace(",0]", ",0.6]").replace(",1]", ",0.7]").replace(",2]", ",0.8]");
+    let map = file(&folder, "map.geojson", &map);
+    let before = interface(&[argument(&map), "--order", "4"]);
+    let output = folder.path().join("moved.json");
+    let run = |spacing: &str, more: &[&str]| {
+        let common =
+            [argument(&map), "--order", "4", "--inputs", "features", "--flow", "vortex", "--time", "1"];
+        let steps = ["--spacing", spacing, "--step", spacing];
+        advect(&[&common[..], &steps, more].concat())
+    };
+    let errors = ["0.02", "0.01", "0.005"].map(|spacing| {
+        let moved = run(spacing, &["-o", argument(&output)]);
+        assert_eq!(
+            moved["junctions"].as_array().unwrap().len(),
+            before["junctions"].as_array().unwrap().len()
+        );
+        let kinds = |found: &Value| -> Vec<String> {
+            let junctions = found["junctions"].as_array().unwrap();
+            junctions.iter().map(|own| own["kind"].as_str().unwrap().to_owned()).collect()
+        };
+        assert_eq!(kinds(&moved), kinds(&before));
+        assert_eq!(moved["areas_before"], json!(areas(&before)));
+        let pairs = areas(&moved).into_iter().zip(areas(&before));
+        pairs.map(|(after, before)| (after - before).abs()).fold(0.0, f64::max)
+    });
+    assert!(errors[2] < 1e-6 && errors[1] < errors[0] / 4.0 && errors[2] < errors[1] / 4.0, "{errors:?}");
+    // The file gives the same phases to both verbs.
+    let moved = run("0.005", &[]);
+    let again = interface(&[argument(&output)]);
+    let kinds_and_points = |found: &Value| -> Vec<(Value, Value)> {
+        let junctions = found["junctions"].as_array().unwrap();
+        junctions.iter().map(|own| (own["kind"].clone(), own["point"].clone())).collect()
+    };
+    assert_eq!((areas(&again), kinds_and_points(&again)), (areas(&moved), kinds_and_points(&moved)));
+    let sets = folder.path().join("phase.json");
+    let back = ["--flow", "vortex", "--time", "-1", "--spacing", "0.005", "--step", "0.01"];
+    let back = advect(&[&[argument(&output)][..], &back, &["--sets", argument(&sets)]].concat());
+    assert_eq!(back["phases"].as_array().unwrap().len(), 3);
+    let one = coface(&["yin", "info", argument(&folder.path().join("phase-002.json")), "--json"]).json();
+    assert_eq!(one["area"], back["phases"][1]["area"]);
+    // Another angle of smooth junctions is taken anew from the phases.
+    let sharp = interface(&[argument(&output), "--smooth", "-1"]);
+    assert!(sharp["junctions"].as_array().unwrap().iter().all(|junction| junction["kind"] == "y"));
+}
+
+/// There and back in a period: each phase comes to where it was.
+#[test]
+fn labels_turn_around_and_come_back() {
+    let folder = TempDir::new().unwrap();
+    let image = file(&folder, "cells.pgm", "P2\n3 2 3\n1 1 2\n3 3 2\n");
+    let output = folder.path().join("way.json");
+    let turn = ["--flow", "rotation", "--speed", "6.283185307179586", "--spacing", "0.5", "--step", "0.01"];
+    let turn = [&turn[..], &["--scheme", "cooper-verner"]].concat();
+    let moved =
+        advect(&[&[argument(&image)][..], &turn, &["--frames", "4", "-o", argument(&output)]].concat());
+    assert_eq!(moved["frames"].as_array().unwrap().len(), 4);
+    for (area, whole) in areas(&moved).into_iter().zip([2.0, 2.0, 2.0]) {
+        assert!((area - whole).abs() < 1e-6, "{moved}");
+    }
+    // After a quarter the lower left corner is at the lower right.
+    let quarter = interface(&[argument(&folder.path().join("way-001.json"))]);
+    let has = |x: f64, y: f64| {
+        quarter["vertices"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .any(|own| (own[0].as_f64().unwrap() - x).hypot(own[1].as_f64().unwrap() - y) < 1e-6)
+    };
+    assert!(has(-1.0, 2.0) && !has(1.0, 2.0), "{quarter}");
+    let picture = folder.path().join("moved.svg");
+    advect(&[&[argument(&image)][..], &turn, &["-o", argument(&picture)]].concat());
+    assert!(std::fs::read_to_string(&picture).unwrap().contains("<svg"));
+}
+
+#[test]
+fn interfaces_that_are_none_are_refused() {
+    let folder = TempDir::new().unwrap();
+    let map = file(&folder, "map.geojson", MAP);
+    let output = folder.path().join("whole.json");
+    interface(&[argument(&map), "-o", argument(&output)]);
+    let whole: Value = serde_json::from_str(&std::fs::read_to_string(&output).unwrap()).unwrap();
+    let refused = |change: &dyn Fn(&mut Value), said: &str| {
+        let mut broken = whole.clone();
+        change(&mut broken);
+        let path = file(&folder, "broken.json", &broken.to_string());
+        for words in [&["yin", "interface"][..], &["yin", "advect", "--velocity", "1,0"]] {
+            let error = coface(&[words, &[argument(&path), "--quiet"]].concat());
+            let error = error.fails_with(1);
+            assert!(error.contains(said) && error.contains("broken.json"), "{said}: {error}");
+        }
+    };
+    refused(&|own| own["edges"][0]["controls"] = Value::Null, "no control points");
+    refused(&|own| own["edges"][0]["ends"] = json!([0, 99]), "vertex 99");
+    refused(&|own| own["edges"][0]["left"] = json!(7), "phase 7, which there is not");
+    refused(&|own| own["edges"][0]["right"] = own["edges"][0]["left"].clone(), "same phase on both sides");
+    refused(&|own| own["vertices"][0] = json!([0.5, 0.25]), "does not lead");
+    refused(&|own| own["order"] = json!(5), "order");
+    refused(&|own| own["smooth_pairs"] = json!([[[0, 3], [1, 1]]]), "is 3");
+    refused(&|own| own["smooth_pairs"] = json!([[[99, 1], [1, 1]]]), "edge 99");
+    refused(&|own| own["edges"] = json!("none"), "cannot be read");
+    // A wall moved across another.
+    refused(
+        &|own| {
+            let edges = own["edges"].as_array_mut().unwrap();
+            let inner =
+                edges.iter_mut().find(|own| !own["left"].is_null() && !own["right"].is_null()).unwrap();
+            let [first, last] = [0, 1].map(|end| {
+                let controls = inner["controls"].as_array().unwrap();
+                if end == 0 { controls[0].clone() } else { controls[controls.len() - 1].clone() }
+            });
+            inner["controls"] = json!([first, [5.0, 7.0], last]);
+            inner["knots"] = json!([0.0, 1.0, 2.0]);
+        },
+        "",
+    );
+}

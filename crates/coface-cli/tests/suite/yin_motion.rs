@@ -247,3 +247,74 @@ fn velocities_are_expressions() {
         assert!(error.contains(said), "{text}: {error}");
     }
 }
+
+/// Two disks whose gap is exp(-t)/2.
+fn two_disks(folder: &TempDir) -> PathBuf {
+    let curves = json!([{"points": ring([-1.25, 0.0], 1.0, 96)}, {"points": ring([1.25, 0.0], 1.0, 96)}]);
+    file(folder, "two.json", &json!({"order": 4, "curves": curves}))
+}
+
+#[test]
+fn events_are_listed_with_times_and_places() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = two_disks(&folder);
+    let output = folder.path().join("one.json");
+    let common = ["advect", argument(&path), "--velocity", "-x; 0", "--time", "2.6", "--step", "0.1"];
+    let contact = ["--spacing", "0.05", "--contact-distance", "0.05"];
+    let merged = yin(&[&common[..], &contact, &["--on-contact", "merge", "-o", argument(&output)]].concat());
+    let [event] = &merged["events"].as_array().unwrap()[..] else { panic!("{merged}") };
+    assert_eq!(event["kind"], "components-merge");
+    assert_eq!(event["before"], json!({"components": 2, "holes": 0}));
+    assert_eq!(event["after"], json!({"components": 1, "holes": 0}));
+    assert!((number(event, "time") - 10.0f64.ln()).abs() < 2e-3, "{event}");
+    assert!(event["place"][0].as_f64().unwrap().abs() < 1e-3, "{event}");
+    assert_eq!((&merged["event_tolerance"], &merged["contact_distance"]), (&json!(1e-4), &json!(0.05)));
+    assert_eq!(merged["betti_open"], json!([1, 0]));
+    let remark = merged["remarks"].as_array().unwrap().iter().find(|own| own["code"] == "topology-repaired");
+    assert!(remark.unwrap()["message"].as_str().unwrap().contains("two components merge"), "{merged}");
+    assert_eq!(yin(&["info", argument(&output)])["betti_open"], json!([1, 0]));
+    // Times are finer on request, the same through files of the way.
+    let fine = ["--on-contact", "merge", "--event-tolerance", "1e-7", "--frames", "3"];
+    let fine = yin(&[&common[..], &contact, &fine].concat());
+    assert!((number(&fine["events"][0], "time") - 10.0f64.ln()).abs() < 1e-4, "{fine}");
+    assert_eq!(fine["events"].as_array().unwrap().len(), 1);
+    // Kept, with a remark and one event, through files of the way too.
+    let kept = yin(&[&common[..], &contact, &["--on-contact", "keep", "--frames", "4"]].concat());
+    assert_eq!(kept["events"].as_array().unwrap().len(), 1, "{kept}");
+    assert_eq!((&kept["events"][0]["kind"], &kept["betti_open"]), (&json!("contact"), &json!([2, 0])));
+    assert!(kept["remarks"].as_array().unwrap().iter().any(|own| own["code"] == "contacts-kept"), "{kept}");
+    // Without contacts there is nothing to list; without --events there is no list.
+    let none = yin(&[&common[..], &["--spacing", "0.05", "--events"]].concat());
+    assert_eq!((&none["events"], &none["contact_distance"]), (&json!([]), &Value::Null));
+    let plain = yin(&[&common[..], &["--spacing", "0.05"]].concat());
+    assert_eq!((&plain["events"], &plain["event_tolerance"]), (&Value::Null, &Value::Null));
+    let text = coface(&[&["yin"], &common[..], &contact, &["--on-contact", "merge", "--quiet"]].concat());
+    assert!(text.stdout.contains("two components merge"), "{}", text.stdout);
+    assert!(text.stdout.contains("2 components, 0 holes -> 1 component,"), "{}", text.stdout);
+}
+
+#[test]
+fn what_vanishes_is_an_event() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = disk(&folder, 4);
+    let common =
+        ["advect", argument(&path), "--velocity", "0.5-x; 0.75-y", "--time", "5", "--spacing", "0.05"];
+    let gone = yin(&[&common[..], &["--events", "--event-tolerance", "1e-3"]].concat());
+    let [event] = &gone["events"].as_array().unwrap()[..] else { panic!("{gone}") };
+    assert_eq!((&event["kind"], &event["after"]["components"]), (&json!("component-vanishes"), &json!(0)));
+    // The perimeter is three times the least distance.
+    let latest = (std::f64::consts::TAU * 0.15 / 0.015).ln();
+    assert!((number(event, "time") - latest).abs() < 0.3, "{event} {latest}");
+    assert_eq!(event["time"], gone["vanished"][0]["time"]);
+    assert_eq!(yin(&[&common[..], &["--events", "--keep-small"]].concat())["events"], json!([]));
+    for (words, said) in [
+        (&["--contact-distance", "0", "--on-contact", "merge"][..], "--contact-distance 0"),
+        (&["--event-tolerance", "-1", "--events"], "--event-tolerance -1"),
+        (&["--events", "--verify", "never"], "leave out --verify"),
+    ] {
+        let error = fails(&[&common[..], words].concat());
+        assert!(error.contains(said), "{words:?}: {error}");
+    }
+    let wrong = [&["yin"], &common[..], &["--contact-distance", "1"]].concat();
+    assert_eq!(coface(&wrong).status, 2);
+}

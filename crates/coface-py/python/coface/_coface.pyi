@@ -1375,6 +1375,10 @@ class Interface:
         """For each junction ``vertex``, ``point``, ``degree``, ``smooth_pairs``, ``kind``, and ``edges`` and ``phases`` counterclockwise."""
         ...
     @property
+    def smooth_pairs(self) -> list[list[list[int]]] | None:
+        """The pairs of edges that go on smoothly into each other, each as (edge, direction): 1 as it runs, -1 against that."""
+        ...
+    @property
     def length(self) -> float | None:
         """The length of all edges, each once; ``None`` where it overflows."""
         ...
@@ -1411,6 +1415,52 @@ class Interface:
         -------
         list of YinSet
             They give the same interface again.
+        """
+        ...
+    def advected(self, flow: str | Callable[..., Any], end: float | None = None, *, step: float | None = None, spacing: float | None = None, period: float = 4.0, vortices: int = 4, velocity: Sequence[float] = ..., center: Sequence[float] = ..., speed: float = 1.0, verify: str = "each-step", repair: str | None = None, scheme: str | None = None, least_ratio: float = 0.1, turn: float | None = None, keep_small: bool = False, progress: _Progress = ...) -> tuple[Interface, dict[str, Json]]:
+        """The interface after it moved with a flow: phases keep their common arcs, and junctions stay junctions.
+
+        Parameters
+        ----------
+        flow : str or callable
+            As for :meth:`YinSet.advected`.
+        end : float, optional
+            The time at the end; the period, or 1.
+        step : float, optional
+            The time step; a hundredth of the time if left out.
+        spacing : float, optional
+            The largest distance of points along edges; a hundredth of the size if left out.
+        period : float
+            Of vortex and deformation.
+        vortices : int
+            Of deformation.
+        velocity : (float, float)
+            Of translation.
+        center : (float, float)
+            Of rotation.
+        speed : float
+            Of rotation.
+        verify : {"each-step", "end", "never"}
+            When it is checked that edges do not cross.
+        repair : {"nonzero", "evenodd", "positive"}, optional
+            The rule by which edges that cross are cut and pasted, instead of refused.
+        scheme : {"midpoint", "classical", "verner", "cooper-verner"}, optional
+            The Runge-Kutta scheme, of order 2, 4, 6 or 8; that of the order of the edges if left out.
+        least_ratio : float
+            The least distance of points along edges as a part of ``spacing``, up to 1/3.
+        turn : float, optional
+            Points are added where the polygon through them turns by more degrees.
+        keep_small : bool
+            Keep closed edges that become short beside ``spacing``. Otherwise they leave the interface, with an :class:`AssumptionWarning`.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        interface : Interface
+            The interface, with the same phases.
+        facts : dict
+            ``steps``, ``added``, ``removed``, ``vanished`` and ``repairs``.
         """
         ...
     def __len__(self) -> int: ...
@@ -3742,7 +3792,7 @@ class YinSet:
             The part of each cell that the set covers.
         """
         ...
-    def advected(self, flow: str | Callable[..., Any], end: float | None = None, *, step: float | None = None, spacing: float | None = None, period: float = 4.0, vortices: int = 4, velocity: Sequence[float] = ..., center: Sequence[float] = ..., speed: float = 1.0, verify: str = "each-step", repair: str | None = None, scheme: str | None = None, least_ratio: float = 0.1, turn: float | None = None, keep_small: bool = False, progress: _Progress = ...) -> tuple[YinSet, dict[str, Json]]:
+    def advected(self, flow: str | Callable[..., Any], end: float | None = None, *, step: float | None = None, spacing: float | None = None, period: float = 4.0, vortices: int = 4, velocity: Sequence[float] = ..., center: Sequence[float] = ..., speed: float = 1.0, verify: str = "each-step", repair: str | None = None, scheme: str | None = None, least_ratio: float = 0.1, turn: float | None = None, keep_small: bool = False, events: bool = False, event_tolerance: float | None = None, on_contact: str | None = None, contact_distance: float | None = None, progress: _Progress = ...) -> tuple[YinSet, dict[str, Json]]:
         """The set after it moved with a flow.
 
         Parameters
@@ -3780,6 +3830,16 @@ class YinSet:
         keep_small : bool
             Keep curves that become short beside ``spacing``: they have points nearer together. Otherwise they leave the set, with an
             :class:`AssumptionWarning`, when they are shorter than three times the least distance.
+        events : bool
+            Whether changes of the topology are listed, with their times narrowed down within steps.
+        event_tolerance : float, optional
+            How exactly; a thousandth of the step if left out.
+        on_contact : {"keep", "merge"}, optional
+            What to do where parts of the boundary come nearer to each other than ``contact_distance``: ``"merge"`` joins the set across gaps
+            and cuts it through necks, ``"keep"`` goes on with the curves as they are, with an :class:`AssumptionWarning`, and is an error only
+            if they cross at the end. Left out, contacts are not looked for, and crossing is an error at once. Events are listed too.
+        contact_distance : float, optional
+            The least distance of points along curves if left out.
         progress : bool or callable, optional
             ``True`` shows a bar; a function is called with (stage, done, total).
 
@@ -3788,7 +3848,8 @@ class YinSet:
         set : YinSet
             The set.
         facts : dict
-            ``steps``, ``added``, ``removed``, ``vanished``, ``repairs``.
+            ``steps``, ``added``, ``removed``, ``vanished``, ``repairs``, and ``events``: ``None`` unless asked for, else dictionaries with
+            ``time``, ``kind``, ``words``, ``place``, ``before`` and ``after``, as ``coface yin advect --events`` gives them.
         """
         ...
     def to_bytes(self, format: str, *, flatten: float | None = None) -> bytes:

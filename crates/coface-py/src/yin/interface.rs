@@ -1,20 +1,24 @@
 //! Interfaces: sets as phases that share the arcs between them.
 
 use super::YinSet;
+use super::motion::{GivenFlow, scheme_of, tracking_options, verification_of};
 use crate::answer::answer;
+use crate::arrangement::rule_of;
 use crate::congruence::choice;
-use crate::errors::invalid;
+use crate::errors::{self, invalid};
 use crate::model::Model;
+use crate::objects::to_python;
 use crate::pictures::flat_file;
 use crate::work::run;
-use coface::Error;
 use coface::answers::answer::YinInterfaceAnswer;
 use coface::answers::{LabelImage, NamedSet, PlanarInterface, SetRequest};
 use coface::io;
 use coface::pictures::interface_picture;
-use coface::yin::{InterfaceOptions, Overlaps};
+use coface::yin::{InterfaceOptions, InterfaceRepair, Overlaps};
+use coface::{EdgeId, Error};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use serde::Serialize;
 
 /// Sets of the plane as phases that share the arcs between them: edges, junctions, areas, lengths and neighbors.
 ///
@@ -36,6 +40,8 @@ answer! { Interface {
     edges,
     /// For each junction ``vertex``, ``point``, ``degree``, ``smooth_pairs``, ``kind``, and ``edges`` and ``phases`` counterclockwise.
     junctions,
+    /// The pairs of edges that go on smoothly into each other, each as (edge, direction): 1 as it runs, -1 against that.
+    smooth_pairs,
     /// The length of all edges, each once; ``None`` where it overflows.
     length,
     /// What was assumed or left out.
@@ -98,6 +104,121 @@ answer! { Interface {
         run(py, None, || self.interface.phases()?.into_iter().map(YinSet::of).collect::<Result<Vec<_>, Error>>())
     }
 
+    /// The interface after it moved with a flow: phases keep their common arcs, and junctions stay junctions.
+    ///
+    /// Parameters
+    /// ----------
+    /// flow : str or callable
+    ///     As for :meth:`YinSet.advected`.
+    /// end : float, optional
+    ///     The time at the end; the period, or 1.
+    /// step : float, optional
+    ///     The time step; a hundredth of the time if left out.
+    /// spacing : float, optional
+    ///     The largest distance of points along edges; a hundredth of the size if left out.
+    /// period : float
+    ///     Of vortex and deformation.
+    /// vortices : int
+    ///     Of deformation.
+    /// velocity : (float, float)
+    ///     Of translation.
+    /// center : (float, float)
+    ///     Of rotation.
+    /// speed : float
+    ///     Of rotation.
+    /// verify : {"each-step", "end", "never"}
+    ///     When it is checked that edges do not cross.
+    /// repair : {"nonzero", "evenodd", "positive"}, optional
+    ///     The rule by which edges that cross are cut and pasted, instead of refused.
+    /// scheme : {"midpoint", "classical", "verner", "cooper-verner"}, optional
+    ///     The Runge-Kutta scheme, of order 2, 4, 6 or 8; that of the order of the edges if left out.
+    /// least_ratio : float
+    ///     The least distance of points along edges as a part of ``spacing``, up to 1/3.
+    /// turn : float, optional
+    ///     Points are added where the polygon through them turns by more degrees.
+    /// keep_small : bool
+    ///     Keep closed edges that become short beside ``spacing``. Otherwise they leave the interface, with an :class:`AssumptionWarning`.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Returns
+    /// -------
+    /// interface : Interface
+    ///     The interface, with the same phases.
+    /// facts : dict
+    ///     ``steps``, ``added``, ``removed``, ``vanished`` and ``repairs``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface, numpy as np
+    /// >>> rooms = coface.interface(np.array([[1, 1, 2], [1, 1, 2]]))
+    /// >>> moved, facts = rooms.advected("translation", 1.0, velocity=(2.0, 0.0), spacing=3.0)
+    /// >>> len(moved.junctions), [round(area, 9) for area in moved.areas]
+    /// (2, [4.0, 2.0])
+    #[pyo3(signature = (flow, end=None, *, step=None, spacing=None, period=4.0, vortices=4, velocity=[1.0, 0.0], center=[0.0, 0.0], speed=1.0, verify="each-step", repair=None, scheme=None, least_ratio=0.1, turn=None, keep_small=false, progress=None))]
+    #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
+    fn advected<'py>(
+        &self,
+        py: Python<'py>,
+        flow: &Bound<'py, PyAny>,
+        end: Option<f64>,
+        step: Option<f64>,
+        spacing: Option<f64>,
+        period: f64,
+        vortices: u32,
+        velocity: [f64; 2],
+        center: [f64; 2],
+        speed: f64,
+        verify: &str,
+        repair: Option<&str>,
+        scheme: Option<&str>,
+        least_ratio: f64,
+        turn: Option<f64>,
+        keep_small: bool,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<(Self, Bound<'py, PyAny>)> {
+        let (flow, usual) = GivenFlow::read(flow, period, vortices, velocity, center, speed)?;
+        let graph = self.interface.graph();
+        let extent = Some([[0.0; 2], [self.interface.extent(); 2]]);
+        let mut options = tracking_options(end.unwrap_or(usual), step, spacing, extent);
+        options = options.verification(verification_of(py, verify)?).repair(rule_of(py, repair)?);
+        options = options.scheme(scheme_of(py, scheme)?);
+        options = options.least_ratio(least_ratio).most_turn(turn.map(f64::to_radians)).keep_small(keep_small);
+        let moved = flow.moved(
+            py,
+            progress,
+            |velocity| graph.advected(velocity, &options),
+            |velocities| graph.advected_together(velocities, &options),
+        )?;
+        if let Some((first, _)) = moved.vanished().first() {
+            let count = moved.vanished().len();
+            let message = format!(
+                "{count} of the closed edges became shorter than three times the least distance of points and left the interface, the first at \
+                 time {first}; give keep_small=True to keep such edges"
+            );
+            errors::warn(py, &message)?;
+        }
+        let counts = moved.counts();
+        let repair = |repair: &InterfaceRepair| RepairedEdges {
+            step: repair.step(),
+            time: repair.time(),
+            fault: repair.fault().to_string(),
+        };
+        let facts = MotionFacts {
+            steps: counts.steps(),
+            added: counts.added(),
+            removed: counts.removed(),
+            vanished: moved
+                .vanished()
+                .iter()
+                .map(|&(time, edge)| VanishedEdge { time, edge: edge.map(EdgeId::to_u32) })
+                .collect(),
+            repairs: moved.repairs().iter().map(repair).collect(),
+        };
+        let found = run(py, None, || Self::of(self.interface.followed_by(&moved)))?;
+        Ok((found, to_python(py, &facts)?))
+    }
+
     fn __len__(&self) -> usize {
         self.answer.phases.len()
     }
@@ -109,6 +230,38 @@ answer! { Interface {
             self.answer.edges.len(),
             self.answer.junctions.len()
         )
+    }
+}
+
+/// What moving an interface did.
+#[derive(Serialize)]
+struct MotionFacts {
+    steps: usize,
+    added: usize,
+    removed: usize,
+    vanished: Vec<VanishedEdge>,
+    repairs: Vec<RepairedEdges>,
+}
+
+/// A closed edge that became too small, and when.
+#[derive(Serialize)]
+struct VanishedEdge {
+    time: f64,
+    edge: Option<u32>,
+}
+
+/// Edges that crossed, and when they were cut and pasted.
+#[derive(Serialize)]
+struct RepairedEdges {
+    step: usize,
+    time: f64,
+    fault: String,
+}
+
+impl Interface {
+    fn of(interface: PlanarInterface) -> Result<Self, Error> {
+        let answer = interface.answer(&[], true)?;
+        Ok(Self { interface, answer })
     }
 }
 
@@ -139,9 +292,7 @@ pub(crate) fn _interface(
     run(py, progress, || {
         let options =
             InterfaceOptions::new(PlanarInterface::order_for(&named)).smooth_angle(smooth.to_radians());
-        let interface = PlanarInterface::of(named, &options, overlaps)?;
-        let answer = interface.answer(&[], true)?;
-        Ok(Interface { interface, answer })
+        Interface::of(PlanarInterface::of(named, &options, overlaps)?)
     })
 }
 

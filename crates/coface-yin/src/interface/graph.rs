@@ -90,19 +90,7 @@ impl InterfaceGraph {
         smooth_pairs: &[[DirectedEdge; 2]],
         order: Order,
     ) -> Result<Self, Error> {
-        for (number, edge) in edges.iter().enumerate() {
-            if let Some(end) = edge.ends.iter().find(|&&end| end as usize >= vertices.len()) {
-                return Err(Error::invalid(format!(
-                    "edge {number} ends at vertex {end}, which there is not"
-                ))
-                .with_cure(format!("give ends below {}", vertices.len())));
-            }
-            let [left, right] = edge.phases;
-            if left == right {
-                return Err(Error::invalid(format!("edge {number} has the same phase on both sides"))
-                    .with_cure("leave out the edge"));
-            }
-        }
+        check_edges(vertices, edges.iter().map(|edge| (edge.ends, edge.phases)))?;
         let points: Vec<Vec<[f64; 2]>> = edges
             .iter()
             .map(|edge| {
@@ -114,6 +102,67 @@ impl InterfaceGraph {
         let phases = edges.iter().map(|edge| edge.phases).collect();
         let (vertices, smooth_pairs) = (vertices.to_vec(), smooth_pairs.to_vec());
         Self::with_points(Arcs { vertices, ends, phases, smooth_pairs }, &points, order, None)
+    }
+
+    /// The graph with these vertices, and edges that are these curves; nothing is fitted. `ends` and `phases` (on the left and on the right)
+    /// are those of the edges.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`]; and a curve of another order, or one that does not begin and end at the vertices of its edge.
+    ///
+    /// # Complexity
+    /// Linear in the pieces, but for sorting the edges around each vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::EdgeId;
+    /// use coface_yin::{DirectedEdge, InterfaceEdge, InterfaceGraph, Order};
+    /// let edge = InterfaceEdge { ends: [0, 0], markers: vec![[1.0, 0.0], [0.0, 1.0]], phases: [Some(0), None] };
+    /// let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[], Order::LINEAR)?;
+    /// let curves = vec![graph.curve(EdgeId::new(0)).clone()];
+    /// let again = InterfaceGraph::from_curves(&[[0.0, 0.0]], &[[0, 0]], &[[Some(0), None]], curves, &[], Order::LINEAR)?;
+    /// assert_eq!(again.phase_area(0)?, 0.5);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn from_curves(
+        vertices: &[[f64; 2]],
+        ends: &[[u32; 2]],
+        phases: &[[Option<u32>; 2]],
+        curves: Vec<Curve<'static>>,
+        smooth_pairs: &[[DirectedEdge; 2]],
+        order: Order,
+    ) -> Result<Self, Error> {
+        if ends.len() != curves.len() || phases.len() != curves.len() {
+            return Err(Error::invalid(format!(
+                "there are {} curves, ends of {} edges and phases of {}",
+                curves.len(),
+                ends.len(),
+                phases.len()
+            ))
+            .with_cure("give ends and phases for each curve"));
+        }
+        check_edges(vertices, ends.iter().copied().zip(phases.iter().copied()))?;
+        for (number, (curve, own)) in curves.iter().zip(ends).enumerate() {
+            let [start, end] = own.map(|end| vertices[end as usize]);
+            let points = [curve.knot_point(0), curve.knot_point(curve.piece_count())];
+            if curve.order() != order || points != [start, end] {
+                return Err(Error::invalid(format!(
+                    "edge {number} has a curve of another order, or one that does not lead from vertex {} to vertex {}",
+                    own[0], own[1]
+                ))
+                .with_cure("give a curve of the order of the interface that begins and ends at its vertices"));
+            }
+            let is_point =
+                |piece: usize| curve.piece(piece).iter().all(|point| *point == curve.piece(piece)[0]);
+            if let Some(piece) = (0..curve.piece_count()).find(|&piece| is_point(piece)) {
+                return Err(Error::invalid(format!("piece {piece} of edge {number} has no length"))
+                    .with_cure("leave the piece out"));
+            }
+        }
+        let (ends, phases) = (ends.to_vec(), phases.to_vec());
+        let (vertices, smooth_pairs) = (vertices.to_vec(), smooth_pairs.to_vec());
+        let trails = trails_of(&ends, &smooth_pairs)?;
+        Self::of_fitted(Arcs { vertices, ends, phases, smooth_pairs }, trails, curves, order, None)
     }
 
     /// The graph whose edges run through these points, the ends among them. The edges that leave each vertex, counterclockwise, may be
@@ -399,4 +448,22 @@ impl InterfaceGraph {
     pub(super) fn left(&self, edge: DirectedEdge) -> Option<u32> {
         self.phases[edge.edge.index()][usize::from(edge.sign == Sign::Minus)]
     }
+}
+
+/// Whether edges, given by their ends and their phases, end at vertices and have different phases on their sides.
+fn check_edges(
+    vertices: &[[f64; 2]],
+    edges: impl Iterator<Item = ([u32; 2], [Option<u32>; 2])>,
+) -> Result<(), Error> {
+    for (number, (ends, [left, right])) in edges.enumerate() {
+        if let Some(end) = ends.iter().find(|&&end| end as usize >= vertices.len()) {
+            return Err(Error::invalid(format!("edge {number} ends at vertex {end}, which there is not"))
+                .with_cure(format!("give ends below {}", vertices.len())));
+        }
+        if left == right {
+            return Err(Error::invalid(format!("edge {number} has the same phase on both sides"))
+                .with_cure("leave out the edge"));
+        }
+    }
+    Ok(())
 }

@@ -1,18 +1,23 @@
 //! Curves on their way.
 
-use super::TrackingCounts;
+use super::contacts::{Contact, contacts};
 use super::markers::{MarkerRange, moved_markers, polyline_length};
+use super::{EventKind, TrackingCounts};
+use crate::curve::distance;
 use crate::kinks::are_surely_apart;
 use crate::set::{CurveArena, Lying, lying};
-use crate::{Curve, EndCondition, Kinks, KnotIndex, Order, YinFault, YinSet};
+use crate::{
+    Combination, Curve, EndCondition, Kinks, KnotIndex, Order, PieceSource, SetLocation, YinFault, YinSet,
+};
 use coface_algebra::Error;
-use coface_arrange::boolean::InsideRule;
+use coface_arrange::boolean::{BooleanFormula, InsideRule};
 use std::collections::BTreeSet;
 
 /// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
 const NONE: u32 = u32::MAX;
 
 /// A curve on its way.
+#[derive(Clone)]
 struct Front {
     curve: Curve<'static>,
     /// Its kinks, rising, with their names.
@@ -29,7 +34,20 @@ impl Front {
     }
 }
 
+/// A curve that became too short to have a shape.
+pub(super) struct Gone {
+    /// Its number at the beginning.
+    pub(super) origin: u32,
+    /// The length of the polygon of its markers.
+    pub(super) length: f64,
+    /// The mean of its markers.
+    pub(super) place: [f64; 2],
+    /// Whether it ran counterclockwise around a component, not clockwise around a hole.
+    pub(super) is_positive: bool,
+}
+
 /// The boundary of a set on its way.
+#[derive(Clone)]
 pub(super) struct Fronts {
     order: Order,
     is_unbounded: bool,
@@ -60,20 +78,18 @@ impl Fronts {
         }
     }
 
-    /// Moves all curves by a map. Gives those that vanished, by their numbers at the beginning, with the lengths of their polygons.
+    /// Moves all curves by a map. Gives those that vanished, by their numbers at the beginning.
     pub(super) fn advance(
         &mut self,
         map: &impl Fn(&[[f64; 2]]) -> Vec<[f64; 2]>,
         range: MarkerRange,
         counts: &mut TrackingCounts,
-    ) -> Result<Vec<(u32, f64)>, Error> {
-        let mut inner_counts = vec![0u32; self.fronts.len()];
-        for parent in self.fronts.iter().filter_map(|front| front.parent) {
-            inner_counts[parent as usize] += 1;
-        }
+    ) -> Result<Vec<Gone>, Error> {
+        let mut inner_counts = self.inner_counts();
         let mut vanished = Vec::new();
         let mut stays = vec![true; self.fronts.len()];
-        for number in self.inside_out() {
+        let (order, is_positive) = (self.inside_out(), self.are_positive());
+        for number in order {
             let front = &mut self.fronts[number];
             let range = range.for_curve(&front.curve);
             let is_kink = |knot: usize| front.kink_name(knot as u32).is_some();
@@ -82,7 +98,9 @@ impl Fronts {
             let ring = &moved.points[..moved.points.len() - 1];
             if inner_counts[number] == 0 && (ring.len() < 3 || length < 3.0 * range.least) {
                 stays[number] = false;
-                vanished.push((front.origin, length));
+                let part = 1.0 / ring.len() as f64;
+                let place = [0, 1].map(|axis| ring.iter().map(|point| part * point[axis]).sum());
+                vanished.push(Gone { origin: front.origin, length, place, is_positive: is_positive[number] });
                 // What lies in it has vanished before.
                 if let Some(parent) = front.parent {
                     inner_counts[parent as usize] -= 1;
@@ -94,11 +112,103 @@ impl Fronts {
             let kinks: Vec<u32> = front.kinks.iter().map(|&(knot, _)| knot).collect();
             front.curve = Curve::fit_closed_by_length(ring, &kinks, self.order, &self.ends)?;
         }
-        vanished.sort_by_key(|&(origin, _)| origin);
+        vanished.sort_by_key(|gone| gone.origin);
         if !vanished.is_empty() {
             self.retain(&stays);
         }
         Ok(vanished)
+    }
+
+    /// For each curve the number of those directly in it.
+    fn inner_counts(&self) -> Vec<u32> {
+        let mut counts = vec![0u32; self.fronts.len()];
+        for parent in self.fronts.iter().filter_map(|front| front.parent) {
+            counts[parent as usize] += 1;
+        }
+        counts
+    }
+
+    /// For each curve whether it runs counterclockwise around a component.
+    fn are_positive(&self) -> Vec<bool> {
+        let mut found = vec![false; self.fronts.len()];
+        for number in self.inside_out().into_iter().rev() {
+            let parent = self.fronts[number].parent;
+            found[number] = parent.map_or(!self.is_unbounded, |parent| !found[parent as usize]);
+        }
+        found
+    }
+
+    /// The numbers of components and holes: of positive curves, with one for an unbounded set, and of negative ones.
+    pub(super) fn counts(&self) -> [usize; 2] {
+        let positive = self.are_positive().into_iter().filter(|&is_positive| is_positive).count();
+        [positive + usize::from(self.is_unbounded), self.fronts.len() - positive]
+    }
+
+    /// A knot of the curve that had this number at the beginning, or of another one.
+    pub(super) fn knot_of(&self, origin: usize) -> Option<[f64; 2]> {
+        let front = self.fronts.iter().find(|front| front.origin as usize == origin);
+        Some(front.or(self.fronts.first())?.curve.knot_point(0))
+    }
+
+    /// The places where the curves come nearer to each other or to themselves than a distance.
+    pub(super) fn contacts(&self, within: f64) -> Vec<Contact> {
+        let curves: Vec<&Curve<'static>> = self.fronts.iter().map(|front| &front.curve).collect();
+        contacts(&curves, within)
+    }
+
+    /// Changes the set at a contact: joins what is around a gap, or cuts through a neck, by a rectangle over it whose sides are a little
+    /// longer than the distance of contacts. Gives the change, unless what it cuts off is too small to stay.
+    pub(super) fn bridge(
+        &mut self,
+        contact: &Contact,
+        within: f64,
+        range: MarkerRange,
+    ) -> Result<Option<EventKind>, Error> {
+        /// So much larger rectangles are tried where a smaller one changes nothing.
+        const SIZES: [f64; 3] = [1.0, 2.0, 4.0];
+        let before = self.counts();
+        let is_positive = self.are_positive();
+        let are_negative = contact.curves.iter().all(|&curve| !is_positive[curve]);
+        let set = self.set();
+        let is_neck = set.locate(contact.place())? == SetLocation::Inside;
+        let formula = if is_neck { BooleanFormula::difference(2) } else { BooleanFormula::union(2) };
+        for size in SIZES {
+            let patch = patch(contact.points, size * within, self.order)?;
+            let mut bridged = self.clone();
+            let combination = YinSet::combine(&[&set, &patch], &formula)?;
+            bridged.take(&combination, |source| (source.operand == 0).then_some(source.curve as usize));
+            let [components, holes] = bridged.counts();
+            let kind = match is_neck {
+                true if components > before[0] => EventKind::ComponentSplits,
+                true if holes < before[1] && are_negative => EventKind::HolesMerge,
+                true if holes < before[1] => EventKind::HoleOpens,
+                false if components < before[0] => EventKind::ComponentsMerge,
+                false if holes > before[1] && are_negative => EventKind::HoleSplits,
+                false if holes > before[1] => EventKind::HoleForms,
+                _ => continue,
+            };
+            bridged.drop_small(range);
+            *self = bridged;
+            return Ok(Some(kind).filter(|_| self.counts() != before));
+        }
+        let [x, y] = contact.place();
+        Err(Error::invalid(format!(
+            "the set cannot be cut or joined where its boundary is in contact, near ({x}, {y})"
+        ))
+        .with_cure("give another distance of contacts, or keep contacts"))
+    }
+
+    /// Leaves out curves in which no others lie that would vanish in the next step.
+    pub(super) fn drop_small(&mut self, range: MarkerRange) {
+        let inner_counts = self.inner_counts();
+        let stays: Vec<bool> = (self.fronts.iter().zip(inner_counts))
+            .map(|(front, inner_count)| {
+                let knots: Vec<[f64; 2]> =
+                    (0..=front.curve.piece_count()).map(|knot| front.curve.knot_point(knot)).collect();
+                inner_count > 0 || polyline_length(&knots) >= 3.0 * range.for_curve(&front.curve).least
+            })
+            .collect();
+        self.retain(&stays);
     }
 
     /// The numbers of all curves, each behind those that lie in it.
@@ -184,6 +294,12 @@ impl Fronts {
             .map(|front| (front.curve.clone(), front.kinks.iter().map(|&(knot, _)| knot).collect()))
             .collect();
         let combination = YinSet::combine_kinked_curves(&curves, i32::from(self.is_unbounded), rule)?;
+        self.take(&combination, |source| Some(source.operand as usize));
+        Ok(())
+    }
+
+    /// Takes the boundary of a combination instead of the curves; `front_of` says which curve a piece comes from, if it is one.
+    fn take(&mut self, combination: &Combination, front_of: impl Fn(&PieceSource) -> Option<usize>) {
         let sources = combination.sources();
         let set = combination.set();
         let mut first = 0;
@@ -192,18 +308,20 @@ impl Fronts {
             let curve = set.curve(number).into_owned();
             let own = &sources[first..first + curve.piece_count()];
             first += own.len();
-            let origin = own.iter().map(|source| self.fronts[source.operand as usize].origin).min();
+            let origin = own.iter().filter_map(&front_of).map(|front| self.fronts[front].origin).min();
             let mut kinks = Vec::new();
             for knot in set.kinks().on_curve(number as u32) {
                 // The name that the kink had before, if it was one.
                 let source = own[knot as usize];
-                let front = &self.fronts[source.operand as usize];
-                let count = front.curve.piece_count() as u32;
-                let known = match source.range[0] {
-                    0.0 => front.kink_name(source.piece),
-                    1.0 => front.kink_name((source.piece + 1) % count),
-                    _ => None,
-                };
+                let known = front_of(&source).and_then(|front| {
+                    let front = &self.fronts[front];
+                    let count = front.curve.piece_count() as u32;
+                    match source.range[0] {
+                        0.0 => front.kink_name(source.piece),
+                        1.0 => front.kink_name((source.piece + 1) % count),
+                        _ => None,
+                    }
+                });
                 kinks.push((knot, known));
             }
             fronts.push((curve, kinks, origin.unwrap_or_default(), set.forest().parent(number)));
@@ -224,17 +342,37 @@ impl Fronts {
             })
             .collect();
         self.is_unbounded = !set.is_bounded();
-        Ok(())
     }
 
-    /// The set, and the number that each of its curves had at the beginning.
-    pub(super) fn into_set(self) -> (YinSet, Vec<u32>) {
+    /// The set.
+    fn set(&self) -> YinSet {
         let parents = self.fronts.iter().map(|front| front.parent).collect();
         let mut set = YinSet::from_parts(self.arena(), self.is_unbounded, parents, Vec::new());
         let kinks = (0..).zip(&self.fronts).flat_map(|(curve, front)| {
             front.kinks.iter().map(move |&(knot, name)| (KnotIndex { curve, knot }, name))
         });
         *set.kinks_mut() = Kinks::named(kinks.collect(), Some(self.next_name)).with_ends(&self.ends);
-        (set, self.fronts.iter().map(|front| front.origin).collect())
+        set
     }
+
+    /// The set, and the number that each of its curves had at the beginning.
+    pub(super) fn into_set(self) -> (YinSet, Vec<u32>) {
+        (self.set(), self.fronts.iter().map(|front| front.origin).collect())
+    }
+}
+
+/// A rectangle over the gap between two points: twice as wide as `size`, so that its sides are not in contact, and half of that longer at
+/// both ends. All its corners are kinks.
+fn patch([p, q]: [[f64; 2]; 2], size: f64, order: Order) -> Result<YinSet, Error> {
+    let far = distance(p, q);
+    let along = [0, 1].map(|axis| (q[axis] - p[axis]) / far * 0.5 * size);
+    let across = [-2.0 * along[1], 2.0 * along[0]];
+    let corner = |at: [f64; 2], ahead: f64, aside: f64| {
+        [0, 1].map(|axis| at[axis] + ahead * along[axis] + aside * across[axis])
+    };
+    let first = corner(p, -1.0, -1.0);
+    let corners = [first, corner(q, 1.0, -1.0), corner(q, 1.0, 1.0), corner(p, -1.0, 1.0), first];
+    let curve = Curve::polyline(&corners)?.raised(order)?;
+    let kinks: Vec<KnotIndex> = (0..4).map(|knot| KnotIndex { curve: 0, knot }).collect();
+    YinSet::new(&[curve])?.with_declared_kinks(&kinks, None, None)
 }

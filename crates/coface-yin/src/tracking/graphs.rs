@@ -230,6 +230,10 @@ impl InterfaceGraph {
         options: &TrackingOptions,
     ) -> Result<TrackedGraph, Error> {
         let (steps, step) = options.steps()?;
+        if options.is_watching() {
+            return Err(Error::invalid("events of an interface are not looked for".to_owned())
+                .with_cure("leave events and contacts out, or move its phases as sets"));
+        }
         let range = options.range();
         let mut graph = self.clone();
         let mut counts = TrackingCounts { steps, ..TrackingCounts::default() };

@@ -6,11 +6,15 @@
 //!   are left out. Kinks and junctions stay.
 //! * The flow of a velocity field is a homeomorphism: curves keep their places in the Hasse forest. Curves that become too short to
 //!   have a shape at the spacing vanish, which is reported.
+//! * **Contacts** are places where boundaries come nearer to each other than a distance; there the topology may be changed. **Events** are
+//!   changes of the topology, with their times.
 //!
 //! # References
 //! Q. Zhang, *Fourth- and higher-order interface tracking via mapping and adjusting regular semianalytic sets represented by cubic
 //! splines* (2018); Y. Tan, Y. Qian, Z. Li, Q. Zhang, on multiphase cubic MARS (2025).
 
+mod contacts;
+mod events;
 mod expression;
 mod flow;
 mod fronts;
@@ -19,7 +23,9 @@ mod markers;
 mod options;
 mod runge_kutta;
 mod sets;
+mod watch;
 
+pub use events::{EventKind, OnContact, TopologyEvent};
 pub use expression::VelocityExpression;
 pub use flow::Flow;
 pub use graphs::{InterfaceRepair, TrackedGraph};

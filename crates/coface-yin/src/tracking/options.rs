@@ -1,6 +1,7 @@
 //! How boundaries are tracked.
 
 use super::RungeKutta;
+use super::events::OnContact;
 use super::markers::MarkerRange;
 use crate::Order;
 use coface_algebra::Error;
@@ -43,6 +44,14 @@ pub struct TrackingOptions {
     pub(crate) repair: Option<InsideRule>,
     /// Whether curves stay that become short beside the spacing.
     pub(crate) keep_small: bool,
+    /// Whether changes of the topology are listed, with times found within the steps.
+    pub(crate) events: bool,
+    /// What becomes of boundaries that come into contact; without it they are not looked for.
+    pub(crate) on_contact: Option<OnContact>,
+    /// Boundaries are in contact when they are nearer than this; none for the least distance of markers.
+    pub(crate) contact_distance: Option<f64>,
+    /// How exactly times of events are found; none for a thousandth of the step.
+    pub(crate) event_tolerance: Option<f64>,
 }
 
 impl TrackingOptions {
@@ -68,6 +77,10 @@ impl TrackingOptions {
             verification: Verification::EachStep,
             repair: None,
             keep_small: false,
+            events: false,
+            on_contact: None,
+            contact_distance: None,
+            event_tolerance: None,
         }
     }
 
@@ -226,6 +239,101 @@ impl TrackingOptions {
         self
     }
 
+    /// The same, with [`TrackedSet::events`](super::TrackedSet::events) listed or not: what vanishes, and with [`Self::on_contact`] and
+    /// [`Self::repair`] what merges, splits, forms and opens. It is looked after each step; the time of what is found is narrowed by
+    /// halving the step.
+    ///
+    /// # Examples
+    /// A disk that shrinks by $e^{-t}$ vanishes when its polygon is shorter than three times the least distance of markers, 0.03.
+    /// ```
+    /// use coface_yin::{Curve, EventKind, Order, TrackingOptions, YinSet};
+    /// let disk = YinSet::new(&[Curve::circle([0.0, 0.0], 1.0, 64, Order::CUBIC)?])?;
+    /// let options = TrackingOptions::new(8.0, 0.25, 0.1).events(true);
+    /// let moved = disk.advected(|[x, y], _| [-x, -y], &options)?;
+    /// let event = moved.events()[0];
+    /// assert_eq!((event.kind(), event.before(), event.after()), (EventKind::ComponentVanishes, [1, 0], [0, 0]));
+    /// assert!((event.time() - (std::f64::consts::TAU / 0.03).ln()).abs() < 0.1);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    #[must_use]
+    pub fn events(mut self, events: bool) -> Self {
+        self.events = events;
+        self
+    }
+
+    /// The same, with this done where boundaries come nearer to each other than [`Self::contact_distance`], or cross; events are listed then.
+    ///
+    /// The flow of a continuous velocity brings nothing into contact in finite time, so that the distance is where the model ends. With
+    /// [`OnContact::Merge`] a bridge of that width joins the set across a gap, and a cut of that width goes through a neck; boundaries that
+    /// cross nevertheless are cut and pasted by the rule of [`Self::repair`], or by winding numbers above 0. With [`OnContact::Keep`]
+    /// boundaries stay as they are; where they still cross at the end that is an error. Threads that are thinner up to their tips are no
+    /// necks, and what touches at the beginning is not in contact.
+    ///
+    /// # Examples
+    /// The gap between two disks is $e^{-t}$.
+    /// ```
+    /// use coface_yin::{Curve, EventKind, OnContact, Order, TrackingOptions, YinSet};
+    /// let disks = [-1.5, 1.5].map(|x| Curve::circle([x, 0.0], 1.0, 64, Order::CUBIC));
+    /// let [left, right] = disks;
+    /// let options = TrackingOptions::new(2.0, 0.1, 0.1).on_contact(OnContact::Merge).contact_distance(0.25);
+    /// let moved = YinSet::new(&[left?, right?])?.advected(|[x, _], _| [-x, 0.0], &options)?;
+    /// let event = moved.events()[0];
+    /// assert_eq!((event.kind(), event.before(), event.after()), (EventKind::ComponentsMerge, [2, 0], [1, 0]));
+    /// assert!((event.time() - 4.0_f64.ln()).abs() < 1e-3);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    #[must_use]
+    pub fn on_contact(mut self, what: impl Into<Option<OnContact>>) -> Self {
+        self.on_contact = what.into();
+        self
+    }
+
+    /// The same with boundaries in contact when they are nearer than this; none for the least distance of markers.
+    ///
+    /// # Examples
+    /// See [`Self::on_contact`].
+    #[must_use]
+    pub fn contact_distance(mut self, distance: impl Into<Option<f64>>) -> Self {
+        self.contact_distance = distance.into();
+        self
+    }
+
+    /// The same with times of events found as exactly as this; none for a thousandth of the step.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::TrackingOptions;
+    /// let options = TrackingOptions::new(1.0, 0.25, 0.1).events(true).event_tolerance(1e-6);
+    /// assert_ne!(options, TrackingOptions::new(1.0, 0.25, 0.1).events(true));
+    /// ```
+    #[must_use]
+    pub fn event_tolerance(mut self, tolerance: impl Into<Option<f64>>) -> Self {
+        self.event_tolerance = tolerance.into();
+        self
+    }
+
+    /// How exactly times of events are found; `None` if events are not looked for.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for options without meaning.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::TrackingOptions;
+    /// let options = TrackingOptions::new(1.0, 0.25, 0.1).events(true);
+    /// assert_eq!(options.times_within()?, Some(0.25e-3));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn times_within(&self) -> Result<Option<f64>, Error> {
+        let (_, step) = self.steps()?;
+        Ok(self.is_watching().then(|| self.event_tolerance.unwrap_or(1e-3 * step.abs())))
+    }
+
+    /// Whether it is looked for events.
+    pub(super) fn is_watching(&self) -> bool {
+        self.events || self.on_contact.is_some()
+    }
+
     /// The distances and turns of markers.
     pub(super) fn range(&self) -> MarkerRange {
         MarkerRange {
@@ -276,6 +384,18 @@ impl TrackingOptions {
         if let Some(turn) = self.most_turn.filter(|turn| turn.is_nan() || *turn <= 0.0) {
             return Err(Error::invalid(format!("markers cannot turn by at most {turn}"))
                 .with_cure("give a positive angle in radians"));
+        }
+        let lengths =
+            [("contact distance", self.contact_distance), ("tolerance of times", self.event_tolerance)];
+        for (name, length) in lengths {
+            if let Some(length) = length.filter(|&length| !is_positive(length)) {
+                return Err(Error::invalid(format!("{length} cannot be the {name}"))
+                    .with_cure("give a positive number"));
+            }
+        }
+        if self.is_watching() && self.verification != Verification::EachStep {
+            return Err(Error::invalid("events are looked for after each step".to_owned())
+                .with_cure("verify after each step"));
         }
         Ok((count as usize, if count > 0.0 { span / count } else { 0.0 }))
     }

@@ -1,7 +1,8 @@
 //! Yin sets that move.
 
 use super::fronts::Fronts;
-use super::{TrackingCounts, TrackingOptions};
+use super::watch::Watch;
+use super::{TopologyEvent, TrackingCounts, TrackingOptions};
 use crate::{YinFault, YinSet};
 use coface_algebra::Error;
 use coface_algebra::progress::stage;
@@ -64,6 +65,7 @@ pub struct TrackedSet {
     pub(super) vanished: Vec<VanishedCurve>,
     pub(super) repairs: Vec<Repair>,
     pub(super) curves: Vec<u32>,
+    pub(super) events: Vec<TopologyEvent>,
 }
 
 impl TrackedSet {
@@ -157,6 +159,22 @@ impl TrackedSet {
     pub fn curves(&self) -> &[u32] {
         &self.curves
     }
+
+    /// The changes of the topology, by time; nothing without [`TrackingOptions::events`] or [`TrackingOptions::on_contact`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_yin::{Curve, Flow, TrackingOptions, YinSet};
+    /// let square = YinSet::new(&[Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?])?;
+    /// let turn = Flow::Rotation { center: [0.0, 0.0], speed: 1.0 };
+    /// let options = TrackingOptions::new(1.0, 0.5, 2.0).events(true);
+    /// let moved = square.advected(|point, time| turn.velocity(point, time), &options)?;
+    /// assert!(moved.events().is_empty());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn events(&self) -> &[TopologyEvent] {
+        &self.events
+    }
 }
 
 impl YinSet {
@@ -235,34 +253,48 @@ impl YinSet {
         let mut fronts = Fronts::new(self);
         let mut counts = TrackingCounts { steps, ..TrackingCounts::default() };
         let (mut vanished, mut repairs) = (Vec::new(), Vec::new());
+        let mut watch = options.times_within()?.map(|tolerance| Watch::new(options, tolerance, &fronts));
         let steps_done = stage("moving", steps);
         for at in 0..steps {
             steps_done.advance(1);
             let time = options.start + at as f64 * step;
             let end_time = time + step;
             let in_step = |error: Error| in_step(&error, at + 1, end_time);
+            if let Some(watch) = &mut watch {
+                fronts = watch.step(fronts, &map, at + 1, [time, end_time], &mut counts).map_err(in_step)?;
+                continue;
+            }
             let map = |points: &[[f64; 2]]| map(points, time, step);
             let gone = fronts.advance(&map, range, &mut counts).map_err(in_step)?;
-            vanished.extend(gone.into_iter().map(|(curve, length)| VanishedCurve {
-                curve,
+            vanished.extend(gone.into_iter().map(|gone| VanishedCurve {
+                curve: gone.origin,
                 time: end_time,
-                length,
+                length: gone.length,
             }));
             if !options.is_verified_after(at, steps) {
                 continue;
             }
             let Some(fault) = fronts.fault(at + 1 == steps).map_err(in_step)? else { continue };
             let Some(rule) = options.repair else {
-                return Err(in_step(Error::invalid(fault.to_string()).with_cure(
-                    "take shorter steps or a smaller spacing, or repair the set by a fill rule",
-                )));
+                return Err(in_step(met(fault)));
             };
             fronts.repair(rule).map_err(in_step)?;
             repairs.push(Repair { step: at + 1, time: end_time, fault });
         }
+        let mut events = Vec::new();
+        if let Some(mut watch) = watch {
+            watch.finish(&mut fronts, steps).map_err(|error| in_step(&error, steps, options.end))?;
+            (vanished, repairs, events) = watch.into_parts();
+        }
         let (set, curves) = fronts.into_set();
-        Ok(TrackedSet { set, counts, vanished, repairs, curves })
+        Ok(TrackedSet { set, counts, vanished, repairs, curves, events })
     }
+}
+
+/// That curves do not bound a set any more.
+pub(super) fn met(fault: YinFault) -> Error {
+    Error::invalid(fault.to_string())
+        .with_cure("take shorter steps or a smaller spacing, or repair the set by a fill rule")
 }
 
 /// The same error, with the step in which it came, counted from 1, and the time at its end.

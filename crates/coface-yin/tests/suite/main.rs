@@ -1,5 +1,6 @@
 //! Tests of `coface-yin`, in one program: each test program links everything anew.
 
+mod near_identical;
 mod small_differences;
 mod splines;
 mod yin_algebra;
@@ -8,6 +9,7 @@ mod yin_comparisons;
 mod yin_curved;
 mod yin_curves;
 mod yin_cut_cells;
+mod yin_events;
 mod yin_flows;
 mod yin_homology;
 mod yin_interfaces;

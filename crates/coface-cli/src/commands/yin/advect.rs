@@ -1,5 +1,8 @@
 //! `coface yin advect`: a set that moves with a velocity field.
 
+mod phases;
+
+use super::interface::PhaseOptions;
 use super::{SetOptions, give, pair};
 use crate::arguments::Common;
 use crate::commands::arrange::Rule;
@@ -12,10 +15,10 @@ use clap::{Args, ValueEnum};
 use coface::answers::text;
 use coface::answers::{MotionRequest, PlanarSet};
 use coface::io::StagedFiles;
-use coface::yin::{Flow, RungeKutta, VelocityExpression, Verification};
+use coface::yin::{Flow, OnContact, RungeKutta, VelocityExpression, Verification};
 use std::path::{Path, PathBuf};
 
-/// Move a set with a velocity field: its knots are mapped, and splines fitted anew (MARS).
+/// Move a set, or an interface of several phases, with a velocity field: its knots are mapped, and splines fitted anew (MARS).
 ///
 /// Where neighbors come to lie farther apart than --spacing, knots are added; where they come closer than a tenth of it, knots are left
 /// out. Kinks stay. Polylines are best fitted before: `coface yin fit`.
@@ -23,15 +26,28 @@ use std::path::{Path, PathBuf};
 /// A boundary that comes to meet itself is an error that names the step, the time and the place, and nothing is written; with --repair it
 /// is cut and pasted by a fill rule, and the motion goes on.
 ///
+/// Several files, an image of labels and the .json of an interface are phases that move together, as with `coface yin interface`; so are the
+/// features of one file with --inputs features. They keep their common arcs, and junctions stay junctions. -o FILE.json writes an interface again.
+///
+/// A continuous velocity brings nothing into contact in finite time: what merges or splits is a matter of the distance at which the model
+/// ends. --on-contact merge joins the set across gaps, and cuts it through necks, that are narrower than --contact-distance, by a
+/// rectangle of that width; --on-contact keep goes on with the curves as they are, with a remark, and is an error only if they cross at
+/// the end. --events lists what merges, splits, opens, closes and vanishes, with times and places.
+///
 /// With --json also "time", "steps", "scheme" (its order), "added" and "removed" (knots), "vanished" (curves that became too short, each with
-/// its time), "repairs" (each with its "step", "time" and "fault"), "area_before" and "frames".
+/// its time), "repairs" (each with its "step", "time" and "fault"), "events" (each with "time", "kind": components-merge, component-splits, hole-forms, hole-opens,
+/// holes-merge, hole-splits, component-vanishes, hole-vanishes or contact, "words", "place", "before" and "after": "components" and "holes"),
+/// "event_tolerance", "contact_distance" and "area_before"; for an interface the keys of `coface yin interface` and "areas_before" of the
+/// phases; and "frames".
 #[derive(Args)]
 pub(super) struct Advect {
-    /// The set; - is standard input
-    #[arg(value_name = "INPUT")]
-    input: PathBuf,
+    /// The set, or the phases of an interface; - is standard input
+    #[arg(required = true, value_name = "INPUT")]
+    inputs: Vec<PathBuf>,
     #[command(flatten)]
     options: SetOptions,
+    #[command(flatten)]
+    phases: PhaseOptions,
     /// The velocity field, if --velocity does not give it
     #[arg(long, value_name = "FLOW", required_unless_present = "velocity")]
     flow: Option<Field>,
@@ -79,6 +95,18 @@ pub(super) struct Advect {
     /// when they are shorter than three times the least distance of knots]
     #[arg(long)]
     keep_small: bool,
+    /// List the changes of the topology with their times, which are narrowed down within steps
+    #[arg(long)]
+    events: bool,
+    /// How exactly times of events are found [default: a thousandth of the step]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    event_tolerance: Option<f64>,
+    /// What to do where parts of the boundary come near each other [default: nothing, until they cross]; lists events too
+    #[arg(long, value_name = "WHAT")]
+    on_contact: Option<Contacts>,
+    /// How near that is [default: the least distance of knots]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, requires = "on_contact")]
+    contact_distance: Option<f64>,
     /// Write so many files of the way, at equal times: NAME-001, NAME-002, .. for -o NAME
     #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u16).range(1..=10000))]
     frames: u16,
@@ -109,6 +137,14 @@ enum Scheme {
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Contacts {
+    /// Go on with the curves as they are
+    Keep,
+    /// Join the set across gaps, and cut it through necks
+    Merge,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum When {
     /// After each step of time
     EachStep,
@@ -120,33 +156,17 @@ enum When {
 
 impl Advect {
     pub(super) fn run(&self, common: &Common) -> Result<(), Failure> {
-        let output = self.options.output(common)?;
         let flow = self.flow()?;
+        let request = self.request(&flow)?;
+        if self.phases.are_phases(&self.inputs)? {
+            return self.run_phases(&flow, &request, common);
+        }
+        let output = self.options.output(common)?;
+        let input = &self.inputs[0];
         let progress = Progress::start(common.quiet);
-        let planar = self.options.read(&self.input, common, false, &progress)?;
-        let end = self.time.unwrap_or(if flow.is_periodic() { self.period } else { 1.0 });
-        if !end.is_finite() {
-            return Err(Failure::new(format!("--time {end}: there is no such time; give a finite one")));
-        }
-        let count = usize::from(self.frames);
-        if self.repair.is_some() && self.verify == When::Never {
-            return Err(Failure::new("--repair needs to know when: leave out --verify never"));
-        }
-        let request = MotionRequest::until(end)
-            .step(self.step)
-            .spacing(self.spacing)
-            .least_ratio(self.least_ratio)
-            .most_turn(self.turn.map(f64::to_radians))
-            .scheme(self.scheme())
-            .verification(match self.verify {
-                When::EachStep => Verification::EachStep,
-                When::End => Verification::End,
-                When::Never => Verification::Never,
-            })
-            .repair(self.repair.map(Rule::inside))
-            .keep_small(self.keep_small)
-            .frames(count);
-        let name = input::name(&self.input);
+        let planar = self.options.read(input, common, false, &progress)?;
+        let count = request.frames;
+        let name = input::name(input);
         let stage = |frame: usize| progress.stage(format!("moving, part {frame} of {count}"));
         // Sets of the way are written as they come, and appear when all is done.
         let frames = output.filter(|_| count > 1);
@@ -169,7 +189,8 @@ impl Advect {
                 let fault = planar.set().validate().ok().flatten();
                 let fault = fault.map_or_else(|| error.to_string(), |fault| fault.to_string());
                 return Err(Failure::new(format!(
-                    "{name}: at time {end} the curves bound no set any more: {fault}; leave out --verify never, and repair the set by a fill rule: --repair nonzero, evenodd or positive"
+                    "{name}: at time {} the curves bound no set any more: {fault}; leave out --verify never, and repair the set by a fill rule: --repair nonzero, evenodd or positive",
+                    request.time
                 )));
             }
             answer => answer?,
@@ -186,6 +207,62 @@ impl Advect {
             ));
         }
         give(planar, "Moved set", answer, &self.options, output, common, progress)
+    }
+
+    /// How it moves, if options go together.
+    fn request(&self, flow: &Motion) -> Result<MotionRequest, Failure> {
+        let end = self.time.unwrap_or(if flow.is_periodic() { self.period } else { 1.0 });
+        if !end.is_finite() {
+            return Err(Failure::new(format!("--time {end}: there is no such time; give a finite one")));
+        }
+        if self.repair.is_some() && self.verify == When::Never {
+            return Err(Failure::new("--repair needs to know when: leave out --verify never"));
+        }
+        self.check_contacts()?;
+        Ok(MotionRequest::until(end)
+            .step(self.step)
+            .spacing(self.spacing)
+            .least_ratio(self.least_ratio)
+            .most_turn(self.turn.map(f64::to_radians))
+            .scheme(self.scheme())
+            .verification(match self.verify {
+                When::EachStep => Verification::EachStep,
+                When::End => Verification::End,
+                When::Never => Verification::Never,
+            })
+            .repair(self.repair.map(Rule::inside))
+            .keep_small(self.keep_small)
+            .events(self.events)
+            .event_tolerance(self.event_tolerance)
+            .on_contact(self.on_contact.map(|what| match what {
+                Contacts::Keep => OnContact::Keep,
+                Contacts::Merge => OnContact::Merge,
+            }))
+            .contact_distance(self.contact_distance)
+            .frames(usize::from(self.frames)))
+    }
+
+    /// Whether options of events and contacts go together.
+    fn check_contacts(&self) -> Result<(), Failure> {
+        if (self.events || self.on_contact.is_some()) && self.verify != When::EachStep {
+            return Err(Failure::new("--events and --on-contact look after each step: leave out --verify"));
+        }
+        if self.on_contact == Some(Contacts::Keep) && self.repair.is_some() {
+            return Err(Failure::new(
+                "--on-contact keep leaves curves as they are, and --repair changes them: leave one of them out",
+            ));
+        }
+        let positive =
+            [("--event-tolerance", self.event_tolerance), ("--contact-distance", self.contact_distance)];
+        for (option, value) in positive {
+            if let Some(value) = value.filter(|value| !(value.is_finite() && *value > 0.0)) {
+                return Err(Failure::new(format!("{option} {value}: give a number above 0")));
+            }
+        }
+        if self.event_tolerance.is_some() && !self.events && self.on_contact.is_none() {
+            return Err(Failure::new("--event-tolerance is of events: ask for them with --events"));
+        }
+        Ok(())
     }
 
     fn scheme(&self) -> Option<RungeKutta> {

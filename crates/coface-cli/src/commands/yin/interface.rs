@@ -4,7 +4,7 @@ use super::{SetOptions, Shown};
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{is_json, print_json, print_text, write_file, write_json};
+use crate::output::{is_json, json_bytes, print_json, print_text, write_file};
 use crate::pictures::PictureFormat;
 use crate::progress::Progress;
 use crate::remarks::{accept, say_remarks, take};
@@ -22,7 +22,8 @@ const LISTED: usize = 20;
 /// The interface of sets that lie side by side: its arcs, junctions and phases, with areas, lengths and neighbors.
 ///
 /// Each file is a phase; a single file of polygons (GeoJSON, WKT, ..) gives one for each feature, and an image
-/// of labels (.pgm, or .npy of two axes) one for each value but 0, its pixels as unit squares from the lower left corner. What is in no set is in no phase. Sets may
+/// of labels (.pgm, or .npy of two axes) one for each value but 0, its pixels as unit squares from the lower left corner. The .json that this
+/// verb or `coface yin advect` has written gives its phases again. What is in no set is in no phase. Sets may
 /// have different knots where they meet, but their common arcs must be the same: what two sets have in common is an error, unless
 /// --overlaps gives it to one of them.
 ///
@@ -40,17 +41,25 @@ pub(super) struct Interface {
     inputs: Vec<PathBuf>,
     #[command(flatten)]
     options: SetOptions,
+    #[command(flatten)]
+    phases: PhaseOptions,
+}
+
+/// Which sets are phases, how they go together, and where they are written.
+#[derive(Args)]
+pub(super) struct PhaseOptions {
     /// What of the files is a phase [default: features of a single file of polygons, else files]
-    #[arg(long = "inputs", value_name = "WHAT")]
+    #[arg(long = "inputs", value_name = "WHAT", help_heading = "Interfaces")]
     parts: Option<Parts>,
-    /// Where points go that several sets have in common
-    #[arg(long, value_name = "WHERE", default_value = "refuse")]
-    overlaps: CommonPoints,
-    /// By how many degrees edges may turn at a junction and still go on smoothly into each other
-    #[arg(long, value_name = "DEGREES", default_value = "1", allow_hyphen_values = true)]
-    smooth: f64,
+    /// Where points go that several sets have in common [default: refuse]
+    #[arg(long, value_name = "WHERE", help_heading = "Interfaces")]
+    overlaps: Option<CommonPoints>,
+    /// By how many degrees edges may turn at a junction and still go on smoothly into each other [default: 1, or as an interface of a
+    /// file says]
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, help_heading = "Interfaces")]
+    smooth: Option<f64>,
     /// Write each phase as a set: NAME-001.json, NAME-002.json, .. for NAME.json
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help_heading = "Interfaces")]
     sets: Option<PathBuf>,
 }
 
@@ -74,7 +83,35 @@ enum CommonPoints {
 
 impl Interface {
     pub(super) fn run(&self, common: &Common) -> Result<(), Failure> {
-        if self.options.picture != Shown::Set {
+        let output = InterfaceOutput::new(&self.options, common)?;
+        let progress = Progress::start(common.quiet);
+        let interface = self.phases.read(&self.inputs, &self.options, common, &progress)?;
+        progress.stage("measuring");
+        let files: Vec<String> = self.inputs.iter().map(|path| input::name(path)).collect();
+        let answer = interface.answer(&files, false)?;
+        progress.stage("writing");
+        self.phases.write_sets(&interface, &self.options, common)?;
+        if let Some(path) = &common.output {
+            write_file(path, &output.bytes(&interface, &self.inputs)?)?;
+        }
+        drop(progress);
+        say_remarks(interface.remarks(), common);
+        match (common.json, &common.output) {
+            (true, _) => print_json(&answer),
+            (false, Some(_)) => Ok(()),
+            (false, None) => print_text(&page("Interface", &answer)),
+        }
+    }
+}
+
+/// How an interface is written: as JSON, or drawn.
+pub(super) struct InterfaceOutput {
+    format: Option<PictureFormat>,
+}
+
+impl InterfaceOutput {
+    pub(super) fn new(options: &SetOptions, common: &Common) -> Result<Self, Failure> {
+        if options.picture != Shown::Set {
             return Err(Failure::new(
                 "--picture draws a set, not an interface: write the phases with --sets, and ask for it with `coface yin info`",
             ));
@@ -86,69 +123,110 @@ impl Interface {
                 path.display()
             )));
         }
-        if !(self.smooth.is_finite() && self.smooth < 180.0) {
+        Ok(Self { format })
+    }
+
+    /// What is in the file of an interface of these inputs.
+    pub(super) fn bytes(
+        &self,
+        interface: &PlanarInterface,
+        inputs: &[PathBuf],
+    ) -> Result<Vec<u8>, coface::Error> {
+        let files: Vec<String> = inputs.iter().map(|path| input::name(path)).collect();
+        let whole = interface.answer(&files, true)?;
+        match self.format {
+            Some(format) => format.bytes(&interface_picture(&title(inputs), &whole)?, None),
+            None => Ok(json_bytes(&whole)),
+        }
+    }
+}
+
+/// What a picture is called: the files without their folders.
+fn title(inputs: &[PathBuf]) -> String {
+    let name = |path: &PathBuf| {
+        path.file_name().map_or_else(|| input::name(path), |name| name.to_string_lossy().into_owned())
+    };
+    let names: Vec<String> = inputs.iter().map(name).collect();
+    format!("interface of {}", names.join(", "))
+}
+
+fn ends_in(path: &Path, word: &str) -> bool {
+    path.extension().is_some_and(|own| own.eq_ignore_ascii_case(word))
+}
+
+/// The interface in a file, if it is one.
+fn written_interface(path: &Path) -> Result<Option<PlanarInterface>, Failure> {
+    if !is_json(path) || !path.is_file() {
+        return Ok(None);
+    }
+    let name = input::name(path);
+    let text = std::fs::read(path).map_err(|error| coface::Error::from(error).in_file(name.clone()))?;
+    let found = YinInterfaceAnswer::of_json(&text).map(|answer| PlanarInterface::of_answer(&answer?));
+    Ok(found.transpose().map_err(|error| error.in_file(name))?)
+}
+
+impl PhaseOptions {
+    /// Whether files are an interface, and not one set.
+    pub(super) fn are_phases(&self, inputs: &[PathBuf]) -> Result<bool, Failure> {
+        let is_image = |path: &PathBuf| ends_in(path, "pgm") || ends_in(path, "npy");
+        if inputs.len() > 1 || self.is_asked() || inputs.iter().any(is_image) {
+            return Ok(true);
+        }
+        Ok(written_interface(&inputs[0])?.is_some())
+    }
+
+    /// Whether an option says that there are phases.
+    fn is_asked(&self) -> bool {
+        self.parts.is_some() || self.overlaps.is_some() || self.smooth.is_some() || self.sets.is_some()
+    }
+
+    /// The interface of files.
+    pub(super) fn read(
+        &self,
+        inputs: &[PathBuf],
+        options: &SetOptions,
+        common: &Common,
+        progress: &Progress,
+    ) -> Result<PlanarInterface, Failure> {
+        let smooth = self.smooth.unwrap_or(1.0);
+        if !(smooth.is_finite() && smooth < 180.0) {
             return Err(Failure::new(format!(
-                "--smooth {}: give an angle below 180 degrees; a negative one lets no edges go on smoothly",
-                self.smooth
+                "--smooth {smooth}: give an angle below 180 degrees; a negative one lets no edges go on smoothly",
             )));
         }
-        let progress = Progress::start(common.quiet);
-        let sets = self.read(common, &progress)?;
-        progress.stage("laying boundaries over each other");
-        let options = InterfaceOptions::new(PlanarInterface::order_for(&sets));
-        let options = options.smooth_angle(self.smooth.to_radians());
-        let overlaps = match self.overlaps {
-            CommonPoints::Refuse => Overlaps::Refused,
-            CommonPoints::First => Overlaps::ToTheFirst,
-            CommonPoints::Last => Overlaps::ToTheLast,
-        };
-        let names: Vec<String> = sets.iter().map(|one| one.name.clone()).collect();
-        let interface =
-            PlanarInterface::of(sets, &options, overlaps).map_err(|error| named(error, &names))?;
-        accept(interface.remarks(), common)?;
-        progress.stage("measuring");
-        let files: Vec<String> = self.inputs.iter().map(|path| input::name(path)).collect();
-        let answer = interface.answer(&files, false)?;
-        progress.stage("writing");
-        if let Some(path) = &self.sets {
-            self.write_sets(path, &interface.phases()?, common)?;
-        }
-        if let Some(path) = &common.output {
-            let whole = interface.answer(&files, true)?;
-            match format {
-                Some(format) => {
-                    let picture = interface_picture(&self.title(), &whole)?;
-                    write_file(path, &format.bytes(&picture, None)?)?;
-                }
-                None => write_json(path, &whole)?,
+        if let ([path], None, None) = (inputs, self.smooth, self.overlaps) {
+            progress.stage(format!("reading {}", input::name(path)));
+            if let Some(interface) = written_interface(path)? {
+                return Ok(interface);
             }
         }
-        drop(progress);
-        say_remarks(interface.remarks(), common);
-        match (common.json, &common.output) {
-            (true, _) => print_json(&answer),
-            (false, Some(_)) => Ok(()),
-            (false, None) => print_text(&page(&answer)),
-        }
-    }
-
-    /// What a picture is called: the files without their folders.
-    fn title(&self) -> String {
-        let name = |path: &PathBuf| {
-            path.file_name().map_or_else(|| input::name(path), |name| name.to_string_lossy().into_owned())
+        let sets = self.sets_of(inputs, options, common, progress)?;
+        progress.stage("laying boundaries over each other");
+        let fit = InterfaceOptions::new(PlanarInterface::order_for(&sets)).smooth_angle(smooth.to_radians());
+        let overlaps = match self.overlaps {
+            None | Some(CommonPoints::Refuse) => Overlaps::Refused,
+            Some(CommonPoints::First) => Overlaps::ToTheFirst,
+            Some(CommonPoints::Last) => Overlaps::ToTheLast,
         };
-        let names: Vec<String> = self.inputs.iter().map(name).collect();
-        format!("interface of {}", names.join(", "))
+        let names: Vec<String> = sets.iter().map(|one| one.name.clone()).collect();
+        let interface = PlanarInterface::of(sets, &fit, overlaps).map_err(|error| named(error, &names))?;
+        accept(interface.remarks(), common)?;
+        Ok(interface)
     }
 
-    fn read(&self, common: &Common, progress: &Progress) -> Result<Vec<NamedSet>, Failure> {
+    fn sets_of(
+        &self,
+        inputs: &[PathBuf],
+        options: &SetOptions,
+        common: &Common,
+        progress: &Progress,
+    ) -> Result<Vec<NamedSet>, Failure> {
         let mut sets = Vec::new();
-        for path in &self.inputs {
+        for path in inputs {
             let name = input::name(path);
-            let ends_in = |word: &str| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(word));
-            if ends_in("pgm") || ends_in("npy") {
+            if ends_in(path, "pgm") || ends_in(path, "npy") {
                 progress.stage(format!("reading {name}"));
-                let image = match ends_in("npy") {
+                let image = match ends_in(path, "npy") {
                     true => NumberTable::read_path(path).and_then(|table| LabelImage::of_table(&table)),
                     false => std::fs::read(path)
                         .map_err(coface::Error::from)
@@ -158,13 +236,17 @@ impl Interface {
                 sets.extend(found.map_err(|error| error.in_file(name.clone()))?);
                 continue;
             }
+            if let Some(interface) = written_interface(path)? {
+                sets.extend(interface.named_phases()?);
+                continue;
+            }
             let is_split = match self.parts {
                 Some(parts) => parts == Parts::Features,
-                None => self.inputs.len() == 1,
+                None => inputs.len() == 1,
             };
             if is_split {
-                let drawing = self.options.drawing(path, common, progress)?;
-                let request = self.options.request(common);
+                let drawing = options.drawing(path, common, progress)?;
+                let request = options.request(common);
                 let found = NamedSet::of_features(&name, &drawing, &request);
                 if let Some(found) = found.map_err(|error| error.in_file(name.clone()))? {
                     accept(drawing.remarks(), common)?;
@@ -184,20 +266,27 @@ impl Interface {
                 sets.push(NamedSet::new(name, set));
                 continue;
             }
-            let set = self.options.read(path, common, false, progress)?;
+            let set = options.read(path, common, false, progress)?;
             sets.push(NamedSet::new(name, set));
         }
         Ok(sets)
     }
 
-    fn write_sets(&self, path: &Path, sets: &[PlanarSet], common: &Common) -> Result<(), Failure> {
+    /// Writes the phases as sets, if that is asked for.
+    pub(super) fn write_sets(
+        &self,
+        interface: &PlanarInterface,
+        options: &SetOptions,
+        common: &Common,
+    ) -> Result<(), Failure> {
+        let Some(path) = &self.sets else { return Ok(()) };
         let format = Format::from_path(path).ok_or_else(|| {
             Failure::new(format!("{}: sets are written as .json; name the file so", path.display()))
         })?;
         let mut staged = StagedFiles::beside(path)?;
-        for (number, set) in (1..).zip(sets) {
+        for (number, set) in (1..).zip(&interface.phases()?) {
             let path = super::advect::numbered(path, number);
-            staged.write(&path, |out| self.options.write_to(set, out, format, common))?;
+            staged.write(&path, |out| options.write_to(set, out, format, common))?;
         }
         staged.finish()?;
         Ok(())
@@ -221,7 +310,8 @@ fn named(error: coface::Error, names: &[String]) -> coface::Error {
     )
 }
 
-fn page(answer: &YinInterfaceAnswer) -> String {
+/// The page of an interface.
+pub(super) fn page(title: &str, answer: &YinInterfaceAnswer) -> String {
     let real = |number: Option<f64>| number.map_or("infinite".to_owned(), text::number);
     let kinds = [JunctionKind::Y, JunctionKind::T, JunctionKind::X, JunctionKind::Other].map(|kind| {
         let count = answer.junctions.iter().filter(|junction| junction.kind == kind).count();
@@ -259,5 +349,5 @@ fn page(answer: &YinInterfaceAnswer) -> String {
             format!("{} in all", text::count(answer.phases.len(), "phase")),
         ));
     }
-    text::facts("Interface", &facts)
+    text::facts(title, &facts)
 }

@@ -19,8 +19,8 @@ use crate::progress::Progress;
 use crate::remarks::{accept, say_remarks, take};
 use clap::{Args, Subcommand, ValueEnum};
 use coface::answers::answer::{
-    Remark, RemarkCode, YinAdvectAnswer, YinCombinationAnswer, YinInfoAnswer, YinKinkPoint, YinKinksAnswer,
-    YinNormalizeAnswer, YinSetAnswer,
+    Remark, RemarkCode, YinAdvectAnswer, YinCombinationAnswer, YinEventAnswer, YinInfoAnswer, YinKinkPoint,
+    YinKinksAnswer, YinNormalizeAnswer, YinSetAnswer,
 };
 use coface::answers::{KinkRequest, PlanarSet, SetRequest};
 use coface::arrange::boolean::BooleanFormula;
@@ -305,6 +305,11 @@ trait SetReport: Serialize {
     fn kink_points(&self) -> &[YinKinkPoint] {
         &[]
     }
+
+    /// The changes of its topology, if it moved and they were looked for.
+    fn events(&self) -> Option<&[YinEventAnswer]> {
+        None
+    }
 }
 
 impl SetReport for YinSetAnswer {
@@ -331,7 +336,21 @@ macro_rules! set_reports {
     };
 }
 
-set_reports!(YinInfoAnswer, YinCombinationAnswer, YinAdvectAnswer, YinNormalizeAnswer);
+set_reports!(YinInfoAnswer, YinCombinationAnswer, YinNormalizeAnswer);
+
+impl SetReport for YinAdvectAnswer {
+    fn set(&self) -> &YinSetAnswer {
+        &self.set
+    }
+
+    fn set_mut(&mut self) -> &mut YinSetAnswer {
+        &mut self.set
+    }
+
+    fn events(&self) -> Option<&[YinEventAnswer]> {
+        self.events.as_deref()
+    }
+}
 
 impl SetReport for YinKinksAnswer {
     fn set(&self) -> &YinSetAnswer {
@@ -352,10 +371,10 @@ fn say(title: &str, answer: &impl SetReport, is_written: bool, common: &Common) 
     if common.json {
         return print_json(answer);
     }
-    if is_written {
+    if is_written && answer.events().is_none() {
         return Ok(());
     }
-    print_text(&page::of(title, answer.set(), answer.kink_points()))
+    print_text(&page::of(title, answer.set(), answer.kink_points(), answer.events()))
 }
 
 /// Gives a set as the command line asks.

@@ -1,13 +1,21 @@
 //! A set as a page of facts.
 
-use coface::answers::answer::{YinCurve, YinKinkPoint, YinSetAnswer};
+use coface::answers::answer::{YinCurve, YinEventAnswer, YinKinkPoint, YinSetAnswer};
 use coface::answers::text;
 
 /// So many curves and kinks are listed.
 const LISTED: usize = 12;
 
-/// The page of a set, with these kinks one by one.
-pub(super) fn of(title: &str, set: &YinSetAnswer, kink_points: &[YinKinkPoint]) -> String {
+/// So many events are listed.
+const LISTED_EVENTS: usize = 100;
+
+/// The page of a set, with these kinks and events one by one.
+pub(super) fn of(
+    title: &str,
+    set: &YinSetAnswer,
+    kink_points: &[YinKinkPoint],
+    events: Option<&[YinEventAnswer]>,
+) -> String {
     let mut facts = Vec::new();
     let mut fact = |label: &str, value: String, gloss: &str| {
         facts.push((label.to_owned(), value, gloss.to_owned()));
@@ -63,6 +71,21 @@ pub(super) fn of(title: &str, set: &YinSetAnswer, kink_points: &[YinKinkPoint]) 
         let [x, y] = kink.point.map(text::number);
         let gloss = format!("knot {} of curve {}", kink.knot, kink.curve);
         fact(label, format!("v{}: ({x}, {y})", kink.vertex), &gloss);
+    }
+    if let Some(events) = events {
+        fact("events", text::grouped(events.len()), "changes of the topology and contacts");
+        for event in events.iter().take(LISTED_EVENTS) {
+            let [x, y] = event.place.map(text::number);
+            let counts = [event.before, event.after].map(|counts| {
+                let components = text::count(counts.components, "component");
+                format!("{components}, {}", text::count(counts.holes, "hole"))
+            });
+            let gloss = format!("near ({x}, {y}): {} -> {}", counts[0], counts[1]);
+            fact("", format!("at time {} {}", text::number(event.time), event.words), &gloss);
+        }
+        if events.len() > LISTED_EVENTS {
+            fact("", format!("and {} more", text::grouped(events.len() - LISTED_EVENTS)), "");
+        }
     }
     text::facts(title, &facts)
 }

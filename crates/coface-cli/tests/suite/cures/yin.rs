@@ -148,6 +148,48 @@ pub(super) const CASES: &[Case] = &[
         .files(DROP)
         .refused("coface yin advect drop.json --flow vortex --period 16 --time 8 --spacing 0.15 --verify never")
         .cured(&[&["coface yin advect drop.json --flow vortex --period 16 --time 8 --spacing 0.15 --repair nonzero"]]),
+    Case::new("yin/advect.rs", "--events and --on-contact look after each step: leave out --verify")
+        .files(DISK)
+        .refused("coface yin advect disk.svg --velocity 1,0 --events --verify end")
+        .cured(&[
+            &["coface yin advect disk.svg --velocity 1,0 --events"],
+            &["coface yin advect disk.svg --velocity 1,0 --on-contact keep"],
+        ]),
+    Case::new("yin/advect.rs", "and --repair changes them: leave one of them out")
+        .files(DISK)
+        .refused("coface yin advect disk.svg --velocity 1,0 --on-contact keep --repair nonzero")
+        .cured(&[
+            &["coface yin advect disk.svg --velocity 1,0 --on-contact keep"],
+            &["coface yin advect disk.svg --velocity 1,0 --repair nonzero"],
+        ]),
+    Case::new("yin/advect.rs", "--event-tolerance is of events: ask for them with --events")
+        .files(DISK)
+        .refused("coface yin advect disk.svg --velocity 1,0 --event-tolerance 0.1")
+        .cured(&[&["coface yin advect disk.svg --velocity 1,0 --event-tolerance 0.1 --events"]]),
+    Case::new("advect/phases.rs", "write the phases with `coface yin interface --sets` and move one")
+        .files(DISK)
+        .refused("coface yin advect disk.svg --inputs files --velocity 1,0 --events")
+        .cured(&[
+            &["coface yin advect disk.svg --inputs files --velocity 1,0"],
+            &[
+                "coface yin interface disk.svg --sets phase.json",
+                "coface yin advect phase-001.json --velocity 1,0 --events --on-contact merge",
+            ],
+        ]),
+    Case::new("yin/interface_motion.rs", "--keep-small keeps such edges")
+        .files(&[("hole.wkt", "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0), (1 1, 1.01 1, 1 1.01, 1 1))")])
+        .answered("coface yin advect hole.wkt --inputs features --flow translation --time 0.1 --spacing 1")
+        .cured(&[&[
+            "coface yin advect hole.wkt --inputs features --flow translation --time 0.1 --spacing 1 --keep-small",
+        ]]),
+    Case::new("yin/interface_file.rs", "give the file that coface yin interface -o FILE.json writes")
+        .files(DISK)
+        .with(&[("bad.json", "{\"phases\":[],\"junctions\":[]}")])
+        .refused("coface yin advect bad.json --velocity 1,0")
+        .cured(&[&[
+            "coface yin interface disk.svg -o good.json",
+            "coface yin advect good.json --velocity 1,0",
+        ]]),
     Case::new("yin/combine.rs", "could not be certified at the resolution of the arithmetic; --json lists them")
         .files(DISKS)
         .answered("coface yin xor a.svg b.svg")
