@@ -1,7 +1,7 @@
 //! A checker of the certificates of persistence diagrams. It shares no code with what computed them: complexes are those of [`coface_check`], and it
 //! adds in the field by itself.
 //!
-//! A certificate has a value for each vertex, or for each cell, and chains. [`check`] sorts the cells by value, and tests that all chains have different
+//! A certificate has a value for each vertex, or for each cell, the cells in their order, and chains. [`check`] tests that all chains have different
 //! last cells, and their boundaries too: then the last cell of a boundary makes a class that the last cell of its chain ends. `docs/certificates.md` has
 //! each rule and why it proves the claim. Certificates of other kinds are handed to [`coface_check`].
 
@@ -35,7 +35,7 @@ const PAIR_KEYS: [&str; 5] = ["degree", "birth", "death", "birth_cell", "death_c
 ///         "answer":{{"file":"a.json","field":2,"function":"f.txt","star":"lower","betti":[1,0],"diagram":[
 ///             {{"degree":0,"birth":0.0,"death":null,"birth_cell":[0],"death_cell":null}},
 ///             {{"degree":0,"birth":1.0,"death":{death:?},"birth_cell":[2],"death_cell":[1,2]}}],"remarks":[]}},
-///         "proof":{{"values":[[0.0,5.0,1.0]],"chains":[[[[1,0]],[[1,0],[1,1]]]]}}}}"#
+///         "proof":{{"values":[[0.0,5.0,1.0]],"order":[[0,2,1],[0,1]],"chains":[[[[1,0]],[[1,0],[1,1]]]]}}}}"#
 /// );
 /// let verdict = coface_check_persistence::check(certificate(5.0).as_bytes(), &[input]).expect("the chains prove it");
 /// assert_eq!(verdict.proved()[1], "Betti numbers over F_2 = [1, 0]");
@@ -59,7 +59,7 @@ fn diagram(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     let (values, of_function) =
         values::values(&complex, answer, field(proof, "values", "values")?, inputs[0])?;
     let is_upper = optional(answer, "star").and_then(Value::as_str) == Some("upper");
-    let orders = pairs::orders(&complex, &values, is_upper)?;
+    let orders = pairs::orders(&complex, &values, field(proof, "order", "order")?, is_upper)?;
     let pairs = pairs::pairs(&complex, &orders, field(proof, "chains", "chains")?, prime.into())?;
     let mut betti = vec![0u64; complex.counts().len()];
     pairs.iter().filter(|pair| pair.2.is_none()).for_each(|pair| betti[pair.0] += 1);

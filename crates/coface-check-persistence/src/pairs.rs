@@ -8,15 +8,20 @@ use std::collections::BTreeMap;
 /// A pair: its degree, the cell that makes the class, and the cell that ends it.
 pub(crate) type Pair = (usize, u32, Option<u32>);
 
-/// The cells of a degree as they enter: by value, then by number.
+/// The cells of a degree as they enter.
 pub(crate) struct Order {
     cells: Vec<u32>,
     /// For each cell its place among them.
     places: Vec<u32>,
 }
 
-/// The orders of all degrees, where no cell enters before a face of it.
-pub(crate) fn orders(complex: &Complex, values: &[Vec<f64>], is_upper: bool) -> Result<Vec<Order>, Fault> {
+/// The orders of all degrees, by value; no cell enters before a face of it.
+pub(crate) fn orders(
+    complex: &Complex,
+    values: &[Vec<f64>],
+    given: &Value,
+    is_upper: bool,
+) -> Result<Vec<Order>, Fault> {
     let sign = if is_upper { -1.0 } else { 1.0 };
     for k in 1..values.len() {
         let early = |cell: &usize| {
@@ -30,16 +35,30 @@ pub(crate) fn orders(complex: &Complex, values: &[Vec<f64>], is_upper: bool) -> 
             ));
         }
     }
-    let of_degree = |values: &Vec<f64>| {
-        // Without negative zeros this is the order of numbers.
-        let key = |cell: u32| sign * values[cell as usize] + 0.0;
-        let mut cells: Vec<u32> = (0..values.len() as u32).collect();
-        cells.sort_by(|&a, &b| key(a).total_cmp(&key(b)));
-        let mut places = vec![0; cells.len()];
-        cells.iter().zip(0..).for_each(|(&cell, place)| places[cell as usize] = place);
-        Order { cells, places }
+    let given = list(given, "\"order\"", "order")?;
+    if given.len() != values.len() {
+        return Err(Fault::new("order", "there is not an order of each degree"));
+    }
+    let of_degree = |(k, (values, given)): (usize, (&Vec<f64>, &Value))| {
+        let cells = list(given, "an order", "order")?.iter().map(|cell| index(cell, "a cell", "order"));
+        let cells = cells.collect::<Result<Vec<u32>, Fault>>()?;
+        let mut places = vec![u32::MAX; values.len()];
+        for (&cell, place) in cells.iter().zip(0..) {
+            let known = places.get_mut(cell as usize).filter(|known| **known == u32::MAX);
+            *known.ok_or_else(|| {
+                Fault::new("order", format!("cell {cell} of degree {k} is twice or not there"))
+            })? = place;
+        }
+        let rises = |pair: &[u32]| sign * values[pair[0] as usize] <= sign * values[pair[1] as usize];
+        match cells.len() == values.len() && cells.windows(2).all(rises) {
+            true => Ok(Order { cells, places }),
+            false => Err(Fault::new(
+                "order",
+                format!("the cells of degree {k} are not all sorted by their values"),
+            )),
+        }
     };
-    Ok(values.iter().map(of_degree).collect())
+    values.iter().zip(given).enumerate().map(of_degree).collect()
 }
 
 /// The pairs of all cells, by chains over the field.

@@ -140,8 +140,7 @@ pub(crate) fn refused(why: &str) -> Error {
     )
 }
 
-/// The chain complex as the checker reads it.
-pub(crate) fn chain_complex(complex: &coface_check::Complex) -> Result<ChainComplex, Error> {
+fn chain_complex(complex: &coface_check::Complex) -> Result<ChainComplex, Error> {
     let counts = complex.counts();
     if let [points] = counts {
         return Ok(ChainComplex::of_points(*points));

@@ -2,10 +2,10 @@
 
 use super::FoundDiagram;
 use crate::answer::PersistenceAnswer;
-use crate::homology::certificate::{Input, Number, chain_complex, checked, number, refused};
-use coface_algebra::chains::Chain;
-use coface_algebra::{CellId, Error, Integer};
-use coface_topology::{Coefficients, Filtration, persistence, persistent_cycles};
+use crate::homology::certificate::{Input, Number, checked, number, refused};
+use coface_algebra::chains::ChainComplex;
+use coface_algebra::{CellId, Error, SparseMatrix};
+use coface_topology::{Coefficients, persistence, persistent_cycles};
 use serde::Serialize;
 use std::collections::HashMap;
 
@@ -25,6 +25,8 @@ struct Certificate<'a> {
 struct Proof {
     /// The values of the vertices, or without a star of all cells, by degree.
     values: Vec<Vec<f64>>,
+    /// For each degree the cells in the order in which they enter.
+    order: Vec<Vec<u32>>,
     /// For each degree from 1 on the chains that end classes, and the cycles of those that stay, with cells in the order in which they enter.
     chains: Vec<Vec<Vec<(Number, u32)>>>,
 }
@@ -61,30 +63,36 @@ impl FoundDiagram<'_> {
             (pair.cycle, pair.bounding_chain, pair.cocycle) = (None, None, None);
         }
         answer.torsion_primes = None;
-        let values = self.values_on(&read)?;
-        let complex = chain_complex(&read)?;
-        let filtration = match self.star {
-            Some("upper") => Filtration::upper_star(&complex, &values[0])?,
-            Some(_) => Filtration::lower_star(&complex, &values[0])?,
-            None => Filtration::new(&complex, values.clone())?,
-        };
-        let whole = persistence(&complex, &filtration, Coefficients::Modulo(self.diagram.prime().into()))?;
-        let mut chains: Vec<Vec<_>> = read.counts().iter().skip(1).map(|_| Vec::new()).collect();
-        let in_order = |chain: &Chain<Integer>| {
-            let values = filtration.values(chain.degree());
-            let sign = if filtration.is_falling() { -1.0 } else { 1.0 };
-            let key = |cell: CellId| sign * values[cell.index()];
-            let mut terms = chain.terms().to_vec();
-            terms.sort_by(|(a, _), (b, _)| key(*a).total_cmp(&key(*b)).then(a.cmp(b)));
-            terms.iter().map(|(cell, entry)| (number(entry), cell.to_u32())).collect::<Vec<_>>()
-        };
-        for one in persistent_cycles(&complex, &filtration, &whole, f64::NEG_INFINITY)? {
+        let places = self.places_on(&read)?;
+        let complex = renumbered(&read, &places)?;
+        let whole =
+            persistence(&complex, &self.filtration, Coefficients::Modulo(self.diagram.prime().into()))?;
+        let order: Vec<Vec<u32>> = (0..places.len()).map(|degree| self.entering(degree)).collect();
+        let mut ranks: Vec<Vec<u32>> = places.iter().map(|own| vec![0; own.len()]).collect();
+        for (ranks, order) in ranks.iter_mut().zip(&order) {
+            order.iter().zip(0..).for_each(|(&cell, rank)| ranks[cell as usize] = rank);
+        }
+        let mut chains: Vec<Vec<_>> = places.iter().skip(1).map(|_| Vec::new()).collect();
+        for one in persistent_cycles(&complex, &self.filtration, &whole, f64::NEG_INFINITY)? {
             let chain = one.bounding_chain().unwrap_or_else(|| one.cycle());
             // A vertex whose class stays has no faces.
-            if chain.degree() > 0 {
-                chains[chain.degree() - 1].push(in_order(chain));
-            }
+            let Some(below) = chain.degree().checked_sub(1) else { continue };
+            let mut terms = chain.terms().to_vec();
+            terms.sort_unstable_by_key(|(cell, _)| ranks[chain.degree()][cell.index()]);
+            let place = |cell: CellId| places[chain.degree()][cell.index()];
+            chains[below].push(terms.iter().map(|(cell, entry)| (number(entry), place(*cell))).collect());
         }
+        let there = |(degree, own): (usize, &Vec<u32>)| {
+            let mut values = vec![0.0; own.len()];
+            let given = self.filtration.values(degree);
+            own.iter().zip(given).for_each(|(&place, &value)| values[place as usize] = value);
+            values
+        };
+        let degrees = if self.star.is_some() { 1 } else { places.len() };
+        let values = places.iter().take(degrees).enumerate().map(there).collect();
+        let order = order.into_iter().zip(&places);
+        let order =
+            order.map(|(order, own)| order.into_iter().map(|cell| own[cell as usize]).collect()).collect();
         let certificate = Certificate {
             coface_certificate: coface_check::VERSION,
             coface: env!("CARGO_PKG_VERSION"),
@@ -92,30 +100,60 @@ impl FoundDiagram<'_> {
             inputs: Input::list(inputs),
             min_persistence: self.min_persistence,
             answer: &answer,
-            proof: Proof { values, chains },
+            proof: Proof { values, order, chains },
         };
         checked(&certificate, inputs).map_err(|fault| refused(&fault.to_string()))
     }
 
-    /// The values of the vertices, or without a star of all cells, in the order of the checker.
-    fn values_on(&self, read: &coface_check::Complex) -> Result<Vec<Vec<f64>>, Error> {
-        let degrees = if self.star.is_some() { 1 } else { read.counts().len() };
-        let of_degree = |degree: usize| {
-            let name = |mut vertices: Vec<u32>| {
-                vertices.sort_unstable();
-                vertices
-            };
-            let own = self.filtration.values(degree).iter().enumerate();
-            let own: HashMap<Vec<u32>, f64> = own
-                .map(|(cell, &value)| (name(self.producer.cell_vertices(degree, CellId::new(cell))), value))
-                .collect();
-            let value = |cell: usize| match read.vertices(degree, cell) {
-                Some(vertices) => own.get(&name(vertices.to_vec())).copied(),
-                None => self.filtration.values(degree).get(cell).copied(),
-            };
-            (0..read.counts()[degree]).map(value).collect::<Option<Vec<f64>>>()
-        };
-        let values = (0..degrees).map(of_degree).collect::<Option<_>>();
-        values.ok_or_else(|| refused("the checker reads other cells than the library"))
+    /// The cells of a degree in the order in which they enter.
+    fn entering(&self, degree: usize) -> Vec<u32> {
+        let values = self.filtration.values(degree);
+        let sign = if self.filtration.is_falling() { -1.0 } else { 1.0 };
+        let key = |cell: u32| sign * values[cell as usize];
+        let mut cells: Vec<u32> = (0..values.len() as u32).collect();
+        cells.sort_by(|&a, &b| key(a).partial_cmp(&key(b)).expect("values are numbers"));
+        cells
     }
+
+    /// For each degree the numbers that the checker gives to the cells.
+    fn places_on(&self, read: &coface_check::Complex) -> Result<Vec<Vec<u32>>, Error> {
+        let name = |mut vertices: Vec<u32>| {
+            vertices.sort_unstable();
+            vertices
+        };
+        let of_degree = |(degree, &count): (usize, &usize)| {
+            if read.counts()[degree] > 0 && read.vertices(degree, 0).is_none() {
+                return Some((0..count as u32).collect());
+            }
+            let known = (0..count)
+                .filter_map(|cell| Some((name(read.vertices(degree, cell)?.to_vec()), cell as u32)));
+            let known: HashMap<Vec<u32>, u32> = known.collect();
+            let own = 0..self.filtration.values(degree).len();
+            own.map(|cell| known.get(&name(self.producer.cell_vertices(degree, CellId::new(cell)))).copied())
+                .collect::<Option<Vec<u32>>>()
+                .filter(|places| places.len() == count)
+        };
+        let places = read.counts().iter().enumerate().map(of_degree).collect::<Option<_>>();
+        places.ok_or_else(|| refused("the checker reads other cells than the library"))
+    }
+}
+
+/// The complex of the checker with the numbers of the library.
+fn renumbered(read: &coface_check::Complex, places: &[Vec<u32>]) -> Result<ChainComplex, Error> {
+    if let [points] = places {
+        return Ok(ChainComplex::of_points(points.len()));
+    }
+    let boundary = |degree: usize| {
+        let mut back = vec![0; places[degree - 1].len()];
+        places[degree - 1].iter().enumerate().for_each(|(own, &place)| back[place as usize] = own);
+        let entries: Vec<(usize, usize, i64)> = (places[degree].iter().enumerate())
+            .flat_map(|(own, &place)| {
+                let faces = read.boundary(degree, place as usize).iter();
+                faces.map(move |&(face, incidence)| (face, own, incidence))
+            })
+            .map(|(face, own, incidence)| (back[face as usize], own, incidence))
+            .collect();
+        SparseMatrix::from_entries(places[degree - 1].len(), places[degree].len(), entries)
+    };
+    ChainComplex::new((1..places.len()).map(boundary).collect::<Result<_, _>>()?)
 }

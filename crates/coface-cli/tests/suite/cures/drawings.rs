@@ -246,6 +246,10 @@ pub(super) const CASES: &[Case] = &[
         .files(BOW)
         .refused("coface boolean --formula 'a |' bow.wkt")
         .cured(&[&["coface boolean --formula 'a | a' bow.wkt"]]),
+    Case::new("io/src/drawing.rs", "--flatten LENGTH says another distance")
+        .files(&[("disk.wkt", "CURVEPOLYGON (CIRCULARSTRING (1 0, -1 0, 1 0))\n")])
+        .answered("coface arrange disk.wkt")
+        .cured(&[&["coface arrange disk.wkt --flatten 0.01"]]),
     Case::new("yin/flattening.rs", "--flatten LENGTH says another length, and coface yin keeps curves")
         .files(CURVED)
         .answered("coface arrange disk.svg")
