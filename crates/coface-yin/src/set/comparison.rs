@@ -208,7 +208,7 @@ impl YinSet {
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for coordinates whose differences are not finite.
     ///
     /// # Complexity
-    /// $O(n \\log n + k)$ for n pieces, of which k pairs are over each other and next to each other, times the depth to which strips with
+    /// $O(n \log n + k)$ for n pieces, of which k pairs are over each other and next to each other, times the depth to which strips with
     /// crossings are halved.
     ///
     /// # Examples

@@ -125,7 +125,7 @@ impl<'a> Pieces<'a> {
 /// nearest first. Where they touch already, and along threads and corners that are thinner up to their tips, there are none.
 ///
 /// # Complexity
-/// $O(n \\log n)$ for n pieces that are short beside what lies between them, in parallel.
+/// $O(n \log n)$ for n pieces that are short beside what lies between them, in parallel.
 pub(super) fn contacts(curves: &[&Curve<'static>], within: f64) -> Vec<Contact> {
     let pieces = Pieces::new(curves);
     let count = pieces.way.len();
