@@ -31,8 +31,8 @@ pub(super) struct Nesting {
 #[derive(Clone, Copy)]
 struct Line {
     x: f64,
-    /// The lowest height of the component there.
-    bottom: f64,
+    /// Between which heights the component is lowest there.
+    heights: [f64; 2],
 }
 
 /// What a component sees below itself.
@@ -183,7 +183,7 @@ impl<'a> Nester<'a> {
             let Ok(Some((lowest, halfedge))) = self.extreme(&crossings, apart, false) else {
                 continue;
             };
-            let line = Line { x, bottom: lowest.heights[0] };
+            let line = Line { x, heights: lowest.heights };
             let own = self.component(halfedge);
             let below = self.first_below(tree, boxes, line, apart, &mut |other| other == own);
             if let Ok(below) = below {
@@ -203,15 +203,15 @@ impl<'a> Nester<'a> {
         is_own: &mut dyn FnMut(u32) -> bool,
     ) -> Result<Option<u32>, NearDegenerate> {
         let mut crossings = Vec::new();
-        self.column(tree, line.x, [f64::NEG_INFINITY, line.bottom], &mut crossings)?;
-        let mut bottom = line.bottom;
+        self.column(tree, line.x, [f64::NEG_INFINITY, line.heights[0]], &mut crossings)?;
+        let mut heights = line.heights;
         for crossing in &crossings {
             let halfedge = self.upper_halfedge(crossing)?;
             if is_own(self.component(halfedge)) {
-                bottom = bottom.min(crossing.heights[0]);
+                heights = [0, 1].map(|end| heights[end].min(crossing.heights[end]));
             }
         }
-        self.first_below(tree, boxes, Line { bottom, ..line }, 0.0, is_own)
+        self.first_below(tree, boxes, Line { heights, ..line }, 0.0, is_own)
     }
 
     /// The halfedge that has the first crossing below the bottom of a line on its right; crossings of own components are passed over.
@@ -232,20 +232,21 @@ impl<'a> Nester<'a> {
         let mut others = Vec::new();
         let mut height = (whole[1] - whole[0]) / 1024.0;
         loop {
-            let low = line.bottom - height;
+            let low = line.heights[0] - height;
             let is_last = low <= whole[0];
             crossings.clear();
-            self.column(tree, line.x, [low, line.bottom], &mut crossings)?;
+            self.column(tree, line.x, [low, line.heights[1]], &mut crossings)?;
             others.clear();
             for crossing in &crossings {
-                if crossing.heights[0] >= line.bottom {
+                if crossing.heights[0] > line.heights[1] {
                     continue;
                 }
                 let halfedge = self.upper_halfedge(crossing)?;
                 if is_own(self.component(halfedge)) {
                     continue;
                 }
-                if crossing.heights[1] + apart >= line.bottom {
+                // It may be above.
+                if crossing.heights[1] + apart >= line.heights[0] {
                     return Err(NearDegenerate);
                 }
                 others.push(*crossing);

@@ -23,7 +23,7 @@ struct Trial {
     /// All contacts, and the first of them that were not there before the part.
     contacts: Vec<Contact>,
     fresh: Vec<Contact>,
-    /// What keeps the curves from bounding a set, or that this cannot be decided.
+    /// What keeps the curves from bounding a set, or that this cannot be decided; not looked for where something has gone or is in contact.
     fault: Result<Option<YinFault>, Error>,
 }
 
@@ -123,7 +123,11 @@ impl<'a> Watch<'a> {
             }
             _ => contacts.clone(),
         };
-        let fault = fronts.fault(false);
+        // Where something happens anyway it is looked at once that is done.
+        let fault = match gone.is_empty() && fresh.is_empty() {
+            true => fronts.fault(false),
+            false => Ok(None),
+        };
         Ok(Trial { fronts, counts, gone, contacts, fresh, fault })
     }
 
@@ -140,7 +144,10 @@ impl<'a> Watch<'a> {
         step: usize,
         time: f64,
     ) -> Result<Fronts, Error> {
-        let Trial { mut fronts, gone, contacts, mut fresh, fault, .. } = trial;
+        let Trial { mut fronts, gone, contacts, mut fresh, mut fault, .. } = trial;
+        if !(gone.is_empty() && fresh.is_empty()) {
+            fault = fronts.fault(false);
+        }
         for gone in gone {
             let (kind, axis) = match gone.is_positive {
                 true => (EventKind::ComponentVanishes, 0),
@@ -215,7 +222,7 @@ impl<'a> Watch<'a> {
     /// Changes the set at its contacts, one after the other.
     fn merge(&mut self, fronts: &mut Fronts, time: f64) -> Result<(), Error> {
         /// More contacts than these in one place of time come from bridges that are in contact themselves.
-        const MOST: usize = 10_000;
+        const MOST: usize = 1000;
         for _ in 0..MOST {
             let Some(contact) = fronts.contacts(self.within).first().copied() else { return Ok(()) };
             let place = contact.place();
