@@ -7,14 +7,15 @@ use coface_yin::{Curve, EndCondition, KnotIndex, Order, YinSet};
 use std::collections::BTreeMap;
 
 /// A set whose boundary has kinks at some of its knots.
-fn kinked(random: &mut Random) -> YinSet {
+fn kinked(random: &mut Random) -> Option<YinSet> {
     let curve = blob(random, [0.0, 0.0], 1.0);
     let count = curve.piece_count();
     let points: Vec<[f64; 2]> = (0..count).map(|knot| curve.knot_point(knot)).collect();
     let kinks: Vec<u32> = (0..count as u32).filter(|_| random.below(3) == 0).collect();
     let curve = Curve::fit_closed(&points, &kinks, Order::CUBIC, &EndCondition::NotAKnot).unwrap();
     let knots: Vec<_> = kinks.iter().map(|&knot| KnotIndex { curve: 0, knot }).collect();
-    YinSet::new(&[curve]).unwrap().with_declared_kinks(&knots, None, None).unwrap()
+    // Where few kinks make it overshoot it may cross itself.
+    YinSet::new(&[curve]).ok()?.with_declared_kinks(&knots, None, None).ok()
 }
 
 /// The same set with every point elsewhere.
@@ -56,7 +57,7 @@ fn refitted(set: &YinSet, places: u32, first: f64) -> Option<YinSet> {
 fn pair(random: &mut Random, case: u64) -> Option<(YinSet, YinSet, String)> {
     let set = match random.below(3) {
         0 => YinSet::new(&[blob(random, [0.0, 0.0], 1.0)]).unwrap(),
-        1 => kinked(random),
+        1 => kinked(random)?,
         _ => smooth_set(random, 1.0),
     };
     if set.curve_count() == 0 {
