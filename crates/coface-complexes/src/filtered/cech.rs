@@ -44,7 +44,7 @@ impl FilteredComplex {
                 .with_cure("give a radius of 0 or more"));
         }
         // With its smallest ball.
-        let most = most_simplices(bytes_of_simplex(dimension) + 400 + 24 * points.dimension() as u64);
+        let most = most_simplices(bytes_of_simplex(dimension) + 150 + 8 * points.dimension() as u64);
         let points: Vec<&[f64]> = (0..points.len()).map(|id| points.point(VertexId::new(id))).collect();
         let steps = stage("finding smallest balls", dimension);
         let mut levels = vec![Level::of_points(&points)];
