@@ -81,6 +81,12 @@ impl Arguments {
         let of_volumes = |option: &&Arg| option.get_help_heading() == Some("Volumes");
         let volumes: Vec<Arg> =
             whole.get_arguments().filter(of_volumes).map(|one| one.clone().hide(true)).collect();
+        let of_points = |option: &&Arg| {
+            option.get_help_heading() == Some("Points and graphs")
+                && !ALL_TAKE.contains(&option.get_id().as_str())
+        };
+        let points: Vec<Arg> =
+            whole.get_arguments().filter(of_points).map(|one| one.clone().hide(true)).collect();
         let of_inputs = |option: &&Arg| OF_INPUTS.contains(&option.get_id().as_str());
         let inputs: Vec<Arg> =
             whole.get_arguments().filter(of_inputs).map(|one| one.clone().hide(true)).collect();
@@ -100,7 +106,7 @@ impl Arguments {
             whole = whole.mut_subcommand(verb, |verb| verb.arg(other));
         }
         for verb in WITHOUT_VOLUMES {
-            whole = whole.mut_subcommand(verb, |verb| verb.args(&volumes));
+            whole = whole.mut_subcommand(verb, |verb| verb.args(&volumes).args(&points));
         }
         for verb in WITHOUT_INPUTS {
             whole = whole.mut_subcommand(verb, |verb| verb.args(&volumes).args(&inputs));
@@ -193,6 +199,9 @@ const WITHOUT_VOLUMES: [&str; 12] = [
     "yin",
     "merge",
 ];
+
+/// The options of points that need no `--threshold`.
+const ALL_TAKE: [&str; 4] = ["alpha", "weighted", "radii", "points_dimension"];
 
 /// The verbs that read no model.
 const WITHOUT_INPUTS: [&str; 4] = ["check", "diagram", "completions", "man"];
