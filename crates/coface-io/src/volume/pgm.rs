@@ -64,7 +64,12 @@ impl<R: Read> Words<'_, R> {
             }
             self.length += 1;
             match byte[0] {
-                b'\n' if is_comment => is_comment = false,
+                b'\n' if is_comment => {
+                    is_comment = false;
+                    if !word.is_empty() {
+                        return Ok(word);
+                    }
+                }
                 _ if is_comment => {}
                 b'#' => is_comment = true,
                 blank if blank.is_ascii_whitespace() => {

@@ -374,7 +374,7 @@ fn lies_are_named() {
         (nifti(1, false, (2, 8), &[2], (0.0, 0.0), b"\0\0\0\0", &[]), Format::Nifti, "ANALYZE"),
         (nifti(2, false, (2, 8), &[2], (0.0, 0.0), b"n+3\0", &[]), Format::Nifti, "mark of NIfTI"),
         (vec![7; 400], Format::Nifti, "348 or 540"),
-        (metaimage("MET_SHORT", false, "", "LOCAL", &[0; 20]), Format::MetaImage, "20 bytes are left"),
+        (metaimage("MET_SHORT", false, "", "LOCAL", &[0; 20]), Format::MetaImage, "end after 10 of 12"),
         (metaimage("MET_OTHER", false, "", "LOCAL", &[]), Format::MetaImage, "\"MET_OTHER\""),
         (
             metaimage("MET_SHORT", false, "ElementNumberOfChannels = 3\n", "LOCAL", &[]),
