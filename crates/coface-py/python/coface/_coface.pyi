@@ -2102,8 +2102,43 @@ class Model:
         """
         ...
     def simplified(self, *, attempts: int = 200, progress: _Progress = ...) -> tuple[Model, dict[str, Json]]:
+        """A triangulated 3-manifold with fewer tetrahedra, by moves that keep the space.
+
+        The moves 4-1, 3-2 and 2-0 remove tetrahedra; 2-3 adds one on the way to others. The same input gives the same triangulation on every
+        machine. The homology before and after is compared, and a boundary stays as it is.
+
+        Parameters
+        ----------
+        attempts : int
+            How often moves that add a tetrahedron are tried, when none removes one.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        model : Model
+            A gluing table.
+        done : dict
+            ``f_vector_before`` and ``f_vector``, ``moves`` in their order, ``homology``, ``signature``, and ``name`` with ``name_proof`` where it is
+            proved which manifold it is.
+        """
         ...
     def isomorphism(self, other: Model, *, progress: _Progress = ...) -> dict[str, Json]:
+        """Whether another triangulation is the same as this one but for the names of simplices and vertices, and with which names.
+
+        Parameters
+        ----------
+        other : Model
+            A gluing table, a facet list, or a mesh of triangles or tetrahedra.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        dict
+            ``isomorphic``; ``difference``, the first thing in which they differ; ``simplices``, for each of this model the one of the other, and
+            ``vertices``, the places of its vertices there; ``signatures`` of both, which are equal if and only if the triangulations are the same.
+        """
         ...
     def subdivided(self, *, progress: _Progress = ...) -> tuple[Model, NDArray[np.int64]]:
         """A gluing table or a surface of halfedges as a facet list, subdivided where that is needed to keep simplices apart.
