@@ -14,7 +14,7 @@ use pairs::Pair;
 use serde_json::Value;
 use std::collections::HashMap;
 
-const KNOWN: [&str; 7] = ["file", "field", "function", "star", "diagram", "betti", "remarks"];
+const KNOWN: [&str; 6] = ["file", "field", "star", "diagram", "betti", "remarks"];
 const PAIR_KEYS: [&str; 5] = ["degree", "birth", "death", "birth_cell", "death_cell"];
 
 /// Checks a certificate of persistence, or of what [`coface_check`] knows, against the bytes of its inputs, in their order.
@@ -38,7 +38,7 @@ const PAIR_KEYS: [&str; 5] = ["degree", "birth", "death", "birth_cell", "death_c
 ///         "proof":{{"values":[[0.0,5.0,1.0]],"order":[[0,2,1],[0,1]],"chains":[[[[1,0]],[[1,0],[1,1]]]]}}}}"#
 /// );
 /// let verdict = coface_check_persistence::check(certificate(5.0).as_bytes(), &[input]).expect("the chains prove it");
-/// assert_eq!(verdict.proved()[1], "Betti numbers over F_2 = [1, 0]");
+/// assert_eq!((&verdict.proved()[0][..], &verdict.unchecked()[0][..]), ("Betti numbers over F_2 = [1, 0]", "function"));
 /// assert!(coface_check_persistence::check(certificate(6.0).as_bytes(), &[input]).is_err());
 /// ```
 pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
@@ -82,13 +82,15 @@ fn diagram(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     if expected != found {
         return Err(Fault::new("answer", "the pairs of the chains are others than those of the answer"));
     }
-    let mut proved = vec![of_function, format!("Betti numbers over F_{prime} = {betti:?}")];
+    let known = [&KNOWN[..], if of_function.is_some() { &["function"] } else { &[] }].concat();
+    let mut proved: Vec<String> = of_function.into_iter().collect();
+    proved.push(format!("Betti numbers over F_{prime} = {betti:?}"));
     for k in 0..betti.len() {
         let count = found.iter().filter(|pair| pair.0 == k).count();
         proved
             .push(format!("degree {k}: the {count} pairs whose persistence is above {least}, and no others"));
     }
-    Ok(Verdict::of(proved, answer, &KNOWN))
+    Ok(Verdict::of(proved, answer, &known))
 }
 
 /// The cells of each degree by their vertices in rising order, or by their numbers where they have no vertices.
