@@ -385,6 +385,9 @@ pub fn volume_of_path(
 ) -> Result<Option<(VolumeStream<'static>, Vec<Remark>)>, Error> {
     let path = path.as_ref();
     let find = || {
+        if options.complex.is_some() {
+            return Ok(None);
+        }
         let header = &volume::header_path(path);
         let opened = opened(counted(header)?, Some(header), options.format)?;
         if !opened.format.is_volume() || opened.is_unpacked {
@@ -415,6 +418,9 @@ pub fn volume_of<'r>(
     input: impl Read + 'r,
     options: &ReadOptions,
 ) -> Result<Option<(VolumeStream<'r>, Vec<Remark>)>, Error> {
+    if options.complex.is_some() {
+        return Ok(None);
+    }
     volume_started(opened(input, None, options.format)?, options)
 }
 

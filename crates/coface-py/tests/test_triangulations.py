@@ -9,22 +9,22 @@ SPHERE = [[0, 1, 2, 3], [0, 1, 2, 4], [0, 1, 3, 4], [0, 2, 3, 4], [1, 2, 3, 4]]
 
 
 def test_moves_keep_the_space() -> None:
-    smaller, done = coface.Model(SPHERE).simplified()
+    smaller, done = coface.as_model(SPHERE).simplified()
     assert done["name"] == "S3" and done["f_vector"][3] < 5
-    assert [str(group) for group in coface.homology(smaller)] == [str(group) for group in coface.homology(coface.Model(SPHERE))]
+    assert [str(group) for group in coface.homology(smaller)] == [str(group) for group in coface.homology(coface.as_model(SPHERE))]
     # What comes out goes in again.
     again, _ = smaller.simplified(attempts=0)
     assert again.isomorphism(smaller)["isomorphic"]
     with pytest.raises(coface.Error, match="dimension 3"):
-        coface.Model([[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]).simplified()
+        coface.as_model([[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]).simplified()
 
 
 def test_names_do_not_matter() -> None:
     other = [[9 - vertex for vertex in facet] for facet in reversed(SPHERE)]
-    found = coface.Model(SPHERE).isomorphism(coface.Model(other))
+    found = coface.as_model(SPHERE).isomorphism(coface.as_model(other))
     assert found["isomorphic"] and found["difference"] is None
     assert sorted(found["simplices"]) == [0, 1, 2, 3, 4]
     assert found["signatures"][0] == found["signatures"][1]
-    ball = coface.Model([[0, 1, 2, 3], [1, 2, 3, 4]])
-    different = coface.Model(SPHERE).isomorphism(ball)
+    ball = coface.as_model([[0, 1, 2, 3], [1, 2, 3, 4]])
+    different = coface.as_model(SPHERE).isomorphism(ball)
     assert not different["isomorphic"] and different["difference"]

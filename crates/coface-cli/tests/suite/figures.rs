@@ -247,6 +247,10 @@ fn images_of_two_axes_are_drawn_by_their_grey_values() {
     // The second axis of the other goes up.
     let other = drawn("a.nrrd", &[]);
     assert_eq!((0..6).map(|i| at(&other, i / 3, i % 3)).collect::<Vec<u8>>(), greys);
+    // Rows of PGM go from the top down.
+    std::fs::write(place.join("a.pgm"), "P2\n3 2\n255\n0 50 100\n150 200 255\n").unwrap();
+    let image = drawn("a.pgm", &[]);
+    assert_eq!((0..6).map(|i| at(&image, i / 3, i % 3)).collect::<Vec<u8>>(), greys);
     for name in ["a.svg", "a.pdf"] {
         let run = coface_in(place, &["render", "a.npy", "-o", name]);
         assert_eq!(run.status, 0, "{}", run.stderr);

@@ -151,6 +151,8 @@ fn graphs_and_points_are_models_at_a_scale() {
     let info =
         |words: &[&str]| coface_in(place, &[&["info", "--json"], words].concat()).json()["f_vector"].clone();
     assert_eq!(info(&["graph.txt", "--flag"]), json!([5, 5, 2]));
+    // A picture is not looked for in a text file.
+    assert_eq!(coface_in(place, &["render", "graph.txt", "--flag", "-o", "graph.svg"]).status, 0);
     assert_eq!(info(&["graph.txt", "--flag", "--threshold", "4"]), json!([5, 4]));
     assert_eq!(info(&["points.csv", "--rips", "--threshold", "4"]), json!([4, 4]));
     assert_eq!(info(&["points.csv", "--rips", "--dimension", "1"]), json!([4, 6]));

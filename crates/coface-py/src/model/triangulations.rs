@@ -31,7 +31,7 @@ impl Model {
     /// Examples
     /// --------
     /// >>> import coface
-    /// >>> sphere = coface.Model([[0, 1, 2, 3], [0, 1, 2, 4], [0, 1, 3, 4], [0, 2, 3, 4], [1, 2, 3, 4]])
+    /// >>> sphere = coface.as_model([[0, 1, 2, 3], [0, 1, 2, 4], [0, 1, 3, 4], [0, 2, 3, 4], [1, 2, 3, 4]])
     /// >>> smaller, done = sphere.simplified()
     /// >>> done["f_vector_before"][3], done["f_vector"][3], done["name"]
     /// (5, 1, 'S3')
@@ -64,8 +64,8 @@ impl Model {
     /// Examples
     /// --------
     /// >>> import coface
-    /// >>> circle, other = coface.Model([[0, 1, 2], [1, 2, 3]]), coface.Model([[5, 7, 6], [5, 6, 4]])
-    /// >>> circle.isomorphism(other)["isomorphic"]
+    /// >>> disk, other = coface.as_model([[0, 1, 2], [1, 2, 3]]), coface.as_model([[5, 7, 6], [5, 6, 4]])
+    /// >>> disk.isomorphism(other)["isomorphic"]
     /// True
     #[pyo3(signature = (other, *, progress=None))]
     fn isomorphism<'py>(

@@ -410,7 +410,7 @@ impl Render {
     }
 
     /// The grey values of an image, if the input is a volume of two axes: of an array the first axis goes down and the second to the right, of other
-    /// formats the first to the right and the second up.
+    /// formats the first to the right and the second up, in PGM down.
     fn image(
         &self,
         source: &Source<'_>,
@@ -422,7 +422,8 @@ impl Render {
         progress.stage(format!("reading {name}"));
         let shape = [first as usize, second as usize];
         let is_first_fastest = stream.fastest_axis() == 0;
-        let is_array = format_of(source, common) == Some(Format::Npy);
+        let format = format_of(source, common);
+        let (is_array, goes_down) = (format == Some(Format::Npy), format == Some(Format::Pgm));
         let (numbers, said) = stream.numbers().map_err(|error| error.in_file(name.clone()))?;
         take(&name, &said);
         let at =
@@ -430,6 +431,7 @@ impl Render {
         let [rows, columns] = if is_array { shape } else { [shape[1], shape[0]] };
         let value = |place: usize| match (place / columns, place % columns) {
             (row, column) if is_array => at(row, column),
+            (row, column) if goes_down => at(column, row),
             (row, column) => at(column, rows - 1 - row),
         };
         let values: Vec<f64> = (0..rows * columns).map(value).collect();
