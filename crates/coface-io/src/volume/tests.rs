@@ -401,7 +401,7 @@ fn lies_are_named() {
             "2 axes",
         ),
         (b"P2 2 2 1\n1 1 0\n".to_vec(), Format::Pgm, "3 of 4"),
-        (b"P5 4000000000 4000000000 255\n".to_vec(), Format::Pgm, "bytes"),
+        (b"P5 4000000000 4000000000 255\n".to_vec(), Format::Pgm, "numbers end after 0"),
         (b"P2 2 x 1\n".to_vec(), Format::Pgm, "\"x\""),
         (b"P2 2 2 70000\n".to_vec(), Format::Pgm, "largest value"),
         (b"P2 2".to_vec(), Format::Pgm, "no end"),
