@@ -34,7 +34,6 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "coface-yin",
             "coface-io",
             "coface-check",
-            "coface-check-persistence",
             "coface-check-plane",
         ],
     ),

@@ -33,7 +33,7 @@ struct Proof {
 
 impl FoundDiagram<'_> {
     /// A certificate of the diagram, from the name and the bytes of the file that the model was read from: an answer without cycles, and chains that
-    /// prove it, which [`coface_check_persistence::check`] follows without any code of this library, as `docs/certificates.md` says. It has been checked.
+    /// prove it, which [`coface_check_plane::check`] follows without any code of this library, as `docs/certificates.md` says. It has been checked.
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::UnsupportedFormat`] if the checker does not read the file as this library does: it reads facet lists, chain complexes,
@@ -49,7 +49,7 @@ impl FoundDiagram<'_> {
     /// let input = &b"[[0,2],[2,1]]"[..];
     /// let path = Producer::of(coface_io::read(input, coface_io::Format::Json)?)?;
     /// let certificate = PersistenceRequest::new().found("path.json", &path)?.certificate(&[("path.json", input)])?;
-    /// let verdict = coface_check_persistence::check(certificate.as_bytes(), &[input]).expect("the proof holds");
+    /// let verdict = coface_check_plane::check(certificate.as_bytes(), &[input]).expect("the proof holds");
     /// assert_eq!(verdict.proved()[0], "the values of the vertices are vertex number");
     /// # Ok(()) }
     /// ```
