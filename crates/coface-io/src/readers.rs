@@ -364,7 +364,8 @@ pub fn format_of_path(path: impl AsRef<Path>, format: Option<Format>) -> Result<
     found().map_err(|error: Error| error.in_file(path.display().to_string()))
 }
 
-/// The volume in a file whose header has been read, and whose numbers have not, with remarks; `None` for a file of another format.
+/// The volume in a file whose header has been read, and whose numbers have not, with remarks; `None` for a file of another format, and for one that is
+/// read as points or as a graph.
 ///
 /// # Errors
 /// Those of [`VolumeStream::open`]; as [`read_path`] where the format is not known.

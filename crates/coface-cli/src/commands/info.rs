@@ -106,6 +106,8 @@ impl Info {
             // Before the work, not after it.
             check_output(place)?;
             certified::refuse_standard_input(&self.inputs)?;
+            // The checker reads the file as it is.
+            common.points.refuse("info with a certificate")?;
             if self.inputs.len() > 1 {
                 return Err(Failure::new(
                     "--certificate is for one input: name one, or run the command once for each",

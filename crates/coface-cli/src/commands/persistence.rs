@@ -230,6 +230,10 @@ impl Persistence {
         progress: Progress,
         (name, producer, request): (&str, &Producer, PersistenceRequest),
     ) -> Result<(), Failure> {
+        if self.certificate.is_some() {
+            // The checker reads the file as it is.
+            common.points.refuse("persistence with a certificate")?;
+        }
         let request = request
             .coefficients(self.coefficients)
             .min_persistence(self.min_persistence)

@@ -429,3 +429,19 @@ fn diagrams_are_proved_and_lies_about_them_are_not() {
     assert_eq!(refused.status, 1);
     assert!(refused.stderr.contains("the values of the vertices are not z"), "{}", refused.stderr);
 }
+
+/// The checker reads the triangle of the file, and not what its corners make, though both are a disk here.
+#[test]
+fn complexes_of_points_have_no_certificates_of_their_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let (input, certificate) = (folder.path().join("disk.off"), folder.path().join("disk.cert"));
+    fs::write(&input, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").unwrap();
+    for verb in [&["homology"][..], &["info"], &["persistence", "--function", "x"]] {
+        for option in ["--rips", "--alpha", "--cech"] {
+            let words = [verb, &[argument(&input), option, "--certificate", argument(&certificate)]].concat();
+            let said = coface(&words).fails_with(1).to_owned();
+            assert!(said.contains(&format!("with a certificate takes no {option}")), "{said}");
+            assert!(!certificate.exists());
+        }
+    }
+}

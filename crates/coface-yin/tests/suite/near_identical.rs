@@ -86,12 +86,11 @@ fn pair(random: &mut Random, case: u64) -> Option<(YinSet, YinSet, String)> {
 
 /// Few are refused, areas add up, and the symmetric difference has the area that the comparison of the boundaries finds.
 #[test]
-#[ignore = "takes minutes: cargo test -p coface-yin near_identical -- --ignored"]
 fn nearly_equal_sets_are_combined() {
     let mut random = Random::new(2026);
     let mut refused: BTreeMap<String, Vec<String>> = BTreeMap::new();
     let mut asked = 0;
-    for case in 0..case_count(60) {
+    for case in 0..case_count(20) {
         let Some((a, b, about)) = pair(&mut random, case) else { continue };
         let sets = [&a, &b];
         let combine = |text: &str| YinSet::combine(&sets, &BooleanFormula::parse(text, &[]).unwrap());
@@ -127,5 +126,5 @@ fn nearly_equal_sets_are_combined() {
     }
     let count: usize = refused.values().map(Vec::len).sum();
     println!("{count} of {asked} are refused");
-    assert!(8 * count <= asked, "{count} of {asked} are refused");
+    assert!(40 * count <= asked, "{count} of {asked} are refused");
 }

@@ -102,6 +102,8 @@ impl Homology {
             // Before the work, not after it.
             check_output(place)?;
             certified::refuse_standard_input(self.input.as_slice())?;
+            // The checker reads the file as it is.
+            common.points.refuse("homology with a certificate")?;
         }
         let progress = Progress::start(common.quiet);
         let input = self.input.as_deref().ok_or_else(|| Failure::new("no model is named"))?;
