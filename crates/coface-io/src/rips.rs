@@ -158,6 +158,20 @@ impl RipsPoints {
         &self.distances
     }
 
+    /// The coordinates; none where there are distances alone, or more than three coordinates.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{NumberTable, RipsReading};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let line = NumberTable::from_rows([[0.0, 1.0], [0.0, 5.0]]);
+    /// assert_eq!(RipsReading::default().distances(&line)?.positions().len(), 2);
+    /// # Ok(()) }
+    /// ```
+    pub fn positions(&self) -> &Positions {
+        &self.positions
+    }
+
     /// What the reader assumed.
     ///
     /// # Examples

@@ -6,7 +6,7 @@ use crate::chain_complex::{ChainComplex, ring};
 use crate::diagrams::{self, Curves};
 use crate::errors::{OrRaise, invalid, warn, whole};
 use crate::pictures::flat_file;
-use crate::source::Naming;
+use crate::source::{Names, Naming};
 use crate::work::run;
 use coface::algebra::Integer;
 use coface::algebra::chains::ChainComplex as Chains;
@@ -341,6 +341,46 @@ impl Persistence {
         }
     }
 
+    /// The cells, which points make again for their cycles.
+    fn stored(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Stored> {
+        match &self.diagram {
+            Diagram::Complex { diagram, naming, complex, filtration, least } => Ok(Stored {
+                prime: diagram.prime(),
+                naming: Arc::clone(naming),
+                complex: Arc::clone(complex),
+                filtration: Arc::clone(filtration),
+                least: *least,
+            }),
+            Diagram::Points(found) => {
+                let (simplices, complex, filtration) = run(py, progress, || {
+                    let (simplices, values) = found.simplices()?.into_parts();
+                    let complex = simplices.chain_complex()?;
+                    let filtration = Filtration::new(&complex, values)?;
+                    Ok((simplices, complex, filtration))
+                })?;
+                let name = |points: &[u32]| {
+                    let points: Vec<VertexId> = points.iter().map(|&id| VertexId::new(id as usize)).collect();
+                    found.numbers(&points)
+                };
+                let cells = (0..complex.degree_count())
+                    .flat_map(|degree| (0..complex.cell_count(degree)).map(move |cell| (degree, cell)));
+                let naming = match name(simplices.flat(0)) == simplices.flat(0) {
+                    true => Names::Simplices(Arc::new(simplices)),
+                    // The vertices of a graph have other numbers in its file.
+                    false => {
+                        let named = cells.map(|(k, cell)| ((k, cell), name(simplices.numbers(k, cell))));
+                        Names::Given(Arc::new(named.collect()))
+                    }
+                };
+                let (complex, filtration) = (Arc::new(complex), Arc::new(filtration));
+                let least = found.min_persistence().max(0.0);
+                let naming = Arc::new(Naming::of(naming));
+                Ok(Stored { prime: found.diagram().prime(), naming, complex, filtration, least })
+            }
+            Diagram::Image(_) => Err(no_complex(py)),
+        }
+    }
+
     /// Of points and images, whose cells have no numbers, nothing.
     fn require_complex(&self, py: Python<'_>) -> PyResult<()> {
         match &self.diagram {
@@ -355,14 +395,24 @@ impl Persistence {
     }
 }
 
+/// The cells of a diagram and when they enter.
+struct Stored {
+    prime: u32,
+    naming: Arc<Naming>,
+    complex: Arc<Chains>,
+    filtration: Arc<Filtration>,
+    /// Classes that live no longer were left out.
+    least: f64,
+}
+
 /// A cycle, the chain that it bounds, and a cocycle.
 type ProvedClass = (Chain, Option<Chain>, Chain);
 
 fn no_complex(py: Python<'_>) -> PyErr {
     invalid(
         py,
-        "cycles are known of the diagrams of complexes".to_owned(),
-        "ask coface.persistence(x, values), or coface.alpha(points) where there are points",
+        "cycles are known of the diagrams of complexes and of points".to_owned(),
+        "ask coface.persistence(x, values), or coface.rips(points) or coface.alpha(points) where there are points",
     )
 }
 
@@ -736,13 +786,10 @@ impl Persistence {
         #[pyo3(from_py_with = whole)] degree: usize,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Vec<ProvedClass>> {
-        let Diagram::Complex { diagram, naming, complex, filtration, least } = &self.diagram else {
-            return Err(no_complex(py));
-        };
+        let Stored { prime, naming, complex, filtration, least } = &self.stored(py, progress)?;
         let found = run(py, progress, || {
-            let field = Coefficients::Modulo(diagram.prime().into());
-            let whole = topology::persistence(complex, filtration, field)?;
-            topology::persistent_cycles(complex, filtration, &whole, *least)
+            let whole = topology::persistence(complex, filtration, Coefficients::Modulo((*prime).into()))?;
+            topology::persistent_cycles(complex, filtration, &whole.up_to_degree(degree), *least)
         })?;
         let chain = |degree: usize, terms: &[(CellId, Integer)], is_cochain: bool| Chain {
             degree,
@@ -766,7 +813,7 @@ impl Persistence {
     /// list of int
     ///     The primes, rising.
     fn torsion_primes(&self, py: Python<'_>) -> PyResult<Vec<u32>> {
-        let Diagram::Complex { complex, filtration, .. } = &self.diagram else { return Err(no_complex(py)) };
+        let Stored { complex, filtration, .. } = &self.stored(py, None)?;
         run(py, None, || topology::torsion_primes(complex, filtration))
     }
 

@@ -262,7 +262,7 @@ fn report_of(producer: Producer, kind: Kind, request: &ReportRequest) -> Result<
         Cells::Simplices(complex) => simplicial::report(&complex, request.link_budget)?,
         Cells::Halfedges(mesh) => halfedges::report(&mesh),
         Cells::Gluings(gluings) => gluings::report(&gluings.0, &gluings.1)?,
-        Cells::Ordered(cells) => chains::report(&cells.complex.complex().chain_complex()?),
+        Cells::Ordered(complex) => chains::report(&complex.complex().chain_complex()?),
         Cells::Chains(complex) => chains::report(&complex),
         Cells::Voxels(cells) => volume::report(cells.volume())?,
     };

@@ -2,7 +2,7 @@
 
 use super::Growth;
 use crate::Producer;
-use crate::producer::{Cells, Labels, OrderedCells};
+use crate::producer::{Cells, Labels};
 use coface_complexes::filtered::{DirectedFlagComplex, FilteredComplex};
 use coface_geometry::Positions;
 use coface_io::{AlphaPoints, CechPoints, FileGraph, Remark, WitnessPoints};
@@ -106,16 +106,27 @@ impl PointFiltration {
     pub fn of_directed(graph: &FileGraph, complex: DirectedFlagComplex) -> Self {
         let degrees = 0..complex.complex().f_vector().len();
         let values = degrees.map(|degree| complex.values(degree).to_vec()).collect();
-        let (numbers, names) = (graph.numbers(), graph.names().map(<[String]>::to_vec));
-        let cells = Cells::Ordered(Box::new(OrderedCells { complex, numbers, names }));
+        let cells = Cells::Ordered(Box::new(complex));
         let producer = Producer {
             cells,
-            labels: Labels::default(),
+            labels: Labels::of_graph(graph),
             positions: Positions::default(),
             partial_positions: None,
             remarks: graph.remarks().to_vec(),
         };
         Self { producer, values, place: "directed flag complex" }
+    }
+
+    /// The simplices of a Vietoris-Rips filtration, or of the flag complex of a graph, that are needed for the cycles of its diagram.
+    pub(super) fn of_flag(
+        positions: Positions,
+        labels: Labels,
+        complex: FilteredComplex,
+        place: &'static str,
+    ) -> Self {
+        let mut made = Self::new(positions, complex, Vec::new(), place);
+        made.producer.labels = labels;
+        made
     }
 
     fn new(

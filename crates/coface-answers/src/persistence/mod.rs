@@ -178,13 +178,15 @@ pub struct PersistenceRequest {
     min_persistence: f64,
     cycles: bool,
     most_degree: Option<usize>,
+    threshold: Option<f64>,
 }
 
 impl Default for PersistenceRequest {
     fn default() -> Self {
         let coefficients = Coefficients::Modulo(2);
         let growth = Growth::Lower(None);
-        Self { coefficients, growth, min_persistence: 0.0, cycles: false, most_degree: None }
+        let (most_degree, threshold) = (None, None);
+        Self { coefficients, growth, min_persistence: 0.0, cycles: false, most_degree, threshold }
     }
 }
 
@@ -276,6 +278,12 @@ impl PersistenceRequest {
         self
     }
 
+    /// Says the largest value of the simplices that were looked at, which the answer tells: of points and graphs alone.
+    pub(super) fn threshold(mut self, threshold: f64) -> Self {
+        self.threshold = Some(threshold);
+        self
+    }
+
     /// Finds the diagram of a model with this name.
     ///
     /// # Errors
@@ -318,6 +326,8 @@ impl PersistenceRequest {
             filtration,
             min_persistence: self.min_persistence,
             diagram,
+            most_degree: self.most_degree,
+            threshold: self.threshold,
             cycles,
             torsion_primes,
         })
@@ -378,6 +388,8 @@ pub struct FoundDiagram<'a> {
     filtration: Filtration,
     min_persistence: f64,
     diagram: PersistenceDiagram,
+    most_degree: Option<usize>,
+    threshold: Option<f64>,
     /// In the order of the diagram.
     cycles: Option<Vec<PersistentCycle>>,
     torsion_primes: Option<Vec<u32>>,
@@ -478,14 +490,19 @@ impl FoundDiagram<'_> {
                 cocycle: cycle.map(|one| names.terms(pair.degree(), one.cocycle().terms())),
             }
         };
+        let mut betti = self.diagram.betti_numbers();
+        if let Some(degree) = self.most_degree {
+            // Degrees that were asked for, and that no cell has.
+            betti.resize(degree + 1, 0);
+        }
         PersistenceAnswer {
             file: self.name.clone(),
             field: self.diagram.prime(),
             function: self.function.clone(),
             star: self.star.map(str::to_owned),
-            threshold: None,
+            threshold: self.threshold,
             diagram: self.diagram.pairs().iter().enumerate().map(pair).collect(),
-            betti: self.diagram.betti_numbers(),
+            betti,
             torsion_primes: self.torsion_primes.clone(),
             vertex_names: self.producer.vertex_names().map(<[String]>::to_vec),
             remarks: Vec::new(),

@@ -2,9 +2,12 @@
 
 use super::diagram::{DiagramFormat, Line, write_lines};
 use crate::answer::{PersistenceAnswer, PersistencePairAnswer};
+use crate::producer::Labels;
 use crate::text;
+use crate::{PersistenceRequest, PointFiltration};
 use coface_algebra::{Error, VertexId, memory};
-use coface_complexes::filtered::Distances;
+use coface_complexes::filtered::{Distances, FilteredComplex};
+use coface_geometry::Positions;
 use coface_io::FileGraph;
 use coface_topology::{Coefficients, RipsDiagram, RipsFiltration, RipsPair};
 use std::io::Write;
@@ -122,7 +125,7 @@ impl RipsRequest {
     pub fn found(&self, name: &str, distances: &Distances) -> Result<FoundRips, Error> {
         let filtration =
             RipsFiltration::new(distances, self.threshold).map_err(|error| error.in_file(name))?;
-        self.of_filtration(name, &filtration, None)
+        self.of_filtration(name, filtration, None)
     }
 
     /// Finds the diagram of the flag complex of a graph.
@@ -144,22 +147,22 @@ impl RipsRequest {
     pub fn found_of_graph(&self, name: &str, graph: &FileGraph) -> Result<FoundRips, Error> {
         let filtration =
             RipsFiltration::of_graph(&graph.graph(), self.threshold).map_err(|error| error.in_file(name))?;
-        self.of_filtration(name, &filtration, Some(graph))
+        self.of_filtration(name, filtration, Some(graph))
     }
 
     fn of_filtration(
         &self,
         name: &str,
-        filtration: &RipsFiltration,
+        filtration: RipsFiltration,
         graph: Option<&FileGraph>,
     ) -> Result<FoundRips, Error> {
         let in_file = |error: Error| error.in_file(name);
-        self.require_memory(filtration).map_err(in_file)?;
+        self.require_memory(&filtration).map_err(in_file)?;
         let diagram = filtration.persistence(self.dimension, self.coefficients).map_err(in_file)?;
         let pairs = diagram.pairs().filter(|pair| length(pair) > self.min_persistence).cloned().collect();
-        let vertices = graph.map(FileGraph::numbers);
-        let names = graph.and_then(FileGraph::names).map(<[String]>::to_vec);
-        Ok(FoundRips { name: name.to_owned(), diagram, pairs, vertices, names })
+        let labels = graph.map(Labels::of_graph);
+        let (name, min_persistence) = (name.to_owned(), self.min_persistence);
+        Ok(FoundRips { name, filtration, diagram, pairs, labels, min_persistence })
     }
 
     fn require_memory(&self, filtration: &RipsFiltration) -> Result<(), Error> {
@@ -193,12 +196,12 @@ fn length(pair: &RipsPair) -> f64 {
 #[derive(Clone, Debug)]
 pub struct FoundRips {
     name: String,
+    filtration: RipsFiltration,
     diagram: RipsDiagram,
     pairs: Vec<RipsPair>,
-    /// Of a graph, the numbers of the vertices in the file.
-    vertices: Option<Vec<u32>>,
-    /// Of a graph whose vertices have names, these.
-    names: Option<Vec<String>>,
+    /// Of a graph, what the vertices are called in the file.
+    labels: Option<Labels>,
+    min_persistence: f64,
 }
 
 impl FoundRips {
@@ -245,7 +248,82 @@ impl FoundRips {
     /// ```
     pub fn longer_than(&self, least: f64) -> Self {
         let pairs = self.pairs.iter().filter(|pair| length(pair) > least).cloned().collect();
-        Self { pairs, ..self.clone() }
+        Self { pairs, min_persistence: self.min_persistence.max(least), ..self.clone() }
+    }
+
+    /// Classes that live no longer were left out.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::RipsRequest;
+    /// use coface_complexes::filtered::Distances;
+    /// let two = Distances::from_lower_triangle(2, vec![3.0])?;
+    /// assert_eq!(RipsRequest::new().found("two", &two)?.longer_than(1.0).min_persistence(), 1.0);
+    /// # Ok(()) }
+    /// ```
+    pub fn min_persistence(&self) -> f64 {
+        self.min_persistence
+    }
+
+    /// The simplices that the classes need for cycles, with the question for these: it has the same classes. Positions, where points have some, are for
+    /// pictures.
+    ///
+    /// # Errors
+    /// Those of [`RipsFiltration::complex_of`].
+    ///
+    /// # Examples
+    /// A square, whose hole has its four sides as a cycle.
+    /// ```
+    /// use coface_answers::RipsRequest;
+    /// use coface_io::FlagReading;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = FlagReading::default().graph(&b"2 3\n3 5\n5 9\n9 2\n2 5 4\n"[..])?;
+    /// let found = RipsRequest::new().found_of_graph("square", &square)?;
+    /// let (points, request) = found.with_simplices(Default::default())?;
+    /// let answer = request.cycles(true).found("square", points.producer())?.answer();
+    /// let hole = answer.diagram.last().expect("four vertices and a hole");
+    /// assert_eq!((hole.birth, hole.death), (1.0, Some(4.0)));
+    /// assert_eq!(hole.cycle.as_ref().map(Vec::len), Some(4));
+    /// # Ok(()) }
+    /// ```
+    pub fn with_simplices(
+        &self,
+        positions: Positions,
+    ) -> Result<(PointFiltration, PersistenceRequest), Error> {
+        let complex = self.simplices()?;
+        let labels = self.labels.clone().unwrap_or_default();
+        let points = PointFiltration::of_flag(positions, labels, complex, self.function());
+        let request = PersistenceRequest::new()
+            .coefficients(Coefficients::Modulo(self.diagram.prime().into()))
+            .growth(points.growth())
+            .up_to_degree(self.diagram.degree_count() - 1)
+            .threshold(self.diagram.threshold())
+            .min_persistence(self.min_persistence.max(0.0));
+        Ok((points, request))
+    }
+
+    /// The simplices that the classes need for cycles, by the places of the points.
+    ///
+    /// # Errors
+    /// Those of [`RipsFiltration::complex_of`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::RipsRequest;
+    /// use coface_complexes::filtered::Distances;
+    /// let two = Distances::from_lower_triangle(2, vec![3.0])?;
+    /// assert_eq!(RipsRequest::new().found("two", &two)?.simplices()?.complex().f_vector(), [2, 1]);
+    /// # Ok(()) }
+    /// ```
+    pub fn simplices(&self) -> Result<FilteredComplex, Error> {
+        self.filtration.complex_of(&self.diagram).map_err(|error| error.in_file(&self.name))
+    }
+
+    /// What grows.
+    fn function(&self) -> &'static str {
+        if self.labels.is_some() { "flag complex" } else { "vietoris-rips" }
     }
 
     /// The answer as plain data.
@@ -268,13 +346,13 @@ impl FoundRips {
         PersistenceAnswer {
             file: self.name.clone(),
             field: self.diagram.prime(),
-            function: if self.vertices.is_some() { "flag complex" } else { "vietoris-rips" }.to_owned(),
+            function: self.function().to_owned(),
             star: None,
             threshold: Some(self.diagram.threshold()),
             diagram: self.pairs.iter().map(pair).collect(),
             betti: self.diagram.betti_numbers(),
             torsion_primes: None,
-            vertex_names: self.names.clone(),
+            vertex_names: self.vertex_names().map(<[String]>::to_vec),
             remarks: Vec::new(),
         }
     }
@@ -292,7 +370,7 @@ impl FoundRips {
     /// # Ok(()) }
     /// ```
     pub fn vertex_names(&self) -> Option<&[String]> {
-        self.names.as_deref()
+        self.labels.as_ref().and_then(Labels::names)
     }
 
     /// The points of a simplex by their numbers in the file.
@@ -307,11 +385,11 @@ impl FoundRips {
     /// # Ok(()) }
     /// ```
     pub fn numbers(&self, simplex: &[VertexId]) -> Vec<u32> {
-        let number = |point: &VertexId| match &self.vertices {
-            Some(vertices) => vertices[point.index()],
-            None => point.index() as u32,
-        };
-        simplex.iter().map(number).collect()
+        let points = simplex.iter().map(|point| point.index() as u32).collect();
+        match &self.labels {
+            Some(labels) => labels.of_all(points),
+            None => points,
+        }
     }
 
     /// Writes the diagram as [`write_diagram`](crate::write_diagram) does; cells are given by their points, with blanks between them.

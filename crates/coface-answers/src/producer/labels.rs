@@ -1,12 +1,15 @@
 //! The numbers that vertices have in a file, when those of a structure made from it differ.
 
 use coface_algebra::RaggedArray;
+use coface_io::FileGraph;
 
-/// The number in the file of each vertex `0..count`; facet lists may leave numbers out.
+/// The number in the file of each vertex `0..count`; facet lists may leave numbers out. Vertices of graphs may have names too.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Labels {
     /// Rising; `None` when every vertex is its own label.
     numbers: Option<Vec<u32>>,
+    /// By the numbers in the file.
+    names: Option<Vec<String>>,
 }
 
 impl Labels {
@@ -22,7 +25,17 @@ impl Labels {
         for vertex in lists.items_mut() {
             *vertex = numbers.binary_search(vertex).expect("every vertex of the lists was gathered") as u32;
         }
-        (Self { numbers: Some(numbers) }, count)
+        (Self { numbers: Some(numbers), names: None }, count)
+    }
+
+    /// Those of the vertices of a graph, by rising numbers.
+    pub(crate) fn of_graph(graph: &FileGraph) -> Self {
+        Self { numbers: Some(graph.numbers()), names: graph.names().map(<[String]>::to_vec) }
+    }
+
+    /// The names of the vertices by their numbers, if they have names.
+    pub(crate) fn names(&self) -> Option<&[String]> {
+        self.names.as_deref()
     }
 
     /// The number in the file of this vertex.

@@ -81,17 +81,7 @@ pub(crate) enum Cells {
     /// Voxels with their faces.
     Voxels(Box<VolumeCells>),
     /// Lists of vertices.
-    Ordered(Box<OrderedCells>),
-}
-
-/// The simplices of a directed flag complex.
-#[derive(Debug)]
-pub(crate) struct OrderedCells {
-    pub(crate) complex: DirectedFlagComplex,
-    /// The numbers of the vertices in the file.
-    pub(crate) numbers: Vec<u32>,
-    /// Their names, if they have some.
-    pub(crate) names: Option<Vec<String>>,
+    Ordered(Box<DirectedFlagComplex>),
 }
 
 impl Producer {
@@ -201,10 +191,7 @@ impl Producer {
 
     /// The names of the vertices of a graph by their numbers.
     pub(crate) fn vertex_names(&self) -> Option<&[String]> {
-        match &self.cells {
-            Cells::Ordered(cells) => cells.names.as_deref(),
-            _ => None,
-        }
+        self.labels.names()
     }
 
     /// What the reader of the model assumed, changed or left out.
@@ -263,7 +250,7 @@ impl Producer {
             Cells::Gluings(gluings) => gluings.1.chain_complex()?,
             Cells::Chains(complex) => complex.clone(),
             Cells::Voxels(cells) => cells.chain_complex()?,
-            Cells::Ordered(cells) => cells.complex.complex().chain_complex()?,
+            Cells::Ordered(complex) => complex.complex().chain_complex()?,
         })
     }
 
@@ -290,7 +277,7 @@ impl Producer {
             Cells::Gluings(gluings) => gluings.1.chain_complex()?,
             Cells::Chains(complex) => complex,
             Cells::Voxels(cells) => cells.chain_complex()?,
-            Cells::Ordered(cells) => cells.complex.complex().chain_complex()?,
+            Cells::Ordered(complex) => complex.complex().chain_complex()?,
         })
     }
 
@@ -320,7 +307,7 @@ impl Producer {
                 return Err(Error::invalid("loops in a volume of voxels have no words")
                     .with_cure("ask for its homology, or make a mesh of its boundary: coface convert VOLUME -o boundary.obj"));
             }
-            Cells::Ordered(cells) => cells.complex.complex().two_skeleton()?,
+            Cells::Ordered(complex) => complex.complex().two_skeleton()?,
             Cells::Chains(complex) => TwoSkeleton::from_chain_complex(complex).map_err(|_| {
                 Error::invalid(
                     "boundary matrices do not say in which order faces run along their edges, so loops have no words",
@@ -384,13 +371,10 @@ impl Producer {
             Cells::Polygons(mesh) => mesh,
             Cells::Solids(mesh) if degree == 3 => return mesh.cell(CellId::new(cell)).to_vec(),
             Cells::Solids(mesh) => mesh.skeleton(),
-            Cells::Simplices(complex) => return complex.numbers(degree, cell).to_vec(),
+            Cells::Simplices(complex) => return self.labels.of_all(complex.numbers(degree, cell).to_vec()),
             Cells::Halfedges(_) | Cells::Gluings(_) | Cells::Chains(_) => return vec![cell as u32],
             Cells::Voxels(cells) => return cells.vertices(degree, cell),
-            Cells::Ordered(cells) => {
-                let simplex = cells.complex.simplex(degree, cell).iter();
-                return simplex.map(|&vertex| cells.numbers[vertex as usize]).collect();
-            }
+            Cells::Ordered(complex) => return self.labels.of_all(complex.simplex(degree, cell).to_vec()),
         };
         self.labels.of_all(match degree {
             0 => vec![cell as u32],

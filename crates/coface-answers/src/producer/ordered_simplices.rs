@@ -120,8 +120,8 @@ impl Producer {
                 return Err(Error::invalid("voxels are cubes: their faces have no ordered vertices")
                     .with_cure("give a facet list, or a mesh of triangles or tetrahedra"));
             }
-            Cells::Ordered(cells) => {
-                return Ok(OrderedSimplices { complex: cells.complex.complex().clone(), names: None });
+            Cells::Ordered(complex) => {
+                return Ok(OrderedSimplices { complex: complex.complex().clone(), names: None });
             }
             Cells::Chains(_) => {
                 return Err(Error::invalid("a chain complex does not say how its cells are attached")

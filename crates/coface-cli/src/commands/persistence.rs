@@ -19,6 +19,7 @@ use coface::answers::{
     DiagramFormat, FoundDiagram, FoundRips, Growth, PersistenceRequest, PointFiltration, Producer,
     write_diagram,
 };
+use coface::geometry::Positions;
 use coface::io::{Format, check_output, write_path};
 use coface::topology::Coefficients;
 use image::ImageArguments;
@@ -64,7 +65,7 @@ pub(crate) struct Persistence {
     /// Only pairs whose persistence is greater than R; a negative R keeps all
     #[arg(long, value_name = "R", default_value = "0", allow_negative_numbers = true, value_parser = length)]
     min_persistence: f64,
-    /// Cycles of the classes, the chains that they bound at their deaths, and cocycles, over the field; written to OUT if given, as .json, or as a picture
+    /// Cycles of the classes, the chains that they bound at their deaths, and cocycles, over the field, of models, points and graphs; written to OUT if given, as .json, or as a picture
     /// in .vtk, .obj and other mesh formats, with groups of triangles and cells. Not made short
     #[arg(long, value_name = "OUT", num_args = 0..=1)]
     cycles: Option<Option<PathBuf>>,
@@ -126,7 +127,17 @@ impl Persistence {
             certified::refuse_standard_input(std::slice::from_ref(&self.input))?;
         }
         let progress = Progress::start(common.quiet);
-        if let Some(found) = self.found_of_points(common, &progress)? {
+        if let Some((found, positions)) = self.found_of_points(common, &progress)? {
+            if self.cycles.is_some() {
+                let (points, request) = found.with_simplices(positions)?;
+                let name = input::name(&self.input);
+                return self.give_complex(
+                    common,
+                    output.as_ref(),
+                    progress,
+                    (&name, points.producer(), request),
+                );
+            }
             return self.give(common, output.as_ref(), progress, &found.answer(), |bytes, format| {
                 found.write(bytes, format)
             });
@@ -134,7 +145,7 @@ impl Persistence {
         let source = Source::of(&self.input)?;
         if let Some((points, most_degree)) = self.filtration_of_points(&source, common, &progress)? {
             let name = input::name(&self.input);
-            let mut request = PersistenceRequest::new().growth(points.growth());
+            let mut request = self.request(points.growth());
             if let Some(degree) = most_degree {
                 request = request.up_to_degree(degree);
             }
@@ -144,7 +155,7 @@ impl Persistence {
             let found =
                 self.image.found(&source, common, self.coefficients, self.min_persistence, &progress)?;
             if let Some(found) = found {
-                self.refuse_cycles("of the values of a volume")?;
+                self.refuse_cycles()?;
                 self.refuse_certificate("of the values of a volume")?;
                 return self.give(common, output.as_ref(), progress, &found.answer(), |bytes, format| {
                     found.write(bytes, format)
@@ -165,9 +176,8 @@ impl Persistence {
                 if self.upper_star { Growth::Upper(function) } else { Growth::Lower(function) }
             }
         };
-        let request = PersistenceRequest::new().growth(growth);
+        let request = self.request(growth);
         if self.extended {
-            let request = request.coefficients(self.coefficients).min_persistence(self.min_persistence);
             let answer = request.extended(&name, &producer)?;
             return self.give(common, output.as_ref(), progress, &answer, |_, _| {
                 Err(coface::Error::invalid("files of diagrams have no kinds of pairs")
@@ -177,8 +187,12 @@ impl Persistence {
         self.give_complex(common, output.as_ref(), progress, (&name, &producer, request))
     }
 
-    /// The diagram of points, distances or a graph whose complex is not stored.
-    fn found_of_points(&self, common: &Common, progress: &Progress) -> Result<Option<FoundRips>, Failure> {
+    /// The diagram of points, distances or a graph whose complex is not stored, with the positions of points that have some.
+    fn found_of_points(
+        &self,
+        common: &Common,
+        progress: &Progress,
+    ) -> Result<Option<(FoundRips, Positions)>, Failure> {
         if self.is_of_a_function() {
             return Ok(None);
         }
@@ -186,7 +200,6 @@ impl Persistence {
             PointQuestion { coefficients: self.coefficients, min_persistence: self.min_persistence };
         let found = question.found(&self.input, common, progress)?;
         if found.is_some() {
-            self.refuse_cycles("of points")?;
             self.refuse_certificate("of points")?;
         }
         Ok(found)
@@ -222,6 +235,11 @@ impl Persistence {
         Ok(found)
     }
 
+    fn request(&self, growth: Growth) -> PersistenceRequest {
+        let request = PersistenceRequest::new().growth(growth).coefficients(self.coefficients);
+        request.min_persistence(self.min_persistence)
+    }
+
     /// The diagram of a complex that grows.
     fn give_complex(
         &self,
@@ -234,11 +252,7 @@ impl Persistence {
             // The checker reads the file as it is.
             common.points.refuse("persistence with a certificate")?;
         }
-        let request = request
-            .coefficients(self.coefficients)
-            .min_persistence(self.min_persistence)
-            .cycles(self.cycles.is_some());
-        let found = request.found(name, producer)?;
+        let found = request.cycles(self.cycles.is_some()).found(name, producer)?;
         if let Some(Some(place)) = &self.cycles {
             progress.stage(format!("writing {}", place.display()));
             save_cycles(place, &found)?;
@@ -252,13 +266,13 @@ impl Persistence {
         })
     }
 
-    /// Cycles are known of complexes alone.
-    fn refuse_cycles(&self, what: &str) -> Result<(), Failure> {
+    /// Cells of images are not listed.
+    fn refuse_cycles(&self) -> Result<(), Failure> {
         if self.cycles.is_none() {
             return Ok(());
         }
         Err(Failure::new(format!(
-            "{}: --cycles is for functions on complexes, not for persistence {what}; leave --cycles out",
+            "{}: --cycles is for functions on complexes and for points, not for persistence of the values of a volume; leave --cycles out",
             input::name(&self.input)
         )))
     }

@@ -49,6 +49,104 @@ fn as_chain(chain: &Value, prime: i64) -> BTreeMap<Vec<u64>, i64> {
     sum
 }
 
+/// That the terms of each class prove it: its cycle is one, is what its bounding chain bounds, and has the value 1 under its cocycle.
+fn assert_proved(answer: &Value, prime: i64) {
+    for pair in answer["diagram"].as_array().unwrap() {
+        if pair["degree"] != json!(0) {
+            assert!(boundary(&pair["cycle"], prime).is_empty(), "{pair}");
+        }
+        assert_eq!(pair["death"].is_null(), pair["bounding_chain"].is_null(), "{pair}");
+        if !pair["death"].is_null() {
+            assert_eq!(boundary(&pair["bounding_chain"], prime), as_chain(&pair["cycle"], prime), "{pair}");
+        }
+        let (cycle, cocycle) = (as_chain(&pair["cycle"], prime), as_chain(&pair["cocycle"], prime));
+        let value: i64 = cycle.iter().map(|(cell, x)| x * cocycle.get(cell).unwrap_or(&0)).sum();
+        assert_eq!(value.rem_euclid(prime), 1, "{pair}");
+    }
+}
+
+/// Every complex of points has cycles; the diameters of their simplices say when they are there.
+#[test]
+fn cycles_of_points_prove_their_diagrams() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    let point = |i: usize| [(i * 37 % 101) as f64, (i * 53 % 103) as f64, (i * 71 % 107) as f64];
+    let row = |i: usize| point(i).map(|x| x.to_string()).join(",");
+    std::fs::write(place.join("p.csv"), (0..24).map(|i| row(i) + "\n").collect::<String>()).unwrap();
+    let diameter = |cell: &Vec<u64>| {
+        let pairs = cell.iter().flat_map(|&i| cell.iter().map(move |&j| (i as usize, j as usize)));
+        let lengths = pairs
+            .map(|(i, j)| point(i).iter().zip(point(j)).map(|(x, y)| (x - y) * (x - y)).sum::<f64>().sqrt());
+        lengths.fold(0.0, f64::max)
+    };
+    for (prime, options) in [
+        (2, &["--rips", "--dimension", "2"][..]),
+        (3, &["--rips", "--threshold", "60"]),
+        (5, &["--cech", "--dimension", "2"]),
+        (3, &["--landmarks", "12"]),
+        (7, &["--alpha", "--radii"]),
+    ] {
+        let field = prime.to_string();
+        let line =
+            [&["persistence", "p.csv", "--cycles", "--json", "--coefficients", &field], options].concat();
+        let answer = coface_in(place, &line).json();
+        assert_proved(&answer, prime);
+        // The same classes as without cycles.
+        let line = [&["persistence", "p.csv", "--json", "--coefficients", &field], options].concat();
+        let plain = coface_in(place, &line).json();
+        let classes = |answer: &Value| {
+            let pairs = answer["diagram"].as_array().unwrap().iter();
+            let mut all: Vec<String> =
+                pairs.map(|pair| format!("{} {} {}", pair["degree"], pair["birth"], pair["death"])).collect();
+            all.sort();
+            all
+        };
+        assert_eq!(classes(&answer), classes(&plain), "{options:?}");
+        for key in ["betti", "function", "threshold"] {
+            assert_eq!(answer[key], plain[key], "{options:?}");
+        }
+        if options[0] != "--rips" {
+            continue;
+        }
+        for pair in answer["diagram"].as_array().unwrap() {
+            let last = |chain: &Value| as_chain(chain, prime).keys().map(&diameter).fold(0.0, f64::max);
+            assert!((last(&pair["cycle"]) - pair["birth"].as_f64().unwrap()).abs() < 1e-9, "{pair}");
+            if let Some(death) = pair["death"].as_f64() {
+                assert!((last(&pair["bounding_chain"]) - death).abs() < 1e-9, "{pair}");
+            }
+        }
+    }
+    let line = ["persistence", "p.csv", "--rips", "--min-persistence", "5", "--cycles", "p.vtk"];
+    assert_eq!(coface_in(place, &line).status, 0);
+    assert!(std::fs::read(place.join("p.vtk")).is_ok_and(|bytes| !bytes.is_empty()));
+}
+
+#[test]
+fn cycles_of_graphs_have_their_vertices() {
+    let square = b"a c 1\nc b 2\nb d 3\nd a 4\na b 6\n";
+    let line = ["persistence", "-", "--flag", "--cycles", "--json"];
+    let answer = coface_reading(&line, square).json();
+    assert_eq!(answer["vertex_names"], json!(["a", "c", "b", "d"]));
+    let hole = answer["diagram"].as_array().unwrap().last().unwrap();
+    assert_eq!((&hole["birth"], &hole["death"]), (&json!(4.0), &json!(6.0)));
+    assert_eq!(
+        (hole["cycle"].as_array().unwrap().len(), hole["bounding_chain"].as_array().unwrap().len()),
+        (4, 2)
+    );
+    let numbers = b"10 30 1\n30 20 2\n20 40 3\n40 10 4\n10 20 6\n";
+    let answer = coface_reading(&line, numbers).json();
+    assert_proved(&answer, 2);
+    let hole = answer["diagram"].as_array().unwrap().last().unwrap();
+    let vertices: Vec<Vec<u64>> = as_chain(&hole["cycle"], 2).into_keys().collect();
+    assert_eq!(vertices, [[10, 30], [10, 40], [20, 30], [20, 40]]);
+    let line = ["persistence", "-", "--flag", "--directed", "--cycles", "--json"];
+    let answer = coface_reading(&line, b"7 9 1\n9 7 2\n").json();
+    assert_eq!(answer["diagram"][2]["cycle"].as_array().unwrap().len(), 2);
+    // There are no positions to draw at.
+    let run = coface_reading(&["persistence", "-", "--flag", "--cycles", "x.obj"], numbers);
+    assert!(run.fails_with(1).contains(".json"), "{}", run.stderr);
+}
+
 /// A torus of height 0 to 3, whose answer is checked from its JSON alone.
 #[test]
 fn cycles_of_a_mesh_prove_its_diagram() {

@@ -58,7 +58,7 @@ impl PersistentCycle {
 }
 
 /// Cycles of the classes of a diagram whose persistence is greater than `length`, in the order of the diagram. The diagram is the whole one of this
-/// complex and this filtration.
+/// complex and this filtration, or that [up to a degree](PersistenceDiagram::up_to_degree).
 ///
 /// Only what these cycles need is reduced: boundaries of cells that end classes, by those that end earlier ones, and coboundaries of cells that make
 /// classes. They are not made short.
@@ -115,20 +115,27 @@ pub fn persistent_cycles(
     }
 }
 
-/// Each cell makes a class or ends one.
+/// Each cell of the degrees of the diagram makes a class or ends one.
 fn require_whole(complex: &ChainComplex, diagram: &PersistenceDiagram) -> Result<(), Error> {
+    if diagram.degree_count() > complex.degree_count() {
+        return Err(not_whole());
+    }
     let mut counts = vec![0; complex.degree_count() + 1];
     for pair in diagram.pairs() {
         counts[pair.degree()] += 1;
         counts[pair.degree() + 1] += usize::from(!pair.is_essential());
     }
-    let is_whole = diagram.degree_count() == complex.degree_count()
-        && (0..complex.degree_count()).all(|degree| counts[degree] == complex.cell_count(degree));
+    let is_whole = (diagram.degree_count() > 0 || complex.degree_count() == 0)
+        && (0..diagram.degree_count()).all(|degree| counts[degree] == complex.cell_count(degree));
     if is_whole {
         return Ok(());
     }
-    Err(Error::invalid("the diagram is not the whole one of the complex")
-        .with_cure("give the diagram as persistence makes it, and the length of the classes that are wanted"))
+    Err(not_whole())
+}
+
+fn not_whole() -> Error {
+    Error::invalid("the diagram is not the whole one of the complex")
+        .with_cure("give the diagram as persistence makes it, and the length of the classes that are wanted")
 }
 
 /// The cells of a degree in the order of entrance.
@@ -177,7 +184,7 @@ fn over<F: Field>(
 ) -> Result<Vec<PersistentCycle>, Error> {
     let one = field.unit(1).expect("1 is not 0 in a field");
     let over = Over { field, integer, one };
-    let wanted: Vec<Vec<&PersistencePair>> = (0..complex.degree_count())
+    let wanted: Vec<Vec<&PersistencePair>> = (0..diagram.degree_count())
         .map(|degree| {
             diagram.pairs_of_degree(degree).iter().filter(|pair| pair.persistence() > length).collect()
         })

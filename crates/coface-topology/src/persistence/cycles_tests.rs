@@ -6,7 +6,12 @@ use coface_complexes::simplicial::SimplicialComplex;
 use proptest::prelude::*;
 
 /// That chains over F_p prove what they say of a class; cells are compared by value and then by the order of entrance.
-fn assert_proved(complex: &ChainComplex, filtration: &Filtration, prime: u32, found: &PersistentCycle) {
+pub(super) fn assert_proved(
+    complex: &ChainComplex,
+    filtration: &Filtration,
+    prime: u32,
+    found: &PersistentCycle,
+) {
     let pair = found.pair();
     let degree = pair.degree();
     let order = |degree: usize, cell: CellId| {
@@ -77,6 +82,12 @@ proptest! {
         let long = persistent_cycles(&complex, &filtration, &diagram, 1.0).unwrap();
         let expected: Vec<&PersistentCycle> = all.iter().filter(|one| one.pair().persistence() > 1.0).collect();
         prop_assert_eq!(long.iter().collect::<Vec<_>>(), expected);
+        // Up to a degree nothing else is needed.
+        for degree in 0..complex.degree_count() {
+            let part = diagram.clone().up_to_degree(degree);
+            let found = persistent_cycles(&complex, &filtration, &part, -1.0).unwrap();
+            prop_assert_eq!(&found[..], &all[..part.pairs().len()]);
+        }
         let some = diagram.longer_than(0.0);
         if some.pairs().len() < diagram.pairs().len() {
             prop_assert!(persistent_cycles(&complex, &filtration, &some, 1.0).is_err());

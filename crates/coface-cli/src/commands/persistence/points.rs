@@ -1,5 +1,5 @@
-//! `coface persistence` of points, distances and graphs: with `--rips` and `--flag` their complexes are not stored, with `--alpha`, `--cech`, `--landmarks` and
-//! `--flag --directed` they are.
+//! `coface persistence` of points, distances and graphs: with `--rips` and `--flag` their complexes are not stored but for cycles, with `--alpha`, `--cech`,
+//! `--landmarks` and `--flag --directed` they are.
 
 use crate::arguments::Common;
 use crate::failure::Failure;
@@ -9,6 +9,7 @@ use crate::remarks;
 use coface::answers::answer::Remark;
 use coface::answers::{FoundRips, PointFiltration, RipsRequest};
 use coface::complexes::filtered::DirectedFlagComplex;
+use coface::geometry::Positions;
 use coface::io::{CechReading, FileGraph, FlagReading, NumberTable, RipsReading, WitnessReading};
 use coface::topology::Coefficients;
 use std::path::Path;
@@ -20,19 +21,22 @@ pub(super) struct PointQuestion {
 }
 
 impl PointQuestion {
-    /// The diagram of points, distances or a graph, if the options say that the input is one.
+    /// The diagram of points, distances or a graph, if the options say that the input is one, with the positions of points that have some.
     pub(super) fn found(
         &self,
         path: &Path,
         common: &Common,
         progress: &Progress,
-    ) -> Result<Option<FoundRips>, Failure> {
+    ) -> Result<Option<(FoundRips, Positions)>, Failure> {
         let threshold = common.voxels.threshold();
         if let Some(rips) = common.points.rips(threshold) {
             return self.of_points(path, common, rips, progress).map(Some);
         }
         match common.points.flag(threshold).filter(|flag| !flag.directed) {
-            Some(flag) => self.of_graph(path, common, flag, progress).map(Some),
+            Some(flag) => {
+                let found = self.of_graph(path, common, flag, progress)?;
+                Ok(Some((found, Positions::default())))
+            }
             None => Ok(None),
         }
     }
@@ -51,7 +55,7 @@ impl PointQuestion {
         common: &Common,
         reading: RipsReading,
         progress: &Progress,
-    ) -> Result<FoundRips, Failure> {
+    ) -> Result<(FoundRips, Positions), Failure> {
         let name = input::name(path);
         progress.stage(format!("reading {name}"));
         let points = match Source::of(path)? {
@@ -61,7 +65,8 @@ impl PointQuestion {
                 .map_err(|error| error.in_file(name.clone()))?,
         };
         accept(common, points.remarks(), &name)?;
-        Ok(self.request(common).found(&name, points.distances())?)
+        let found = self.request(common).found(&name, points.distances())?;
+        Ok((found, points.positions().clone()))
     }
 
     fn of_graph(

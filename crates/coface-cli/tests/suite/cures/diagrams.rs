@@ -30,9 +30,9 @@ pub(super) const CASES: &[Case] = &[
         .refused("coface diagram distance a.csv b.csv --order 2")
         .cured(&[&["coface diagram distance a.csv b.csv --order 2 --metric wasserstein"]]),
     Case::new("commands/persistence.rs", "leave --cycles out")
-        .files(POINTS)
-        .refused("coface persistence points.csv --rips --cycles")
-        .cured(&[&["coface persistence points.csv --rips"]]),
+        .files(&[("image.pgm", "P2\n2 2\n9\n1 2\n3 4\n")])
+        .refused("coface persistence image.pgm --cycles")
+        .cured(&[&["coface persistence image.pgm"]]),
     Case::new("commands/persistence.rs", "leave --certificate out")
         .files(POINTS)
         .refused("coface persistence points.csv --rips --certificate points.cert")

@@ -8,7 +8,7 @@ use crate::homology::Coefficients;
 use crate::persistence::reduction::prime;
 use coface_algebra::progress::stage;
 use coface_algebra::{Binary, Error, ErrorKind, Field, Odd};
-use coface_complexes::filtered::{Distances, WeightedGraph};
+use coface_complexes::filtered::{Distances, FilteredComplex, WeightedGraph};
 use rayon::prelude::*;
 
 /// The Vietoris-Rips filtration of points: a simplex for each set of points, which enters at the largest distance of two of them, up to a
@@ -166,6 +166,53 @@ impl RipsFiltration {
     /// See [`RipsFiltration`].
     pub fn threshold(&self) -> f64 {
         self.threshold
+    }
+
+    /// The simplices that the classes of its diagram need for their [cycles](crate::persistent_cycles), stored: one degree more than the diagram has, and up to
+    /// the last death where only one component stays, else up to the threshold. Simplices of one value have another order than in [`Self::persistence`].
+    ///
+    /// # Errors
+    /// Those of [`FilteredComplex::flag`].
+    ///
+    /// # Complexity
+    /// Linear in the simplices.
+    ///
+    /// # Examples
+    /// The outer points of three are joined by a path before they are joined by an edge.
+    /// ```
+    /// use coface_complexes::filtered::Distances;
+    /// use coface_topology::{Coefficients, RipsFiltration};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let line = Distances::from_lower_triangle(3, vec![1.0, 3.0, 2.0])?;
+    /// let filtration = RipsFiltration::new(&line, Some(3.0))?;
+    /// let diagram = filtration.persistence(1, Coefficients::Modulo(2))?;
+    /// assert_eq!(filtration.complex_of(&diagram)?.complex().f_vector(), [3, 2]);
+    /// # Ok(()) }
+    /// ```
+    pub fn complex_of(&self, diagram: &RipsDiagram) -> Result<FilteredComplex, Error> {
+        let births = self.births.iter().map(|&rank| match rank {
+            FAR => f64::MAX,
+            rank => self.values[rank as usize],
+        });
+        let edges =
+            self.edges.iter().map(|&(i, j, rank)| (i as usize, j as usize, self.values[rank as usize]));
+        let graph = WeightedGraph::new(births.collect(), edges)?;
+        FilteredComplex::flag(&graph, self.last_event(diagram), diagram.degree_count())
+    }
+
+    /// The value from which on classes neither die nor get other cocycles: that of one component is constant, and that of another class that stays is known at the
+    /// threshold.
+    fn last_event(&self, diagram: &RipsDiagram) -> f64 {
+        let is_connected = diagram
+            .betti_numbers()
+            .iter()
+            .enumerate()
+            .all(|(degree, &betti)| betti == usize::from(degree == 0));
+        if !is_connected {
+            return self.threshold;
+        }
+        let births = self.births.iter().filter(|&&rank| rank != FAR).map(|&rank| self.values[rank as usize]);
+        births.chain(diagram.pairs().filter_map(super::RipsPair::death)).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// The number of edges.

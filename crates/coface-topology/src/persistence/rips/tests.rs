@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::homology::Coefficients;
-use crate::persistence::{Filtration, persistence};
+use crate::persistence::{Filtration, persistence, persistent_cycles};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{ErrorKind, SparseMatrix};
 use coface_complexes::filtered::{Distances, WeightedGraph};
@@ -186,4 +186,43 @@ fn wrong_requests_are_refused() {
     );
     assert_eq!(filtration.persistence(1, Coefficients::Integers).map_err(kind), Err(ErrorKind::Coefficient));
     assert_eq!(filtration.persistence(1, Coefficients::Modulo(2)).unwrap().betti_numbers(), [1 << 20, 0]);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    /// On the stored simplices the same classes are born and die, and have cycles that prove it; the cocycle of one component is constant.
+    #[test]
+    fn cycles_are_those_of_the_diagram(
+        numbers in prop::collection::vec(0u8..12, 45),
+        births in prop_oneof![Just(vec![0u8; 10]), prop::collection::vec(0u8..6, 10)],
+        threshold in prop_oneof![Just(None), (0u8..12).prop_map(Some)],
+        dimension in 0usize..3,
+        p in prop_oneof![Just(2u32), Just(3), Just(5)],
+    ) {
+        let value = |i: usize, j: usize| f64::from(numbers[i * (i - 1) / 2 + j].max(births[i]).max(births[j]));
+        let edges = (0..10).flat_map(|i| (0..i).map(move |j| (i, j))).map(|(i, j)| (i, j, value(i, j)));
+        let graph = WeightedGraph::new(births.iter().map(|&birth| birth.into()).collect(), edges).unwrap();
+        let filtration = RipsFiltration::of_graph(&graph, threshold.map(f64::from)).unwrap();
+        let diagram = filtration.persistence(dimension, Coefficients::Modulo(p.into())).unwrap();
+        let (simplices, values) = filtration.complex_of(&diagram).unwrap().into_parts();
+        let complex = simplices.chain_complex().unwrap();
+        let stored = Filtration::new(&complex, values).unwrap();
+        let whole = persistence(&complex, &stored, Coefficients::Modulo(p.into())).unwrap().up_to_degree(dimension);
+        let cycles = persistent_cycles(&complex, &stored, &whole, 0.0).unwrap();
+        let mut classes: Vec<_> = cycles
+            .iter()
+            .map(|one| (one.pair().degree(), format!("{:?} {:?}", one.pair().birth(), one.pair().death())))
+            .collect();
+        classes.sort();
+        prop_assert_eq!(classes, self::found(&diagram));
+        for one in &cycles {
+            super::super::cycles_tests::assert_proved(&complex, &stored, p, one);
+        }
+        if diagram.betti_numbers().iter().sum::<usize>() == 1 {
+            let staying = cycles.iter().find(|one| one.pair().is_essential()).unwrap();
+            let there = births.iter().filter(|&&birth| f64::from(birth) <= filtration.threshold()).count();
+            prop_assert_eq!(staying.cocycle().terms().len(), there);
+        }
+    }
 }
