@@ -81,5 +81,20 @@ def test_cycles_of_functions() -> None:
     ((cycle, bounding_chain, cocycle),) = circle.cycles(1)
     assert bounding_chain is None and cycle.coefficients.tolist() == [1, 1, 1]
     assert cocycle.cells.tolist() == [2] or len(cocycle) == 1
-    with pytest.raises(coface.InvalidInputError, match="diagrams of complexes"):
-        coface.rips([[0.0], [1.0]]).cycles(0)
+    with pytest.raises(coface.InvalidInputError, match="diagrams of complexes and of points"):
+        coface.cubical(np.zeros((2, 2))).cycles(0)
+
+
+def test_cycles_of_rips_and_flag() -> None:
+    square = np.array([[0, 0], [3, 0], [3, 4], [0, 4]])
+    found = coface.rips(square, coefficients=3)
+    ((cycle, bounding_chain, cocycle),) = found.cycles(1)
+    assert cycle.simplices.tolist() == [[0, 1], [0, 3], [1, 2], [2, 3]]
+    assert bounding_chain is not None and len(bounding_chain) == 2
+    assert cocycle.degree == 1 and found.torsion_primes() == []
+    assert found.longer_than(2).cycles(1) == []
+    assert [bounding is None for _, bounding, _ in coface.rips(square, threshold=3.5).cycles(0)].count(True) == 2
+    graph = coface.flag([[10, 30, 1], [30, 20, 2], [20, 40, 3], [40, 10, 4], [10, 20, 6]])
+    ((cycle, bounding_chain, _),) = graph.cycles(1)
+    assert cycle.simplices.tolist() == [[10, 30], [10, 40], [20, 30], [20, 40]]
+    assert len(coface.cech(square).cycles(1)) == 1

@@ -1037,7 +1037,8 @@ def rips(
     Returns
     -------
     Persistence
-        ``diagram(degree)`` is an array ``(n, 2)`` of births and deaths, ``simplices(degree)`` has the points that make and end each class.
+        ``diagram(degree)`` is an array ``(n, 2)`` of births and deaths, ``simplices(degree)`` has the points that make and end each class, and ``cycles(degree)``
+        cycles, bounding chains and cocycles, for which simplices up to the last death are stored.
 
     Examples
     --------
