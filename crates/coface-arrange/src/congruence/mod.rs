@@ -16,6 +16,7 @@ pub use cells::{CellCongruence, cell_congruence};
 pub use chains::{ChainCongruence, chain_congruence};
 pub use classes::CellClasses;
 pub use discards::Discard;
+pub(crate) use near_points::is_near;
 pub use options::{Collisions, CongruenceMethod, CongruenceOptions};
 pub use vertices::{
     ClassRule, Representative, VertexCongruence, stable_vertex_congruence, vertex_congruence,

@@ -174,7 +174,7 @@ impl<'a> NearPoints<'a> {
 
 /// Whether two points are at most `tolerance` apart.
 #[inline]
-pub(super) fn is_near(p: &[f64], q: &[f64], tolerance: f64) -> bool {
+pub(crate) fn is_near(p: &[f64], q: &[f64], tolerance: f64) -> bool {
     if (1e-150..1e150).contains(&tolerance) {
         let square: f64 = p.iter().zip(q).map(|(x, y)| (x - y) * (x - y)).sum();
         return square <= tolerance * tolerance;

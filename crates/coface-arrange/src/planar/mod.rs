@@ -12,6 +12,7 @@
 mod areas;
 mod arrangement;
 mod ball_cells;
+mod by_congruence;
 mod crossings;
 mod edges;
 mod face_polygons;
@@ -37,6 +38,7 @@ mod windings;
 #[doc(hidden)]
 pub use areas::walks_area;
 pub use arrangement::{PlanarArrangement, VertexSource};
+pub use by_congruence::StackedSegments;
 pub use faces::Faces;
 #[doc(hidden)]
 pub use faces::Orbits;

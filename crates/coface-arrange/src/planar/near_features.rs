@@ -46,6 +46,17 @@ impl PlanarArrangement {
     /// # Ok(()) }
     /// ```
     pub fn within(&self, tolerance: f64) -> Result<SnappedArrangement, Error> {
+        self.in_rounds(tolerance, |drawing, tolerance, round| {
+            drawing.joined(tolerance, round < ROUNDS_OF_STRAIGHTENING)
+        })
+    }
+
+    /// What this does to a drawing again and again, until it says that nothing new comes of it.
+    pub(super) fn in_rounds(
+        &self,
+        tolerance: f64,
+        mut next: impl FnMut(&Drawing, f64, usize) -> Result<(Drawing, NearCounts, bool), Error>,
+    ) -> Result<SnappedArrangement, Error> {
         if !(tolerance.is_finite() && tolerance >= 0.0) {
             return Err(Error::invalid(format!("{tolerance} is no tolerance"))
                 .with_cure("give a length in the unit of the drawing, like 0.001"));
@@ -56,10 +67,9 @@ impl PlanarArrangement {
         let mut joined = JoinedFeatures { tolerance, ..JoinedFeatures::default() };
         for round in 0..MOST_ROUNDS {
             joined.tolerance = reach(tolerance, round);
-            let (next, counts, is_settled) =
-                drawing.joined(joined.tolerance, round < ROUNDS_OF_STRAIGHTENING)?;
+            let (after, counts, is_settled) = next(&drawing, joined.tolerance, round)?;
             joined.counts.add(&counts);
-            drawing = next;
+            drawing = after;
             if is_settled {
                 joined.tell(&first, &drawing.places, &drawing.points);
                 let places = self.places_in(&drawing);
@@ -74,6 +84,7 @@ impl PlanarArrangement {
                     place_of_point: drawing.places,
                     round_count: round + 1,
                     joined: Some(joined),
+                    stacked: None,
                 });
             }
         }
@@ -111,15 +122,59 @@ impl PlanarArrangement {
 }
 
 /// A drawing on the way: points and edges between them.
-struct Drawing {
-    points: Vec<[f64; 3]>,
-    sources: Vec<VertexSource>,
-    ends: Vec<[u32; 2]>,
+pub(super) struct Drawing {
+    pub(super) points: Vec<[f64; 3]>,
+    pub(super) sources: Vec<VertexSource>,
+    pub(super) ends: Vec<[u32; 2]>,
     /// The segments of the input along each edge, **packed** as twice the segment, plus one where it runs against the edge.
-    segments: RaggedArray,
+    pub(super) segments: RaggedArray,
     /// The point that each point of the input became.
     places: Vec<u32>,
-    arrangement: PlanarArrangement,
+    pub(super) arrangement: PlanarArrangement,
+}
+
+/// Points and edges that a drawing became, before they are cut.
+pub(super) struct Redrawn {
+    pub(super) points: Vec<[f64; 2]>,
+    pub(super) sources: Vec<VertexSource>,
+    /// The point that each point of the drawing became.
+    pub(super) places: Vec<u32>,
+    pub(super) ends: Vec<[u32; 2]>,
+    /// The segments along each edge, packed.
+    pub(super) segments: RaggedArray,
+}
+
+impl Redrawn {
+    /// The edges cut where they cross.
+    pub(super) fn cut(self, before: &Drawing) -> Result<Drawing, Error> {
+        let Self { points, sources, places, ends, segments } = self;
+        let arrangement = PlanarArrangement::new(&Positions::from_flat(2, points.concat())?, &ends)?;
+        let source = |source: &VertexSource| match *source {
+            VertexSource::Given(point) => sources[point],
+            VertexSource::Crossing(sides) => {
+                VertexSource::Crossing(sides.map(|side| segments.list(side)[0] as usize >> 1))
+            }
+        };
+        let sources = arrangement.sources.iter().map(source).collect();
+        let number_of = |point: u32| arrangement.vertex_of_point[point as usize];
+        let along = |sides: &[u32]| {
+            let packed = sides.iter().flat_map(|&side| {
+                let [low, high] = ends[side as usize].map(number_of);
+                segments.list(side as usize).iter().map(move |own| own ^ u32::from(low > high))
+            });
+            once(packed.collect())
+        };
+        let segments = RaggedArray::from_lists(arrangement.segments_of_edge.iter().map(along));
+        let places = before.places.iter().map(|&place| number_of(places[place as usize])).collect();
+        Ok(Drawing {
+            points: in_space(&arrangement.positions),
+            sources,
+            ends: arrangement.ends.clone(),
+            segments,
+            places,
+            arrangement,
+        })
+    }
 }
 
 impl Drawing {
@@ -165,8 +220,6 @@ impl Drawing {
             used.push(point);
         }
         ends.as_flattened_mut().iter_mut().for_each(|end| *end = number[*end as usize]);
-        let flat = used.iter().flat_map(|&point| near.points[point as usize][..2].to_vec()).collect();
-        let arrangement = PlanarArrangement::new(&Positions::from_flat(2, flat)?, &ends)?;
         // New points are where two segments cross.
         let mut segments_at: Vec<(u32, u32)> = Vec::new();
         for (own, segments) in ends.iter().zip(segments.iter()) {
@@ -180,41 +233,25 @@ impl Drawing {
             let own = segments_at[start..].iter().take_while(|own| own.0 == point).map(|own| own.1 as usize);
             VertexSource::Crossing([own.clone().next(), own.last()].map(Option::unwrap_or_default))
         };
-        let source = |source: &VertexSource| match *source {
-            VertexSource::Given(point) => match used[point] as usize {
-                old if old < count => self.sources[old],
-                _ => crossing(point as u32),
-            },
-            VertexSource::Crossing(sides) => {
-                VertexSource::Crossing(sides.map(|side| segments.list(side)[0] as usize >> 1))
-            }
+        let source = |(point, &old): (u32, &u32)| match old as usize {
+            old if old < count => self.sources[old],
+            _ => crossing(point),
         };
-        let sources = arrangement.sources.iter().map(source).collect();
-        let number_of = |point: u32| arrangement.vertex_of_point[point as usize];
-        let along = |sides: &[u32]| {
-            let packed = sides.iter().flat_map(|&side| {
-                let [low, high] = ends[side as usize].map(number_of);
-                segments.list(side as usize).iter().map(move |own| own ^ u32::from(low > high))
-            });
-            once(packed.collect())
-        };
-        let segments = RaggedArray::from_lists(arrangement.segments_of_edge.iter().map(along));
-        let places = self.places.iter().map(|&place| number_of(number[end_of(place) as usize])).collect();
-        let is_settled = arrangement.vertex_count() == used.len() && left_out.is_empty() && is_apart;
-        let next = Self {
-            points: in_space(&arrangement.positions),
-            sources,
-            ends: arrangement.ends.clone(),
+        let redrawn = Redrawn {
+            points: used.iter().map(|&point| [0, 1].map(|axis| near.points[point as usize][axis])).collect(),
+            sources: (0..).zip(&used).map(source).collect(),
+            places: (0..count as u32).map(|point| number[end_of(point) as usize]).collect(),
+            ends,
             segments,
-            places,
-            arrangement,
         };
+        let next = redrawn.cut(self)?;
+        let is_settled = next.arrangement.vertex_count() == used.len() && left_out.is_empty() && is_apart;
         Ok((next, near.counts, is_settled))
     }
 }
 
 /// Packed segments, each once: one that goes to and fro is none.
-fn once(mut packed: Vec<u32>) -> Vec<u32> {
+pub(super) fn once(mut packed: Vec<u32>) -> Vec<u32> {
     packed.sort_unstable();
     let ways = packed.chunk_by(|a, b| a >> 1 == b >> 1).filter(|ways| ways.len() % 2 == 1);
     ways.map(|ways| ways[ways.len() / 2]).collect()

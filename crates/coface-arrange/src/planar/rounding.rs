@@ -2,7 +2,7 @@
 
 use super::faces::NONE;
 use super::snap_rounding::HotPixels;
-use super::{PlanarArrangement, VertexSource};
+use super::{PlanarArrangement, StackedSegments, VertexSource};
 use crate::near::JoinedFeatures;
 use coface_algebra::RaggedArray;
 use coface_algebra::{EdgeId, Error, VertexId};
@@ -70,6 +70,7 @@ pub struct SnappedArrangement {
     pub(super) runs_up: Option<Vec<bool>>,
     pub(super) round_count: usize,
     pub(super) joined: Option<JoinedFeatures>,
+    pub(super) stacked: Option<StackedSegments>,
 }
 
 impl SnappedArrangement {
@@ -231,6 +232,24 @@ impl SnappedArrangement {
     /// ```
     pub fn joined(&self) -> Option<&JoinedFeatures> {
         self.joined.as_ref()
+    }
+
+    /// What was stacked and glued, if this is an arrangement by congruence.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::planar::PlanarArrangement;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let ends = Positions::from_flat(2, vec![0., 0., 2., 2., 0., 2., 2., 0.])?;
+    /// let cross = PlanarArrangement::new(&ends, &[[0, 1], [2, 3]])?;
+    /// assert!(cross.within(0.1)?.stacked().is_none());
+    /// // Four points, and three on each of the two segments; two pieces of each.
+    /// assert_eq!(cross.by_congruence(0.1)?.stacked().map(|stacked| stacked.f_vector), Some([10, 4]));
+    /// # Ok(()) }
+    /// ```
+    pub fn stacked(&self) -> Option<&StackedSegments> {
+        self.stacked.as_ref()
     }
 }
 
@@ -504,6 +523,7 @@ impl SnappedArrangement {
             runs_up: None,
             round_count: 0,
             joined: None,
+            stacked: None,
         }
     }
 
@@ -526,6 +546,7 @@ impl SnappedArrangement {
             runs_up: None,
             round_count: self.round_count + 1,
             joined: None,
+            stacked: None,
         })
     }
 
@@ -614,6 +635,7 @@ impl SnappedArrangement {
             runs_up: None,
             round_count: self.round_count + 1,
             joined: None,
+            stacked: None,
         })
     }
 }
