@@ -59,9 +59,9 @@ pub use persistence::{
     ImageRequest, PersistenceRequest, PointFiltration, RipsRequest, VertexFunction, write_diagram,
 };
 pub use planar::{
-    ArrangementRequest, BooleanRequest, BufferCaps, BufferJoins, BufferOptions, DissolveRequest, Dissolved,
-    DrawingArrangement, DrawingOptions, FaceAttributes, MapResult, MapTask, PlanarDrawing, RegionBoolean,
-    RepairMethod, are_planar, is_planar, reference_loss,
+    ArrangementMethod, ArrangementRequest, BooleanRequest, BufferCaps, BufferJoins, BufferOptions,
+    DissolveRequest, Dissolved, DrawingArrangement, DrawingOptions, FaceAttributes, MapResult, MapTask,
+    PlanarDrawing, RegionBoolean, RepairMethod, are_planar, is_planar, reference_loss,
 };
 pub use producer::{CellNames, OrderedSimplices, Pair, Producer, Term, group_chain, named_groups};
 pub use repair::{

@@ -14,9 +14,9 @@ use coface::answers::answer::{
     SpatialArrangementAnswer,
 };
 use coface::answers::{
-    ArrangementRequest, BooleanRequest, CongruentScene, DrawingArrangement, DrawingOptions, PlanarDrawing,
-    RegionBoolean, RegionSource, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene,
-    are_planar, welded,
+    ArrangementMethod, ArrangementRequest, BooleanRequest, CongruentScene, DrawingArrangement,
+    DrawingOptions, PlanarDrawing, RegionBoolean, RegionSource, SceneArrangement, SolidBoolean, SolidRequest,
+    SpatialRequest, SpatialScene, are_planar, welded,
 };
 use coface::arrange::boolean::{BooleanFormula, InsideRule};
 use coface::arrange::spatial::NonPlanar;
@@ -99,8 +99,8 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 /// weld : float, optional
 ///     Before anything else, vertices of each model that are at most so far apart are merged; none moves farther.
 /// method : {"exact", "congruence"}, optional
-///     In space, how cells are found: ``"congruence"`` cuts each polygon in its own plane, in rounded numbers, and what is within
-///     ``tolerance`` of each other becomes one.
+///     How cells are found: ``"congruence"`` cuts each segment, in space each polygon in its own plane, for itself, in rounded numbers,
+///     and pieces that are within ``tolerance`` of each other become one.
 /// max_cells : int, optional
 ///     More cells than this are refused.
 /// split : bool
@@ -152,14 +152,12 @@ pub(crate) fn arrange<'py>(
     let models = welded_models(py, named_models(models)?, weld)?;
     let inputs = inputs_of(py, inputs, features)?;
     let rule = rule_of(py, rule)?;
-    let method = method.map(|word| choice(py, "method", word, &METHODS)).transpose()?;
+    let method = method_of(py, method, tolerance)?;
     if is_flat(py, &models, dimension)? {
-        if method.is_some() {
-            return Err(invalid(py, "method is for cells in space", "leave it out in the plane"));
-        }
         let mut request = ArrangementRequest::default();
         (request.rule, request.prune, request.snap, request.max_cells) = (rule, prune, snap, max_cells);
         (request.exact, request.grid, request.tolerance) = (exact, grid, tolerance);
+        request.method = method;
         let options = DrawingOptions::new().source(inputs.unwrap_or_default()).close_lines(close);
         let (arranged, answer) = run(py, progress, || {
             let arranged = DrawingArrangement::new(drawing_of(&models, &options, dimension)?, &request)?;
@@ -172,15 +170,12 @@ pub(crate) fn arrange<'py>(
         return Err(invalid(py, "prune is for drawings in the plane", "leave it out in space"));
     }
     refuse_planar(py, grid, close)?;
-    if method == Some(true) {
+    if method == ArrangementMethod::Congruence {
         if snap || exact || max_cells.is_some() {
             let message = "snap, exact and max_cells are for the exact method, not for method=\"congruence\"";
             return Err(invalid(py, message, "leave one of them out"));
         }
-        let Some(tolerance) = tolerance else {
-            let message = "method=\"congruence\" needs the distance within which vertices become one";
-            return Err(invalid(py, message, "give tolerance="));
-        };
+        let tolerance = tolerance.unwrap_or_default();
         let rule = rule.unwrap_or_default();
         let (arranged, answer) = run(py, progress, || {
             let arranged = CongruentScene::of_scene(scene_of(&models, inputs, 1, true)?, tolerance)?;
@@ -220,8 +215,18 @@ fn inputs_of(py: Python<'_>, inputs: Option<&str>, features: bool) -> PyResult<O
     }
 }
 
-/// Whether cells are found by congruence.
-const METHODS: [(&str, bool); 2] = [("exact", false), ("congruence", true)];
+const METHODS: [(&str, ArrangementMethod); 2] =
+    [("exact", ArrangementMethod::Exact), ("congruence", ArrangementMethod::Congruence)];
+
+/// How cells are found; refuses congruence without a tolerance.
+fn method_of(py: Python<'_>, method: Option<&str>, tolerance: Option<f64>) -> PyResult<ArrangementMethod> {
+    let method = method.map(|word| choice(py, "method", word, &METHODS)).transpose()?.unwrap_or_default();
+    if method == ArrangementMethod::Congruence && tolerance.is_none() {
+        let message = "method=\"congruence\" needs the distance within which vertices become one";
+        return Err(invalid(py, message, "give tolerance="));
+    }
+    Ok(method)
+}
 
 /// Models whose vertices are merged if they are at most so far apart.
 fn welded_models(py: Python<'_>, models: Named, radius: Option<f64>) -> PyResult<Named> {
@@ -313,6 +318,9 @@ fn spatial_request(
 ///     Vertices, edges, in space faces and planes too, at most so far apart are put together, in the unit of the inputs.
 /// weld : float, optional
 ///     Before anything else, vertices of each model that are at most so far apart are merged; none moves farther.
+/// method : {"exact", "congruence"}, optional
+///     In the plane, how cells are found: ``"congruence"`` cuts each segment for itself, in rounded numbers, and pieces that are within
+///     ``tolerance`` of each other become one.
 /// max_cells : int, optional
 ///     More cells than this are refused.
 /// split : bool
@@ -346,7 +354,7 @@ fn spatial_request(
 /// >>> coface._coface.boolean("intersection", [cube, moved]).measure
 /// 0.125
 #[pyfunction]
-#[pyo3(signature = (operation, models, *, dimension=None, rule=None, features=false, inputs=None, keep_walls=false, snap=false, exact=false, grid=None, close=false, tolerance=None, weld=None, max_cells=None, split=true, merge_coplanar=true, triangles=None, open="refuse", split_pinches=false, progress=None))]
+#[pyo3(signature = (operation, models, *, dimension=None, rule=None, features=false, inputs=None, keep_walls=false, snap=false, exact=false, grid=None, close=false, tolerance=None, weld=None, method=None, max_cells=None, split=true, merge_coplanar=true, triangles=None, open="refuse", split_pinches=false, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn boolean<'py>(
     py: Python<'py>,
@@ -363,6 +371,7 @@ pub(crate) fn boolean<'py>(
     close: bool,
     tolerance: Option<f64>,
     weld: Option<f64>,
+    method: Option<&str>,
     #[pyo3(from_py_with = whole_or_none)] max_cells: Option<usize>,
     split: bool,
     merge_coplanar: bool,
@@ -374,12 +383,14 @@ pub(crate) fn boolean<'py>(
     let models = welded_models(py, named_models(models)?, weld)?;
     let inputs = inputs_of(py, inputs, features)?;
     let rule = rule_of(py, rule)?;
+    let method = method_of(py, method, tolerance)?;
     let closes_mouths = choice(py, "open", open, &[("refuse", false), ("close", true), ("winding", true)])?;
     if is_flat(py, &models, dimension)? {
         let mut request = BooleanRequest::default();
         (request.rule, request.keep_walls, request.snap, request.max_cells) =
             (rule, keep_walls, snap, max_cells);
         (request.exact, request.grid, request.tolerance) = (exact, grid, tolerance);
+        request.method = method;
         let options = DrawingOptions::new().source(inputs.unwrap_or_default()).close_lines(close);
         let result = run(py, progress, || {
             let drawing = drawing_of(&models, &options, dimension)?;
@@ -394,6 +405,10 @@ pub(crate) fn boolean<'py>(
         return Ok(Bound::new(py, PlanarBoolean { result, answer })?.into_any());
     }
     refuse_planar(py, grid, close)?;
+    if method == ArrangementMethod::Congruence {
+        let message = "method=\"congruence\" combines drawings in the plane";
+        return Err(invalid(py, message, "leave it out in space; tolerance= puts together what is near"));
+    }
     let spatial = spatial_request(snap, tolerance, max_cells, split, merge_coplanar);
     let solid = run(py, progress, || {
         let mut scene = scene_of(&models, inputs, least_inputs(operation), keep_walls)?;
@@ -483,6 +498,10 @@ answer! { PlanarArrangement {
     products_zero,
     /// The names of the inputs that contain faces.
     regions,
+    /// What was put together, where that was asked for.
+    joined,
+    /// What congruence put together, with ``method="congruence"``.
+    congruence,
 }
     /// What is odd about the inputs.
     #[getter]
@@ -662,6 +681,10 @@ answer! { PlanarBoolean {
     manifold,
     /// What rounding of coordinates does.
     rounding,
+    /// What was put together, where that was asked for.
+    joined,
+    /// What congruence put together, with ``method="congruence"``.
+    congruence,
 }
     /// The number of holes.
     #[getter]

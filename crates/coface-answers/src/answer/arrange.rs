@@ -35,6 +35,9 @@ pub struct PlanarArrangementAnswer {
     /// What was put together, where that was asked for.
     #[serde(default)]
     pub joined: Option<JoinedFeatures>,
+    /// What congruence put together; with `--method congruence` only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub congruence: Option<CongruentPieces>,
     /// The inputs in their order.
     pub inputs: Vec<DrawingInput>,
     /// The names of the regions in their order.
@@ -192,23 +195,26 @@ pub struct SpatialArrangementAnswer {
     pub joined: Option<JoinedFeatures>,
     /// What congruence put together; with `--method congruence` only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub congruence: Option<CongruentSheets>,
+    pub congruence: Option<CongruentPieces>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,
 }
 
-/// What congruence did: polygons, each cut in its own plane, that were stacked and brought together.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+/// What congruence did: the pieces of segments, or of polygons in space, each cut for itself, that were stacked and glued.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct CongruentSheets {
+pub struct CongruentPieces {
     /// The distance within which vertices became one, in the unit of the inputs.
     pub tolerance: f64,
-    /// The numbers of vertices, edges and faces of all polygons, each cut by itself.
-    pub stacked_f_vector: [usize; 3],
+    /// The numbers of vertices and edges of all segments, or of vertices, edges and faces of all polygons, each cut by itself.
+    pub stacked_f_vector: Vec<usize>,
     /// The largest distance of two vertices that became one, in the unit of the inputs: far below the tolerance if that was
     /// chosen well.
     pub largest_class_diameter: f64,
+    /// The segments whose ends became one, or the polygons that are nowhere wider than the tolerance: they are left out.
+    #[serde(default)]
+    pub collapsed: usize,
 }
 
 /// Polygons that have no area.

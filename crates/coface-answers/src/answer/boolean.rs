@@ -2,7 +2,8 @@
 
 use super::Remark;
 use super::arrange::{
-    DrawingInput, JoinedFeatures, RoundingRepair, SpatialInput, SpatialRounding, VertexOrigin,
+    CongruentPieces, DrawingInput, JoinedFeatures, RoundingRepair, SpatialInput, SpatialRounding,
+    VertexOrigin,
 };
 use serde::{Deserialize, Serialize};
 
@@ -38,6 +39,9 @@ pub struct PlanarBooleanAnswer {
     /// What was put together, where that was asked for.
     #[serde(default)]
     pub joined: Option<JoinedFeatures>,
+    /// What congruence put together; with `--method congruence` only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub congruence: Option<CongruentPieces>,
     /// The numbers of vertices, edges and faces that the inputs cut the plane into; where many regions cover each other,
     /// that the sides which are cut do.
     pub arrangement: [usize; 3],

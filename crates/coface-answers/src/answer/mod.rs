@@ -62,7 +62,7 @@ pub use incidence::IncidenceAnswer;
 pub use refinement::{RefinedVertex, RefinementAnswer};
 
 pub use arrange::{
-    AttributeColumn, CongruentSheets, DegeneratePolygons, DrawingInput, InsideMethod, JoinedFeatures,
+    AttributeColumn, CongruentPieces, DegeneratePolygons, DrawingInput, InsideMethod, JoinedFeatures,
     PlanarArrangementAnswer, PlanarArrangementProvenance, PlanarRounding, RoundingRepair,
     SpatialArrangementAnswer, SpatialArrangementProvenance, SpatialInput, SpatialRounding, SplitPolygons,
     VertexOrigin,

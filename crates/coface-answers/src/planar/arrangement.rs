@@ -6,7 +6,8 @@ use super::drawing::PlanarDrawing;
 use super::settling::{Movement, Placing, Settled, thin_faces};
 use super::sides::Sides;
 use crate::answer::{
-    JoinedFeatures, PlanarArrangementAnswer, PlanarArrangementProvenance, PlanarRounding, Remark, RemarkCode,
+    CongruentPieces, JoinedFeatures, PlanarArrangementAnswer, PlanarArrangementProvenance, PlanarRounding,
+    Remark, RemarkCode,
 };
 use coface_algebra::RaggedArray;
 use coface_algebra::{EdgeId, Error, FaceId, VertexId};
@@ -14,6 +15,18 @@ use coface_arrange::boolean::InsideRule;
 use coface_arrange::planar::{
     PlanarArrangement, PlanarOptions, RoundingCertificate, SnappedArrangement, Step, VertexSource,
 };
+
+/// How the cells of an arrangement are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum ArrangementMethod {
+    /// All decisions are exact; a tolerance puts features together before.
+    #[default]
+    Exact,
+    /// Each segment or polygon is cut for itself, and pieces that coincide within a tolerance become one: the chain complex congruence
+    /// of the source texts.
+    Congruence,
+}
 
 /// How drawings are arranged.
 #[derive(Clone, Copy, Debug, Default)]
@@ -32,6 +45,8 @@ pub struct ArrangementRequest {
     pub grid: Option<f64>,
     /// Put vertices and edges together that are at most this far apart, in the unit of the inputs.
     pub tolerance: Option<f64>,
+    /// How cells are found. By congruence a tolerance is needed.
+    pub method: ArrangementMethod,
     /// Keep the exact complex where the drawing with rounded coordinates is another one. Else edges are cut and bent there by
     /// a few units of the last digit.
     pub exact: bool,
@@ -74,6 +89,8 @@ pub struct DrawingArrangement {
     crossings: Option<Remark>,
     /// What was put together within a tolerance.
     joined: Option<JoinedFeatures>,
+    /// What congruence glued.
+    congruence: Option<CongruentPieces>,
     /// What is said of vertices that were put elsewhere.
     placed: Option<Remark>,
     pub(super) rule: Option<InsideRule>,
@@ -104,13 +121,19 @@ impl DrawingArrangement {
     pub fn new(drawing: PlanarDrawing, request: &ArrangementRequest) -> Result<Self, Error> {
         let options = PlanarOptions::new().max_cells(request.max_cells);
         let exact = PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?;
-        let (mut snap_rounds, mut joined, mut placed) = (None, None, None);
+        let (mut snap_rounds, mut joined, mut congruence, mut placed) = (None, None, None, None);
         let (mut movement, mut certificate, mut is_placed) = (None, None, false);
-        let placing = Placing { snap: request.snap, grid: request.grid, tolerance: request.tolerance };
+        let placing = Placing {
+            snap: request.snap,
+            grid: request.grid,
+            tolerance: request.tolerance,
+            method: request.method,
+        };
         // The exact arrangement is kept where another one is made of it.
         let (mut parts, exact) = if placing.is_asked() {
             let own = placing.of(&exact)?;
             (snap_rounds, joined, placed) = (own.snap_rounds, own.joined, own.remark);
+            congruence = own.congruence;
             is_placed = own.snapped.round_count() > 0;
             (Parts::of_snapped(&own.snapped, |source| source, |segment| [segment]), Some(exact))
         } else {
@@ -156,6 +179,7 @@ impl DrawingArrangement {
             containment,
             crossings,
             joined,
+            congruence,
             placed,
             rule: request.rule,
         })
@@ -394,6 +418,7 @@ impl DrawingArrangement {
             rounding,
             snap_rounds: self.snap_rounds,
             joined: self.joined.clone(),
+            congruence: self.congruence.clone(),
             inputs: self.drawing.input_answers(),
             regions: self.drawing.region_names().into_iter().map(str::to_owned).collect(),
             attributes: None,

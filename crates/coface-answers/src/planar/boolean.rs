@@ -1,5 +1,6 @@
 //! Formulas of regions.
 
+use super::ArrangementMethod;
 use super::containment::{Containment, ContainmentSearch};
 use super::crossings::{MOST_PLACES, crossed_rings, crossing_remark, refuse_crossings};
 use super::crowd::{Crowd, Leaving};
@@ -8,8 +9,8 @@ use super::outcome::Outcome;
 use super::settling::{Movement, Placing};
 use super::walks::Walks;
 use crate::answer::{
-    BoundaryManifold, BoundaryVerdict, BoundaryWitness, EdgeOrigin, JoinedFeatures, PlanarBooleanAnswer,
-    PlanarBooleanProvenance, PolygonRounding, Remark, RemarkCode,
+    BoundaryManifold, BoundaryVerdict, BoundaryWitness, CongruentPieces, EdgeOrigin, JoinedFeatures,
+    PlanarBooleanAnswer, PlanarBooleanProvenance, PolygonRounding, Remark, RemarkCode,
 };
 use coface_algebra::{EdgeId, Error, FaceId, RaggedArray, VertexId};
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
@@ -32,6 +33,8 @@ pub struct BooleanRequest {
     pub grid: Option<f64>,
     /// Put vertices and edges together that are at most this far apart, in the unit of the inputs.
     pub tolerance: Option<f64>,
+    /// How cells are found. By congruence a tolerance is needed.
+    pub method: ArrangementMethod,
     /// Keep the result as it is, where rounding its coordinates makes polygons invalid. Else edges are cut and bent there by
     /// a few units of the last digit, and polygons that come to share an edge become one.
     pub exact: bool,
@@ -73,6 +76,8 @@ pub struct RegionBoolean {
     snap_rounds: Option<usize>,
     /// What was put together within a tolerance.
     joined: Option<JoinedFeatures>,
+    /// What congruence glued.
+    congruence: Option<CongruentPieces>,
     /// What was combined; none where faces were chosen one by one.
     pub(super) formula: Option<BooleanFormula>,
     pub(super) rule: Option<InsideRule>,
@@ -134,7 +139,12 @@ impl RegionBoolean {
             .with_cure("take the complement within a region, as in \"a - b\""));
         }
         let options = PlanarOptions::new().max_cells(request.max_cells);
-        let placing = Placing { snap: request.snap, grid: request.grid, tolerance: request.tolerance };
+        let placing = Placing {
+            snap: request.snap,
+            grid: request.grid,
+            tolerance: request.tolerance,
+            method: request.method,
+        };
         let placed = if placing.is_asked() {
             let exact = PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?;
             Some(placing.of(&exact)?)
@@ -157,10 +167,10 @@ impl RegionBoolean {
         let odd = odd.map_or_else(Vec::new, |containment| containment.remarks(&drawing));
         let mut remarks: Vec<Remark> = crossings.into_iter().chain(odd).collect();
         drop(walks);
-        let (mut snap_rounds, mut joined) = (None, None);
+        let (mut snap_rounds, mut joined, mut congruence) = (None, None, None);
         if let Some(placed) = placed {
             remarks.extend(placed.remark);
-            (snap_rounds, joined) = (placed.snap_rounds, placed.joined);
+            (snap_rounds, joined, congruence) = (placed.snap_rounds, placed.joined, placed.congruence);
         }
         let mut movement = None;
         if (!found.is_valid || found.is_turned) && !request.exact {
@@ -175,6 +185,7 @@ impl RegionBoolean {
             cell_counts,
             snap_rounds,
             joined,
+            congruence,
             formula,
             rule,
             warnings,
@@ -214,6 +225,7 @@ impl RegionBoolean {
             cell_counts,
             snap_rounds: None,
             joined: None,
+            congruence: None,
             formula: None,
             rule: None,
             warnings: Vec::new(),
@@ -552,6 +564,7 @@ impl RegionBoolean {
             },
             snap_rounds: self.snap_rounds,
             joined: self.joined.clone(),
+            congruence: self.congruence.clone(),
             arrangement: self.cell_counts,
             regions: self.drawing.region_names().into_iter().map(str::to_owned).collect(),
             inputs: self.drawing.input_answers(),

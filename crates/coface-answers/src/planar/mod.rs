@@ -36,7 +36,7 @@ mod sides;
 mod walks;
 mod writing;
 
-pub use arrangement::{ArrangementRequest, DrawingArrangement};
+pub use arrangement::{ArrangementMethod, ArrangementRequest, DrawingArrangement};
 pub use attributes::FaceAttributes;
 pub use boolean::{BooleanRequest, RegionBoolean};
 pub use dissolve::{DissolveRequest, Dissolved};

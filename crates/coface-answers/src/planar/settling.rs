@@ -1,6 +1,7 @@
 //! Edges between rounded points, cut and bent until they meet in their ends only; and coordinates as they are asked for.
 
-use crate::answer::{JoinedFeatures, Remark, RemarkCode, RoundingRepair};
+use super::ArrangementMethod;
+use crate::answer::{CongruentPieces, JoinedFeatures, Remark, RemarkCode, RoundingRepair};
 use crate::near::ThinCells;
 use crate::text;
 use coface_algebra::{EdgeId, Error, FaceId, VertexId};
@@ -108,6 +109,7 @@ pub(super) struct Placing {
     pub(super) snap: bool,
     pub(super) grid: Option<f64>,
     pub(super) tolerance: Option<f64>,
+    pub(super) method: ArrangementMethod,
 }
 
 /// An arrangement with vertices where they were asked to be.
@@ -118,33 +120,66 @@ pub(super) struct Placed {
     pub(super) snap_rounds: Option<usize>,
     /// What was put together within a tolerance.
     pub(super) joined: Option<JoinedFeatures>,
+    /// What congruence glued.
+    pub(super) congruence: Option<CongruentPieces>,
     /// Says what became of faces.
     pub(super) remark: Option<Remark>,
 }
 
 impl Placing {
     pub(super) fn is_asked(&self) -> bool {
-        self.snap || self.grid.is_some() || self.tolerance.is_some()
+        self.snap
+            || self.grid.is_some()
+            || self.tolerance.is_some()
+            || self.method == ArrangementMethod::Congruence
     }
 
     /// # Errors
-    /// `InvalidInput` for a step or a tolerance that is none, and for both at once.
+    /// `InvalidInput` for a step or a tolerance that is none, for both at once, and for congruence without a tolerance, or with one
+    /// in which all segments collapse.
     pub(super) fn of(&self, exact: &PlanarArrangement) -> Result<Placed, Error> {
         let vanished = |snapped: &SnappedArrangement| {
             exact.face_count().saturating_sub(snapped.arrangement().face_count())
         };
         match (self.tolerance, self.grid) {
+            (None, _) if self.method == ArrangementMethod::Congruence => Err(Error::invalid(
+                "an arrangement by congruence needs the distance within which vertices become one",
+            )
+            .with_cure("give a tolerance")),
             (Some(_), Some(_)) => {
                 Err(Error::invalid("a tolerance and a grid are two ways to put points together")
                     .with_cure("give one of both"))
             }
             (Some(tolerance), None) => {
-                let snapped = exact.within(tolerance)?;
+                let snapped = match self.method {
+                    ArrangementMethod::Exact => exact.within(tolerance)?,
+                    ArrangementMethod::Congruence => exact.by_congruence(tolerance)?,
+                };
                 let joined =
                     snapped.joined().map(|joined| JoinedFeatures::of(joined, Some(vanished(&snapped))));
-                let remark = joined.as_ref().and_then(|joined| joined.remark(true, "face"));
+                let mut remark = joined.as_ref().and_then(|joined| joined.remark(true, "face"));
+                let congruence = snapped.stacked().map(|stacked| CongruentPieces {
+                    tolerance,
+                    stacked_f_vector: stacked.f_vector.to_vec(),
+                    largest_class_diameter: stacked.largest_class_diameter,
+                    collapsed: stacked.collapsed.len(),
+                });
+                if let Some(collapsed) =
+                    congruence.as_ref().map(|own| own.collapsed).filter(|&count| count > 0)
+                {
+                    if snapped.arrangement().edge_count() == 0 {
+                        return Err(Error::invalid(format!(
+                            "all segments collapse within the tolerance {tolerance:e}"
+                        ))
+                        .with_cure("give a smaller tolerance"));
+                    }
+                    if let Some(remark) = &mut remark {
+                        let segments = text::count(collapsed, "segment");
+                        remark.message += &format!("; {segments} collapsed, no longer than that");
+                    }
+                }
                 let snap_rounds = self.snap.then(|| snapped.round_count());
-                Ok(Placed { snapped, snap_rounds, joined, remark })
+                Ok(Placed { snapped, snap_rounds, joined, congruence, remark })
             }
             (None, grid) => {
                 let snapped = match grid {
@@ -152,7 +187,8 @@ impl Placing {
                     None => exact.snapped()?,
                 };
                 let remark = grid.and_then(|_| vanished_faces(exact, &snapped));
-                Ok(Placed { snap_rounds: Some(snapped.round_count()), snapped, joined: None, remark })
+                let snap_rounds = Some(snapped.round_count());
+                Ok(Placed { snap_rounds, snapped, joined: None, congruence: None, remark })
             }
         }
     }

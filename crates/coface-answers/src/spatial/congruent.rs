@@ -8,7 +8,7 @@ use super::inputs::Inputs;
 use super::models::{NO_CELL, group_names};
 use super::scene::closed_walks;
 use crate::answer::{
-    CongruentSheets, DegeneratePolygons, Place, Remark, RemarkCode, SpatialArrangementAnswer,
+    CongruentPieces, DegeneratePolygons, Place, Remark, RemarkCode, SpatialArrangementAnswer,
     SpatialArrangementProvenance, SpatialRounding, SplitPolygons,
 };
 use crate::text;
@@ -230,10 +230,11 @@ impl CongruentScene {
                 places: crossings.places,
             },
             joined: None,
-            congruence: Some(CongruentSheets {
+            congruence: Some(CongruentPieces {
                 tolerance: self.tolerance,
-                stacked_f_vector: self.arranged.stacked_f_vector(),
+                stacked_f_vector: self.arranged.stacked_f_vector().to_vec(),
                 largest_class_diameter: self.arranged.largest_class_diameter(),
+                collapsed: dropped.len(),
             }),
             remarks,
         })

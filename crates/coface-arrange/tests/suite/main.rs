@@ -11,6 +11,7 @@ mod geometry_checks;
 mod graphblas;
 mod planar_arrangements;
 mod planar_booleans;
+mod planar_congruence;
 mod planar_overlays;
 mod planar_segments;
 mod planar_tolerance;

@@ -640,8 +640,8 @@ def arrange(
     weld
         Before anything else, vertices of each model that are at most so far apart are merged; none moves farther.
     method
-        In space, how cells are found: ``"exact"`` or ``"congruence"``, which cuts each polygon in its own plane, in
-        rounded numbers, and makes one what is within ``tolerance`` of each other.
+        How cells are found: ``"exact"`` or ``"congruence"``, which cuts each segment, in space each polygon in its own
+        plane, for itself, in rounded numbers, and makes one what is within ``tolerance`` of each other.
     max_cells
         More cells than this are refused.
     split
@@ -722,6 +722,7 @@ def boolean(
     close: bool = False,
     tolerance: float | None = None,
     weld: float | None = None,
+    method: str | None = None,
     max_cells: int | None = None,
     split: bool = True,
     merge_coplanar: bool = True,
@@ -753,6 +754,8 @@ def boolean(
         Whether what lies inside the result is kept.
     snap, exact, grid, close, tolerance, weld, max_cells, split, merge_coplanar
         As for :func:`arrange`.
+    method
+        In the plane, how cells are found, as for :func:`arrange`.
     triangles
         In space, whether faces are cut into triangles; if all inputs are triangles, if left out.
     open
@@ -791,6 +794,7 @@ def boolean(
         close=close,
         tolerance=tolerance,
         weld=weld,
+        method=method,
         max_cells=max_cells,
         split=split,
         merge_coplanar=merge_coplanar,

@@ -3,7 +3,7 @@
 mod planar;
 mod spatial;
 
-pub(crate) use spatial::{SpaceOptions, in_space, rounding, scene_of};
+pub(crate) use spatial::{SpaceOptions, in_space, rounding, scene_of, stacked};
 
 use crate::arguments::{Common, length};
 use crate::certified;
@@ -13,7 +13,7 @@ use crate::input::{self, Loaded};
 use crate::progress::Progress;
 use crate::target::{Target, unknown_extension};
 use clap::{Args, ValueEnum};
-use coface::answers::{RegionSource, are_planar, welded};
+use coface::answers::{ArrangementMethod, RegionSource, are_planar, welded};
 use coface::arrange::boolean::InsideRule;
 use coface::io::{Format, Model, check_output};
 use std::path::{Path, PathBuf};
@@ -49,9 +49,9 @@ use std::path::{Path, PathBuf};
 /// cells it winds less than zero times, or more than once), "degenerate_polygons", "split_polygons", "rounding", "joined". OBJ has a group for each
 /// cell; VTK and PLY have the cells on both sides of each polygon and where it is from.
 ///
-/// With --method congruence in space, polygons are cut in rounded numbers, each in its own plane, and vertices, edges and faces that are
-/// within --tolerance of each other become one: for polygons that meet only nearly. "congruence" says how many cells were stacked, and
-/// the largest distance of two vertices that became one.
+/// With --method congruence, segments, in space polygons in their own planes, are cut one by one in rounded numbers, and vertices, edges
+/// and faces that are within --tolerance of each other become one: for drawings and surfaces that meet only nearly. "congruence" says how many
+/// cells were stacked, the largest distance of two vertices that became one, and what collapsed; in the plane "joined" has the classes of points.
 ///
 /// With --inputs each object, group or component of a file is an input, so that a building may be one
 /// file: "regions" has their
@@ -75,9 +75,6 @@ pub(crate) struct Arrange {
     /// What an input is, then named in "regions" [default: files]
     #[arg(long = "inputs", value_name = "WHAT")]
     source: Option<Inputs>,
-    /// In space, how cells are found [default: exact]
-    #[arg(long, value_name = "METHOD")]
-    method: Option<Method>,
     /// Leave out edges with one face on both sides: bridges and dangling edges
     #[arg(long, conflicts_with = "certificate")]
     prune: bool,
@@ -121,6 +118,9 @@ pub(crate) struct CellOptions {
     /// Put vertices, edges, in space faces and planes too, together that are at most R apart, in the unit of the inputs
     #[arg(long, value_name = "R", conflicts_with = "grid", allow_negative_numbers = true, value_parser = length)]
     pub(crate) tolerance: Option<f64>,
+    /// How cells are found [default: exact]
+    #[arg(long, value_name = "METHOD")]
+    pub(crate) method: Option<Method>,
     /// Refuse an arrangement of more than N cells
     #[arg(long, value_name = "N")]
     pub(crate) max_cells: Option<usize>,
@@ -145,6 +145,17 @@ impl CellOptions {
             }
         }
         Ok(models)
+    }
+
+    /// How cells are found; refuses congruence without a tolerance.
+    pub(crate) fn method(&self) -> Result<ArrangementMethod, Failure> {
+        match self.method {
+            Some(Method::Congruence) if self.tolerance.is_none() => Err(Failure::new(
+                "--method congruence needs the distance within which vertices become one: give --tolerance R",
+            )),
+            Some(Method::Congruence) => Ok(ArrangementMethod::Congruence),
+            Some(Method::Exact) | None => Ok(ArrangementMethod::Exact),
+        }
     }
 
     /// Refuses, before the work, a certificate that cannot be made or written.
@@ -181,12 +192,12 @@ impl CellOptions {
     }
 }
 
-/// How the cells of space are found.
+/// How cells are found.
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Method {
+pub(crate) enum Method {
     /// All decisions are exact; --tolerance puts features together before
     Exact,
-    /// Each polygon is cut in its own plane, and what is within --tolerance of each other becomes one
+    /// Each segment, in space each polygon in its own plane, is cut for itself, and pieces within --tolerance of each other become one
     Congruence,
 }
 

@@ -1,6 +1,6 @@
 //! `coface arrange` in the plane.
 
-use super::Arrange;
+use super::{Arrange, stacked};
 use crate::arguments::Common;
 use crate::certified;
 use crate::failure::Failure;
@@ -27,11 +27,7 @@ pub(super) fn run(
             "--graph is for cells in space, and the inputs lie in the plane: leave it out",
         ));
     }
-    if verb.method.is_some() {
-        return Err(Failure::new(
-            "--method is for cells in space, and the inputs lie in the plane: leave it out",
-        ));
-    }
+    let method = verb.cells.method()?;
     progress.stage("arranging");
     let models = models.iter().map(|(name, model)| (name.as_str(), model));
     let source = verb.source.map_or_else(Default::default, super::Inputs::source);
@@ -47,6 +43,7 @@ pub(super) fn run(
     request.snap = verb.cells.snap;
     request.grid = verb.cells.grid;
     request.tolerance = verb.cells.tolerance;
+    request.method = method;
     request.exact = verb.cells.exact;
     request.max_cells = verb.cells.max_cells;
     let arranged = DrawingArrangement::new(drawing, &request)?;
@@ -122,6 +119,9 @@ fn page(answer: &PlanarArrangementAnswer) -> String {
         _ => "changes the complex",
     };
     fact("rounding", value.to_owned(), "of the coordinates of crossings");
+    if let Some(done) = &answer.congruence {
+        facts.push(stacked(done));
+    }
     let title = match &answer.inputs[..] {
         [one] => format!("arrangement of {}", one.file),
         many => format!("arrangement of {} drawings", many.len()),

@@ -8,7 +8,7 @@ use crate::progress::Progress;
 use crate::remarks::{accept, say_remarks};
 use crate::target::{Seen, Target, write_seen};
 use clap::{Args, ValueEnum};
-use coface::answers::answer::{SpatialArrangementAnswer, SpatialRounding};
+use coface::answers::answer::{CongruentPieces, SpatialArrangementAnswer, SpatialRounding};
 use coface::answers::text;
 use coface::answers::{CongruentScene, SceneArrangement, SpatialRequest, SpatialScene};
 use coface::arrange::spatial::NonPlanar;
@@ -139,7 +139,7 @@ pub(super) fn run(
     let output = output.map(in_space).transpose()?;
     progress.stage("arranging");
     let scene = scene_of(verb.source, 1, models, true)?;
-    if verb.method == Some(Method::Congruence) {
+    if verb.cells.method == Some(Method::Congruence) {
         return by_congruence(verb, common, output, scene, progress);
     }
     let mut arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells, common))?;
@@ -214,12 +214,8 @@ fn by_congruence(
             "{option} is for the exact method, not for --method congruence: leave one of them out"
         )));
     }
-    let Some(tolerance) = verb.cells.tolerance else {
-        return Err(Failure::new(
-            "--method congruence needs the distance within which vertices become one: give --tolerance R",
-        ));
-    };
-    let arrangement = CongruentScene::of_scene(scene, tolerance)?;
+    verb.cells.method()?;
+    let arrangement = CongruentScene::of_scene(scene, verb.cells.tolerance.unwrap_or_default())?;
     progress.stage("multiplying boundaries");
     let mut answer = arrangement.answer(verb.cells.rule.map(Rule::inside).unwrap_or_default())?;
     accept(&answer.remarks, common)?;
@@ -249,6 +245,20 @@ fn by_congruence(
         return Ok(());
     }
     print_text(&page(&answer))
+}
+
+/// The fact about what congruence stacked and glued.
+pub(crate) fn stacked(done: &CongruentPieces) -> (String, String, String) {
+    let counts: Vec<String> = done.stacked_f_vector.iter().map(|&count| text::grouped(count)).collect();
+    let what = match counts.len() {
+        3 => "vertices, edges and faces of all polygons",
+        _ => "vertices and edges of all segments",
+    };
+    let gloss = format!(
+        "{what}, put together within {:e}; what became one was at most {:.1e} apart",
+        done.tolerance, done.largest_class_diameter
+    );
+    ("stacked".to_owned(), counts.join(", "), gloss)
 }
 
 /// The fact about rounding that results in space have in common.
@@ -286,14 +296,7 @@ fn page(answer: &SpatialArrangementAnswer) -> String {
     );
     match &answer.congruence {
         None => facts.push(rounding(&answer.rounding)),
-        Some(done) => {
-            let [vertices, edges, faces] = done.stacked_f_vector.map(text::grouped);
-            let gloss = format!(
-                "vertices, edges and faces of all polygons, put together within {:e}; what became one was at most {:.1e} apart",
-                done.tolerance, done.largest_class_diameter
-            );
-            facts.push(("stacked".to_owned(), format!("{vertices}, {edges}, {faces}"), gloss));
-        }
+        Some(done) => facts.push(stacked(done)),
     }
     let mut fact = |label: &str, value: String, gloss: &str| {
         facts.push((label.to_owned(), value, gloss.to_owned()));

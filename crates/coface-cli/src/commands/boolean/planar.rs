@@ -3,7 +3,7 @@
 use super::{Boolean, Task};
 use crate::arguments::Common;
 use crate::certified;
-use crate::commands::arrange::Rule;
+use crate::commands::arrange::{Rule, stacked};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, write_json};
 use crate::progress::Progress;
@@ -24,6 +24,7 @@ pub(super) fn run(
     models: &[(String, Model)],
     progress: Progress,
 ) -> Result<(), Failure> {
+    let method = verb.cells.method()?;
     progress.stage("arranging");
     let models = models.iter().map(|(name, model)| (name.as_str(), model));
     let options = DrawingOptions::new().source(verb.region_source()).close_lines(verb.cells.close);
@@ -42,6 +43,7 @@ pub(super) fn run(
     request.snap = verb.cells.snap;
     request.grid = verb.cells.grid;
     request.tolerance = verb.cells.tolerance;
+    request.method = method;
     request.exact = verb.cells.exact;
     request.max_cells = verb.cells.max_cells;
     if !verb.dissolve.is_empty() {
@@ -105,5 +107,8 @@ fn page(answer: &PlanarBooleanAnswer) -> String {
         _ => "breaks polygons",
     };
     fact("rounding", value.to_owned(), "of the coordinates of crossings");
+    if let Some(done) = &answer.congruence {
+        facts.push(stacked(done));
+    }
     text::facts("Boolean combination of regions", &facts)
 }

@@ -2,7 +2,7 @@
 
 use super::{Boolean, Task};
 use crate::arguments::Common;
-use crate::commands::arrange::{Rule, in_space, rounding, scene_of};
+use crate::commands::arrange::{Method, Rule, in_space, rounding, scene_of};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, write_json};
 use crate::progress::Progress;
@@ -53,6 +53,11 @@ pub(super) fn run(
     models: &[(String, Model)],
     progress: Progress,
 ) -> Result<(), Failure> {
+    if verb.cells.method == Some(Method::Congruence) {
+        return Err(Failure::new(
+            "--method congruence combines drawings in the plane, and the inputs lie in space: leave it out; --tolerance puts together what is near",
+        ));
+    }
     let output = output.map(in_space).transpose()?;
     progress.stage("arranging");
     let mut scene = scene_of(verb.inputs, task.least_inputs(), models, verb.keep_walls)?;

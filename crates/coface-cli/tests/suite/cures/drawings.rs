@@ -142,13 +142,14 @@ pub(super) const CASES: &[Case] = &[
         .files(CRACK)
         .refused("coface boolean union crack.off")
         .cured(&[&["coface boolean union crack.off --weld 2.23e-16"]]),
-    Case::new(
-        "commands/arrange/planar.rs",
-        "--method is for cells in space, and the inputs lie in the plane",
-    )
-    .with(&[("edge.lines", "0,0,1,0\n")])
-    .refused("coface arrange edge.lines --method exact")
-    .cured(&[&["coface arrange edge.lines"]]),
+    Case::new("planar/settling.rs", "all segments collapse within the tolerance")
+        .with(&[("edge.lines", "0,0,1,0\n")])
+        .refused("coface arrange edge.lines --method congruence --tolerance 2")
+        .cured(&[&["coface arrange edge.lines --method congruence --tolerance 0.1"]]),
+    Case::new("boolean/spatial.rs", "--method congruence combines drawings in the plane")
+        .files(CRACK)
+        .refused("coface boolean union crack.off --method congruence --tolerance 1e-9")
+        .cured(&[&["coface boolean union crack.off --tolerance 1e-9"]]),
     Case::new("arrange/spatial.rs", "is for the exact method, not for --method congruence")
         .files(CRACK)
         .refused("coface arrange crack.off --method congruence --tolerance 1e-9 --snap")
@@ -156,7 +157,7 @@ pub(super) const CASES: &[Case] = &[
             &["coface arrange crack.off --snap"],
             &["coface arrange crack.off --method congruence --tolerance 1e-9"],
         ]),
-    Case::new("arrange/spatial.rs", "within which vertices become one: give --tolerance R")
+    Case::new("arrange/mod.rs", "within which vertices become one: give --tolerance R")
         .files(CRACK)
         .refused("coface arrange crack.off --method congruence")
         .cured(&[&["coface arrange crack.off --method congruence --tolerance 1e-9"]]),
