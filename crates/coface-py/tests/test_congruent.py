@@ -30,6 +30,22 @@ def test_congruence_has_the_cells_of_the_exact_method() -> None:
         found.graph()
 
 
+def test_drawings_that_meet_nearly_are_glued() -> None:
+    ring = [[0, 1, 2, 3, 0]]
+    a = coface.Model.from_arrays([[0, 0], [2, 0], [2, 2], [0, 2]], cells={"polyline": ring})
+    b = coface.Model.from_arrays([[2.001, 0], [4, 0], [4, 2], [1.9995, 2]], cells={"polyline": ring})
+    found = coface.arrange(a, b, method="congruence", tolerance=0.01)
+    union = coface.boolean("union", a, b, method="congruence", tolerance=0.01)
+    assert found.f_vector == [6, 7, 2] and found.joined["classes"] == [[1, 4], [2, 7]]
+    assert found.congruence["stacked_f_vector"] == [24, 8] and found.congruence["collapsed"] == 0
+    assert union.f_vector == [6, 6, 1] and union.measure == pytest.approx(8)
+    assert coface.arrange(a, b).congruence is None
+    with pytest.raises(coface.InvalidInputError, match="give tolerance="):
+        coface.boolean("union", a, b, method="congruence")
+    with pytest.raises(coface.InvalidInputError, match="smaller tolerance"):
+        coface.arrange(a, method="congruence", tolerance=10.0)
+
+
 def test_cracks_are_welded() -> None:
     cube = coface.generate("box", boundary=True)
     corners = np.vstack([cube.vertices, np.asarray(cube.vertices) + 1e-7])

@@ -240,15 +240,17 @@ export interface CongruenceInput {
   file: string;
 }
 
-/** What congruence did: polygons, each cut in its own plane, that were stacked and brought together. */
-export interface CongruentSheets {
+/** What congruence did: the pieces of segments, or of polygons in space, each cut for itself, that were stacked and glued. */
+export interface CongruentPieces {
+  /** The segments whose ends became one, or the polygons that are nowhere wider than the tolerance: they are left out. */
+  collapsed?: number;
   /**
    * The largest distance of two vertices that became one, in the unit of the inputs: far below the tolerance if that was
    * chosen well.
    */
   largest_class_diameter: number;
-  /** The numbers of vertices, edges and faces of all polygons, each cut by itself. */
-  stacked_f_vector: [number, number, number];
+  /** The numbers of vertices and edges of all segments, or of vertices, edges and faces of all polygons, each cut by itself. */
+  stacked_f_vector: number[];
   /** The distance within which vertices became one, in the unit of the inputs. */
   tolerance: number;
 }
@@ -1634,6 +1636,8 @@ export interface PlanarArrangementAnswer {
   bridges: number;
   /** The number of connected components of vertices and edges. */
   components: number;
+  /** What congruence put together; with `--method congruence` only. */
+  congruence?: CongruentPieces | null;
   /** The number of those bridges that are joined to the rest at one end, or at none. */
   dangling_edges: number;
   /** The dimension of the space: 2. */
@@ -1677,6 +1681,8 @@ export interface PlanarBooleanAnswer {
   closed: boolean;
   /** The number of parts whose inner points are connected. */
   components: number;
+  /** What congruence put together; with `--method congruence` only. */
+  congruence?: CongruentPieces | null;
   /** The dimension of the space: 2. */
   dimension: number;
   /** The numbers of vertices, edges and polygons. */
@@ -2183,7 +2189,7 @@ export interface SpatialArrangementAnswer {
   /** The number of connected components of all faces. */
   components: number;
   /** What congruence put together; with `--method congruence` only. */
-  congruence?: CongruentSheets | null;
+  congruence?: CongruentPieces | null;
   /** The number of faces with one cell, or the exterior, on both sides. */
   dangling_faces: number;
   /** The polygons without area, which are left out. */

@@ -346,3 +346,37 @@ fn arrangements_are_written_to_be_looked_at() {
         );
     }
 }
+
+/// Drawings that meet only nearly have the cells of the exact drawing, and what was glued is said; a Boolean has its outline.
+#[test]
+fn congruence_glues_what_is_near() {
+    let exact = segments(&[&square(0.0, 0.0, 2.0), &square(2.0, 1.0, 2.0)]);
+    let near = segments(&[&square(0.0, 0.0, 2.0), &square(2.0005, 1.0003, 2.0)]);
+    let options = ["--method", "congruence", "--tolerance", "0.01"];
+    let [expected, found] = [arranged(&exact, &[]), arranged(&near, &options)];
+    assert_eq!(found["f_vector"], expected["f_vector"]);
+    assert!(areas(&found).iter().zip(areas(&expected)).all(|(x, y)| (x - y).abs() < 0.01));
+    let done = &found["congruence"];
+    assert_eq!((&done["tolerance"], &done["collapsed"]), (&json!(0.01), &json!(0)));
+    assert_eq!(done["stacked_f_vector"], json!([26, 10]));
+    let diameter = done["largest_class_diameter"].as_f64().unwrap();
+    assert!((0.0005..0.001).contains(&diameter), "{diameter}");
+    assert_eq!(found["joined"]["edges"], json!(2));
+    assert!(expected.get("congruence").is_none());
+    let folder = tempfile::tempdir().unwrap();
+    let [a, b] = [
+        ("a.wkt", "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"),
+        ("b.wkt", "POLYGON ((2.001 0, 4 0, 4 2, 1.9995 2, 2.001 0))"),
+    ]
+    .map(|(name, text)| file(&folder, name, text));
+    let union = [&["boolean", "union", argument(&a), argument(&b)][..], &options, &["--json"]].concat();
+    let answer = coface(&union).json();
+    assert_eq!((&answer["f_vector"], &answer["measure"]), (&json!([6, 6, 1]), &json!(8.0)));
+    assert_eq!(answer["joined"]["classes"], json!([[1, 4], [2, 7]]));
+    assert_eq!(answer["congruence"]["stacked_f_vector"], json!([24, 8]));
+    // A segment that is too short is left out, which is said.
+    let short = format!("{exact}7,7,7.001,7\n");
+    let found = arranged(&short, &options);
+    assert_eq!(found["congruence"]["collapsed"], json!(1));
+    assert!(found["remarks"][0]["message"].as_str().unwrap().contains("1 segment collapsed"), "{found}");
+}

@@ -3952,8 +3952,8 @@ def arrange(models: Any, *, dimension: int | None = None, rule: str | None = Non
     weld : float, optional
         Before anything else, vertices of each model that are at most so far apart are merged; none moves farther.
     method : {"exact", "congruence"}, optional
-        In space, how cells are found: ``"congruence"`` cuts each polygon in its own plane, in rounded numbers, and what is within
-        ``tolerance`` of each other becomes one.
+        How cells are found: ``"congruence"`` cuts each segment, in space each polygon in its own plane, for itself, in rounded numbers,
+        and pieces that are within ``tolerance`` of each other become one.
     max_cells : int, optional
         More cells than this are refused.
     split : bool
@@ -4015,6 +4015,9 @@ def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: 
         Vertices, edges, in space faces and planes too, at most so far apart are put together, in the unit of the inputs.
     weld : float, optional
         Before anything else, vertices of each model that are at most so far apart are merged; none moves farther.
+    method : {"exact", "congruence"}, optional
+        In the plane, how cells are found: ``"congruence"`` cuts each segment for itself, in rounded numbers, and pieces that are within
+        ``tolerance`` of each other become one.
     max_cells : int, optional
         More cells than this are refused.
     split : bool
