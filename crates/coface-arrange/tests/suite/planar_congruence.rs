@@ -33,7 +33,7 @@ fn rectangles(corners: &[[i32; 4]], place: impl Fn([f64; 2], usize) -> [f64; 2])
 /// Everything that does not depend on coordinates, and areas in order.
 fn facts(arrangement: &PlanarArrangement) -> (Vec<usize>, usize, usize, Vec<usize>) {
     let complex = arrangement.chain_complex().unwrap();
-    let ranks: Vec<usize> = complex.boundary_matrices().iter().map(|matrix| rank(matrix)).collect();
+    let ranks: Vec<usize> = complex.boundary_matrices().iter().map(rank).collect();
     let counts = complex.f_vector();
     let rank = |degree: usize| ranks.get(degree).copied().unwrap_or(0);
     let betti = (0..counts.len()).map(|k| counts[k] - if k == 0 { 0 } else { rank(k - 1) } - rank(k));
@@ -46,8 +46,7 @@ fn rank(matrix: &SparseMatrix) -> usize {
     for column in matrix.columns() {
         let mut own: Vec<usize> =
             column.iter().filter(|(_, entry)| entry % 2 != 0).map(|(row, _)| row).collect();
-        loop {
-            let Some(last) = own.last() else { break };
+        while let Some(last) = own.last() {
             let Some(pivot) = pivots.iter().find(|pivot| pivot.last() == Some(last)) else {
                 pivots.push(own);
                 break;
