@@ -55,8 +55,9 @@ pub use hodge::{
 pub use persistence::{
     Barcode, BarcodeMatching, ExtendedKind, ExtendedPair, Filtration, ImageConstruction, ImageDiagram,
     ImageFiltration, ImagePair, PersistenceDiagram, PersistencePair, PersistenceSurface, PersistentCycle,
-    RipsDiagram, RipsFiltration, RipsPair, RipsSize, euler_characteristic_curve, extended_persistence,
-    persistence, persistent_cycles, torsion_primes,
+    RipsDiagram, RipsFiltration, RipsPair, RipsSize, Vine, VinePoint, ZigzagFiltration, ZigzagPair,
+    ZigzagStep, euler_characteristic_curve, extended_persistence, persistence, persistent_cycles,
+    torsion_primes, vineyard,
 };
 
 mod curves;

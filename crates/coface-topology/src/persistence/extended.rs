@@ -191,7 +191,7 @@ pub fn extended_persistence(
 }
 
 /// The cone over a complex: in each degree its cells, then the cones over those of the degree below; in degree 0 the apex behind the vertices.
-fn cone(complex: &ChainComplex) -> Result<ChainComplex, Error> {
+pub(super) fn cone(complex: &ChainComplex) -> Result<ChainComplex, Error> {
     let count = |degree: usize| if degree < complex.degree_count() { complex.cell_count(degree) } else { 0 };
     let matrix = |degree: usize| -> Result<SparseMatrix, Error> {
         let (own, below) = (count(degree), count(degree - 1));

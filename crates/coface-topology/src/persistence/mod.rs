@@ -8,6 +8,8 @@
 //!   [`PersistenceDiagram`] holds all pairs. The number of essential classes of a degree is its Betti number.
 //! * A [`Barcode`] has births and deaths alone: what diagrams of all filtrations have in common. Distances are distances of barcodes.
 //! * **Extended** persistence goes on with the homology relative to growing superlevel sets, where each class dies: [`extended_persistence`].
+//! * A **zigzag** gains and loses simplices: a [`ZigzagFiltration`]. Its classes live on intervals whose ends are **closed** or **open**: a [`ZigzagPair`].
+//! * A [`vineyard`] follows the points of a diagram while the function moves: each path is a [`Vine`].
 //! * The **persistence** of a pair is the distance between birth and death. Pairs of persistence zero, on the
 //!   **diagonal**, depend on how ties are broken; the others do not.
 
@@ -21,11 +23,15 @@ mod image;
 mod reduction;
 mod rips;
 mod torsion;
+mod vineyard;
+mod zigzag;
 
 #[cfg(test)]
 mod cycles_tests;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod zigzag_tests;
 
 pub use barcode::{Barcode, BarcodeMatching, PersistenceSurface, euler_characteristic_curve};
 pub use cycles::{PersistentCycle, persistent_cycles};
@@ -36,3 +42,5 @@ pub use image::{ImageConstruction, ImageDiagram, ImageFiltration, ImagePair};
 pub use reduction::persistence;
 pub use rips::{RipsDiagram, RipsFiltration, RipsPair, RipsSize};
 pub use torsion::torsion_primes;
+pub use vineyard::{Vine, VinePoint, vineyard};
+pub use zigzag::{ZigzagFiltration, ZigzagPair, ZigzagStep};
