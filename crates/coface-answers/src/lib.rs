@@ -55,8 +55,9 @@ pub use matrix_blocks::{BlockedMatrix, MatrixBlocks};
 pub use parts::RegionSource;
 pub use persistence::{
     CurveValues, DiagramCurveKind, DiagramCurvesRequest, DiagramDistanceRequest, DiagramFormat,
-    DiagramImageRequest, DiagramMetric, FoundDiagram, FoundImage, FoundRips, GivenDiagram, GreyImage, Growth,
-    ImageRequest, PersistenceRequest, PointFiltration, RipsRequest, VertexFunction, write_diagram,
+    DiagramImageRequest, DiagramMetric, FoundDiagram, FoundImage, FoundRips, GivenDiagram, GivenZigzag,
+    GreyImage, Growth, ImageRequest, PersistenceRequest, PointFiltration, RipsRequest, VertexFunction,
+    VineyardRequest, write_diagram, write_vines,
 };
 pub use planar::{
     ArrangementMethod, ArrangementRequest, BooleanRequest, BufferCaps, BufferJoins, BufferOptions,

@@ -119,7 +119,7 @@ impl PointArguments {
     }
 
     /// The option that makes a complex of the input, if there is one.
-    fn given(self) -> Option<&'static str> {
+    pub(crate) fn given(self) -> Option<&'static str> {
         let given = [
             ("--alpha", self.alpha.is_some()),
             ("--rips", self.rips),

@@ -95,6 +95,8 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(yin::_feature_sets, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::persistence, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::_extended_persistence, module)?)?;
+    module.add_function(wrap_pyfunction!(persistence::_vineyard, module)?)?;
+    module.add_function(wrap_pyfunction!(persistence::_zigzag, module)?)?;
     module.add_function(wrap_pyfunction!(diagrams::_diagram_distance, module)?)?;
     module.add_function(wrap_pyfunction!(points::alpha, module)?)?;
     module.add_function(wrap_pyfunction!(points::alpha_complex, module)?)?;

@@ -105,7 +105,7 @@ pub use map::{
     BufferArcsAnswer, GapAnswer, MapAnswer, MapCounts, MapCoverageAnswer, MapRepairAnswer, OverlapAnswer,
     PolygonizeAnswer, SimplificationAnswer,
 };
-pub use persistence::{PersistenceAnswer, PersistencePairAnswer};
+pub use persistence::{PersistenceAnswer, PersistencePairAnswer, VineAnswer, VineyardAnswer};
 pub use pi1::{
     ClosedPath, GroupCounts, HomomorphismAnswer, Pi1Answer, Pi1Component, SubgroupCount, WalkAnswer, WalkPair,
 };

@@ -11,7 +11,7 @@ pub struct PersistenceAnswer {
     pub file: String,
     /// The characteristic of the field of coefficients.
     pub field: u32,
-    /// The function on the vertices, the file of the values, `vietoris-rips`, `flag complex`, or `voxels, v-construction` or `voxels, t-construction` of an image.
+    /// The function on the vertices, the file of the values, `vietoris-rips`, `flag complex`, `zigzag`, or `voxels, v-construction` or `voxels, t-construction` of an image.
     pub function: String,
     /// How cells follow from the function: `lower` or `upper`; `null` for given values. Of an image sublevel or superlevel sets; `extended` where
     /// both are asked for.
@@ -40,7 +40,8 @@ pub struct PersistenceAnswer {
 pub struct PersistencePairAnswer {
     /// The degree of the class.
     pub degree: usize,
-    /// Of extended persistence `ordinary`, `extended+`, `extended-` or `relative`; of a relative class the degree is that of relative homology.
+    /// Of extended persistence `ordinary`, `extended+`, `extended-` or `relative`; of a relative class the degree is that of relative homology. Of a zigzag
+    /// `closed-open`, `closed-closed`, `open-closed` or `open-open`: whether the class is there at the time of its birth, and at that of its death.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub kind: Option<String>,
     /// The value at which it is born.
@@ -60,4 +61,30 @@ pub struct PersistencePairAnswer {
     /// A cocycle of the cells before the death, with the value 1 on the cycle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cocycle: Option<Vec<ChainTerm>>,
+}
+
+/// The paths of the points of a diagram while the function moves.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct VineyardAnswer {
+    /// The name of the input.
+    pub file: String,
+    /// The characteristic of the field of coefficients.
+    pub field: u32,
+    /// The functions on the vertices, or the files of their values: the parameters 0, 1, 2, ...
+    pub functions: Vec<String>,
+    /// The paths, by rising degree.
+    pub vines: Vec<VineAnswer>,
+    /// What was assumed or left out.
+    pub remarks: Vec<Remark>,
+}
+
+/// The path of a class.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct VineAnswer {
+    /// The degree of the class.
+    pub degree: usize,
+    /// Parameters with births and deaths, on lines in between; the death of a class that stays is `null`.
+    pub points: Vec<(f64, f64, Option<f64>)>,
 }

@@ -7,10 +7,10 @@ use super::{
     HomologyAnswer, HomotopicAnswer, IncidenceAnswer, InfoAnswer, InfoReports, IsomorphicAnswer, LoopsAnswer,
     MapAnswer, PersistenceAnswer, Pi1Answer, PlanarArrangementAnswer, PlanarBooleanAnswer, ReduceAnswer,
     RenderAnswer, RowAnswer, ShardAnswer, SignatureAnswer, SimplicesAnswer, SimplifyAnswer,
-    SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer, YinAdvectAnswer,
-    YinCombinationAnswer, YinComparisonAnswer, YinCurvatureAnswer, YinCutCellsAnswer, YinInfoAnswer,
-    YinInterfaceAdvectAnswer, YinInterfaceAnswer, YinKinksAnswer, YinLocateAnswer, YinNormalizeAnswer,
-    YinSampleAnswer, YinSeriesAnswer, YinSetAnswer, YinValidationAnswer,
+    SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer, VineyardAnswer,
+    YinAdvectAnswer, YinCombinationAnswer, YinComparisonAnswer, YinCurvatureAnswer, YinCutCellsAnswer,
+    YinInfoAnswer, YinInterfaceAdvectAnswer, YinInterfaceAnswer, YinKinksAnswer, YinLocateAnswer,
+    YinNormalizeAnswer, YinSampleAnswer, YinSeriesAnswer, YinSetAnswer, YinValidationAnswer,
 };
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
@@ -65,6 +65,7 @@ answers! {
     "shard" => ShardAnswer,
     "reduce" => ReduceAnswer,
     "persistence" => PersistenceAnswer,
+    "persistence --vineyard" => VineyardAnswer,
     "diagram distance" => DiagramDistanceAnswer,
     "diagram betti" => DiagramCurvesAnswer,
     "diagram image" => DiagramImageAnswer,

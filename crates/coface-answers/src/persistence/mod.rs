@@ -5,6 +5,8 @@
 //! * A [`RipsRequest`] asks for that of points or distances, or of the flag complex of a graph; [`FoundRips`] has the diagram.
 //! * A [`PointFiltration`] has the simplices and the values of a complex that points make, such as their alpha complex, for a [`PersistenceRequest`].
 //! * An [`ImageRequest`] asks for that of a [`GreyImage`], whose numbers are those of an array or a volume file; [`FoundImage`] has the diagram.
+//! * A [`GivenZigzag`] is a complex that gains and loses simplices, for [`PersistenceRequest::zigzag`].
+//! * A [`VineyardRequest`] asks for the paths of points of a diagram while the function moves; [`write_vines`] writes them as a table.
 //! * A [`GivenDiagram`] is one that was written before. A [`DiagramDistanceRequest`] asks how far two are from each other, a [`DiagramCurvesRequest`]
 //!   and a [`DiagramImageRequest`] for curves and images.
 //! * [`write_diagram`] writes a diagram as the text that other programs read.
@@ -18,6 +20,8 @@ mod filtered;
 mod given;
 mod image;
 mod points;
+mod vineyard;
+mod zigzag;
 
 pub use curves::{CurveValues, DiagramCurveKind, DiagramCurvesRequest, DiagramImageRequest};
 pub use diagram::{DiagramFormat, write_diagram};
@@ -26,6 +30,8 @@ pub use filtered::PointFiltration;
 pub use given::GivenDiagram;
 pub use image::{FoundImage, GreyImage, ImageRequest};
 pub use points::{FoundRips, RipsRequest};
+pub use vineyard::{VineyardRequest, write_vines};
+pub use zigzag::GivenZigzag;
 
 use crate::answer::{PersistenceAnswer, PersistencePairAnswer};
 use crate::{CellNames, Producer};

@@ -69,6 +69,25 @@ impl GivenZigzag {
         Self { name: name.to_owned(), filtration }
     }
 
+    /// The zigzag of steps as a file has them: `"i"` or `"d"`, a simplex, and a time for all or for none.
+    ///
+    /// # Errors
+    /// As of [`Self::read`], naming the step counted from 1.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::GivenZigzag;
+    /// let steps = [("i".to_owned(), vec![0], None), ("d".to_owned(), vec![0], None)];
+    /// assert_eq!(GivenZigzag::of_steps("point", steps).expect("steps").filtration().steps().len(), 2);
+    /// ```
+    pub fn of_steps(
+        name: &str,
+        steps: impl IntoIterator<Item = (String, Vec<u32>, Option<f64>)>,
+    ) -> Result<Self, Error> {
+        let filtration = of_steps(steps).map_err(|error| error.in_file(name))?;
+        Ok(Self { name: name.to_owned(), filtration })
+    }
+
     /// The zigzag of simplices with the times at which each enters, leaves, enters again, and so on, as Dionysus takes them; an infinite time says that it stays. At
     /// one time simplices enter first, by rising dimension, then others leave, by falling dimension.
     ///
@@ -123,7 +142,8 @@ fn of_text(bytes: &[u8]) -> Result<ZigzagFiltration, Error> {
             let mut words = content.split_whitespace();
             let is_insertion = is_insertion(words.next().unwrap_or_default())?;
             let vertex = |word: &str| {
-                word.parse().map_err(|_| no_zigzag(format!("{word:?} is no vertex: vertices are numbers from 0 on")))
+                word.parse()
+                    .map_err(|_| no_zigzag(format!("{word:?} is no vertex: vertices are numbers from 0 on")))
             };
             let simplex = words.map(vertex).collect::<Result<Vec<u32>, Error>>()?;
             add(&mut filtration, &mut has_times, is_insertion, &simplex, time)
@@ -175,27 +195,38 @@ fn of_json(bytes: &[u8]) -> Result<ZigzagFiltration, Error> {
         });
         return of_stays(&simplices, &times.collect::<Result<Vec<_>, Error>>()?);
     }
+    let step = |(place, step): (usize, &Value)| {
+        let wrong = || no_zigzag(format!("step {}: {step} is no step", place + 1));
+        let (word, simplex, time) = match step.as_array().map_or(&[][..], Vec::as_slice) {
+            [word, simplex] => (word, simplex, None),
+            [word, simplex, time] => (word, simplex, Some(time_of(time)?)),
+            _ => return Err(wrong()),
+        };
+        Ok((word.as_str().ok_or_else(wrong)?.to_owned(), numbers(simplex)?, time))
+    };
+    let steps =
+        value.as_array().into_iter().flatten().enumerate().map(step).collect::<Result<Vec<_>, Error>>()?;
+    of_steps(steps)
+}
+
+/// Steps with `"i"` or `"d"`.
+fn of_steps(
+    steps: impl IntoIterator<Item = (String, Vec<u32>, Option<f64>)>,
+) -> Result<ZigzagFiltration, Error> {
     let mut filtration = ZigzagFiltration::default();
     let mut has_times = None;
-    for (place, step) in value.as_array().into_iter().flatten().enumerate() {
-        let mut push = || {
-            let parts = step.as_array().map_or(&[][..], Vec::as_slice);
-            let (word, simplex, time) = match parts {
-                [word, simplex] => (word, simplex, None),
-                [word, simplex, time] => (word, simplex, Some(time_of(time)?)),
-                _ => return Err(no_zigzag(format!("{step} is no step"))),
-            };
-            let word = word.as_str().ok_or_else(|| no_zigzag(format!("{step} is no step")))?;
-            add(&mut filtration, &mut has_times, is_insertion(word)?, &numbers(simplex)?, time)
-        };
-        push().map_err(|error| behind(&format!("step {}", place + 1), &error))?;
+    for (place, (word, simplex, time)) in steps.into_iter().enumerate() {
+        is_insertion(&word)
+            .and_then(|is_insertion| add(&mut filtration, &mut has_times, is_insertion, &simplex, time))
+            .map_err(|error| behind(&format!("step {}", place + 1), &error))?;
     }
     Ok(filtration)
 }
 
 fn numbers(simplex: &Value) -> Result<Vec<u32>, Error> {
     let wrong = || no_zigzag(format!("{simplex} is no simplex: vertices are numbers from 0 on"));
-    let number = |vertex: &Value| vertex.as_u64().and_then(|vertex| u32::try_from(vertex).ok()).ok_or_else(wrong);
+    let number =
+        |vertex: &Value| vertex.as_u64().and_then(|vertex| u32::try_from(vertex).ok()).ok_or_else(wrong);
     simplex.as_array().ok_or_else(wrong)?.iter().map(number).collect()
 }
 
@@ -223,7 +254,9 @@ fn of_stays(simplices: &[Vec<u32>], times: &[Vec<f64>]) -> Result<ZigzagFiltrati
         let simplex = Simplex::from_numbers(numbers)?;
         if times.iter().any(|time| time.is_nan()) || times.windows(2).any(|two| two[0] > two[1]) {
             let message = format!("the times {times:?} of the simplex {simplex} do not rise");
-            return Err(Error::invalid(message).with_cure("give the times at which it enters and leaves in turns"));
+            return Err(
+                Error::invalid(message).with_cure("give the times at which it enters and leaves in turns")
+            );
         }
         for (place, &time) in times.iter().enumerate().filter(|(_, time)| **time != f64::INFINITY) {
             steps.push(match place % 2 {

@@ -2,6 +2,8 @@
 
 pub(super) mod image;
 mod points;
+mod vineyard;
+mod zigzag;
 
 use crate::arguments::Common;
 use crate::certified;
@@ -17,7 +19,7 @@ use coface::answers::answer::{PersistenceAnswer, PersistencePairAnswer};
 use coface::answers::text;
 use coface::answers::{
     DiagramFormat, FoundDiagram, FoundRips, Growth, PersistenceRequest, PointFiltration, Producer,
-    write_diagram,
+    VineyardRequest, write_diagram,
 };
 use coface::geometry::Positions;
 use coface::io::{Format, check_output, write_path};
@@ -62,6 +64,15 @@ pub(crate) struct Persistence {
     /// relative, extended+ (dead no lower than born), or extended- (dead lower than born). Classes of the whole model are all listed
     #[arg(long, conflicts_with_all = ["values", "upper_star", "cycles", "certificate"])]
     extended: bool,
+    /// Zigzag persistence: the input has lines "i 0 1" where a simplex enters a complex and "d 0 1" where it leaves, as fzz reads them, with times as "i 0 1 @ 2.5" or
+    /// the numbers of the lines; or JSON: [["i",[0,1],2.5],..], or {"simplices":[[0,1],..],"times":[[enters,leaves,..],..]} as Dionysus has them. Pairs have a
+    /// "kind", such as closed-open: whether the class is there at the time of its birth, and at that of its death
+    #[arg(long, conflicts_with_all = ["function", "values", "upper_star", "extended", "cycles", "certificate"])]
+    zigzag: bool,
+    /// The paths of the points of the diagram while the first function becomes the second one, and so on, each vertex along a line. -o writes them as .json, or
+    /// as .csv with lines vine,degree,parameter,birth,death; the JSON has "functions", and "vines", a list of {"degree","points"} with points [parameter,birth,death]
+    #[arg(long, value_name = "x|y|z|FILE", num_args = 1.., conflicts_with_all = ["function", "values", "upper_star", "extended", "cycles", "certificate", "zigzag"])]
+    vineyard: Vec<String>,
     /// Only pairs whose persistence is greater than R; a negative R keeps all
     #[arg(long, value_name = "R", default_value = "0", allow_negative_numbers = true, value_parser = length)]
     min_persistence: f64,
@@ -103,6 +114,10 @@ enum Output {
 
 impl Persistence {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        let is_moving = !self.vineyard.is_empty();
+        if let Some(path) = common.output.as_deref().filter(|_| is_moving) {
+            vineyard::check_name(path)?;
+        }
         let output = common.output.as_deref().map(|path| {
             let format = if is_json(path) {
                 Some(Output::Json)
@@ -127,6 +142,11 @@ impl Persistence {
             certified::refuse_standard_input(std::slice::from_ref(&self.input))?;
         }
         let progress = Progress::start(common.quiet);
+        if self.zigzag {
+            let zigzag = zigzag::given(&self.input, common, &self.image)?;
+            let answer = self.request(Growth::Lower(None)).zigzag(&zigzag)?;
+            return self.give(common, output.as_ref(), progress, &answer, no_kinds);
+        }
         if let Some((found, positions)) = self.found_of_points(common, &progress)? {
             if self.cycles.is_some() {
                 let (points, request) = found.with_simplices(positions)?;
@@ -169,6 +189,11 @@ impl Persistence {
             )));
         }
         let (name, producer) = input::identify(source.model(common.reading(), &progress)?, &progress)?;
+        if is_moving {
+            let request = VineyardRequest::new().coefficients(self.coefficients);
+            let request = request.min_persistence(self.min_persistence);
+            return vineyard::give(common, &request, (&name, &producer), &self.vineyard, progress);
+        }
         let growth = match &self.values {
             Some(path) => read_values(path)?,
             None => {
@@ -179,10 +204,7 @@ impl Persistence {
         let request = self.request(growth);
         if self.extended {
             let answer = request.extended(&name, &producer)?;
-            return self.give(common, output.as_ref(), progress, &answer, |_, _| {
-                Err(coface::Error::invalid("files of diagrams have no kinds of pairs")
-                    .with_cure("write extended persistence as .json"))
-            });
+            return self.give(common, output.as_ref(), progress, &answer, no_kinds);
         }
         self.give_complex(common, output.as_ref(), progress, (&name, &producer, request))
     }
@@ -295,7 +317,11 @@ impl Persistence {
 
     /// Whether a function or values of cells are given.
     fn is_of_a_function(&self) -> bool {
-        self.extended || self.function.is_some() || self.values.is_some() || self.upper_star
+        self.extended
+            || !self.vineyard.is_empty()
+            || self.function.is_some()
+            || self.values.is_some()
+            || self.upper_star
     }
 
     /// Writes the file that was asked for, and prints.
@@ -343,6 +369,7 @@ impl Persistence {
                 let what = if function == "vietoris-rips" { "diameters" } else { "values" };
                 writeln!(page, "    {function}, {what} up to {threshold}")
             }
+            (None, None) if self.zigzag => writeln!(page, "    zigzag: intervals with closed and open ends"),
             (None, None) => writeln!(page, "    values: {function}"),
         };
         if let Some(primes) = &answer.torsion_primes {
@@ -357,7 +384,7 @@ impl Persistence {
             let mut pairs: Vec<&PersistencePairAnswer> =
                 answer.diagram.iter().filter(|pair| pair.degree == degree).collect();
             let essential = pairs.iter().filter(|pair| pair.death.is_none()).count();
-            let for_ever = if answer.threshold.is_some() { "at the end" } else { "for ever" };
+            let for_ever = if answer.threshold.is_some() || self.zigzag { "at the end" } else { "for ever" };
             let _ = writeln!(
                 page,
                 "\n    degree {degree}: {} {for_ever}, {}",
@@ -368,6 +395,12 @@ impl Persistence {
             for pair in pairs.iter().take(LISTED) {
                 let (birth, born) = (pair.birth, shown(answer, &pair.birth_cell));
                 let _ = match (pair.death, &pair.death_cell) {
+                    (_, by) if self.zigzag => {
+                        let interval = interval(pair, pair.kind.as_deref().unwrap_or_default());
+                        let end =
+                            by.as_ref().map_or(String::new(), |by| format!(" to {}", shown(answer, by)));
+                        writeln!(page, "      {interval}, from {born}{end}")
+                    }
                     (Some(death), Some(by)) if let Some(kind) = &pair.kind => writeln!(
                         page,
                         "      {birth} to {death}  {kind}, from {born} to {}",
@@ -387,6 +420,23 @@ impl Persistence {
             }
         }
         page
+    }
+}
+
+/// Kinds of pairs are written as JSON alone.
+fn no_kinds(_: &mut Vec<u8>, _: DiagramFormat) -> Result<(), coface::Error> {
+    let error = coface::Error::invalid("files of diagrams have no kinds of pairs");
+    Err(error.with_cure("write extended and zigzag persistence as .json"))
+}
+
+/// An interval whose ends are closed or open.
+fn interval(pair: &PersistencePairAnswer, kind: &str) -> String {
+    let (birth, death) = kind.split_once('-').unwrap_or(("closed", "open"));
+    let open = if birth == "closed" { '[' } else { '(' };
+    let close = if death == "closed" { ']' } else { ')' };
+    match pair.death {
+        Some(death) => format!("{open}{}, {death}{close}  persistence {:.6}", pair.birth, persistence(pair)),
+        None => format!("{open}{}, never)", pair.birth),
     }
 }
 

@@ -30,6 +30,8 @@ mod persistence_extended;
 mod persistence_graphs;
 mod persistence_images;
 mod persistence_points;
+mod persistence_vineyard;
+mod persistence_zigzag;
 mod physical_groups;
 mod pi1;
 mod pictures;

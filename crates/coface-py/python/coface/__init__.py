@@ -121,8 +121,10 @@ from coface._questions import (
     rips,
     rips_complex,
     wasserstein,
+    vineyard,
     witness,
     witness_complex,
+    zigzag,
 )
 from coface import _faults, _records, maps
 from coface._notebook import repr_html as _repr_html
@@ -299,8 +301,10 @@ __all__ = [
     "view",
     "volume",
     "wasserstein",
+    "vineyard",
     "witness",
     "witness_complex",
+    "zigzag",
 ]
 
 _records.install()

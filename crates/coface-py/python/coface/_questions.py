@@ -983,6 +983,104 @@ def extended_persistence(
     return kinds
 
 
+@in_words
+def vineyard(
+    x: Any,
+    functions: Any,
+    *,
+    coefficients: str | int = "f2",
+    least: float = 0.0,
+    progress: Any = False,
+) -> list[tuple[int, NDArray[np.float64]]]:
+    """The vines of functions on vertices: the paths of the points of the persistence diagram while the first function becomes the second one, and so on, each vertex along a line.
+
+    Parameters
+    ----------
+    x
+        Anything that :func:`as_chain_complex` understands.
+    functions
+        For each function a number for each vertex of `x` by its id: an array of shape ``(k, n)``, or a list of arrays. Their parameters are 0, 1, ..
+    coefficients
+        A prime field: ``"f2"``, ``"f3"``, ...
+    least
+        Vines whose persistence is nowhere greater are left out.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    list of tuple
+        For each vine its degree and an array of shape ``(points, 3)``: parameter, birth and death where it bends and at the functions along its way, the death inf for a class that
+        stays. A vine that begins or ends between functions does so on the diagonal.
+
+    Examples
+    --------
+    A path whose valley at the end becomes flat:
+
+    >>> import coface
+    >>> (_, _), (degree, points) = coface.vineyard([[0, 1], [1, 2]], [[0.0, 4.0, 2.0], [0.0, 4.0, 6.0]])
+    >>> degree, points.tolist()
+    (0, [[0.0, 2.0, 4.0], [0.5, 4.0, 4.0]])
+    """
+    complex = as_chain_complex(x, progress=progress)
+    values = [_at_vertices(function, x, complex) for function in functions]
+    return _coface._vineyard(complex, values, coefficients=coefficients, least=least, progress=progress)
+
+
+@in_words
+def zigzag(
+    steps: Any,
+    times: Any = None,
+    *,
+    coefficients: str | int = "f2",
+    least: float = 0.0,
+) -> dict[str, list[tuple[int, tuple[float, float]]]]:
+    """Zigzag persistence: the classes of a complex that gains and loses simplices.
+
+    A simplex is there at the time at which it enters, and still at the time at which it leaves. Faces enter before cofaces and leave behind them.
+
+    Parameters
+    ----------
+    steps
+        Steps ``("i", simplex)`` where a simplex enters and ``("d", simplex)`` where it leaves, with times as a third entry or the numbers 1, 2, ..; or simplices, if `times` are
+        given; or the path of a file with lines ``i 0 1`` and ``d 0 1`` as fzz has them, or of the JSON that ``coface persistence --zigzag`` reads.
+    times
+        For each simplex the times at which it enters, leaves, enters again, and so on, as Dionysus has them. At one time simplices enter first, by rising dimension, then others
+        leave.
+    coefficients
+        A prime field: ``"f2"``, ``"f3"``, ...
+    least
+        Classes that live no longer than this are left out.
+
+    Returns
+    -------
+    dict
+        ``(degree, (birth, death))`` of the classes of each kind: ``"closed-open"``, ``"closed-closed"``, ``"open-closed"`` and ``"open-open"`` say whether a class is there at the
+        time of its birth and at that of its death. A class that is there at the end has the death inf.
+
+    Examples
+    --------
+    Two points that an edge joins from 2 to 5:
+
+    >>> import coface
+    >>> found = coface.zigzag([[0], [1], [0, 1]], [[0], [1, 8], [2, 5]])
+    >>> found["closed-open"], found["open-closed"]
+    ([(0, (0.0, inf)), (0, (1.0, 2.0))], [(0, (5.0, 8.0))])
+    >>> coface.zigzag([("i", [0]), ("d", [0])])["closed-closed"]
+    [(0, (1.0, 2.0))]
+    """
+    if not isinstance(steps, (str, os.PathLike)):
+        if times is not None:
+            times = [[float(time) for time in stays] for stays in times]
+            steps = [[int(vertex) for vertex in simplex] for simplex in steps]
+        else:
+            steps = [(step[0], [int(vertex) for vertex in step[1]], *map(float, step[2:])) for step in steps]
+    kinds: dict[str, list[tuple[int, tuple[float, float]]]] = {"closed-open": [], "closed-closed": [], "open-closed": [], "open-open": []}
+    for kind, degree, birth, death in _coface._zigzag(steps, times, coefficients=coefficients, least=least):
+        kinds[kind].append((degree, (birth, death)))
+    return kinds
+
+
 def _distances(x: Any, distances: Any) -> tuple[Any, Any]:
     """Points or distances as rows, and what these are."""
     if hasattr(x, "tocoo"):

@@ -33,6 +33,17 @@ pub(super) const CASES: &[Case] = &[
         .files(&[("image.pgm", "P2\n2 2\n9\n1 2\n3 4\n")])
         .refused("coface persistence image.pgm --cycles")
         .cured(&[&["coface persistence image.pgm"]]),
+    Case::new("persistence/zigzag.rs", "a zigzag has its simplices: leave {option} out")
+        .files(&[("steps.txt", "i 0\ni 1\ni 0 1\n")])
+        .misused("coface persistence steps.txt --zigzag --rips")
+        .cured(&[&["coface persistence steps.txt --zigzag"]]),
+    Case::new("persistence/vineyard.rs", "and {more} more; all with -o or --json")
+        .files(&[(
+            "path.json",
+            "[[0,1],[1,2],[2,3],[3,4],[4,5],[5,6],[6,7],[7,8],[8,9],[9,10],[10,11],[11,12],[12,13],[13,14],[14,15],[15,16],[16,17],[17,18]]",
+        ), ("f.txt", "0\n9\n1\n9\n1\n9\n1\n9\n1\n9\n1\n9\n1\n9\n1\n9\n1\n9\n1\n")])
+        .answered("coface persistence path.json --vineyard f.txt")
+        .cured(&[&["coface persistence path.json --vineyard f.txt --json"]]),
     Case::new("commands/persistence.rs", "leave --certificate out")
         .files(POINTS)
         .refused("coface persistence points.csv --rips --certificate points.cert")

@@ -221,6 +221,7 @@ const EXCEPTIONS: &[(&str, &str, &str)] = &[
     ("answer/schema.rs", "cocycles --test", "a title in the schema, not a message"),
     ("answer/schema.rs", "cycles --handles", "a title in the schema, not a message"),
     ("answer/schema.rs", "cycles --fill-handles", "a title in the schema, not a message"),
+    ("answer/schema.rs", "persistence --vineyard", "a title in the schema, not a message"),
     ("answer/schema.rs", "yin compare --series", "a title in the schema, not a message"),
     ("answer/schema.rs", "yin advect --inputs", "a title in the schema, not a message"),
     ("pages/html.rs", ":root { --paper", "a style sheet, not a message"),

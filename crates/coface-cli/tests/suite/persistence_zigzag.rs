@@ -1,0 +1,125 @@
+//! `coface persistence --zigzag` as a user runs it.
+
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+
+use crate::program::{coface, coface_in, coface_reading};
+use serde_json::{Value, json};
+
+fn ask(text: &str, more: &[&str]) -> Value {
+    let all = [&["persistence", "-", "--zigzag", "--json"], more].concat();
+    coface_reading(&all, text.as_bytes()).json()
+}
+
+/// Degree, birth, death and kind.
+fn intervals(object: &Value) -> Vec<Value> {
+    let pairs = object["diagram"].as_array().unwrap().iter();
+    pairs.map(|pair| json!([pair["degree"], pair["birth"], pair["death"], pair["kind"]])).collect()
+}
+
+/// A loop that is filled and opened again, then cut.
+const LOOP: &str = "# a loop\ni 0\ni 1\ni 2\ni 0 1\ni 1 2\ni 2 0\n\ni 0 1 2\nd 0 1 2\nd 2 1 # cut\n";
+
+#[test]
+fn a_loop_is_filled_and_opened() {
+    let object = ask(LOOP, &[]);
+    assert_eq!(
+        intervals(&object),
+        [
+            json!([0, 1.0, null, "closed-open"]),
+            json!([0, 2.0, 4.0, "closed-open"]),
+            json!([0, 3.0, 5.0, "closed-open"]),
+            json!([1, 6.0, 7.0, "closed-open"]),
+            json!([1, 8.0, 9.0, "open-closed"]),
+        ]
+    );
+    assert_eq!((&object["betti"], &object["function"]), (&json!([1, 0, 0]), &json!("zigzag")));
+    assert_eq!(
+        (&object["diagram"][4]["birth_cell"], &object["diagram"][4]["death_cell"]),
+        (&json!([0, 1, 2]), &json!([1, 2]))
+    );
+    assert_eq!(
+        ask(LOOP, &["--coefficients", "5", "--min-persistence", "1.5"])["diagram"].as_array().unwrap().len(),
+        3
+    );
+    let page = coface_reading(&["persistence", "-", "--zigzag"], LOOP.as_bytes()).stdout;
+    for line in [
+        "(8, 9]  persistence 1.000000, from [0, 1, 2] to [1, 2]",
+        "[1, never), from [0]",
+        "degree 0: 1 class at the end, 2 pairs",
+    ] {
+        assert!(page.contains(line), "{page}");
+    }
+    assert_eq!(ask("", &[])["betti"], json!([]));
+}
+
+/// Two edges between the same points, at one time or another: open ends on both sides.
+#[test]
+fn components_apart_and_together() {
+    let text = "i 0 @ 0\ni 1 @ 0\ni 0 1 @ 1\nd 0 1 @ 2.5\ni 0 1 @ 4\n";
+    assert_eq!(
+        intervals(&ask(text, &[])),
+        [
+            json!([0, 0.0, null, "closed-open"]),
+            json!([0, 0.0, 1.0, "closed-open"]),
+            json!([0, 2.5, 4.0, "open-open"]),
+        ]
+    );
+}
+
+/// The example of the guide of Dionysus, with its answer; steps as JSON are those of lines.
+#[test]
+fn forms_of_json() {
+    let text = r#"{"simplices": [[0],[1],[0,1],[2],[0,2],[1,2]], "times": [[0.4,0.6,0.7],[0.1],[0.9],[0.9],[0.9],[0.9]]}"#;
+    assert_eq!(
+        intervals(&ask(text, &[])),
+        [
+            json!([0, 0.1, null, "closed-open"]),
+            json!([0, 0.4, 0.6, "closed-closed"]),
+            json!([0, 0.7, 0.9, "closed-open"]),
+            json!([1, 0.9, null, "closed-open"]),
+        ]
+    );
+    let stays = r#"{"simplices":[[0],[1],[0,1]],"times":[[0,null],[1,8],[2,5]]}"#;
+    let steps = r#"[["i",[0],0],["i",[1],1],["i",[0,1],2],["d",[1,0],5],["d",[1],8]]"#;
+    assert_eq!(ask(stays, &[])["diagram"], ask(steps, &[])["diagram"]);
+    let numbered = r#"[["i",[0]],["i",[1]],["i",[0,1]]]"#;
+    assert_eq!(ask(numbered, &[])["diagram"], ask("i 0\ni 1\ni 0 1\n", &[])["diagram"]);
+}
+
+#[test]
+fn wrong_zigzags_are_named_by_their_places() {
+    let said = |text: &str| {
+        coface_reading(&["persistence", "-", "--zigzag"], text.as_bytes()).fails_with(1).to_owned()
+    };
+    assert!(said("i 0\n\ni 0 1\n").contains("standard input:3: {0, 1} enters before its face {1}"));
+    assert!(said("i 0\ni 0\n").contains("standard input:2: {0} enters and is there"));
+    assert!(said("d 4\n").contains("standard input:1: {4} leaves and is not there"));
+    assert!(said("i 0\ni 1\ni 0 1\nd 1\n").contains("standard input:4: {1} leaves before its coface {0, 1}"));
+    assert!(said("i 0 @ 2\ni 1 @ 1\n").contains("standard input:2: the time falls from 2 to 1"));
+    assert!(said("i 0 @ 2\ni 1\n").contains("standard input:2: some steps have times and some have none"));
+    assert!(said("i 0 @ soon\n").contains("standard input:1: \"soon\" is no time"));
+    assert!(said("x 0\n").contains("a step begins with \"x\""));
+    assert!(said("i a\n").contains("\"a\" is no vertex"));
+    assert!(said("i\n").contains("a simplex without vertices"));
+    assert!(said("i 1 1\n").contains("vertex 1 is repeated"));
+    assert!(said("[[\"i\",[0]],[\"i\",[0]]]").contains("step 2: {0} enters and is there"));
+    assert!(said("[[\"i\"]]").contains("is no step"));
+    assert!(said("{\"simplices\":[[0]]}").contains("no list \"times\""));
+    assert!(said("{\"simplices\":[[0]],\"times\":[[3,1]]}").contains("do not rise"));
+    assert!(said("{\"simplices\":[[0]],\"times\":[]}").contains("1 simplices and 0 lists of times"));
+    assert!(said("[").contains("standard input"));
+    coface(&["persistence", "a.txt", "--zigzag", "--extended"]).fails_with(2);
+    coface(&["persistence", "a.txt", "--zigzag", "--rips"]).fails_with(2);
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("a.txt"), LOOP).unwrap();
+    assert!(
+        coface_in(folder.path(), &["persistence", "a.txt", "--zigzag", "-o", "a.csv"])
+            .fails_with(1)
+            .contains(".json")
+    );
+    assert_eq!(coface_in(folder.path(), &["persistence", "a.txt", "--zigzag", "-o", "a.json"]).status, 0);
+    // Diagrams of zigzags are data as others.
+    let line = ["diagram", "distance", "a.json", "a.json", "--json"];
+    assert_eq!(coface_in(folder.path(), &line).status, 0);
+    coface_in(folder.path(), &["persistence", "missing.txt", "--zigzag"]).fails_with(1);
+}
