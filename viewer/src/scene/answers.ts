@@ -1508,7 +1508,7 @@ export interface PersistenceAnswer {
   field: number;
   /** The name of the input. */
   file: string;
-  /** The function on the vertices, the file of the values, `vietoris-rips`, `flag complex`, or `voxels, v-construction` or `voxels, t-construction` of an image. */
+  /** The function on the vertices, the file of the values, `vietoris-rips`, `flag complex`, `zigzag`, or `voxels, v-construction` or `voxels, t-construction` of an image. */
   function: string;
   /** What was assumed or left out. */
   remarks: Remark[];
@@ -1546,7 +1546,10 @@ export interface PersistencePairAnswer {
   death_cell?: number[] | null;
   /** The degree of the class. */
   degree: number;
-  /** Of extended persistence `ordinary`, `extended+`, `extended-` or `relative`; of a relative class the degree is that of relative homology. */
+  /**
+   * Of extended persistence `ordinary`, `extended+`, `extended-` or `relative`; of a relative class the degree is that of relative homology. Of a zigzag
+   * `closed-open`, `closed-closed`, `open-closed` or `open-open`: whether the class is there at the time of its birth, and at that of its death.
+   */
   kind?: string | null;
 }
 
@@ -2392,6 +2395,28 @@ export interface ViewAnswer {
   remarks: Remark[];
   /** The number of triangles that are drawn. */
   triangles: number;
+}
+
+/** The path of a class. */
+export interface VineAnswer {
+  /** The degree of the class. */
+  degree: number;
+  /** Parameters with births and deaths, on lines in between; the death of a class that stays is `null`. */
+  points: [number, number, number | null][];
+}
+
+/** The paths of the points of a diagram while the function moves. */
+export interface VineyardAnswer {
+  /** The characteristic of the field of coefficients. */
+  field: number;
+  /** The name of the input. */
+  file: string;
+  /** The functions on the vertices, or the files of their values: the parameters 0, 1, 2, ... */
+  functions: string[];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The paths, by rising degree. */
+  vines: VineAnswer[];
 }
 
 /** What is known of a closed walk on a surface. */

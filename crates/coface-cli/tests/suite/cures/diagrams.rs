@@ -33,10 +33,6 @@ pub(super) const CASES: &[Case] = &[
         .files(&[("image.pgm", "P2\n2 2\n9\n1 2\n3 4\n")])
         .refused("coface persistence image.pgm --cycles")
         .cured(&[&["coface persistence image.pgm"]]),
-    Case::new("persistence/zigzag.rs", "a zigzag has its simplices: leave {option} out")
-        .files(&[("steps.txt", "i 0\ni 1\ni 0 1\n")])
-        .misused("coface persistence steps.txt --zigzag --rips")
-        .cured(&[&["coface persistence steps.txt --zigzag"]]),
     Case::new("persistence/vineyard.rs", "and {more} more; all with -o or --json")
         .files(&[(
             "path.json",
