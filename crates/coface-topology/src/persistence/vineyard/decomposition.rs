@@ -102,7 +102,7 @@ impl<'a, F: Field> Decomposition<'a, F> {
     fn reduce(&mut self, degree: usize) {
         let order = self.levels[degree].order.clone();
         let steps = stage("pairing cells", order.len());
-        for cell in steps.each(order.into_iter()) {
+        for cell in steps.each(order) {
             while let Some(low) = self.low(degree, cell) {
                 let owner = self.levels[degree - 1].dead[low as usize];
                 if owner == NONE {
