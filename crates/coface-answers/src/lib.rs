@@ -57,7 +57,7 @@ pub use persistence::{
     CurveValues, DiagramCurveKind, DiagramCurvesRequest, DiagramDistanceRequest, DiagramFormat,
     DiagramImageRequest, DiagramMetric, FoundDiagram, FoundImage, FoundRips, GivenDiagram, GivenZigzag,
     GreyImage, Growth, ImageRequest, PersistenceRequest, PointFiltration, RipsRequest, VertexFunction,
-    VineyardRequest, write_diagram, write_vines,
+    VineyardRequest, write_diagram, write_kinds, write_vines,
 };
 pub use planar::{
     ArrangementMethod, ArrangementRequest, BooleanRequest, BufferCaps, BufferJoins, BufferOptions,

@@ -1,5 +1,6 @@
 //! Persistence diagrams as the text that other programs read.
 
+use crate::answer::PersistenceAnswer;
 use coface_algebra::Error;
 use coface_topology::{PersistenceDiagram, PersistencePair};
 use std::io::Write;
@@ -71,6 +72,33 @@ pub fn write_diagram(
         death_cell: pair.death_cell().map(|cell| cell.index().to_string()),
     });
     write_lines(diagram.prime(), never, diagram.degree_count(), lines, out, format)
+}
+
+/// Writes classes that have kinds, those of extended persistence and of zigzags, as lines `degree,birth,death,kind,birth_cell,death_cell` under a header; what stays
+/// has the death `inf`, and cells are given by their vertices, with blanks between them.
+///
+/// # Errors
+/// [`coface_algebra::ErrorKind::Io`] if the stream cannot be written.
+///
+/// # Examples
+/// ```
+/// use coface_answers::{GivenZigzag, PersistenceRequest, write_kinds};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let zigzag = GivenZigzag::read("point.txt", b"i 7\nd 7\n")?;
+/// let mut text = Vec::new();
+/// write_kinds(&PersistenceRequest::new().zigzag(&zigzag)?, &mut text)?;
+/// assert_eq!(text, b"degree,birth,death,kind,birth_cell,death_cell\n0,1,2,closed-closed,7,7\n");
+/// # Ok(()) }
+/// ```
+pub fn write_kinds(answer: &PersistenceAnswer, mut out: impl Write) -> Result<(), Error> {
+    writeln!(out, "degree,birth,death,kind,birth_cell,death_cell")?;
+    let name = |cell: &[u32]| cell.iter().map(u32::to_string).collect::<Vec<_>>().join(" ");
+    for pair in &answer.diagram {
+        let (kind, death) = (pair.kind.as_deref().unwrap_or_default(), pair.death.unwrap_or(f64::INFINITY));
+        let cells = [name(&pair.birth_cell), pair.death_cell.as_deref().map(name).unwrap_or_default()];
+        writeln!(out, "{},{},{death},{kind},{}", pair.degree, pair.birth, cells.join(","))?;
+    }
+    Ok(())
 }
 
 /// A class, with the names of its cells.

@@ -9,7 +9,7 @@
 //! * A [`VineyardRequest`] asks for the paths of points of a diagram while the function moves; [`write_vines`] writes them as a table.
 //! * A [`GivenDiagram`] is one that was written before. A [`DiagramDistanceRequest`] asks how far two are from each other, a [`DiagramCurvesRequest`]
 //!   and a [`DiagramImageRequest`] for curves and images.
-//! * [`write_diagram`] writes a diagram as the text that other programs read.
+//! * [`write_diagram`] writes a diagram as the text that other programs read, [`write_kinds`] one whose pairs have kinds as a table.
 
 mod certificate;
 mod curves;
@@ -24,7 +24,7 @@ mod vineyard;
 mod zigzag;
 
 pub use curves::{CurveValues, DiagramCurveKind, DiagramCurvesRequest, DiagramImageRequest};
-pub use diagram::{DiagramFormat, write_diagram};
+pub use diagram::{DiagramFormat, write_diagram, write_kinds};
 pub use distance::{DiagramDistanceRequest, DiagramMetric};
 pub use filtered::PointFiltration;
 pub use given::GivenDiagram;

@@ -19,7 +19,7 @@ use coface::answers::answer::{PersistenceAnswer, PersistencePairAnswer};
 use coface::answers::text;
 use coface::answers::{
     DiagramFormat, FoundDiagram, FoundRips, Growth, PersistenceRequest, PointFiltration, Producer,
-    VineyardRequest, write_diagram,
+    VineyardRequest, write_diagram, write_kinds,
 };
 use coface::geometry::Positions;
 use coface::io::{Format, check_output, write_path};
@@ -145,7 +145,9 @@ impl Persistence {
         if self.zigzag {
             let zigzag = zigzag::given(&self.input, common, &self.image)?;
             let answer = self.request(Growth::Lower(None)).zigzag(&zigzag)?;
-            return self.give(common, output.as_ref(), progress, &answer, no_kinds);
+            return self.give(common, output.as_ref(), progress, &answer, |bytes, format| {
+                write_table(&answer, bytes, format)
+            });
         }
         if let Some((found, positions)) = self.found_of_points(common, &progress)? {
             if self.cycles.is_some() {
@@ -204,7 +206,9 @@ impl Persistence {
         let request = self.request(growth);
         if self.extended {
             let answer = request.extended(&name, &producer)?;
-            return self.give(common, output.as_ref(), progress, &answer, no_kinds);
+            return self.give(common, output.as_ref(), progress, &answer, |bytes, format| {
+                write_table(&answer, bytes, format)
+            });
         }
         self.give_complex(common, output.as_ref(), progress, (&name, &producer, request))
     }
@@ -423,10 +427,17 @@ impl Persistence {
     }
 }
 
-/// Kinds of pairs are written as JSON alone.
-fn no_kinds(_: &mut Vec<u8>, _: DiagramFormat) -> Result<(), coface::Error> {
-    let error = coface::Error::invalid("files of diagrams have no kinds of pairs");
-    Err(error.with_cure("write extended and zigzag persistence as .json"))
+/// Pairs with kinds as a table; other files of diagrams have none.
+fn write_table(
+    answer: &PersistenceAnswer,
+    bytes: &mut Vec<u8>,
+    format: DiagramFormat,
+) -> Result<(), coface::Error> {
+    if format == DiagramFormat::Csv {
+        return write_kinds(answer, bytes);
+    }
+    let error = coface::Error::invalid("diagrams of GUDHI and Ripser have no kinds of pairs");
+    Err(error.with_cure("write extended and zigzag persistence as .json or .csv"))
 }
 
 /// An interval whose ends are closed or open.

@@ -79,8 +79,8 @@ fn a_torus_has_its_classes_both_ways() {
 fn what_has_no_kinds_is_refused() {
     let path = b"[[0,1],[1,2]]";
     let said =
-        coface_reading(&["persistence", "-", "--extended", "-o", "x.csv"], path).fails_with(1).to_owned();
-    assert!(said.contains("write extended and zigzag persistence as .json"), "{said}");
+        coface_reading(&["persistence", "-", "--extended", "-o", "x.pers"], path).fails_with(1).to_owned();
+    assert!(said.contains("write extended and zigzag persistence as .json or .csv"), "{said}");
     coface(&["persistence", "a.json", "--extended", "--upper-star"]).fails_with(2);
     let edge = coface_reading(&["persistence", "-", "--extended", "--json"], b"[[3]]").json();
     assert_eq!(pairs(&edge), [json!(["extended+", 0, 3.0, 3.0])]);

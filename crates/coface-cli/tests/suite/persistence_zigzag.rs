@@ -113,12 +113,20 @@ fn wrong_zigzags_are_named_by_their_places() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("a.txt"), LOOP).unwrap();
     assert!(
-        coface_in(folder.path(), &["persistence", "a.txt", "--zigzag", "-o", "a.csv"])
+        coface_in(folder.path(), &["persistence", "a.txt", "--zigzag", "-o", "a.pers"])
             .fails_with(1)
             .contains(".json")
     );
     assert_eq!(coface_in(folder.path(), &["persistence", "a.txt", "--zigzag", "-o", "a.json"]).status, 0);
+    assert_eq!(coface_in(folder.path(), &["persistence", "a.txt", "--zigzag", "-o", "a.csv"]).status, 0);
+    let text = std::fs::read_to_string(folder.path().join("a.csv")).unwrap();
+    assert!(
+        text.contains("\n1,8,9,open-closed,0 1 2,1 2\n") && text.contains("\n0,1,inf,closed-open,0,\n"),
+        "{text}"
+    );
     // Diagrams of zigzags are data as others.
+    let line = ["diagram", "distance", "a.json", "a.csv", "--json"];
+    assert_eq!(coface_in(folder.path(), &line).json()["distance"], json!(0.0));
     let line = ["diagram", "distance", "a.json", "a.json", "--json"];
     assert_eq!(coface_in(folder.path(), &line).status, 0);
     coface_in(folder.path(), &["persistence", "missing.txt", "--zigzag"]).fails_with(1);
