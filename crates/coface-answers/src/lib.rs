@@ -73,8 +73,8 @@ pub use signatures::SignatureRequest;
 pub use simplices::{Neighborhood, model_of_simplices, simplicial_complex};
 pub use simplification::{SimplifiedManifold, gluing_model};
 pub use spatial::{
-    CongruentScene, InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest,
-    SpatialScene,
+    CongruentBoolean, CongruentScene, InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest,
+    SpatialRequest, SpatialScene,
 };
 pub use surface_model::{
     CutComponent, CutRequest, CutSeam, LayoutChoice, LayoutRequest, LayoutWeights, PlacedCover,

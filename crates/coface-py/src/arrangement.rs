@@ -14,9 +14,9 @@ use coface::answers::answer::{
     SpatialArrangementAnswer,
 };
 use coface::answers::{
-    ArrangementMethod, ArrangementRequest, BooleanRequest, CongruentScene, DrawingArrangement,
-    DrawingOptions, PlanarDrawing, RegionBoolean, RegionSource, SceneArrangement, SolidBoolean, SolidRequest,
-    SpatialRequest, SpatialScene, are_planar, welded,
+    ArrangementMethod, ArrangementRequest, BooleanRequest, CongruentBoolean, CongruentScene,
+    DrawingArrangement, DrawingOptions, PlanarDrawing, RegionBoolean, RegionSource, SceneArrangement,
+    SolidBoolean, SolidRequest, SpatialRequest, SpatialScene, are_planar, welded,
 };
 use coface::arrange::boolean::{BooleanFormula, InsideRule};
 use coface::arrange::spatial::NonPlanar;
@@ -319,8 +319,7 @@ fn spatial_request(
 /// weld : float, optional
 ///     Before anything else, vertices of each model that are at most so far apart are merged; none moves farther.
 /// method : {"exact", "congruence"}, optional
-///     In the plane, how cells are found: ``"congruence"`` cuts each segment for itself, in rounded numbers, and pieces that are within
-///     ``tolerance`` of each other become one.
+///     How cells are found, as for :func:`arrange`.
 /// max_cells : int, optional
 ///     More cells than this are refused.
 /// split : bool
@@ -406,8 +405,22 @@ pub(crate) fn boolean<'py>(
     }
     refuse_planar(py, grid, close)?;
     if method == ArrangementMethod::Congruence {
-        let message = "method=\"congruence\" combines drawings in the plane";
-        return Err(invalid(py, message, "leave it out in space; tolerance= puts together what is near"));
+        if snap || exact || max_cells.is_some() || closes_mouths || split_pinches {
+            let message = "snap, exact, max_cells, open and split_pinches are for the exact method, not for method=\"congruence\"";
+            return Err(invalid(py, message, "leave one of them out"));
+        }
+        let glued = run(py, progress, || {
+            let scene = scene_of(&models, inputs, least_inputs(operation), keep_walls)?;
+            let mut request = SolidRequest::of(formula(operation, scene.names().len())?);
+            request.triangles = triangles.unwrap_or_else(|| scene.is_triangulated());
+            (request.rule, request.keep_walls) = (rule.unwrap_or_default(), keep_walls);
+            let arrangement = CongruentScene::of_scene(scene, tolerance.unwrap_or_default())?;
+            let result = CongruentBoolean::of(&arrangement, &request)?;
+            let (answer, provenance, mesh) = (result.answer()?, result.provenance()?, result.to_mesh()?);
+            drop(result);
+            Ok((answer, provenance, mesh, Combined::Glued(Box::new(arrangement)), request))
+        })?;
+        return solid_result(py, glued);
     }
     let spatial = spatial_request(snap, tolerance, max_cells, split, merge_coplanar);
     let solid = run(py, progress, || {
@@ -431,9 +444,21 @@ pub(crate) fn boolean<'py>(
             mesh = mesh.with_exact_polygons(result.exact_polygons()?.into());
         }
         drop(result);
-        Ok((answer, provenance, mesh, arrangement, request))
+        Ok((answer, provenance, mesh, Combined::Exact(Box::new(arrangement)), request))
     })?;
-    let (answer, provenance, mesh, arrangement, request) = solid;
+    solid_result(py, solid)
+}
+
+fn solid_result(
+    py: Python<'_>,
+    (answer, provenance, mesh, arrangement, request): (
+        SolidBooleanAnswer,
+        SolidBooleanProvenance,
+        io::Model,
+        Combined,
+        SolidRequest,
+    ),
+) -> PyResult<Bound<'_, PyAny>> {
     let result = SolidBooleanResult {
         answer,
         provenance,
@@ -929,6 +954,12 @@ answer! { SpatialArrangement {
     }
 }
 
+/// The cells that a combination is of.
+enum Combined {
+    Exact(Box<SceneArrangement>),
+    Glued(Box<CongruentScene>),
+}
+
 /// Solids combined: a surface.
 ///
 /// Made by :func:`boolean`.
@@ -937,7 +968,7 @@ pub(crate) struct SolidBooleanResult {
     answer: SolidBooleanAnswer,
     provenance: SolidBooleanProvenance,
     model: Py<Model>,
-    arrangement: SceneArrangement,
+    arrangement: Combined,
     request: SolidRequest,
     /// Made when they are asked for.
     cells: OnceLock<Py<Model>>,
@@ -970,6 +1001,8 @@ answer! { SolidBooleanResult {
     rounding,
     /// What was put together, where that was asked for or needed.
     joined,
+    /// What congruence put together, with ``method="congruence"``.
+    congruence,
     /// Vertices - edges + faces.
     euler_characteristic,
 }
@@ -988,7 +1021,10 @@ answer! { SolidBooleanResult {
         }
         let exact = self.model.get().source.model.exact_polygons().cloned();
         let made = run(py, None, || {
-            let made = SolidBoolean::of(&self.arrangement, &self.request)?.to_chains()?;
+            let made = match &self.arrangement {
+                Combined::Exact(own) => SolidBoolean::of(own, &self.request)?.to_chains()?,
+                Combined::Glued(own) => CongruentBoolean::of(own, &self.request)?.to_chains()?,
+            };
             Ok(match exact {
                 Some(exact) => made.with_exact_polygons(exact),
                 None => made,

@@ -184,6 +184,9 @@ pub struct SolidBooleanAnswer {
     pub rounding: SpatialRounding,
     /// What was put together, where that was asked for or needed.
     pub joined: Option<JoinedFeatures>,
+    /// What congruence put together; with `--method congruence` only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub congruence: Option<CongruentPieces>,
     /// What was assumed or left out.
     pub remarks: Vec<Remark>,
 }

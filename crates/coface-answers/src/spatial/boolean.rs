@@ -13,7 +13,7 @@ use coface_algebra::{CellId, Error, ErrorKind, VertexId};
 use coface_algebra::{RaggedArray, Sign, UnionFind};
 use coface_arrange::boolean::{BooleanFormula, CellSelection, InsideRule, SelectionBoundary, SelectionMesh};
 use coface_arrange::spatial::{CoplanarTriangles, Crossings, SpatialPolygons, merge_coplanar_triangles};
-use coface_complexes::surface::PolygonMesh;
+use coface_complexes::surface::{PolygonMesh, SurfaceVerdict};
 use coface_geometry::{Positions, Sum, polygon_area};
 use coface_io::repeated_vertex;
 use rayon::prelude::*;
@@ -150,12 +150,7 @@ impl<'a> SolidBoolean<'a> {
     pub fn of(arrangement: &'a SceneArrangement, request: &SolidRequest) -> Result<Self, Error> {
         let SceneArrangement { scene, arranged, inputs, .. } = arrangement;
         let input_count = scene.names().len();
-        if request.formula.input_count() > input_count {
-            return Err(Error::invalid(format!(
-                "the formula names input {}, but there are {input_count} inputs, from 0",
-                request.formula.input_count() - 1
-            )));
-        }
+        check_formula(&request.formula, input_count)?;
         if request.keep_walls && request.split_pinches {
             return Err(Error::invalid("pinches cannot be split while walls are kept")
                 .with_cure("ask for one of both; cells that touch are told apart by walls"));
@@ -213,7 +208,7 @@ impl<'a> SolidBoolean<'a> {
                 }
             }
         }
-        let sides = arrangement.sides_of_faces();
+        let sides = sides_of_faces(complex);
         let regions = regions(&selection, &sides, complex.cell_count(3));
         Ok(Self {
             arrangement,
@@ -492,21 +487,7 @@ impl<'a> SolidBoolean<'a> {
     /// # Ok(()) }
     /// ```
     pub fn part_counts(&self) -> [usize; 2] {
-        let exterior = self.regions.len() - 1;
-        let mut solids = Vec::new();
-        let mut voids = Vec::new();
-        for (cell, &region) in self.regions[..exterior].iter().enumerate() {
-            match self.selection.contains(CellId::new(cell)) {
-                true => solids.push(region),
-                false if region != self.regions[exterior] => voids.push(region),
-                false => {}
-            }
-        }
-        [solids, voids].map(|mut list| {
-            list.sort_unstable();
-            list.dedup();
-            list.len()
-        })
+        part_counts(&self.selection, &self.regions)
     }
 
     /// The result as an answer.
@@ -535,17 +516,7 @@ impl<'a> SolidBoolean<'a> {
         let positions = self.positions()?;
         let survey = self.mesh().survey();
         let verdict = survey.verdict();
-        let place = |vertex: &u32| positions.point(VertexId::from_u32(*vertex)).to_vec();
-        let witness = verdict.witness().map(|defect| {
-            let found = witness(self.mesh(), defect, &Labels::default());
-            let cells = found.cells().to_vec();
-            BoundaryWitness {
-                kind: found.kind().to_owned(),
-                points: Some(cells.iter().map(|cell| cell.iter().map(place).collect()).collect()),
-                cells,
-                message: found.message().to_owned(),
-            }
-        });
+        let manifold = boundary_manifold(self.mesh(), verdict, &positions);
         let [solids, voids] = self.part_counts();
         let surface = survey.surface();
         let files = self.input_answers();
@@ -558,11 +529,7 @@ impl<'a> SolidBoolean<'a> {
             f_vector: self.f_vector(),
             components: survey.components().count(),
             closed: verdict.boundary_edge_count() == 0,
-            manifold: BoundaryManifold {
-                verdict: BoundaryVerdict::of(verdict.is_manifold()),
-                closed: verdict.is_closed(),
-                witness,
-            },
+            manifold,
             euler_characteristic: self.mesh().euler_characteristic(),
             genus: surface.map(|surface| surface.genus()),
             area: polygon_area(&positions, self.surface.polygons()),
@@ -578,6 +545,7 @@ impl<'a> SolidBoolean<'a> {
             files,
             rounding: self.arrangement.rounding(self.closure()[0].iter().copied(), crossings, turned),
             joined: self.arrangement.joined(),
+            congruence: None,
             remarks,
         })
     }
@@ -639,22 +607,10 @@ impl<'a> SolidBoolean<'a> {
 
     /// The places where the result is pinched.
     fn pinches(&self) -> Pinches {
-        let complex = self.arrangement.complex();
-        let positions = self.arrangement.positions();
-        let place = |vertex: u32| positions.point(VertexId::from_u32(vertex)).to_vec();
-        let (edges, vertices) = (self.boundary.pinched_ridges(), self.boundary.pinched_vertices());
-        let ends = |edge: &CellId| -> Vec<Vec<f64>> {
-            let rows =
-                complex.boundary_matrix(1).map_or(&[][..], |matrix| matrix.column(edge.index()).rows());
-            rows.iter().map(|&vertex| place(vertex)).collect()
-        };
         Pinches {
-            edge_count: edges.len(),
-            vertex_count: vertices.len(),
-            edges: edges.iter().take(MOST_LISTED).map(ends).collect(),
-            vertices: vertices.iter().take(MOST_LISTED).map(|v| place(v.to_u32())).collect(),
             split: self.request.split_pinches,
             copies: self.copies[0],
+            ..pinches(self.arrangement.complex(), self.arrangement.positions(), &self.boundary)
         }
     }
 
@@ -669,6 +625,95 @@ impl<'a> SolidBoolean<'a> {
         }
         files
     }
+}
+
+/// Refuses a formula with an input that is not there.
+pub(super) fn check_formula(formula: &BooleanFormula, input_count: usize) -> Result<(), Error> {
+    if formula.input_count() > input_count {
+        return Err(Error::invalid(format!(
+            "the formula names input {}, but there are {input_count} inputs, from 0",
+            formula.input_count() - 1
+        )));
+    }
+    Ok(())
+}
+
+/// Whether a surface is a manifold, with the places of a witness.
+pub(super) fn boundary_manifold(
+    mesh: &PolygonMesh,
+    verdict: &SurfaceVerdict,
+    positions: &Positions,
+) -> BoundaryManifold {
+    let place = |vertex: &u32| positions.point(VertexId::from_u32(*vertex)).to_vec();
+    let witness = verdict.witness().map(|defect| {
+        let found = witness(mesh, defect, &Labels::default());
+        let cells = found.cells().to_vec();
+        BoundaryWitness {
+            kind: found.kind().to_owned(),
+            points: Some(cells.iter().map(|cell| cell.iter().map(place).collect()).collect()),
+            cells,
+            message: found.message().to_owned(),
+        }
+    });
+    BoundaryManifold {
+        verdict: BoundaryVerdict::of(verdict.is_manifold()),
+        closed: verdict.is_closed(),
+        witness,
+    }
+}
+
+/// Where a selection is pinched; nothing is split.
+pub(super) fn pinches(
+    complex: &ChainComplex,
+    positions: &Positions,
+    boundary: &SelectionBoundary,
+) -> Pinches {
+    let place = |vertex: u32| positions.point(VertexId::from_u32(vertex)).to_vec();
+    let (edges, vertices) = (boundary.pinched_ridges(), boundary.pinched_vertices());
+    let ends = |edge: &CellId| -> Vec<Vec<f64>> {
+        let rows = complex.boundary_matrix(1).map_or(&[][..], |matrix| matrix.column(edge.index()).rows());
+        rows.iter().map(|&vertex| place(vertex)).collect()
+    };
+    Pinches {
+        edge_count: edges.len(),
+        vertex_count: vertices.len(),
+        edges: edges.iter().take(MOST_LISTED).map(ends).collect(),
+        vertices: vertices.iter().take(MOST_LISTED).map(|v| place(v.to_u32())).collect(),
+        split: false,
+        copies: 0,
+    }
+}
+
+/// The numbers of solids and of voids.
+pub(super) fn part_counts(selection: &CellSelection, regions: &[u32]) -> [usize; 2] {
+    let exterior = regions.len() - 1;
+    let mut solids = Vec::new();
+    let mut voids = Vec::new();
+    for (cell, &region) in regions[..exterior].iter().enumerate() {
+        match selection.contains(CellId::new(cell)) {
+            true => solids.push(region),
+            false if region != regions[exterior] => voids.push(region),
+            false => {}
+        }
+    }
+    [solids, voids].map(|mut list| {
+        list.sort_unstable();
+        list.dedup();
+        list.len()
+    })
+}
+
+/// The cells behind and in front of each face.
+pub(super) fn sides_of_faces(complex: &ChainComplex) -> Vec<[u32; 2]> {
+    let mut sides = vec![[EXTERIOR; 2]; complex.cell_count(2)];
+    if let Some(cells) = complex.boundary_matrix(3) {
+        for (cell, column) in cells.columns().enumerate() {
+            for (face, entry) in column.iter() {
+                sides[face][usize::from(entry < 0)] = cell as u32;
+            }
+        }
+    }
+    sides
 }
 
 /// The word for a rule in answers.
@@ -690,7 +735,7 @@ fn facets_of_patches(merged: &CoplanarTriangles, facets: &[(CellId, Sign)]) -> V
     merged.patch_of_triangle.iter().map(own).collect()
 }
 
-fn rule_word(rule: InsideRule) -> &'static str {
+pub(super) fn rule_word(rule: InsideRule) -> &'static str {
     match rule {
         InsideRule::Nonzero => "nonzero",
         InsideRule::Positive => "positive",
@@ -735,15 +780,7 @@ impl SceneArrangement {
 
     /// The cells behind and in front of each face.
     pub(super) fn sides_of_faces(&self) -> Vec<[u32; 2]> {
-        let mut sides = vec![[EXTERIOR; 2]; self.complex().cell_count(2)];
-        if let Some(cells) = self.complex().boundary_matrix(3) {
-            for (cell, column) in cells.columns().enumerate() {
-                for (face, entry) in column.iter() {
-                    sides[face][usize::from(entry < 0)] = cell as u32;
-                }
-            }
-        }
-        sides
+        sides_of_faces(self.complex())
     }
 }
 
@@ -774,7 +811,7 @@ pub(super) fn facets_of(complex: &ChainComplex, degree: usize, cells: &[CellId])
 }
 
 /// The connected parts of the selection and of the rest, by cells that have a face in common; the exterior is the last cell.
-fn regions(selection: &CellSelection, sides: &[[u32; 2]], cell_count: usize) -> Vec<u32> {
+pub(super) fn regions(selection: &CellSelection, sides: &[[u32; 2]], cell_count: usize) -> Vec<u32> {
     let mut parts = UnionFind::new(cell_count + 1);
     let number = |cell: u32| if cell == EXTERIOR { cell_count as u32 } else { cell };
     let is_in = |cell: u32| match cell {
@@ -791,7 +828,12 @@ fn regions(selection: &CellSelection, sides: &[[u32; 2]], cell_count: usize) -> 
 
 /// Refuses what is no result in space.
 pub(super) fn refuse_unbounded(result: &SolidBoolean<'_>) -> Result<(), Error> {
-    if result.selection().has_exterior() {
+    refuse_exterior(result.selection())
+}
+
+/// Refuses a selection with the exterior.
+pub(super) fn refuse_exterior(selection: &CellSelection) -> Result<(), Error> {
+    if selection.has_exterior() {
         return Err(Error::new(
             ErrorKind::UnsupportedFormat,
             "the result contains the exterior, which is no cell of a complex",

@@ -1,20 +1,20 @@
 //! A scene arranged by congruence, within a tolerance.
 
-use super::SpatialScene;
 use super::facts::{
     component_count, dangling_face_count, input_answers, products_are_zero, remarks_of_inputs,
 };
-use super::inputs::Inputs;
+use super::inputs::{Inputs, Membership};
 use super::models::{NO_CELL, group_names};
 use super::scene::closed_walks;
+use super::{OpenInputs, SpatialScene};
 use crate::answer::{
     CongruentPieces, DegeneratePolygons, Place, Remark, RemarkCode, SpatialArrangementAnswer,
-    SpatialArrangementProvenance, SpatialRounding, SplitPolygons,
+    SpatialArrangementProvenance, SpatialInput, SpatialRounding, SplitPolygons,
 };
 use crate::text;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, FaceId};
-use coface_algebra::{RaggedArray, SparseMatrix};
+use coface_algebra::{RaggedArray, Sign, SparseMatrix};
 use coface_arrange::boolean::InsideRule;
 use coface_arrange::spatial::{CongruenceArrangement, Crossings, SpatialPolygons, arrange_by_congruence};
 use coface_geometry::Positions;
@@ -78,6 +78,15 @@ impl CongruentScene {
         let positions = scene.positions()?;
         let arranged = arrange_by_congruence(&positions, &scene.walks, &scene.polygon_of_walk, tolerance)
             .map_err(|error| named(error, &scene, tolerance))?;
+        if tolerance > 0.0
+            && scene.polygon_count() > 0
+            && arranged.dropped_polygons().len() == scene.polygon_count()
+        {
+            return Err(Error::invalid(format!(
+                "all polygons collapse: none is wider than the tolerance {tolerance:e}"
+            ))
+            .with_cure("give a smaller tolerance"));
+        }
         let complex = arranged.chain_complex()?;
         let face_count = complex.cell_count(2);
         let mut entries = Vec::new();
@@ -189,14 +198,7 @@ impl CongruentScene {
         };
         let files = input_answers(&self.scene, &self.inputs);
         let crossings = self.crossings()?;
-        let mut remarks = self.scene.remarks().to_vec();
-        if crossings.count > 0 {
-            let places = text::count(crossings.count, "place");
-            let message = format!("with rounded coordinates faces cross in {places}");
-            let points = crossings.places.iter().map(|point| Place::point(point));
-            remarks.push(Remark::new(RemarkCode::RoundedInvalid, message).at(crossings.count, points));
-        }
-        remarks.extend(remarks_of_inputs(&files, rule));
+        let remarks = self.remarks(&files, rule, &crossings);
         let parts = self.scene.has_parts();
         let faces = (0..self.complex.cell_count(2)).map(CellId::new);
         let mut f_vector = self.complex.f_vector().to_vec();
@@ -220,22 +222,9 @@ impl CongruentScene {
                 listed: dropped.iter().take(MOST_LISTED).map(place).collect(),
             },
             split_polygons: SplitPolygons { count: 0, largest_deviation: 0.0 },
-            rounding: SpatialRounding {
-                exact: false,
-                rounded_vertices: self.new_vertex_count()?,
-                rounds: 0,
-                valid: crossings.count == 0,
-                crossings: crossings.count,
-                turned: 0,
-                places: crossings.places,
-            },
+            rounding: self.rounding(crossings)?,
             joined: None,
-            congruence: Some(CongruentPieces {
-                tolerance: self.tolerance,
-                stacked_f_vector: self.arranged.stacked_f_vector().to_vec(),
-                largest_class_diameter: self.arranged.largest_class_diameter(),
-                collapsed: dropped.len(),
-            }),
+            congruence: Some(self.pieces()),
             remarks,
         })
     }
@@ -253,15 +242,7 @@ impl CongruentScene {
     /// # Ok(()) }
     /// ```
     pub fn provenance(&self) -> SpatialArrangementProvenance {
-        let sources = |face: usize| {
-            let own = self.arranged.polygons_of_face(FaceId::new(face)).map(|(polygon, sign)| {
-                let source =
-                    [self.scene.input_of_polygon()[polygon], self.scene.source_of_polygon()[polygon]];
-                let [input, number] = source.map(i64::from);
-                [input, number, i64::from(sign.to_i32())]
-            });
-            own.collect()
-        };
+        let sources = |face: usize| self.sources(CellId::new(face), Sign::Plus);
         SpatialArrangementProvenance {
             files: self.scene.names().to_vec(),
             faces: (0..self.complex.cell_count(2)).map(sources).collect(),
@@ -355,8 +336,92 @@ impl CongruentScene {
         inputs
     }
 
+    pub(super) fn inputs(&self) -> &Inputs {
+        &self.inputs
+    }
+
+    /// Which inputs contain the cells.
+    ///
+    /// # Errors
+    /// `NotACycle` naming an input that is open, if these are refused.
+    pub(super) fn membership(&self, rule: InsideRule, open: OpenInputs) -> Result<Membership, Error> {
+        self.inputs.membership_or(rule, open, |input, rim| {
+            let edges = text::count(rim.ridges().len(), "edge");
+            let error = match rim.is_even() {
+                true => Error::new(ErrorKind::NotACycle, format!("polygons do not agree in direction across {edges}"))
+                    .with_cure("turn polygons so that all agree (coface convert --orient), or count by parity (--rule evenodd)"),
+                false => Error::new(ErrorKind::NotACycle, format!("the surface is open along {edges}, glued within {:e}", self.tolerance))
+                    .with_cure("give a larger --tolerance that closes its gaps, or leave --method out: the exact method says where it is open"),
+            };
+            error.in_file(self.scene.label(input))
+        })
+    }
+
+    /// The walks around a face.
+    pub(super) fn walks_of(&self, face: CellId) -> RaggedArray {
+        let face = face.to_u32();
+        let first = self.face_of_walk.partition_point(|&own| own < face);
+        let last = self.face_of_walk.partition_point(|&own| own <= face);
+        RaggedArray::from_lists((first..last).map(|walk| self.walks.list(walk)))
+    }
+
+    /// The sources of a face that runs in this direction.
+    pub(super) fn sources(&self, face: CellId, direction: Sign) -> Vec<[i64; 3]> {
+        let own = self.arranged.polygons_of_face(FaceId::from_u32(face.to_u32())).map(|(polygon, sign)| {
+            let source = [self.scene.input_of_polygon()[polygon], self.scene.source_of_polygon()[polygon]];
+            let [input, number] = source.map(i64::from);
+            [input, number, i64::from(sign.times(direction).to_i32())]
+        });
+        own.collect()
+    }
+
+    /// What congruence stacked and glued.
+    pub(super) fn pieces(&self) -> CongruentPieces {
+        CongruentPieces {
+            tolerance: self.tolerance,
+            stacked_f_vector: self.arranged.stacked_f_vector().to_vec(),
+            largest_class_diameter: self.arranged.largest_class_diameter(),
+            collapsed: self.arranged.dropped_polygons().len(),
+        }
+    }
+
+    pub(super) fn rounding(&self, crossings: Crossings) -> Result<SpatialRounding, Error> {
+        Ok(SpatialRounding {
+            exact: false,
+            rounded_vertices: self.new_vertex_count()?,
+            rounds: 0,
+            valid: crossings.count == 0,
+            crossings: crossings.count,
+            turned: 0,
+            places: crossings.places,
+        })
+    }
+
+    pub(super) fn remarks(
+        &self,
+        files: &[SpatialInput],
+        rule: InsideRule,
+        crossings: &Crossings,
+    ) -> Vec<Remark> {
+        let mut remarks = self.scene.remarks().to_vec();
+        if crossings.count > 0 {
+            let places = text::count(crossings.count, "place");
+            let message = format!("with rounded coordinates faces cross in {places}");
+            let points = crossings.places.iter().map(|point| Place::point(point));
+            remarks.push(Remark::new(RemarkCode::RoundedInvalid, message).at(crossings.count, points));
+        }
+        let collapsed = self.arranged.dropped_polygons().len();
+        if collapsed > 0 {
+            let polygons = text::count(collapsed, "polygon");
+            let message = format!("{polygons} collapsed, nowhere wider than {:e}", self.tolerance);
+            remarks.push(Remark::new(RemarkCode::FeaturesJoined, message).at(collapsed, []));
+        }
+        remarks.extend(remarks_of_inputs(files, rule));
+        remarks
+    }
+
     /// Where faces on their rounded positions meet otherwise than in common vertices and edges; decided exactly.
-    fn crossings(&self) -> Result<Crossings, Error> {
+    pub(super) fn crossings(&self) -> Result<Crossings, Error> {
         let polygons =
             SpatialPolygons::new(self.positions().clone(), self.walks.clone(), self.face_of_walk.clone())?;
         match polygons.crossings(MOST_LISTED) {

@@ -142,7 +142,7 @@ impl Inputs {
         self.membership_or(rule, OpenInputs::Empty, none).expect("open inputs are empty here")
     }
 
-    fn membership_or(
+    pub(super) fn membership_or(
         &self,
         rule: InsideRule,
         open: OpenInputs,

@@ -3,6 +3,7 @@
 mod arranged;
 mod boolean;
 mod congruent;
+mod congruent_boolean;
 mod enclosed;
 mod facts;
 mod graph;
@@ -15,6 +16,7 @@ mod scene_arrangement;
 
 pub use boolean::{SolidBoolean, SolidRequest};
 pub use congruent::CongruentScene;
+pub use congruent_boolean::CongruentBoolean;
 pub use inputs::{InputState, OpenInputs};
 pub use request::SpatialRequest;
 pub use scene::SpatialScene;

@@ -185,17 +185,13 @@ impl SceneArrangement {
 
     /// The first source of each polygon as data.
     fn source_data(&self, mesh: &SelectionMesh) -> Result<[CellData; 2], Error> {
-        let first = |&(face, _): &(CellId, Sign)| {
-            self.arranged.polygons_of_face(face).first().map_or([NO_CELL; 2], |&(polygon, _)| {
+        let first = |face: CellId| {
+            self.arranged.polygons_of_face(face).first().map(|&(polygon, _)| {
                 let at = polygon as usize;
                 [self.scene.input_of_polygon()[at], self.scene.source_of_polygon()[at]].map(i64::from)
             })
         };
-        let data = |name: &str, which: usize| {
-            let values = mesh.facets().iter().map(|facet| first(facet)[which]).collect();
-            CellData::integers(name, GroupKind::Polygons, 1, values)
-        };
-        Ok([data("input", 0)?, data("polygon", 1)?])
+        input_data(mesh, first)
     }
 }
 
@@ -404,6 +400,18 @@ impl SolidBoolean<'_> {
         }
         SparseMatrix::from_entries(faces.len(), count, entries)
     }
+}
+
+/// The input and the polygon in it that each polygon comes from first, as data.
+pub(super) fn input_data(
+    mesh: &SelectionMesh,
+    first: impl Fn(CellId) -> Option<[i64; 2]>,
+) -> Result<[CellData; 2], Error> {
+    let data = |name: &str, which: usize| {
+        let values = mesh.facets().iter().map(|&(face, _)| first(face).unwrap_or([NO_CELL; 2])[which]);
+        CellData::integers(name, GroupKind::Polygons, 1, values.collect())
+    };
+    Ok([data("input", 0)?, data("polygon", 1)?])
 }
 
 /// Names of groups of the inputs with these names: those that OBJ would not tell apart have the number of the input

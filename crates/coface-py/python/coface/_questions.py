@@ -752,10 +752,8 @@ def boolean(
         are models.
     keep_walls
         Whether what lies inside the result is kept.
-    snap, exact, grid, close, tolerance, weld, max_cells, split, merge_coplanar
+    snap, exact, grid, close, tolerance, weld, method, max_cells, split, merge_coplanar
         As for :func:`arrange`.
-    method
-        In the plane, how cells are found, as for :func:`arrange`.
     triangles
         In space, whether faces are cut into triangles; if all inputs are triangles, if left out.
     open

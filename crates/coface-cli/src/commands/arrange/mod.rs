@@ -3,7 +3,9 @@
 mod planar;
 mod spatial;
 
-pub(crate) use spatial::{SpaceOptions, in_space, rounding, scene_of, stacked};
+pub(crate) use spatial::{
+    SpaceOptions, for_the_exact_method, in_space, refuse_exact_options, rounding, scene_of, stacked,
+};
 
 use crate::arguments::{Common, length};
 use crate::certified;

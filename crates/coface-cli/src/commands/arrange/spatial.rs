@@ -192,6 +192,27 @@ pub(super) fn run(
     print_text(&page(&answer))
 }
 
+/// Refuses options that say how the exact method works.
+pub(crate) fn refuse_exact_options(cells: &CellOptions, space: &SpaceOptions) -> Result<(), Failure> {
+    let refused = [
+        (cells.snap, "--snap"),
+        (cells.exact, "--exact"),
+        (cells.max_cells.is_some(), "--max-cells"),
+        (space.non_planar.is_some(), "--non-planar"),
+        (space.merge_coplanar, "--merge-coplanar"),
+    ];
+    refused
+        .into_iter()
+        .find(|(is_given, _)| *is_given)
+        .map_or(Ok(()), |(_, option)| Err(for_the_exact_method(option)))
+}
+
+pub(crate) fn for_the_exact_method(option: &str) -> Failure {
+    Failure::new(format!(
+        "{option} is for the exact method, not for --method congruence: leave one of them out"
+    ))
+}
+
 /// The arrangement by congruence.
 fn by_congruence(
     verb: &Arrange,
@@ -200,20 +221,11 @@ fn by_congruence(
     scene: SpatialScene,
     progress: Progress,
 ) -> Result<(), Failure> {
-    let refused = [
-        (verb.cells.snap, "--snap"),
-        (verb.cells.exact, "--exact"),
-        (verb.cells.max_cells.is_some(), "--max-cells"),
-        (verb.space.non_planar.is_some(), "--non-planar"),
-        (verb.space.merge_coplanar, "--merge-coplanar"),
-        (verb.space.triangles, "--triangles"),
-        (verb.graph.is_some(), "--graph"),
-    ];
+    let refused = [(verb.space.triangles, "--triangles"), (verb.graph.is_some(), "--graph")];
     if let Some((_, option)) = refused.into_iter().find(|(is_given, _)| *is_given) {
-        return Err(Failure::new(format!(
-            "{option} is for the exact method, not for --method congruence: leave one of them out"
-        )));
+        return Err(for_the_exact_method(option));
     }
+    refuse_exact_options(&verb.cells, &verb.space)?;
     verb.cells.method()?;
     let arrangement = CongruentScene::of_scene(scene, verb.cells.tolerance.unwrap_or_default())?;
     progress.stage("multiplying boundaries");

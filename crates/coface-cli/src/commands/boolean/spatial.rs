@@ -2,16 +2,24 @@
 
 use super::{Boolean, Task};
 use crate::arguments::Common;
-use crate::commands::arrange::{Method, Rule, in_space, rounding, scene_of};
+use crate::commands::arrange::{
+    Rule, for_the_exact_method, in_space, refuse_exact_options, rounding, scene_of, stacked,
+};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, write_json};
 use crate::progress::Progress;
 use crate::remarks::{accept, say_remarks};
 use crate::target::{Target, write_seen};
 use clap::{Args, ValueEnum};
-use coface::answers::answer::{BoundaryVerdict, Remark, RemarkCode, SolidBooleanAnswer};
+use coface::Error;
+use coface::answers::answer::{
+    BoundaryVerdict, Remark, RemarkCode, SolidBooleanAnswer, SolidBooleanProvenance,
+};
 use coface::answers::text;
-use coface::answers::{SceneArrangement, SolidBoolean, SolidRequest};
+use coface::answers::{
+    ArrangementMethod, CongruentBoolean, CongruentScene, SceneArrangement, SolidBoolean, SolidRequest,
+    SpatialScene,
+};
 use coface::io;
 use coface::io::{Format, Model};
 use std::path::Path;
@@ -53,14 +61,12 @@ pub(super) fn run(
     models: &[(String, Model)],
     progress: Progress,
 ) -> Result<(), Failure> {
-    if verb.cells.method == Some(Method::Congruence) {
-        return Err(Failure::new(
-            "--method congruence combines drawings in the plane, and the inputs lie in space: leave it out; --tolerance puts together what is near",
-        ));
-    }
     let output = output.map(in_space).transpose()?;
     progress.stage("arranging");
     let mut scene = scene_of(verb.inputs, task.least_inputs(), models, verb.keep_walls)?;
+    if verb.cells.method()? == ArrangementMethod::Congruence {
+        return by_congruence(verb, task, common, output, scene, progress);
+    }
     if matches!(verb.solids.open, Open::Close) {
         scene.close_mouths()?;
     }
@@ -90,23 +96,83 @@ pub(super) fn run(
             result = SolidBoolean::of(&rounded, &request)?;
         }
     }
-    let mut answer = result.answer()?;
+    let answer = result.answer()?;
+    let made = Made {
+        chains: &|| {
+            let model = result.to_chains()?;
+            Ok(if verb.cells.exact {
+                model.with_exact_polygons(result.exact_polygons()?.into())
+            } else {
+                model
+            })
+        },
+        mesh: &|| result.to_mesh(),
+        provenance: &|| result.provenance(),
+    };
+    finish(verb, common, output, answer, &made, progress)
+}
+
+/// The combination of cells that are glued.
+fn by_congruence(
+    verb: &Boolean,
+    task: &Task,
+    common: &Common,
+    output: Option<(&Path, Target)>,
+    scene: SpatialScene,
+    progress: Progress,
+) -> Result<(), Failure> {
+    let refused = [
+        (matches!(verb.solids.open, Open::Close), "--open close"),
+        (matches!(verb.solids.pinches, Some(Pinches::Split)), "--pinches split"),
+    ];
+    if let Some((_, option)) = refused.into_iter().find(|(is_given, _)| *is_given) {
+        return Err(for_the_exact_method(option));
+    }
+    refuse_exact_options(&verb.cells, &verb.space)?;
+    let mut request = SolidRequest::of(task.formula(scene.names().len()));
+    request.rule = verb.cells.rule.map(Rule::inside).unwrap_or_default();
+    request.triangles = verb.space.triangles(&scene, output);
+    request.keep_walls = verb.keep_walls;
+    let arrangement = CongruentScene::of_scene(scene, verb.cells.tolerance.unwrap_or_default())?;
+    progress.stage("combining");
+    let result = CongruentBoolean::of(&arrangement, &request)?;
+    let made = Made {
+        chains: &|| result.to_chains(),
+        mesh: &|| result.to_mesh(),
+        provenance: &|| result.provenance(),
+    };
+    finish(verb, common, output, result.answer()?, &made, progress)
+}
+
+/// What is written of a result.
+struct Made<'a> {
+    chains: &'a dyn Fn() -> Result<Model, Error>,
+    mesh: &'a dyn Fn() -> Result<Model, Error>,
+    provenance: &'a dyn Fn() -> Result<SolidBooleanProvenance, Error>,
+}
+
+/// Writes a result and says what it is.
+fn finish(
+    verb: &Boolean,
+    common: &Common,
+    output: Option<(&Path, Target)>,
+    mut answer: SolidBooleanAnswer,
+    made: &Made<'_>,
+    progress: Progress,
+) -> Result<(), Failure> {
     accept(&answer.remarks, common)?;
     progress.stage("writing");
     match output {
         Some((path, Target::Model(format))) => {
-            let mut model = if format == Format::Json { result.to_chains()? } else { result.to_mesh()? };
-            if format == Format::Json && verb.cells.exact {
-                model = model.with_exact_polygons(result.exact_polygons()?.into());
-            }
+            let model = if format == Format::Json { (made.chains)()? } else { (made.mesh)()? };
             answer.remarks.extend(model.remarks().iter().cloned());
             io::write_path(&model, path, Some(format))?;
         }
-        Some((path, Target::Seen(seen))) => write_seen(path, &result.to_mesh()?, seen)?,
+        Some((path, Target::Seen(seen))) => write_seen(path, &(made.mesh)()?, seen)?,
         None => {}
     }
     if let Some(path) = &verb.provenance {
-        write_json(path, &result.provenance()?)?;
+        write_json(path, &(made.provenance)()?)?;
     }
     drop(progress);
     if answer.faces_cut > 0 && output.is_some_and(|(_, target)| target != Target::Model(Format::Json)) {
@@ -157,7 +223,10 @@ fn page(answer: &SolidBooleanAnswer) -> String {
     };
     let is_manifold = answer.manifold.verdict == BoundaryVerdict::Yes;
     fact("manifold", if is_manifold { "yes" } else { "no" }.to_owned(), &gloss);
-    facts.push(rounding(&answer.rounding));
+    match &answer.congruence {
+        None => facts.push(rounding(&answer.rounding)),
+        Some(done) => facts.push(stacked(done)),
+    }
     text::facts("Boolean combination of solids", &facts)
 }
 

@@ -146,10 +146,24 @@ pub(super) const CASES: &[Case] = &[
         .with(&[("edge.lines", "0,0,1,0\n")])
         .refused("coface arrange edge.lines --method congruence --tolerance 2")
         .cured(&[&["coface arrange edge.lines --method congruence --tolerance 0.1"]]),
-    Case::new("boolean/spatial.rs", "--method congruence combines drawings in the plane")
+    Case::new("spatial/congruent.rs", "all polygons collapse")
         .files(CRACK)
-        .refused("coface boolean union crack.off --method congruence --tolerance 1e-9")
-        .cured(&[&["coface boolean union crack.off --tolerance 1e-9"]]),
+        .refused("coface arrange crack.off --method congruence --tolerance 10")
+        .cured(&[&["coface arrange crack.off --method congruence --tolerance 1e-9"]]),
+    Case::new("spatial/congruent.rs", "give a larger --tolerance that closes its gaps")
+        .files(CRACK)
+        .refused("coface boolean union crack.off --method congruence --tolerance 0")
+        .cured(&[&["coface boolean union crack.off --method congruence --tolerance 1e-9"]]),
+    Case::new("spatial/congruent.rs", "turn polygons so that all agree")
+        .files(TURNED)
+        .refused("coface boolean union turned.off --method congruence --tolerance 1e-9")
+        .cured(&[
+            &[
+                "coface convert turned.off --orient -o whole.off",
+                "coface boolean union whole.off --method congruence --tolerance 1e-9",
+            ],
+            &["coface boolean union turned.off --method congruence --tolerance 1e-9 --rule evenodd"],
+        ]),
     Case::new("arrange/spatial.rs", "is for the exact method, not for --method congruence")
         .files(CRACK)
         .refused("coface arrange crack.off --method congruence --tolerance 1e-9 --snap")
