@@ -73,6 +73,7 @@ mod samples;
 mod scanner;
 mod scene;
 mod scratch_mesh;
+mod stated_surfaces;
 pub mod stl;
 pub mod svg;
 mod table_form;
@@ -125,6 +126,7 @@ pub use remark::{Place, Remark, RemarkCode};
 pub use rips::{FlagReading, RipsPoints, RipsReading};
 #[doc(hidden)]
 pub use scratch_mesh::NO_VERTEX;
+pub use stated_surfaces::StatedSurfaces;
 pub use table_form::TableForm;
 pub use volume::{VolumeReading, VolumeStream, VoxelRule};
 pub use witness::{WitnessPoints, WitnessReading};

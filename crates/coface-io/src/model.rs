@@ -2,7 +2,7 @@
 
 use super::numbers::Numbers;
 use super::{CellData, FeatureTable, Format, Group, GroupKind, ReferenceSystem};
-use crate::Remark;
+use crate::{Remark, StatedSurfaces};
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::{ChainComplex, ChainRefinement};
 use coface_algebra::{Error, VertexId};
@@ -40,6 +40,8 @@ pub struct Model {
     pub(crate) refinement: Option<ChainRefinement>,
     /// The faces before coordinates were rounded.
     pub(crate) exact: Option<Arc<ExactPolygons>>,
+    /// The surfaces of the file, of which the polygons are made.
+    pub(crate) stated: Option<Arc<StatedSurfaces>>,
     pub(crate) features: FeatureTable,
     pub(crate) reference: Option<ReferenceSystem>,
     pub(crate) remarks: Vec<Remark>,
@@ -102,6 +104,7 @@ impl ModelParts {
             remarks,
             refinement: None,
             exact: None,
+            stated: None,
             features: FeatureTable::default(),
             reference: None,
             is_pseudomanifold,
@@ -561,6 +564,7 @@ impl Model {
             structure,
             refinement: _,
             exact: _,
+            stated: _,
             features: _,
             reference: _,
             remarks,

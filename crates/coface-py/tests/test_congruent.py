@@ -61,3 +61,17 @@ def test_cracks_are_welded() -> None:
     assert len(welded.vertices) == 8 and coface.boolean("union", welded).measure == pytest.approx(1)
     with pytest.raises(coface.InvalidInputError):
         cracked.welded(-1.0)
+
+
+def test_solids_that_meet_nearly_are_glued() -> None:
+    cube = coface.generate("box", boundary=True)
+    beside = coface.Model(np.asarray(cube.vertices) + [1.0004, 0.0003, 0], cube.faces)
+    union = coface.boolean("union", cube, beside, method="congruence", tolerance=0.01)
+    assert union.solids == 1 and union.measure == pytest.approx(2, abs=0.01)
+    assert union.congruence["collapsed"] == 0 and union.congruence["largest_class_diameter"] < 0.001
+    assert list(union.cells.chain_complex().f_vector)[3] == 2
+    assert coface.boolean("union", cube, beside).congruence is None
+    with pytest.raises(coface.InvalidInputError, match="leave one of them out"):
+        coface.boolean("union", cube, method="congruence", tolerance=1e-9, snap=True)
+    with pytest.raises(coface.InvalidInputError, match="smaller tolerance"):
+        coface.boolean("union", cube, method="congruence", tolerance=10.0)

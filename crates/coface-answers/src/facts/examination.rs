@@ -9,7 +9,7 @@ use crate::answer::{Place, Remark};
 use crate::producer::{Cells, Producer};
 use coface_algebra::Error;
 use coface_complexes::simplicial::LINK_BUDGET;
-use coface_io::{Model, Structure};
+use coface_io::{Model, StatedSurfaces, Structure};
 
 /// What a report says beside the usual, and how hard it tries.
 ///
@@ -198,6 +198,7 @@ impl Report {
         let (permutations, pointers) = halfedges::pointers(&model)?;
         let drawn = DrawnPolygons::of(&model, request.geometry.check)?;
         let reference = model.reference_system().cloned();
+        let stated = model.stated_surfaces().cloned();
         let mut model = model.into_parts();
         let mut remarks = std::mem::take(&mut model.remarks);
         let data = std::mem::take(&mut model.data).iter().map(DataSummary::of).collect();
@@ -212,7 +213,7 @@ impl Report {
         };
         let mut report = match &volume {
             Some(volume) => volume::report(volume)?,
-            None => report_of(Producer::of(model.into_model())?, kind, request)?,
+            None => report_of(Producer::of(model.into_model())?, kind, request, stated.as_ref())?,
         };
         if report.moments.is_empty() {
             let nothing = |&exponents: &[u32; 3]| Moment { exponents, volume: None, surface: None };
@@ -246,12 +247,17 @@ impl Report {
 }
 
 /// The report on cells whose faces are identified.
-fn report_of(producer: Producer, kind: Kind, request: &ReportRequest) -> Result<Report, Error> {
+fn report_of(
+    producer: Producer,
+    kind: Kind,
+    request: &ReportRequest,
+    stated: Option<&StatedSurfaces>,
+) -> Result<Report, Error> {
     let exponents = &request.moments[..];
     let Producer { cells, labels, positions, partial_positions, remarks } = producer;
     let has_partial_positions = partial_positions.is_some();
     let mut report = match cells {
-        Cells::Polygons(mesh) => polygons::report(mesh, positions, &labels, kind, request.parts())?,
+        Cells::Polygons(mesh) => polygons::report(mesh, positions, &labels, kind, request.parts(), stated)?,
         Cells::Solids(mesh) => {
             let mut report = cells::report(*mesh, &positions, exponents);
             if !positions.is_empty() {

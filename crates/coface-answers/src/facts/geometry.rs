@@ -8,6 +8,7 @@ use coface_arrange::spatial::checks::{
 };
 use coface_complexes::surface::PolygonMesh;
 use coface_geometry::Positions;
+use coface_io::StatedSurfaces;
 use std::fmt;
 
 /// Which surfaces have their geometry checked.
@@ -108,6 +109,7 @@ impl GeometryFacts {
         positions: &Positions,
         labels: &Labels,
         request: &GeometryRequest,
+        stated: Option<&StatedSurfaces>,
     ) -> Result<Option<Self>, Error> {
         if mesh.face_count() == 0 || positions.is_empty() {
             return Ok(None);
@@ -136,6 +138,12 @@ impl GeometryFacts {
         let mut checks = GeometryChecks::new().places(request.places);
         if let Some(flatness) = request.flatness {
             checks = checks.flatness(flatness);
+        }
+        // Duplicates are surfaces of their own there.
+        if let Some(stated) = stated.filter(|_| *labels == Labels::default()) {
+            let found = checks.check(positions, stated.faces())?;
+            let polygon = |face: u32| stated.polygon_of_face(face as usize);
+            return Ok(Some(Self::Checked(found.renumbered(polygon, |vertex| vertex))));
         }
         let faces = CheckedFaces::from_polygons(mesh.polygons().clone());
         let mut found = checks.check(positions, &faces)?.renumbered(

@@ -9,6 +9,7 @@ use coface_algebra::RaggedArray;
 use coface_algebra::{EdgeId, Error, FaceId, VertexId};
 use coface_complexes::surface::{PolygonMesh, SurfaceDefect, SurfaceOrientation, SurfaceSurvey};
 use coface_geometry::{Positions, enclosed_volume, polygon_area};
+use coface_io::StatedSurfaces;
 use coface_topology::homology;
 
 /// The report on a mesh, whose vertices have these labels in the file.
@@ -21,6 +22,7 @@ pub(crate) fn report(
     labels: &Labels,
     kind: Kind,
     (exponents, geometry): (&[[u32; 3]], &GeometryRequest),
+    stated: Option<&StatedSurfaces>,
 ) -> Result<Report, Error> {
     let degrees = VertexDegrees::of(&mesh);
     let mut report = match (mesh.face_count(), mesh.edge_count()) {
@@ -28,7 +30,7 @@ pub(crate) fn report(
         (0, _) => of_graph(&mesh, &degrees, labels),
         _ => of_faces(&mesh, &positions, labels, exponents),
     };
-    report.geometry = GeometryFacts::of(&mesh, &positions, labels, geometry)?;
+    report.geometry = GeometryFacts::of(&mesh, &positions, labels, geometry, stated)?;
     drop(positions);
     report.kind = kind;
     duplicates(&mesh, labels, &mut report.problems);

@@ -44,7 +44,6 @@ pub struct CongruentBoolean<'a> {
     selection: CellSelection,
     boundary: SelectionBoundary,
     surface: SelectionMesh,
-    sides: Vec<[u32; 2]>,
     regions: Vec<u32>,
 }
 
@@ -84,9 +83,8 @@ impl<'a> CongruentBoolean<'a> {
             });
         let boundary = selection.boundary(&with_cells(complex)?)?;
         let surface = mesh_of(arrangement, boundary.facets(), request.triangles)?;
-        let sides = sides_of_faces(complex);
-        let regions = regions(&selection, &sides, complex.cell_count(3));
-        Ok(Self { arrangement, request: request.clone(), selection, boundary, surface, sides, regions })
+        let regions = regions(&selection, &sides_of_faces(complex), complex.cell_count(3));
+        Ok(Self { arrangement, request: request.clone(), selection, boundary, surface, regions })
     }
 
     /// The volume; `None` if the exterior is in the result.
@@ -222,7 +220,8 @@ impl<'a> CongruentBoolean<'a> {
         Ok(model)
     }
 
-    /// The vertices, edges and faces of the surface, and the parts of the result as cells; with walls each cell by itself.
+    /// The cells of the result with the vertices, edges and faces around them, walls too, each cell once; a remark says so where cells are no
+    /// balls.
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::UnsupportedFormat`] if the exterior is in the result.
@@ -242,29 +241,15 @@ impl<'a> CongruentBoolean<'a> {
     pub fn to_chains(&self) -> Result<Model, Error> {
         refuse_exterior(&self.selection)?;
         let complex = self.arrangement.complex();
-        let mut faces: Vec<CellId> = self.faces().iter().map(|facet| facet.0).collect();
-        faces.sort_unstable();
+        let cells: Vec<CellId> = self.selection.cells().collect();
+        let faces = facets_of(complex, 3, &cells);
         let edges = facets_of(complex, 2, &faces);
         let vertices = facets_of(complex, 1, &edges);
-        let part = |cell: u32| {
-            let is_in = cell != u32::MAX && self.selection.contains(CellId::from_u32(cell));
-            is_in.then(|| if self.request.keep_walls { cell } else { self.regions[cell as usize] })
-        };
-        let mut parts: Vec<u32> = self.selection.cells().filter_map(|cell| part(cell.to_u32())).collect();
-        parts.sort_unstable();
-        parts.dedup();
-        let mut entries = Vec::new();
-        for (row, face) in faces.iter().enumerate() {
-            let [back, front] = self.sides[face.index()].map(part);
-            for (own, sign) in [(back, 1i64), (front, -1)].into_iter().filter(|_| back != front) {
-                entries.extend(
-                    own.and_then(|own| parts.binary_search(&own).ok()).map(|column| (row, column, sign)),
-                );
-            }
-        }
-        let cells = SparseMatrix::from_entries(faces.len(), parts.len(), entries)?;
-        let boundaries =
-            vec![restricted(complex, 1, &vertices, &edges)?, restricted(complex, 2, &edges, &faces)?, cells];
+        let boundaries = vec![
+            restricted(complex, 1, &vertices, &edges)?,
+            restricted(complex, 2, &edges, &faces)?,
+            restricted(complex, 3, &faces, &cells)?,
+        ];
         let at = |vertex: &CellId| self.arrangement.positions().point(VertexId::from_u32(vertex.to_u32()));
         let positions = Positions::from_flat(3, vertices.iter().flat_map(at).copied().collect())?;
         Ok(Model::from_chains(ChainComplex::new(boundaries)?, positions)?.with_remark_on_cells())

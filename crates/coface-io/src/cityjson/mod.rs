@@ -4,7 +4,8 @@
 //! |---|---|
 //! | an object with a geometry | a [`Group`](crate::Group) of polygons with the role of an object, named by its id |
 //! | its id and attributes | a feature: [`FeatureTable`](crate::FeatureTable) |
-//! | a surface with holes | triangles on its own vertices, with a remark |
+//! | a surface with holes | triangles on its own vertices, with a remark; holes that cross or touch their rings along edges are left out |
+//! | rings, shells and solids | [`StatedSurfaces`](crate::StatedSurfaces), which `info` checks |
 //! | the semantics of a surface, such as `WallSurface` | a [`Group`](crate::Group) of polygons |
 //! | shells of solids, inner shells too | polygons; together they run counterclockwise seen from outside of the solid |
 //! | `MultiPoint`, `MultiLineString` | points and lines |

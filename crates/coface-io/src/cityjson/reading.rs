@@ -8,6 +8,7 @@ use crate::element_kind::Kind;
 use crate::feature_table::{FeatureTable, FeatureTexts};
 use crate::group::Roles;
 use crate::json_text::compact;
+use crate::stated_surfaces::SurfaceCollector;
 use crate::{GroupKind, GroupRole, Model, ReadOptions, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_geometry::predicates::orientation;
@@ -17,6 +18,7 @@ use serde_json::error::Category;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::io::{BufReader, Read};
+use std::sync::Arc;
 
 /// Beyond so many corners, those of instances are at most `RATIO` times what the file holds: few bytes can place a
 /// template very often.
@@ -32,7 +34,7 @@ const MOST_LISTED: usize = 8;
 /// # Errors
 /// [`ErrorKind::Parse`] for what is no CityJSON, with the line; [`ErrorKind::InvalidInput`] naming object, geometry
 /// and place of a ring with fewer
-/// than three vertices, a vertex that is not there, or rings of one surface that cross; [`ErrorKind::TooLarge`] for
+/// than three vertices around a surface, or a vertex that is not there; [`ErrorKind::TooLarge`] for
 /// templates that are placed
 /// too often.
 ///
@@ -144,6 +146,9 @@ struct City {
     placed: usize,
     read: usize,
     with_holes: usize,
+    /// Surfaces some of whose rings no polygons were made of.
+    with_odd_holes: usize,
+    surfaces: SurfaceCollector,
     /// Objects that have no geometry of the level that was asked for.
     without_lod: usize,
     has_lod: bool,
@@ -208,6 +213,8 @@ impl City {
             placed: 0,
             read: 0,
             with_holes: 0,
+            with_odd_holes: 0,
+            surfaces: SurfaceCollector::default(),
             without_lod: 0,
             has_lod: false,
             levels: Vec::new(),
@@ -491,8 +498,16 @@ impl City {
             }
             Shape::Surfaces(levels) => {
                 let mut path = Vec::new();
-                let mut walk =
-                    Walk { city: self, points, owner, is_mirror, geometry, place, malformed: &malformed };
+                let mut walk = Walk {
+                    city: self,
+                    points,
+                    owner,
+                    is_mirror,
+                    geometry,
+                    place,
+                    malformed: &malformed,
+                    shell: None,
+                };
                 walk.level(&mut cursor, &mut values, levels, &mut path)
             }
             Shape::Instance => Err(malformed()),
@@ -535,7 +550,19 @@ impl City {
             let remark = Remark::new(RemarkCode::FacesTriangulated, message).at(self.with_holes, []);
             self.assembly.remarks.push(remark);
         }
+        if self.with_odd_holes > 0 {
+            let surfaces = match self.with_odd_holes {
+                1 => "a surface has holes that cross or touch its rings, or have less than three vertices: they are".to_owned(),
+                count => format!("{count} surfaces have holes that cross or touch their rings, or have less than three vertices: they are"),
+            };
+            let message = format!("{surfaces} left out of its polygons");
+            let remark = Remark::new(RemarkCode::DataLeftOut, message).at(self.with_odd_holes, []);
+            self.assembly.remarks.push(remark);
+        }
         let mut model = self.assembly.finish()?;
+        if !self.surfaces.is_empty() && model.polygons().len() == self.feature_of_polygon.len() {
+            model.stated = Some(Arc::new(self.surfaces.finish(&model)?));
+        }
         let polygons = model.groups.iter_mut().filter(|group| group.kind == GroupKind::Polygons);
         for group in polygons.take(self.object_count) {
             group.roles = Roles::of(GroupRole::Object);
@@ -574,6 +601,8 @@ struct Walk<'c, 'p, 'g> {
     geometry: &'g Geometry,
     place: &'c dyn Fn() -> String,
     malformed: &'c dyn Fn() -> Error,
+    /// The solid and the shell of the last surface.
+    shell: Option<[usize; 2]>,
 }
 
 impl Walk<'_, '_, '_> {
@@ -649,10 +678,11 @@ impl Walk<'_, '_, '_> {
         if cursor.take() != Some(Token::Open) {
             return Err((self.malformed)());
         }
+        self.enter_shell(path);
         let mut rings: Vec<Vec<u32>> = Vec::new();
         while cursor.peek() == Some(Token::Open) {
             let indices = cursor.numbers().ok_or_else(self.malformed)?;
-            if indices.len() < 3 {
+            if indices.len() < 3 && rings.is_empty() {
                 return Err(Error::invalid(format!(
                     "{}: ring {} has {} vertices",
                     place(),
@@ -675,18 +705,55 @@ impl Walk<'_, '_, '_> {
         if cursor.take() != Some(Token::Close) {
             return Err((self.malformed)());
         }
-        let polygons = if rings.len() < 2 {
-            rings
-        } else {
-            let triangles = triangulated(&mut rings, |vertex| self.city.assembly.position(vertex));
-            let Some(triangles) = triangles else {
-                return Err(Error::invalid(format!("{}: its rings cross or touch along edges", place()))
-                    .with_cure("holes must lie inside of the outer ring: correct the rings"));
-            };
-            self.city.with_holes += 1;
-            triangles.into_iter().map(|triangle| triangle.to_vec()).collect()
+        let first = self.city.feature_of_polygon.len();
+        let polygons = self.polygons_of(&rings);
+        polygons.iter().try_for_each(|corners| self.add(corners, semantic))?;
+        if let Some(outer) = rings.first_mut() {
+            // What was corrected there is said already.
+            outer.dedup();
+            while outer.len() > 1 && outer.first() == outer.last() {
+                outer.pop();
+            }
+        }
+        if self.city.feature_of_polygon.len() > first {
+            self.city.surfaces.add(&rings, first);
+        }
+        Ok(())
+    }
+
+    /// Begins another shell, if the surface with this path is in another one than the last.
+    fn enter_shell(&mut self, path: &[usize]) {
+        let shell = match *path {
+            [solid, shell, _] => [solid, shell],
+            [shell, _] => [0, shell],
+            _ => [0; 2],
         };
-        polygons.iter().try_for_each(|corners| self.add(corners, semantic))
+        if self.shell != Some(shell) {
+            let is_first = self.shell.is_none_or(|last| last[0] != shell[0]);
+            self.city.surfaces.begin_shell(is_first, path.len() > 1);
+            self.shell = Some(shell);
+        }
+    }
+
+    /// The outer ring, or triangles where there are holes; holes that cannot be cut out are left out.
+    fn polygons_of(&mut self, rings: &[Vec<u32>]) -> Vec<Vec<u32>> {
+        let [outer, holes @ ..] = rings else { return Vec::new() };
+        if holes.is_empty() {
+            return vec![outer.clone()];
+        }
+        let mut clean: Vec<Vec<u32>> = rings.to_vec();
+        clean.iter_mut().for_each(Vec::dedup);
+        clean.retain(|ring| ring.len() > 2);
+        let city = &mut *self.city;
+        let is_odd = clean.len() < rings.len();
+        let triangles = match clean.len() {
+            0 | 1 => None,
+            _ => triangulated(&mut clean, |vertex| city.assembly.position(vertex)),
+        };
+        city.with_odd_holes += usize::from(is_odd || triangles.is_none());
+        let Some(triangles) = triangles else { return vec![outer.clone()] };
+        city.with_holes += 1;
+        triangles.into_iter().map(|triangle| triangle.to_vec()).collect()
     }
 
     fn add(&mut self, corners: &[u32], semantic: Option<u32>) -> Result<(), Error> {
@@ -707,7 +774,7 @@ impl Walk<'_, '_, '_> {
 }
 
 /// The triangles of a surface with holes, which run as its outer ring does; `None` if the rings cross. Directions of
-/// holes are corrected.
+/// holes are corrected, and sides run through the vertices of other rings on them.
 fn triangulated(rings: &mut [Vec<u32>], point: impl Fn(u32) -> [f64; 3]) -> Option<Vec<[u32; 3]>> {
     // The normal of the outer ring, by the formula of M. E. Newell.
     let normal_along = |ring: &[u32], axis: usize| {
@@ -741,5 +808,29 @@ fn triangulated(rings: &mut [Vec<u32>], point: impl Fn(u32) -> [f64; 3]) -> Opti
         a.total_cmp(&c).then(b.total_cmp(&d))
     };
     let turn = |a: u32, b: u32, c: u32| -> Ordering { orientation(flat(a), flat(b), flat(c)) };
-    triangulate(rings, compare, turn).ok()
+    if let Ok(triangles) = triangulate(rings, compare, turn) {
+        return Some(triangles);
+    }
+    let is_on = |vertex: u32, [a, b]: [u32; 2]| {
+        let is_between = compare(a, vertex) != compare(b, vertex)
+            && compare(a, vertex).is_ne()
+            && compare(b, vertex).is_ne();
+        is_between && turn(a, b, vertex).is_eq()
+    };
+    let mut through = rings.to_vec();
+    let vertices: Vec<u32> = rings.concat();
+    for ring in &mut through {
+        let mut longer = Vec::new();
+        for (i, &from) in ring.iter().enumerate() {
+            let to = ring[(i + 1) % ring.len()];
+            let mut on: Vec<u32> =
+                vertices.iter().copied().filter(|&vertex| is_on(vertex, [from, to])).collect();
+            on.sort_by(|&a, &b| if compare(from, to).is_lt() { compare(a, b) } else { compare(b, a) });
+            on.dedup();
+            longer.push(from);
+            longer.extend(on);
+        }
+        *ring = longer;
+    }
+    triangulate(&through, compare, turn).ok()
 }

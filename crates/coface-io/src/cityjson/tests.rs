@@ -223,6 +223,39 @@ fn templates_are_placed_and_few_bytes_do_not_place_much() {
     bad("0,0,0,1]", "0,0,1,1]", "16 numbers");
 }
 
+/// Holes that no triangles can leave out are left out themselves, and stay among the stated surfaces.
+#[test]
+fn holes_that_cross_are_stated_and_left_out() {
+    let surfaces = "[[0,1,2,3],[4,5,6,7]],[[0,1,2,3],[4,5]],[[0,1,5]]";
+    let vertices = "[0,0,5],[40,0,5],[40,40,5],[0,40,5],[30,10,5],[50,10,5],[50,30,5],[30,30,5]";
+    let text =
+        city("2.0", &object("o", &geometry("MultiSurface", "\"2\"", &format!("[{surfaces}]"))), vertices);
+    let model = read(text.as_bytes()).unwrap();
+    assert_eq!(model.polygons().iter().map(<[u32]>::len).collect::<Vec<_>>(), [4, 4, 3]);
+    let remark = &model.remarks()[0];
+    assert_eq!((remark.code, remark.count), (RemarkCode::DataLeftOut, 2));
+    let stated = model.stated_surfaces().unwrap();
+    let rings: Vec<usize> = (0..3).map(|face| stated.faces().rings_of_face(face).len()).collect();
+    assert_eq!((rings, stated.polygon_of_face(2)), (vec![2, 2, 1], 2));
+    assert!(stated.faces().shell_of_face().is_none());
+    // A hole that touches a side in a point is cut out.
+    let touching = "[[0,1,2,3],[4,5,6,7]]";
+    let vertices = "[0,0,5],[40,0,5],[40,40,5],[0,40,5],[0,20,5],[10,30,5],[20,20,5],[10,10,5]";
+    let text =
+        city("2.0", &object("o", &geometry("MultiSurface", "\"2\"", &format!("[{touching}]"))), vertices);
+    let model = read(text.as_bytes()).unwrap();
+    assert_eq!((model.polygons().len(), model.remarks()[0].code), (8, RemarkCode::FacesTriangulated));
+    // Shells and solids are those of the file; another model has none.
+    let shells = format!("[[[{}],[{}]],[[{}]]]", sides(0, false), sides(8, true), sides(16, false));
+    let vertices = [cube(0, 90), cube(10, 20), cube(100, 10)].join(",");
+    let model =
+        read(city("2.0", &object("o", &geometry("MultiSolid", "\"2\"", &shells)), &vertices).as_bytes())
+            .unwrap();
+    let shell_of_face = model.stated_surfaces().unwrap().faces().shell_of_face().unwrap().to_vec();
+    assert_eq!(shell_of_face, [[0; 6], [1; 6], [2; 6]].concat());
+    assert!(model.into_parts().into_model().stated_surfaces().is_none());
+}
+
 #[test]
 fn faults_name_object_geometry_and_place() {
     let solid = |boundaries: &str| {
@@ -235,7 +268,6 @@ fn faults_name_object_geometry_and_place() {
         ),
         (solid("[[[[0,1,2]]],[[[0,1]]]]"), "shell 0, surface 0: ring 0 has 2 vertices"),
         (solid("[[[0,1,2]]]"), "geometry 0 (Solid, lod 2.2): its boundaries are not nested"),
-        (solid("[[[[0,1,2],[0,3,2]]]]"), "rings cross"),
         (solid("[]").replace("Solid", "Sphere"), "the type \"Sphere\" is no geometry"),
         (solid("[[[[0,1,2]]]]").replace("\"vertices\"", "\"points\""), "no \"vertices\""),
         (solid("[[[[0,1,-2]]]]"), "invalid type"),
