@@ -119,7 +119,8 @@ fn results_are_written_and_go_in_again() {
             (&json!("torus"), &json!(true)),
             "{name}"
         );
-        assert!((info["signed_volume"].as_f64().unwrap() - 24.0).abs() < 1e-9);
+        // STL has coordinates of 24 bits.
+        assert!((info["signed_volume"].as_f64().unwrap() - 24.0).abs() < 1e-4, "{name}");
     }
     let whole = coface(&["boolean", "union", argument(&path("torus.off")), argument(&rod), "--json"]).json();
     assert!((whole["measure"].as_f64().unwrap() - 29.0).abs() < 1e-6);
