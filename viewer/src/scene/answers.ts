@@ -2141,6 +2141,8 @@ export interface SolidBooleanAnswer {
   closed: boolean;
   /** The number of connected components of the surface. */
   components: number;
+  /** What congruence put together; with `--method congruence` only. */
+  congruence?: CongruentPieces | null;
   /** The dimension of the space: 3. */
   dimension: number;
   /** Vertices minus edges plus polygons of the surface. */
