@@ -171,7 +171,7 @@ impl Placing {
                         return Err(Error::invalid(format!(
                             "all segments collapse within the tolerance {tolerance:e}"
                         ))
-                        .with_cure("give a smaller tolerance"));
+                        .with_cure("give a smaller --tolerance"));
                     }
                     if let Some(remark) = &mut remark {
                         let segments = text::count(collapsed, "segment");

@@ -85,7 +85,7 @@ impl CongruentScene {
             return Err(Error::invalid(format!(
                 "all polygons collapse: none is wider than the tolerance {tolerance:e}"
             ))
-            .with_cure("give a smaller tolerance"));
+            .with_cure("give a smaller --tolerance"));
         }
         let complex = arranged.chain_complex()?;
         let face_count = complex.cell_count(2);

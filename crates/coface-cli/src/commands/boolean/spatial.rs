@@ -122,8 +122,8 @@ fn by_congruence(
     progress: Progress,
 ) -> Result<(), Failure> {
     let refused = [
-        (matches!(verb.solids.open, Open::Close), "--open close"),
-        (matches!(verb.solids.pinches, Some(Pinches::Split)), "--pinches split"),
+        (matches!(verb.solids.open, Open::Close), "--open"),
+        (matches!(verb.solids.pinches, Some(Pinches::Split)), "--pinches"),
     ];
     if let Some((_, option)) = refused.into_iter().find(|(is_given, _)| *is_given) {
         return Err(for_the_exact_method(option));

@@ -142,11 +142,11 @@ pub(super) const CASES: &[Case] = &[
         .files(CRACK)
         .refused("coface boolean union crack.off")
         .cured(&[&["coface boolean union crack.off --weld 2.23e-16"]]),
-    Case::new("planar/settling.rs", "all segments collapse within the tolerance")
+    Case::new("planar/settling.rs", "give a smaller --tolerance")
         .with(&[("edge.lines", "0,0,1,0\n")])
         .refused("coface arrange edge.lines --method congruence --tolerance 2")
         .cured(&[&["coface arrange edge.lines --method congruence --tolerance 0.1"]]),
-    Case::new("spatial/congruent.rs", "all polygons collapse")
+    Case::new("spatial/congruent.rs", "give a smaller --tolerance")
         .files(CRACK)
         .refused("coface arrange crack.off --method congruence --tolerance 10")
         .cured(&[&["coface arrange crack.off --method congruence --tolerance 1e-9"]]),
