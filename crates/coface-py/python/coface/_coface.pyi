@@ -2433,6 +2433,14 @@ class PlanarArrangement:
         """Draw this with matplotlib: :func:`plot` with the same options."""
         ...
     @property
+    def joined(self) -> dict[str, Json] | None:
+        """What was put together, where that was asked for."""
+        ...
+    @property
+    def congruence(self) -> dict[str, Json] | None:
+        """What congruence put together, with ``method="congruence"``."""
+        ...
+    @property
     def f_vector(self) -> list[int]:
         """The numbers of vertices, edges and bounded faces."""
         ...
@@ -2566,6 +2574,14 @@ class PlanarBoolean:
     def _repr_html_(self) -> str: ...
     def plot(self, **options: Any) -> Any:
         """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
+    @property
+    def joined(self) -> dict[str, Json] | None:
+        """What was put together, where that was asked for."""
+        ...
+    @property
+    def congruence(self) -> dict[str, Json] | None:
+        """What congruence put together, with ``method="congruence"``."""
         ...
     @property
     def measure(self) -> float:
@@ -2947,6 +2963,10 @@ class SolidBoolean:
     def _repr_html_(self) -> str: ...
     def plot(self, **options: Any) -> Any:
         """Draw this with matplotlib: :func:`plot` with the same options."""
+        ...
+    @property
+    def congruence(self) -> dict[str, Json] | None:
+        """What congruence put together, with ``method="congruence"``."""
         ...
     @property
     def measure(self) -> float | None:
@@ -3983,7 +4003,7 @@ def graphml(graph: str) -> str:
         The text of the file.
     """
     ...
-def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: str | None = None, features: bool = False, inputs: str | None = None, keep_walls: bool = False, snap: bool = False, exact: bool = False, grid: float | None = None, close: bool = False, tolerance: float | None = None, weld: float | None = None, max_cells: int | None = None, split: bool = True, merge_coplanar: bool = True, triangles: bool | None = None, open: str = "refuse", split_pinches: bool = False, progress: _Progress = ...) -> PlanarBoolean | SolidBoolean:
+def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: str | None = None, features: bool = False, inputs: str | None = None, keep_walls: bool = False, snap: bool = False, exact: bool = False, grid: float | None = None, close: bool = False, tolerance: float | None = None, weld: float | None = None, method: str | None = None, max_cells: int | None = None, split: bool = True, merge_coplanar: bool = True, triangles: bool | None = None, open: str = "refuse", split_pinches: bool = False, progress: _Progress = ...) -> PlanarBoolean | SolidBoolean:
     """Combines regions of the plane, or solids, exactly.
 
     Parameters
@@ -4016,8 +4036,7 @@ def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: 
     weld : float, optional
         Before anything else, vertices of each model that are at most so far apart are merged; none moves farther.
     method : {"exact", "congruence"}, optional
-        In the plane, how cells are found: ``"congruence"`` cuts each segment for itself, in rounded numbers, and pieces that are within
-        ``tolerance`` of each other become one.
+        How cells are found, as for :func:`arrange`.
     max_cells : int, optional
         More cells than this are refused.
     split : bool
