@@ -10,6 +10,7 @@
 #![doc = include_str!("../README.md")]
 
 pub mod answer;
+mod census;
 mod cocycles;
 mod congruence;
 mod editing;

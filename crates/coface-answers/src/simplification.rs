@@ -1,12 +1,13 @@
 //! Smaller triangulations of a 3-manifold.
 
 use crate::answer::{HomologyGroup, SimplifyAnswer};
+use crate::census::Census;
 use crate::facts::space_of;
 use crate::isomorphism::table_of;
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::gluing::GluingTable;
 use coface_io::{Model, Structure};
-use coface_topology::{GluingMove, homology, simplified};
+use coface_topology::{GluingMove, homology, simplified, simplified_until};
 
 /// A triangulated 3-manifold as a gluing table with fewer tetrahedra, and what is said of it.
 #[derive(Clone, Debug)]
@@ -62,10 +63,31 @@ impl SimplifiedManifold {
     /// # Ok(()) }
     /// ```
     pub fn of(name: &str, model: &Model, attempts: usize) -> Result<Self, Error> {
-        Self::found(name, model, attempts).map_err(|error| error.in_file(name))
+        Self::found(name, model, attempts, None).map_err(|error| error.in_file(name))
     }
 
-    fn found(name: &str, model: &Model, attempts: usize) -> Result<Self, Error> {
+    /// As [`Self::of`], until a triangulation is in a census: the answer says on which line, and the model is that triangulation.
+    ///
+    /// # Errors
+    /// As [`Self::of`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::{Census, SimplifiedManifold};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let census = Census::from_reader("closed.sig", &b"bkaagj S3\ncMcabbgqw RP3\n"[..])?;
+    /// let text = "[[0,1,2,3],[0,1,2,4],[0,1,3,4],[0,2,3,4],[1,2,3,4]]";
+    /// let sphere = coface_io::read(text.as_bytes(), coface_io::Format::Json)?;
+    /// let found = SimplifiedManifold::in_census("sphere.json", &sphere, 200, &census)?;
+    /// let line = found.answer().census.as_ref().and_then(|census| census.found.as_ref());
+    /// assert_eq!(line.and_then(|line| line.name.as_deref()), Some("S3"));
+    /// # Ok(()) }
+    /// ```
+    pub fn in_census(name: &str, model: &Model, attempts: usize, census: &Census) -> Result<Self, Error> {
+        Self::found(name, model, attempts, Some(census)).map_err(|error| error.in_file(name))
+    }
+
+    fn found(name: &str, model: &Model, attempts: usize, census: Option<&Census>) -> Result<Self, Error> {
         let table = table_of(model)?;
         if table.dimension() != 3 {
             let message = format!(
@@ -80,7 +102,12 @@ impl SimplifiedManifold {
                 .with_cure("subdivide such simplices"));
         }
         let before = homology(&faces.chain_complex()?);
-        let found = simplified(&table, attempts)?;
+        let found = match census {
+            None => simplified(&table, attempts)?,
+            Some(census) => simplified_until(&table, attempts, |table| {
+                census.find(table).is_ok_and(|line| line.is_some())
+            })?,
+        };
         let moves = found.moves().iter().map(GluingMove::to_string).collect();
         let table: GluingTable = found.into_table();
         let faces_after = table.faces()?;
@@ -99,6 +126,10 @@ impl SimplifiedManifold {
             signature: table.isomorphism_signature()?,
             name: space.as_ref().map(|space| space.name().to_string()),
             name_proof: space.as_ref().map(|space| space.proof().word().to_owned()),
+            census: match census {
+                Some(census) => Some(census.answer(census.find(&table)?)),
+                None => None,
+            },
             remarks: Vec::new(),
         };
         Ok(Self { model: Model::from_structure(Structure::Gluings(table)), answer })

@@ -79,8 +79,8 @@ pub use groups::{
 
 mod three_manifolds;
 pub use three_manifolds::{
-    GluingMove, GluingSimplification, NamedSpace, SeifertSpace, SpaceName, SpaceProof, moved, named_space,
-    simplified, simplified_until,
+    GluingMove, GluingSimplification, GraphSpace, NamedSpace, SeifertSpace, SpaceName, SpaceProof,
+    TorusBundle, moved, named_space, simplified, simplified_until,
 };
 
 mod recognition;

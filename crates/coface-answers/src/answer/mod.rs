@@ -118,7 +118,7 @@ pub use schema::{reprinted, schema};
 pub use shards::{ReduceAnswer, ReducedShard, ShardAnswer};
 pub use signatures::{PresentedGroup, SignatureAnswer, SpaceAnswer};
 pub use simplices::SimplicesAnswer;
-pub use simplify::SimplifyAnswer;
+pub use simplify::{CensusAnswer, CensusLine, SimplifyAnswer};
 pub use view::{LayerAnswer, ViewAnswer};
 pub use yin::{
     CoverageAnswer, CutCellAnswer, GridAnswer, VanishedAnswer, YinAdvectAnswer, YinCombinationAnswer,

@@ -248,6 +248,37 @@ fn three_manifolds_have_names_where_they_are_proved() {
     assert!(coface(&["info", argument(&facets)]).stdout.contains(": S3."));
 }
 
+/// A triangulation is looked up in a list, in which it may stand with other names of its tetrahedra.
+#[test]
+fn manifolds_are_looked_up_in_a_census() {
+    let folder = tempfile::tempdir().unwrap();
+    let [census, broken, lens, facets] =
+        ["census.sig", "broken.sig", "lens.sig", "facets.json"].map(|name| folder.path().join(name));
+    std::fs::write(&census, "# closed\nbkaagj S3\ncMcabbjqs L(8,3) : #1\nbkaajn\n").unwrap();
+    std::fs::write(&broken, "bkaagj S3\nnothing\n").unwrap();
+    std::fs::write(&lens, "cMcabbjqs\n").unwrap();
+    coface(&["convert", argument(&lens), "--triangulate", "-o", argument(&facets)]);
+    let looked_up =
+        |list: &Path| coface(&["simplify", argument(&facets), "--census", argument(list), "--json"]);
+    let answer = looked_up(&census).json();
+    assert_eq!(answer["census"]["triangulation_count"], 3);
+    assert_eq!(
+        answer["census"]["found"],
+        json!({"line": 3, "signature": "cMcabbjqs", "name": "L(8,3) : #1"})
+    );
+    let page = coface(&["simplify", argument(&facets), "--census", argument(&census)]);
+    assert!(page.stdout.contains("L(8,3) : #1") && page.stdout.contains("line 3 of"), "{}", page.stdout);
+    std::fs::write(&census, "bkaagj S3\n").unwrap();
+    assert_eq!(looked_up(&census).json()["census"]["found"], Value::Null);
+    assert!(
+        coface(&["simplify", argument(&facets), "--census", argument(&census)])
+            .stdout
+            .contains("none of the 1")
+    );
+    assert!(looked_up(&broken).fails_with(1).contains("line 2"));
+    assert!(looked_up(&folder.path().join("missing.sig")).fails_with(1).contains("missing.sig"));
+}
+
 /// Moves make a triangulation smaller; the signature of what is left is that of the file that is written.
 #[test]
 fn manifolds_are_simplified_by_moves() {

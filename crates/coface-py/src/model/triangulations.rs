@@ -3,20 +3,23 @@
 use super::Model;
 use crate::objects::to_python;
 use crate::work::run;
-use coface::answers::{SimplifiedManifold, isomorphic};
+use coface::answers::{Census, SimplifiedManifold, isomorphic};
 use pyo3::prelude::*;
+use std::path::PathBuf;
 
 #[pymethods]
 impl Model {
     /// A triangulated 3-manifold with fewer tetrahedra, by moves that keep the space.
     ///
-    /// The moves 4-1, 3-2 and 2-0 remove tetrahedra; 2-3 adds one on the way to others. The same input gives the same triangulation on every
+    /// The moves 4-1, 3-2 and 2-0 and collapses of edges remove tetrahedra; 2-3 adds one on the way to others. The same input gives the same triangulation on every
     /// machine. The homology before and after is compared, and a boundary stays as it is.
     ///
     /// Parameters
     /// ----------
     /// attempts : int
     ///     How often moves that add a tetrahedron are tried, when none removes one.
+    /// census : path-like, optional
+    ///     A file of lines "signature name": the triangulation is looked up there, and moves go on until it is one of them.
     /// progress : bool or callable, optional
     ///     ``True`` shows a bar; a function is called with (stage, done, total).
     ///
@@ -26,7 +29,7 @@ impl Model {
     ///     A gluing table.
     /// done : dict
     ///     ``f_vector_before`` and ``f_vector``, ``moves`` in their order, ``homology``, ``signature``, and ``name`` with ``name_proof`` where it is
-    ///     proved which manifold it is.
+    ///     proved which manifold it is; ``census`` with the line that was ``found`` in the census.
     ///
     /// Examples
     /// --------
@@ -35,14 +38,20 @@ impl Model {
     /// >>> smaller, done = sphere.simplified()
     /// >>> done["f_vector_before"][3], done["f_vector"][3], done["name"]
     /// (5, 1, 'S3')
-    #[pyo3(signature = (*, attempts=200, progress=None))]
+    #[pyo3(signature = (*, attempts=200, census=None, progress=None))]
     fn simplified<'py>(
         &self,
         py: Python<'py>,
         attempts: usize,
+        census: Option<PathBuf>,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Self, Bound<'py, PyAny>)> {
-        let found = run(py, progress, || SimplifiedManifold::of("model", self.model(), attempts))?;
+        let found = run(py, progress, || match &census {
+            None => SimplifiedManifold::of("model", self.model(), attempts),
+            Some(path) => {
+                SimplifiedManifold::in_census("model", self.model(), attempts, &Census::from_path(path)?)
+            }
+        })?;
         Ok((Self::of(found.model().clone()), to_python(py, found.answer())?))
     }
 

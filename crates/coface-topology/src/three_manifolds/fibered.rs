@@ -8,9 +8,13 @@
 //! the invariants that it meets a fiber α times, and that the cocycle is β on it. Where walks reverse fibers, the cocycle has its values in the
 //! integers twisted along with them.
 //!
+//! A side that is rolled up may also be glued, directly or through layers, to another one on which other edges are vertical: there a piece ends, and
+//! the section's boundary and a fiber on one side are given by those on the other.
+//!
 //! Source: H. Seifert, *Topologie dreidimensionaler gefaserter Raeume* (1933); B. A. Burton, *Minimal triangulations and normal
 //! surfaces* (2003), for the triangulations.
 
+use super::graph::{Fibered, GraphSpace, Matrix, Piece, TorusBundle};
 use super::layered::{Corners, Slope, SolidTorus, Torus, across, fold, folded_slope, layered_edge, step};
 use super::seifert::SeifertSpace;
 use super::stacks::{EDGES, Stacks, Standing};
@@ -19,16 +23,20 @@ use coface_algebra::{
 };
 use coface_complexes::gluing::{FaceClasses, GluingTable};
 
-/// The Seifert fibered space that a closed orientable table shows, if it does.
-pub(super) fn seifert_space(table: &GluingTable, faces: &FaceClasses) -> Option<SeifertSpace> {
+/// The fibered space that a closed orientable table shows, if it does, or the pieces.
+pub(super) fn fibered_space(table: &GluingTable, faces: &FaceClasses) -> Option<Fibered> {
     let tori = SolidTorus::maximal(table);
     let orientation = table.orientation();
     let signs: Vec<i64> =
         (0..table.simplex_count()).map(|at| of_sign(orientation.sign(CellId::new(at)))).collect();
-    Stacks::all(table, faces, &tori)
-        .iter()
-        .find_map(|stacks| Fibration::of(table, stacks, &tori).and_then(|fibration| fibration.space(&signs)))
+    let shown =
+        |stacks: &Stacks| Fibration::of(table, stacks, &tori).and_then(|fibration| fibration.space(&signs));
+    let whole = Stacks::all(table, faces, &tori);
+    whole.iter().find_map(shown).or_else(|| Stacks::apart(table, &tori).iter().find_map(shown))
 }
+
+/// Larger entries are followed no farther: they are products of many layers, and products of them are still numbers of 64 bits.
+const FARTHEST: i64 = 1 << 24;
 
 fn of_sign(sign: Sign) -> i64 {
     if sign == Sign::Plus { 1 } else { -1 }
@@ -36,6 +44,7 @@ fn of_sign(sign: Sign) -> i64 {
 
 /// A hole of the bundle of circles, seen from the bundle, and the meridian of what closes it.
 struct Hole {
+    stack: usize,
     torus: Torus,
     meridian: [i64; 2],
 }
@@ -48,6 +57,21 @@ struct Chain {
     edges: [Slope; 2],
     /// Whether upwards at one end is upwards at the other.
     agrees: bool,
+}
+
+/// A torus at which a piece ends: beyond it fibers are others.
+struct Join {
+    /// The stack and the side.
+    stack: usize,
+    side: usize,
+    /// The torus, seen from the stack.
+    torus: Torus,
+    /// The stack and the side beyond.
+    other_stack: usize,
+    other_side: usize,
+    /// The first triangle beyond, seen from its stack; its edges 01 and 02 in those of the torus.
+    other: Corners,
+    edges: [Slope; 2],
 }
 
 /// Where a side of a stack goes.
@@ -71,9 +95,11 @@ struct Fibration<'a> {
     chains: Vec<Chain>,
     /// The tetrahedra of chains, each from both ends.
     passed: Vec<usize>,
-    /// Whether some walk reverses the fibers.
-    is_twisted: bool,
-    side_count: usize,
+    joins: Vec<Join>,
+    /// Stacks from which some walk reverses the fibers.
+    twisted: Vec<usize>,
+    /// The sides by their stacks: twice the edges of the base.
+    side_counts: Vec<usize>,
 }
 
 /// A vertical triangle: a standing tetrahedron, the corner that is not over its side.
@@ -109,8 +135,9 @@ impl<'a> Fibration<'a> {
             passed: Vec::new(),
             corners: UnionFind::new(count),
             fibers: ParityUnionFind::new(stacks.stacks.len()),
-            is_twisted: false,
-            side_count: 0,
+            joins: Vec::new(),
+            twisted: Vec::new(),
+            side_counts: vec![0; stacks.stacks.len()],
         };
         let mut closed = vec![false; tori.len()];
         for stack in 0..stacks.stacks.len() {
@@ -123,7 +150,7 @@ impl<'a> Fibration<'a> {
         if !stacks.lying.iter().all(lies_between) {
             return None;
         }
-        (closed.iter().all(|&closed| closed) && found.side_count.is_multiple_of(2)).then_some(found)
+        closed.iter().all(|&closed| closed).then_some(found)
     }
 
     /// The vertical triangles over a side of a stack, from below.
@@ -149,13 +176,13 @@ impl<'a> Fibration<'a> {
                 return None;
             }
         }
-        self.side_count += 1;
+        self.side_counts[stack] += 1;
         match beyond? {
             Beyond::Side(other, across) if (other, across) == (stack, side) => {
                 let torus = rolled_up(&triangles)?;
                 let edge = fold(self.table, &torus)?;
-                self.holes.push(Hole { torus, meridian: folded_slope(&[[1, 0], [0, 1]], edge) });
-                self.side_count += 1;
+                self.holes.push(Hole { stack, torus, meridian: folded_slope(&[[1, 0], [0, 1]], edge) });
+                self.side_counts[stack] += 1;
                 self.close(stack, side);
             }
             Beyond::Side(..) => {}
@@ -190,14 +217,15 @@ impl<'a> Fibration<'a> {
                 // The meridian in the edges of the side.
                 let [x, y] = inner.meridian;
                 let meridian = [0, 1].map(|axis| x * edges[0][axis] + y * edges[1][axis]);
-                self.holes.push(Hole { torus, meridian });
-                self.side_count += 1;
+                self.holes.push(Hole { stack, torus, meridian });
+                self.side_counts[stack] += 1;
                 self.close(stack, side);
                 return Some(());
             }
             let edge @ [i, j, k] = layered_edge(&[one, two])?;
-            // The vertical edge 01 stays.
-            if k == 2 || !self.stacks.lying.contains(&one.tetrahedron) {
+            if !self.stacks.lying.contains(&one.tetrahedron)
+                || edges.as_flattened().iter().any(|entry| entry.abs() > FARTHEST)
+            {
                 return None;
             }
             self.passed.push(one.tetrahedron);
@@ -218,41 +246,48 @@ impl<'a> Fibration<'a> {
         let places = ends.map(|corners| self.stacks.places[corners.tetrahedron]);
         let (Some((other, _)), Some((again, _))) = (places[0], places[1]) else { return None };
         let mut images = Vec::new();
-        let mut agrees = Vec::new();
+        let mut fibers = Vec::new();
         for corners in ends {
             let standing = *self.stacks.standing(corners.tetrahedron)?;
-            let (lower, upper) = (standing.vertices[standing.raised], standing.upper);
-            let labels = corners.labels;
-            agrees.push(match (labels[0], labels[1]) {
-                pair if pair == (lower, upper) => true,
-                pair if pair == (upper, lower) => false,
-                _ => return None,
-            });
-            let apex = (0..3).find(|&c| c != standing.raised && standing.vertices[c] == labels[2])?;
+            let label = |vertex: u8| corners.labels[..3].iter().position(|&label| label == vertex);
+            let (lower, upper) = (label(standing.vertices[standing.raised])?, label(standing.upper)?);
+            let apex = corners.labels[3 - lower - upper];
+            let apex = (0..3).find(|&c| c != standing.raised && standing.vertices[c] == apex)?;
+            fibers.push(step(&edges, lower, upper));
             images.push(Vertical { standing, apex });
         }
         let across = images[0].side();
         if again != other || images[1].side() != across || self.triangles(other, across).len() != 2 {
             return None;
         }
+        self.close(stack, side);
+        // Edge 01 of the first triangle goes upwards here.
+        let agrees = match fibers[0] {
+            [1, 0] => true,
+            [-1, 0] => false,
+            _ => {
+                self.side_counts[stack] += 1;
+                let (other_stack, other_side, other) = (other, across, ends[0]);
+                self.joins.push(Join { stack, side, torus, other_stack, other_side, other, edges });
+                return Some(());
+            }
+        };
         let own = self.triangles(stack, side);
         for (triangle, image) in own.iter().zip(&images) {
             let (from, to) = (3 * stack + triangle.standing.raised, 3 * other + image.standing.raised);
             self.corners.unite(from as u32, to as u32);
         }
-        // Edge 01 of the first triangle goes upwards here, and the one there is it or its reverse.
-        let along = match edges[0] {
-            [1, 0] => true,
-            [-1, 0] => false,
-            _ => return None,
-        };
-        let agrees = agrees[0] == along;
-        let sign = if agrees { Sign::Plus } else { Sign::Minus };
-        if self.fibers.unite(stack as u32, other as u32, sign) == ParityUnion::Contradicts {
-            self.is_twisted = true;
-        }
+        self.walk(stack, other, agrees);
         self.chains.push(Chain { ends: [torus[0], ends[0]], edges, agrees });
         Some(())
+    }
+
+    /// From a stack to another one, in which upwards is upwards or not.
+    fn walk(&mut self, stack: usize, other: usize, agrees: bool) {
+        let sign = if agrees { Sign::Plus } else { Sign::Minus };
+        if self.fibers.unite(stack as u32, other as u32, sign) == ParityUnion::Contradicts {
+            self.twisted.push(stack);
+        }
     }
 
     /// A side that is rolled up has its two corners in one.
@@ -272,7 +307,7 @@ impl<'a> Fibration<'a> {
         let agrees = match partner.labels[..2] {
             [a, b] if (a, b) == (lower, upper) => true,
             [a, b] if (a, b) == (upper, lower) => false,
-            _ => return None,
+            _ => return Some(Beyond::Elsewhere),
         };
         let apex = (0..3).find(|&c| c != standing.raised && standing.vertices[c] == partner.labels[2])?;
         let image = Vertical { standing, apex };
@@ -281,25 +316,82 @@ impl<'a> Fibration<'a> {
                 self.corners.unite((3 * stack + corner) as u32, (3 * other + other_corner) as u32);
             }
         }
-        let sign = if agrees { Sign::Plus } else { Sign::Minus };
-        if self.fibers.unite(stack as u32, other as u32, sign) == ParityUnion::Contradicts {
-            self.is_twisted = true;
-        }
+        self.walk(stack, other, agrees);
         Some(Beyond::Side(other, image.side()))
     }
 
-    /// The space that is fibered.
-    fn space(mut self, signs: &[i64]) -> Option<SeifertSpace> {
-        let (vertices, faces) = (self.corners.class_count(), self.stacks.stacks.len() + self.holes.len());
-        let characteristic = vertices as i64 - (self.side_count / 2) as i64 + faces as i64;
-        let rank = usize::try_from(2 - characteristic).ok()?;
-        let is_orientable = !self.is_twisted;
+    /// The space that is fibered, or made of fibered pieces.
+    fn space(mut self, signs: &[i64]) -> Option<Fibered> {
+        let cocycle = Cocycle::of(&mut self)?;
+        let roots: Vec<u32> = (0..self.stacks.stacks.len()).map(|at| self.fibers.find(at as u32).0).collect();
+        let mut order = roots.clone();
+        order.sort_unstable();
+        order.dedup();
+        let pieces: Option<Vec<Piece>> =
+            order.iter().map(|&root| self.piece(&roots, root, &cocycle, signs)).collect();
+        let mut pieces = pieces?;
+        // A join is seen from both of its sides.
+        let key = |join: &&Join| (join.stack, join.side) < (join.other_stack, join.other_side);
+        let joins: Vec<&Join> = self.joins.iter().filter(key).collect();
+        if 2 * joins.len() != self.joins.len() {
+            return None;
+        }
+        match (&joins[..], pieces.len()) {
+            ([], 1) => {
+                let Piece { is_orientable, genus, fibers, .. } = pieces.remove(0);
+                SeifertSpace::new(is_orientable, genus, &fibers).map(Fibered::Seifert)
+            }
+            (&[join], 2) => {
+                let matrix = self.join_matrix(join, &cocycle, signs)?;
+                if roots[join.stack] != order[0] {
+                    pieces.swap(0, 1);
+                }
+                Fibered::of_two(pieces, matrix)
+            }
+            (&[join], 1) => {
+                // Fibers in one direction along the whole piece.
+                let direction = |stack: usize| of_sign(self.fibers.clone().find(stack as u32).1);
+                let sign = direction(join.stack) * direction(join.other_stack);
+                let matrix =
+                    self.join_matrix(join, &cocycle, signs)?.map(|row| row.map(|entry| sign * entry));
+                let piece = pieces.remove(0);
+                if piece.is_orientable && piece.genus == 0 && piece.fibers.iter().all(|fiber| fiber.0 == 1) {
+                    let total: i64 = piece.fibers.iter().map(|fiber| fiber.1).sum();
+                    // Through the piece the second o is minus the first, and b fibers for a fiber (1, b).
+                    let [one, two] = matrix;
+                    let turned = [one, [total * one[0] - two[0], total * one[1] - two[1]]];
+                    return TorusBundle::new(turned).map(Fibered::Bundle);
+                }
+                GraphSpace::new(vec![piece], matrix).map(Fibered::Graph)
+            }
+            _ => None,
+        }
+    }
+
+    /// The stacks with one root.
+    fn piece(&mut self, roots: &[u32], root: u32, cocycle: &Cocycle, signs: &[i64]) -> Option<Piece> {
+        let own: Vec<usize> = (0..roots.len()).filter(|&stack| roots[stack] == root).collect();
+        let mut vertices: Vec<u32> = own
+            .iter()
+            .flat_map(|stack| 3 * stack..3 * stack + 3)
+            .map(|corner| self.corners.find(corner as u32))
+            .collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let holes: Vec<&Hole> = self.holes.iter().filter(|hole| roots[hole.stack] == root).collect();
+        let boundary_count = self.joins.iter().filter(|join| roots[join.stack] == root).count();
+        let sides: usize = own.iter().map(|&stack| self.side_counts[stack]).sum();
+        if !sides.is_multiple_of(2) {
+            return None;
+        }
+        let characteristic = vertices.len() as i64 - (sides / 2) as i64 + (own.len() + holes.len()) as i64;
+        let rank = usize::try_from(2 - characteristic - boundary_count as i64).ok()?;
+        let is_orientable = !self.twisted.iter().any(|&stack| roots[stack] == root);
         if is_orientable && rank % 2 == 1 {
             return None;
         }
-        let cocycle = Cocycle::of(&mut self)?;
-        let mut fibers = Vec::with_capacity(self.holes.len());
-        for hole in &self.holes {
+        let mut fibers = Vec::with_capacity(holes.len());
+        for hole in holes {
             let [one, _] = hole.torus;
             let standing = self.stacks.standing(one.tetrahedron)?;
             let value = |a: u8, b: u8| cocycle.value(one.tetrahedron, a, b);
@@ -309,9 +401,42 @@ impl<'a> Fibration<'a> {
             // Edge 01 is the vertical one.
             let up = if labels[1] == standing.upper { 1 } else { -1 };
             let alpha = -y * up * signs[one.tetrahedron] * parity(labels);
+            if alpha == 0 {
+                return None;
+            }
             fibers.push(if alpha < 0 { (-alpha, -beta) } else { (alpha, beta) });
         }
-        SeifertSpace::new(is_orientable, if is_orientable { rank / 2 } else { rank }, &fibers)
+        let genus = if is_orientable { rank / 2 } else { rank };
+        Some(Piece { is_orientable, genus, boundary_count, fibers })
+    }
+
+    /// The fiber and the section's boundary beyond a join by those at it.
+    fn join_matrix(&self, join: &Join, cocycle: &Cocycle, signs: &[i64]) -> Option<Matrix> {
+        // At a torus with edges e from the lower end of a fiber h to its upper end, and f from there to the apex, the section's boundary is
+        // o = c s h - s f, where c is the cocycle on f, and s the sign of the triangle.
+        let one = join.torus[0];
+        let [lower, upper, apex, _] = one.labels;
+        let (sign, value) =
+            (signs[one.tetrahedron] * parity(one.labels), cocycle.value(one.tetrahedron, lower, apex)?);
+        if cocycle.value(one.tetrahedron, lower, upper)? != 1 {
+            return None;
+        }
+        let by_own = |[x, y]: Slope| [x + value * y, -sign * y];
+        let other = join.other;
+        let standing = self.stacks.standing(other.tetrahedron)?;
+        let label = |vertex: u8| other.labels[..3].iter().position(|&label| label == vertex);
+        let (p, q) = (label(standing.vertices[standing.raised])?, label(standing.upper)?);
+        let r = 3 - p - q;
+        let [lower, upper, apex, across] = [p, q, r, 3].map(|place| other.labels[place]);
+        let sign = signs[other.tetrahedron] * parity([lower, upper, apex, across]);
+        let value = cocycle.value(other.tetrahedron, lower, apex)?;
+        if cocycle.value(other.tetrahedron, lower, upper)? != 1 {
+            return None;
+        }
+        let (fiber, side) = (step(&join.edges, p, q), step(&join.edges, p, r));
+        let section = [0, 1].map(|axis| sign * value * fiber[axis] - sign * side[axis]);
+        let matrix @ [[a, b], [c, d]] = [by_own(fiber), by_own(section)];
+        (a * d - b * c == -1).then_some(matrix)
     }
 
     /// Whether a facet of a stack is at a hole, or at tetrahedra in no stack.
@@ -320,6 +445,7 @@ impl<'a> Fibration<'a> {
         let beyond = self.table.neighbor(tetrahedron, usize::from(facet)).map(|(next, _)| next);
         beyond.is_none_or(|next| self.stacks.places[next].is_none())
             || self.holes.iter().any(|hole| hole.torus.iter().any(is_it))
+            || self.joins.iter().any(|join| join.torus.iter().any(is_it))
     }
 }
 
@@ -394,7 +520,7 @@ impl Cocycle {
     }
 
     /// The integers on edges whose sums around triangles are 0, and along a fiber 1.
-    fn solve(&mut self, bundle: &Fibration<'_>, core: &[usize]) -> Option<()> {
+    fn solve(&mut self, bundle: &mut Fibration<'_>, core: &[usize]) -> Option<()> {
         let mut columns = vec![None; self.values.len()];
         let mut roots = Vec::new();
         let mut entries: Vec<(usize, usize, i64)> = Vec::new();
@@ -431,13 +557,24 @@ impl Cocycle {
                 row += 1;
             }
         }
-        for standing in bundle.stacks.stacks.first()?.iter().filter(|standing| standing.raised == 0) {
-            add(&mut self.edges, row, standing.tetrahedron, [standing.vertices[0], standing.upper], 1)?;
+        // One fiber of each piece.
+        let mut rows = Vec::new();
+        for (stack, standings) in bundle.stacks.stacks.iter().enumerate() {
+            if bundle.fibers.find(stack as u32).0 as usize != stack {
+                continue;
+            }
+            for standing in standings.iter().filter(|standing| standing.raised == 0) {
+                add(&mut self.edges, row, standing.tetrahedron, [standing.vertices[0], standing.upper], 1)?;
+            }
+            rows.push(row);
+            row += 1;
         }
-        let matrix = SparseMatrix::from_entries(row + 1, roots.len(), entries).ok()?;
+        let matrix = SparseMatrix::from_entries(row, roots.len(), entries).ok()?;
         let smith = smith_form_with_transforms(&matrix);
-        let mut wanted = vec![Integer::ZERO; row + 1];
-        wanted[row] = Integer::ONE;
+        let mut wanted = vec![Integer::ZERO; row];
+        for row in rows {
+            wanted[row] = Integer::ONE;
+        }
         let right_side = smith.left().times_vector(&wanted).ok()?;
         let mut solution = vec![Integer::ZERO; roots.len()];
         for (at, value) in right_side.iter().enumerate() {

@@ -3,7 +3,7 @@
 //! A move takes tetrahedra out and puts others in their place; the space stays the same up to homeomorphism. Tetrahedra that stay keep
 //! their vertices; those behind removed ones move up, and new ones come last.
 
-use coface_algebra::{CellId, Error};
+use coface_algebra::{CellId, Error, UnionFind};
 use coface_complexes::gluing::{FaceClasses, GluingTable};
 use std::fmt;
 
@@ -36,6 +36,11 @@ pub enum GluingMove {
         /// The class of the vertex.
         vertex: usize,
     },
+    /// An edge inside, with two different ends and different tetrahedra around it, shrinks to a point; these tetrahedra are flattened.
+    Collapse {
+        /// The class of the edge.
+        edge: usize,
+    },
 }
 
 impl fmt::Display for GluingMove {
@@ -47,6 +52,7 @@ impl fmt::Display for GluingMove {
             Self::ThreeToTwo { edge } => write!(f, "3-2 at edge {edge}"),
             Self::TwoToZero { edge } => write!(f, "2-0 at edge {edge}"),
             Self::FourToOne { vertex } => write!(f, "4-1 at vertex {vertex}"),
+            Self::Collapse { edge } => write!(f, "collapse of edge {edge}"),
         }
     }
 }
@@ -100,7 +106,23 @@ pub(super) fn moved_with(
         GluingMove::ThreeToTwo { edge } => moving.three_to_two(faces, edge),
         GluingMove::TwoToZero { edge } => moving.two_to_zero(faces, edge),
         GluingMove::FourToOne { vertex } => moving.four_to_one(faces, vertex),
+        GluingMove::Collapse { edge } => moving.collapse(faces, edge),
     }
+}
+
+/// Whether these pairs of classes, as edges of a graph in which all outer classes are one node, close a circle: made one, they would close up
+/// a space of its own.
+fn is_closing(pairs: &[[usize; 2]], is_outer: impl Fn(usize) -> bool) -> bool {
+    let mut nodes = pairs.as_flattened().to_vec();
+    nodes.sort_unstable();
+    nodes.dedup();
+    // Node 0 is the boundary.
+    let place = |class: usize| match nodes.binary_search(&class) {
+        Ok(place) if !is_outer(class) => place as u32 + 1,
+        _ => 0,
+    };
+    let mut partition = UnionFind::new(nodes.len() + 1);
+    pairs.iter().any(|&[x, y]| !partition.unite(place(x), place(y)))
 }
 
 /// A table whose tetrahedra are replaced.
@@ -272,6 +294,44 @@ impl Moving<'_> {
         self.flattened(&[one, two], &pairs)
     }
 
+    fn collapse(&self, faces: &FaceClasses, edge: usize) -> Result<Option<GluingTable>, Error> {
+        let Some(ring) = self.around(faces, edge, self.table.simplex_count()) else { return Ok(None) };
+        let class = |tetrahedron: usize, corners: &[usize]| {
+            faces.of_face(tetrahedron, corners.iter().fold(0, |set, &corner| set | 1 << corner)).0
+        };
+        let (first, [a, b, ..]) = ring[0];
+        let ends = [class(first, &[a]), class(first, &[b])];
+        let is_outer = |degree: usize, class: usize| faces.is_boundary(degree, CellId::new(class));
+        if ends[0] == ends[1] || ends.iter().all(|&end| is_outer(0, end)) {
+            return Ok(None);
+        }
+        // A triangle at the edge becomes an edge, a tetrahedron a triangle: its two other edges, and facets, become one.
+        let edges: Vec<[usize; 2]> = ring
+            .iter()
+            .map(|&(tetrahedron, [a, b, enter, _])| {
+                [class(tetrahedron, &[a, enter]), class(tetrahedron, &[b, enter])]
+            })
+            .collect();
+        let triangles: Vec<[usize; 2]> = ring
+            .iter()
+            .map(|&(tetrahedron, [a, b, c, d])| {
+                [class(tetrahedron, &[a, c, d]), class(tetrahedron, &[b, c, d])]
+            })
+            .collect();
+        if edges.as_flattened().contains(&edge)
+            || is_closing(&edges, |class| is_outer(1, class))
+            || is_closing(&triangles, |class| is_outer(2, class))
+        {
+            return Ok(None);
+        }
+        let pairs: Vec<(Facet, Facet)> = ring
+            .iter()
+            .map(|&(tetrahedron, [a, b, c, d])| ((tetrahedron, [a, c, d, b]), (tetrahedron, [b, c, d, a])))
+            .collect();
+        let removed: Vec<usize> = ring.iter().map(|&(tetrahedron, _)| tetrahedron).collect();
+        self.flattened(&removed, &pairs)
+    }
+
     /// Where the vertices of a facet go that is to be glued anew: through pairs of removed facets until a facet that stays.
     fn outside(&self, removed: &[usize], pairs: &[(Facet, Facet)], from: Facet) -> Option<Option<Facet>> {
         let mut at = from;
@@ -388,5 +448,87 @@ impl Moving<'_> {
             }
         }
         Ok((table, new_number))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::homology::homology;
+    use proptest::prelude::*;
+
+    /// A table with more vertices: tetrahedra are replaced by four each, around a new vertex.
+    fn finer(table: &GluingTable, places: &[usize]) -> GluingTable {
+        let mut table = table.clone();
+        for place in places {
+            let tetrahedron = place % table.simplex_count();
+            let mut other = GluingTable::unglued(3, table.simplex_count() + 3).unwrap();
+            // Facet k of the old one is facet k of part k; part 0 keeps the number.
+            let last = table.simplex_count();
+            let part = |facet: usize| if facet == 0 { tetrahedron } else { last + facet - 1 };
+            let own = |at: usize, facet: usize| if at == tetrahedron { part(facet) } else { at };
+            for at in 0..last {
+                for facet in 0..4 {
+                    let (next, images) = table.neighbor(at, facet).unwrap();
+                    let across = usize::from(images[facet]);
+                    if other.neighbor(own(at, facet), facet).is_none() {
+                        let images: Vec<u32> = images.iter().map(|&image| u32::from(image)).collect();
+                        other.glue(own(at, facet), facet, own(next, across), &images).unwrap();
+                    }
+                }
+            }
+            // Parts i and j are glued across each other's facets: in part i vertex i is the new one.
+            for (i, j) in (0..4_usize).flat_map(|j| (0..j).map(move |i| (i, j))) {
+                let mut images = [0, 1, 2, 3];
+                images.swap(i, j);
+                other.glue(part(i), j, part(j), &images).unwrap();
+            }
+            table = other;
+        }
+        table
+    }
+
+    proptest! {
+        /// A collapse keeps the homology, and a manifold one; the vertices become fewer by one.
+        #[test]
+        fn collapses_keep_the_space(
+            which in 0..4_usize,
+            places in prop::collection::vec(0..1000_usize, 1..5),
+            choices in prop::collection::vec(0..1000_usize, 12),
+        ) {
+            let signature = ["cMcabbgqw", "cMcabbjaj", "eLAkbccddemken", "gvLQQedfedffrwawrhh"][which];
+            let mut table = finer(&GluingTable::from_isomorphism_signature(signature, 3).unwrap(), &places);
+            let expected = homology(&table.faces().unwrap().chain_complex().unwrap());
+            for choice in choices {
+                let faces = table.faces().unwrap();
+                let counts = faces.class_counts();
+                let step = GluingMove::Collapse { edge: choice % counts[1] };
+                let Some(next) = moved_with(&table, &faces, step).unwrap() else { continue };
+                let next_faces = next.faces().unwrap();
+                prop_assert_eq!(next_faces.class_counts()[0] + 1, counts[0]);
+                prop_assert_eq!(next.manifold_verdict(&next_faces).unwrap().to_bool(), Some(true));
+                prop_assert_eq!(&homology(&next_faces.chain_complex().unwrap()), &expected);
+                table = next;
+            }
+        }
+    }
+
+    /// Of the two tetrahedra of a suspension the edge between the poles is none, and an edge with one end twice stays.
+    #[test]
+    fn what_would_close_up_does_not_collapse() {
+        // A sphere of two tetrahedra, glued facet by facet: every edge has degree 2, and its collapse would close a triangle.
+        let mut sphere = GluingTable::unglued(3, 2).unwrap();
+        for facet in 0..4 {
+            sphere.glue(0, facet, 1, &[0, 1, 2, 3]).unwrap();
+        }
+        let collapsed = |edge: usize| moved(&sphere, GluingMove::Collapse { edge }).unwrap();
+        for edge in 0..6 {
+            assert_eq!(collapsed(edge), None, "edge {edge}");
+        }
+        assert_eq!(collapsed(6), None);
+        let lens = GluingTable::from_isomorphism_signature("cMcabbgqw", 3).unwrap();
+        for edge in 0..lens.faces().unwrap().class_counts()[1] {
+            assert_eq!(moved(&lens, GluingMove::Collapse { edge }).unwrap(), None);
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Names of 3-manifolds.
 
-use super::SeifertSpace;
+use super::{GraphSpace, SeifertSpace, TorusBundle};
 use std::fmt;
 
 /// Which 3-manifold a space is, up to homeomorphism that may reverse orientation.
@@ -32,6 +32,13 @@ pub enum SpaceName {
     },
     /// A Seifert fibered space that is none of the spaces above.
     Seifert(SeifertSpace),
+    /// One or two Seifert fibered pieces glued along a torus on which the fibers do not agree. Two names may be of one space.
+    Graph(GraphSpace),
+    /// A bundle of tori over the circle, with a monodromy of trace above 2 or below -2.
+    TorusBundle(TorusBundle),
+    /// The connected sum of two or more spaces, none a sphere, each up to an orientation of its own: the sum of two copies of L(3,1) and that of
+    /// L(3,1) with its mirror image have one name.
+    Sum(Vec<SpaceName>),
 }
 
 impl fmt::Display for SpaceName {
@@ -44,6 +51,15 @@ impl fmt::Display for SpaceName {
             Self::SphereBundle { is_orientable: true } => f.write_str("S2 x S1"),
             Self::SphereBundle { is_orientable: false } => f.write_str("S2 x~ S1"),
             Self::Seifert(space) => write!(f, "{space}"),
+            Self::Graph(space) => write!(f, "{space}"),
+            Self::TorusBundle(space) => write!(f, "{space}"),
+            Self::Sum(summands) => {
+                for (at, summand) in summands.iter().enumerate() {
+                    let sign = if at == 0 { "" } else { " # " };
+                    write!(f, "{sign}{summand}")?;
+                }
+                Ok(())
+            }
         }
     }
 }
@@ -59,10 +75,17 @@ pub enum SpaceProof {
     /// The triangulation, as it is or after moves, is stacks of tetrahedra over triangles, closed by layered solid tori: a Seifert fibration. The
     /// first homology of its invariants is that of the space.
     SeifertFibration,
+    /// As a Seifert fibration, of pieces that are glued along tori, directly or through layers of tetrahedra. The first homology of pieces and gluings is
+    /// that of the space.
+    FiberedPieces,
+    /// The triangulation, after moves, is cut along normal spheres into pieces that are shown to be what they are by one of the above; the first
+    /// homology says which small summands went with the spheres.
+    NormalSpheres,
 }
 
 impl SpaceProof {
-    /// The word for programs: `layered_solid_tori`, `folded_tetrahedron` or `seifert_fibration`.
+    /// The word for programs: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces` or
+    /// `normal_spheres`.
     ///
     /// # Examples
     /// ```
@@ -73,6 +96,8 @@ impl SpaceProof {
             Self::LayeredSolidTori => "layered_solid_tori",
             Self::FoldedTetrahedron => "folded_tetrahedron",
             Self::SeifertFibration => "seifert_fibration",
+            Self::FiberedPieces => "fibered_pieces",
+            Self::NormalSpheres => "normal_spheres",
         }
     }
 }

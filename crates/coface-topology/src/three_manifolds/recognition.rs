@@ -1,8 +1,10 @@
 //! Which 3-manifold a gluing table is.
 
-use super::fibered::seifert_space;
+use super::fibered::fibered_space;
+use super::graph::Fibered;
 use super::layered::lens;
 use super::simplification::simplified_until;
+use super::summands::connected_sum;
 use super::{NamedSpace, SeifertSpace, SpaceName, SpaceProof};
 use crate::homology::homology;
 use coface_algebra::Error;
@@ -13,10 +15,12 @@ use coface_complexes::gluing::{FaceClasses, GluingTable};
 /// Two structures are looked for. In a **layered** lens space two solid tori, in which each tetrahedron is layered on the one before, have
 /// their boundary in common, and the meridians give its numbers. In a **fibered** triangulation stacks of tetrahedra over triangles are closed
 /// by layered solid tori; base and meridians give the invariants of a Seifert fibration. It is named only if the first homology that follows
-/// from the invariants is that of the table.
+/// from the invariants is that of the table. One or two fibered pieces may be glued along a torus on which fibers do not agree, directly or through
+/// layers of tetrahedra: a **graph manifold**, or a bundle of tori.
 ///
 /// Where the triangulation shows neither, moves to others with no more tetrahedra are tried, so many `attempts`: see
-/// [`simplified_until`]. A space with a sphere as its boundary is a ball if a cone over the boundary makes it a sphere.
+/// [`simplified_until`]. Where none of them does, and the manifold is closed and orientable, a normal sphere is looked for that is not around a
+/// vertex; crushed to a point, it leaves the summands of a **connected sum**, and the first homology says what went with it. A space with a sphere as its boundary is a ball if a cone over the boundary makes it a sphere.
 ///
 /// `faces` are the face classes of the table.
 ///
@@ -59,16 +63,39 @@ pub fn named_space(
     if !table.ideal_vertices(faces)?.is_empty() {
         return Ok(None);
     }
+    let (space, smaller) = looked_at(table, faces, attempts)?;
+    match space {
+        Some(space) => Ok(Some(space)),
+        None if table.orientation().odd_cycle().is_none() => connected_sum(&smaller, attempts),
+        None => Ok(None),
+    }
+}
+
+/// The name of a connected closed manifold that one of its triangulations shows, without cutting it.
+pub(super) fn prime_space(
+    table: &GluingTable,
+    faces: &FaceClasses,
+    attempts: usize,
+) -> Result<Option<NamedSpace>, Error> {
+    Ok(looked_at(table, faces, attempts)?.0)
+}
+
+/// The name that the triangulation or one after moves shows, and the smallest of these triangulations.
+fn looked_at(
+    table: &GluingTable,
+    faces: &FaceClasses,
+    attempts: usize,
+) -> Result<(Option<NamedSpace>, GluingTable), Error> {
     if let Some(space) = shown(table, faces)? {
-        return Ok(Some(space));
+        return Ok((Some(space), table.clone()));
     }
     let mut found = None;
-    simplified_until(table, attempts, |other| {
+    let smaller = simplified_until(table, attempts, |other| {
         let name = other.faces().and_then(|faces| shown(other, &faces));
         found = name.ok().flatten();
         found.is_some()
     })?;
-    Ok(found)
+    Ok((found, smaller.into_table()))
 }
 
 /// The table with a cone over its boundary, if that is one sphere.
@@ -122,15 +149,24 @@ fn shown(table: &GluingTable, faces: &FaceClasses) -> Result<Option<NamedSpace>,
     if !is_orientable {
         return Ok(None);
     }
-    let Some(space) = seifert_space(table, faces) else { return Ok(None) };
+    let Some(space) = fibered_space(table, faces) else { return Ok(None) };
     let groups = homology(&faces.chain_complex()?);
     let first = &groups.groups()[1];
     let found: Vec<String> = first.torsion().iter().map(ToString::to_string).collect();
     if space.first_homology() != Some((found, first.betti())) {
         return Ok(None);
     }
-    let name = seifert_name(space);
-    Ok(name.map(|name| NamedSpace { name, proof: SpaceProof::SeifertFibration }))
+    Ok(match space {
+        Fibered::Seifert(space) => {
+            seifert_name(space).map(|name| NamedSpace { name, proof: SpaceProof::SeifertFibration })
+        }
+        Fibered::Graph(space) => {
+            Some(NamedSpace { name: SpaceName::Graph(space), proof: SpaceProof::FiberedPieces })
+        }
+        Fibered::Bundle(space) => {
+            Some(NamedSpace { name: SpaceName::TorusBundle(space), proof: SpaceProof::FiberedPieces })
+        }
+    })
 }
 
 /// Whether the table is one tetrahedron whose facets are folded onto each other in pairs, each along the edge in which they meet: a fold makes a ball

@@ -46,10 +46,12 @@ impl GluingSimplification {
                 (0..counts.len()).filter(|&at| counts[at] == degree).collect()
             };
             let [fours, twos, threes] = [of_degree(&vertices, 4), of_degree(&edges, 2), of_degree(&edges, 3)];
-            let steps = fours
+            let edges = 0..faces.class_counts().get(1).copied().unwrap_or(0);
+            let steps = twos
                 .into_iter()
-                .map(|vertex| GluingMove::FourToOne { vertex })
-                .chain(twos.into_iter().map(|edge| GluingMove::TwoToZero { edge }))
+                .map(|edge| GluingMove::TwoToZero { edge })
+                .chain(edges.map(|edge| GluingMove::Collapse { edge }))
+                .chain(fours.into_iter().map(|vertex| GluingMove::FourToOne { vertex }))
                 .chain(threes.into_iter().map(|edge| GluingMove::ThreeToTwo { edge }));
             let mut found = None;
             for step in steps {

@@ -15,6 +15,9 @@ pub(super) const EDGES: [[u8; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], 
 /// Choices of vertical edges that are followed at most.
 const CHOICES: usize = 4096;
 
+/// Stacks of three tetrahedra that are looked at, at most.
+const CANDIDATES: usize = 64;
+
 /// A tetrahedron in a stack.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Standing {
@@ -74,6 +77,38 @@ impl Stacks {
         let mut search = Search { classes: &classes, left: CHOICES, found: Vec::new() };
         search.choose(0, &vec![None; count]);
         search.found.into_iter().filter_map(|vertical| Self::of(table, &order, &classes, &vertical)).collect()
+    }
+
+    /// Sets of stacks of three tetrahedra each, outside of the solid tori, no two with a tetrahedron in common; all others lie between them. Stacks of
+    /// one set may have different ideas of what is vertical.
+    pub(super) fn apart(table: &GluingTable, tori: &[SolidTorus]) -> Vec<Self> {
+        let count = table.simplex_count();
+        let mut is_core = vec![true; count];
+        for &tetrahedron in tori.iter().flat_map(|torus| &torus.tetrahedra) {
+            is_core[tetrahedron] = false;
+        }
+        let candidates: Vec<Stack> = (0..count)
+            .filter(|&tetrahedron| is_core[tetrahedron])
+            .flat_map(|tetrahedron| short_stacks(table, &is_core, tetrahedron))
+            .take(CANDIDATES)
+            .collect();
+        let mut sets = Vec::new();
+        let mut chosen = Vec::new();
+        collect_sets(&candidates, 0, &mut vec![false; count], &mut chosen, &mut sets);
+        // Large sets first: they leave less in between.
+        sets.sort_by_key(|set| std::cmp::Reverse(set.len()));
+        let with_places = |set: Vec<usize>| {
+            let stacks: Vec<Stack> = set.into_iter().map(|at| candidates[at].clone()).collect();
+            let mut places = vec![None; count];
+            for (number, stack) in stacks.iter().enumerate() {
+                for (place, standing) in stack.iter().enumerate() {
+                    places[standing.tetrahedron] = Some((number, place));
+                }
+            }
+            let lying = (0..count).filter(|&at| is_core[at] && places[at].is_none()).collect();
+            Self { stacks, places, lying }
+        };
+        sets.into_iter().map(with_places).collect()
     }
 
     /// The stacks with these vertical edges.
@@ -168,4 +203,69 @@ fn stack_from(table: &GluingTable, edges: &[Option<[u8; 2]>], start: usize) -> O
         }
         stack.push(Standing { tetrahedron: next, raised, vertices, upper });
     }
+}
+
+/// The sets of candidates from one on, none with a tetrahedron in common, up to a number.
+fn collect_sets(
+    candidates: &[Stack],
+    from: usize,
+    is_taken: &mut Vec<bool>,
+    chosen: &mut Vec<usize>,
+    sets: &mut Vec<Vec<usize>>,
+) {
+    for at in from..candidates.len() {
+        if sets.len() >= CHOICES {
+            return;
+        }
+        let members = || candidates[at].iter().map(|standing| standing.tetrahedron);
+        if members().any(|tetrahedron| is_taken[tetrahedron]) {
+            continue;
+        }
+        members().for_each(|tetrahedron| is_taken[tetrahedron] = true);
+        chosen.push(at);
+        sets.push(chosen.clone());
+        collect_sets(candidates, at + 1, is_taken, chosen, sets);
+        chosen.pop();
+        members().for_each(|tetrahedron| is_taken[tetrahedron] = false);
+    }
+}
+
+/// The stacks of three tetrahedra, one vertical edge over each corner, of which this one is the first by number; each once.
+fn short_stacks(table: &GluingTable, is_core: &[bool], start: usize) -> Vec<Stack> {
+    let mut found = Vec::new();
+    for [lower, upper] in EDGES {
+        let mut beside = (0..4).filter(|&vertex| vertex != lower && vertex != upper);
+        let (Some(one), Some(two)) = (beside.next(), beside.next()) else { continue };
+        let first = Standing { tetrahedron: start, raised: 0, vertices: [lower, one, two], upper };
+        'orders: for order in [[1, 2], [2, 1]] {
+            let mut stack = vec![first];
+            for raised in order.into_iter().map(Some).chain([None]) {
+                let last = stack[stack.len() - 1];
+                let Some((next, images)) =
+                    table.neighbor(last.tetrahedron, usize::from(last.vertices[last.raised]))
+                else {
+                    continue 'orders;
+                };
+                let mut top = last.vertices;
+                top[last.raised] = last.upper;
+                let vertices = top.map(|vertex| images[usize::from(vertex)]);
+                let Some(raised) = raised else {
+                    if next == start && vertices == first.vertices {
+                        found.push(stack);
+                    }
+                    continue 'orders;
+                };
+                if next <= start
+                    || !is_core[next]
+                    || stack.iter().any(|standing| standing.tetrahedron == next)
+                {
+                    continue 'orders;
+                }
+                // The vertex that is not below.
+                let upper = 6 - vertices.iter().sum::<u8>();
+                stack.push(Standing { tetrahedron: next, raised, vertices, upper });
+            }
+        }
+    }
+    found
 }
