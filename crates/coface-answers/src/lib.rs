@@ -35,6 +35,7 @@ mod surface_model;
 pub mod text;
 mod yin;
 
+pub use census::Census;
 pub use cocycles::{
     CocyclesRequest, FoundCocycles, GivenCochain, SurfaceCocycles, surface_harmonic_forms, tested_cochain,
 };
