@@ -122,6 +122,26 @@ export interface CellsOfShape {
   shape: string;
 }
 
+/** A triangulation looked up in a census. */
+export interface CensusAnswer {
+  /** The file. */
+  file: string;
+  /** The line with the triangulation; null if none of those that were tried is there. */
+  found?: CensusLine | null;
+  /** The number of different triangulations in it. */
+  triangulation_count: number;
+}
+
+/** A line of a census. */
+export interface CensusLine {
+  /** Its number, from 1. */
+  line: number;
+  /** The name beside it: what the file says, not what is proved. */
+  name?: string | null;
+  /** The isomorphism signature as it is written there. */
+  signature: string;
+}
+
 /** What a certificate proved. There is no answer where a step fails. */
 export interface CheckAnswer {
   /** The name of the certificate. */
@@ -1108,7 +1128,7 @@ export interface InfoAnswer {
   moments: MomentAnswer[];
   /** The surface in words, such as `torus`, or the 3-manifold, such as `L(8,3)`, where it is proved which one it is; else `null`. */
   name?: string | null;
-  /** What the name of a 3-manifold rests on: `layered_solid_tori`, `folded_tetrahedron` or `seifert_fibration`; absent without such a name. */
+  /** What the name of a 3-manifold rests on: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces` or `normal_spheres`; absent without such a name. */
   name_proof?: string | null;
   /** Whether the top cells can be oriented so that neighbors agree; `null` where one of their facets lies in three. */
   orientable?: boolean | null;
@@ -1937,7 +1957,7 @@ export interface RowAnswer {
   moments: MomentAnswer[];
   /** The surface in words, such as `torus`, or the 3-manifold, such as `L(8,3)`, where it is proved which one it is; else `null`. */
   name?: string | null;
-  /** What the name of a 3-manifold rests on: `layered_solid_tori`, `folded_tetrahedron` or `seifert_fibration`; absent without such a name. */
+  /** What the name of a 3-manifold rests on: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces` or `normal_spheres`; absent without such a name. */
   name_proof?: string | null;
   /** Whether the top cells can be oriented so that neighbors agree; `null` where one of their facets lies in three. */
   orientable?: boolean | null;
@@ -2111,6 +2131,8 @@ export interface SimplificationAnswer {
 
 /** A triangulated 3-manifold that was simplified by moves. */
 export interface SimplifyAnswer {
+  /** Where the triangulation now is in the census that was given. */
+  census?: CensusAnswer | null;
   /** The same numbers now. */
   f_vector: number[];
   /** The numbers of vertices, edges, triangles and tetrahedra before. */
@@ -2123,7 +2145,7 @@ export interface SimplifyAnswer {
   moves: string[];
   /** Which 3-manifold it is, where that is proved. */
   name?: string | null;
-  /** What the name rests on: `layered_solid_tori`, `folded_tetrahedron` or `seifert_fibration`. */
+  /** What the name rests on: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces` or `normal_spheres`. */
   name_proof?: string | null;
   /** What was assumed or left out. */
   remarks: Remark[];
@@ -2185,7 +2207,7 @@ export interface SolidBooleanAnswer {
 export interface SpaceAnswer {
   /** The name: `S3`, `RP3`, `L(8,3)`, `S2 x S1`, `SFS [S2: (2,1) (3,1) (5,-4)]`, ... */
   name: string;
-  /** What the name rests on: `layered_solid_tori`, `folded_tetrahedron` or `seifert_fibration`. */
+  /** What the name rests on: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces` or `normal_spheres`. */
   proof: string;
 }
 

@@ -275,7 +275,7 @@ fn manifolds_are_looked_up_in_a_census() {
             .stdout
             .contains("none of the 1")
     );
-    assert!(looked_up(&broken).fails_with(1).contains("line 2"));
+    assert!(looked_up(&broken).fails_with(1).contains("broken.sig:2:"));
     assert!(looked_up(&folder.path().join("missing.sig")).fails_with(1).contains("missing.sig"));
 }
 

@@ -2104,13 +2104,15 @@ class Model:
     def simplified(self, *, attempts: int = 200, progress: _Progress = ...) -> tuple[Model, dict[str, Json]]:
         """A triangulated 3-manifold with fewer tetrahedra, by moves that keep the space.
 
-        The moves 4-1, 3-2 and 2-0 remove tetrahedra; 2-3 adds one on the way to others. The same input gives the same triangulation on every
+        The moves 4-1, 3-2 and 2-0 and collapses of edges remove tetrahedra; 2-3 adds one on the way to others. The same input gives the same triangulation on every
         machine. The homology before and after is compared, and a boundary stays as it is.
 
         Parameters
         ----------
         attempts : int
             How often moves that add a tetrahedron are tried, when none removes one.
+        census : path-like, optional
+            A file of lines "signature name": the triangulation is looked up there, and moves go on until it is one of them.
         progress : bool or callable, optional
             ``True`` shows a bar; a function is called with (stage, done, total).
 
@@ -2120,7 +2122,7 @@ class Model:
             A gluing table.
         done : dict
             ``f_vector_before`` and ``f_vector``, ``moves`` in their order, ``homology``, ``signature``, and ``name`` with ``name_proof`` where it is
-            proved which manifold it is.
+            proved which manifold it is; ``census`` with the line that was ``found`` in the census.
         """
         ...
     def isomorphism(self, other: Model, *, progress: _Progress = ...) -> dict[str, Json]:
