@@ -12,9 +12,28 @@ pub struct StatedSurfaces {
     polygon_of_face: Vec<u32>,
     polygon_count: usize,
     vertex_count: usize,
+    incomplete_count: usize,
 }
 
 impl StatedSurfaces {
+    /// The number of surfaces whose polygons are without their holes, since these cross or touch other rings, or have less than three
+    /// vertices.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // The hole reaches out of the square.
+    /// let text = r#"{"type": "CityJSON", "version": "2.0", "CityObjects": {"slab": {"type": "Building", "geometry": [
+    ///         {"type": "MultiSurface", "lod": "2", "boundaries": [[[0, 1, 2, 3], [4, 5, 6]]]}]}},
+    ///     "vertices": [[0, 0, 0], [9, 0, 0], [9, 9, 0], [0, 9, 0], [3, 3, 0], [3, 6, 0], [12, 6, 0]]}"#;
+    /// let model = coface_io::cityjson::read(text.as_bytes())?;
+    /// assert_eq!(model.stated_surfaces().map(|surfaces| surfaces.incomplete_count()), Some(1));
+    /// # Ok(()) }
+    /// ```
+    pub fn incomplete_count(&self) -> usize {
+        self.incomplete_count
+    }
+
     /// The surfaces, for [`GeometryChecks`](coface_arrange::spatial::checks::GeometryChecks).
     ///
     /// # Examples
@@ -105,7 +124,7 @@ impl SurfaceCollector {
 
     /// # Errors
     /// None for surfaces that were added.
-    pub(crate) fn finish(self, model: &Model) -> Result<StatedSurfaces, Error> {
+    pub(crate) fn finish(self, model: &Model, incomplete_count: usize) -> Result<StatedSurfaces, Error> {
         let mut faces = CheckedFaces::from_rings(self.rings, &self.face_of_ring)?;
         if self.has_solids {
             faces = faces.with_shells(self.shell_of_face, self.solid_of_shell)?;
@@ -115,6 +134,7 @@ impl SurfaceCollector {
             polygon_of_face: self.polygon_of_face,
             polygon_count: model.polygons.len(),
             vertex_count: model.vertex_count,
+            incomplete_count,
         })
     }
 

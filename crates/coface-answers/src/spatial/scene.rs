@@ -12,7 +12,7 @@ use coface_arrange::spatial::{ExactPolygons, NonPlanar, SpatialPolygons};
 use coface_complexes::cell_mesh::CellMesh;
 use coface_geometry::Positions;
 use coface_geometry::predicates::SpatialPoint;
-use coface_io::{GroupKind, Model, Structure};
+use coface_io::{GroupKind, Model, StatedSurfaces, Structure};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -222,6 +222,17 @@ impl SpatialScene {
             return self.add(name, &coarse, walls);
         }
         model.require_finite()?;
+        if let Some(count @ 1..) = model.stated_surfaces().map(StatedSurfaces::incomplete_count) {
+            let surfaces = if count == 1 {
+                "surface has holes that cross or touch its"
+            } else {
+                "surfaces have holes that cross or touch their"
+            };
+            let fault = format!("{count} {surfaces} rings, or have less than three vertices");
+            return Err(Error::invalid(fault)
+                .with_cure("mend these holes: the report on the file names them")
+                .in_file(name));
+        }
         if model.is_empty() {
             self.add_nothing(name);
             return Ok(());

@@ -37,13 +37,18 @@ impl City {
 
     /// The report on one geometry.
     fn report(self, kind: &str, boundaries: &Value) -> Value {
+        self.asked(kind, boundaries, |path| coface(&["info", path, "--json"]).json())
+    }
+
+    /// What is asked of the file with one geometry.
+    fn asked<T>(self, kind: &str, boundaries: &Value, ask: impl FnOnce(&str) -> T) -> T {
         let geometry = json!({"type": kind, "lod": "2", "boundaries": boundaries});
         let city = json!({"type": "CityJSON", "version": "2.0", "transform": {"scale": [1, 1, 1], "translate": [0, 0, 0]},
             "CityObjects": {"b": {"type": "Building", "geometry": [geometry]}}, "vertices": self.0});
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("b.city.json");
         std::fs::write(&path, city.to_string()).unwrap();
-        coface(&["info", argument(&path), "--json"]).json()
+        ask(argument(&path))
     }
 }
 
@@ -98,6 +103,21 @@ fn rings_are_named_by_their_codes() {
         let report = city.report("MultiSurface", &json!([rings]));
         assert_eq!(codes(&report, &["surface"]), expected, "{name}: {report}");
     }
+}
+
+/// Polygons without the holes of their surfaces are no solid to compute with.
+#[test]
+fn surfaces_without_their_holes_are_cut_with_nothing() {
+    let mut city = City::default();
+    let mut shell = city.shell([0; 3], [10; 3], true);
+    let hole = city.ring(&rectangle([8, 2], [12, 4]), 10);
+    shell[1].as_array_mut().unwrap().push(hole);
+    city.asked("Solid", &json!([shell]), |path| {
+        let refusal = coface(&["boolean", "union", path]).fails_with(1);
+        assert!(refusal.contains("1 surface has holes that cross or touch its rings"), "{refusal}");
+        assert!(coface(&["arrange", path]).fails_with(1).contains("mend these holes"));
+        assert_eq!(codes(&coface(&["info", path, "--json"]).json(), &["surface"]), [201]);
+    });
 }
 
 #[test]

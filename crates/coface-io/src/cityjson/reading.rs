@@ -561,7 +561,7 @@ impl City {
         }
         let mut model = self.assembly.finish()?;
         if !self.surfaces.is_empty() && model.polygons().len() == self.feature_of_polygon.len() {
-            model.stated = Some(Arc::new(self.surfaces.finish(&model)?));
+            model.stated = Some(Arc::new(self.surfaces.finish(&model, self.with_odd_holes)?));
         }
         let polygons = model.groups.iter_mut().filter(|group| group.kind == GroupKind::Polygons);
         for group in polygons.take(self.object_count) {
