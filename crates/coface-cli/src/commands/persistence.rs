@@ -65,7 +65,7 @@ pub(crate) struct Persistence {
     #[arg(long, conflicts_with_all = ["values", "upper_star", "cycles", "certificate"])]
     extended: bool,
     /// Zigzag persistence: the input has lines "i 0 1" where a simplex enters a complex and "d 0 1" where it leaves, as fzz reads them, with times as "i 0 1 @ 2.5" or
-    /// the numbers of the lines; or JSON: [["i",[0,1],2.5],..], or {"simplices":[[0,1],..],"times":[[enters,leaves,..],..]} as Dionysus has them. Pairs have a
+    /// the numbers of the lines; or JSON: `[["i",[0,1],2.5],..]`, or `{"simplices":[[0,1],..],"times":[[enters,leaves,..],..]}` as Dionysus has them. Pairs have a
     /// "kind", such as closed-open: whether the class is there at the time of its birth, and at that of its death
     #[arg(long, conflicts_with_all = ["function", "values", "upper_star", "extended", "cycles", "certificate"])]
     zigzag: bool,
