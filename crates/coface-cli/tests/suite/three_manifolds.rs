@@ -248,6 +248,21 @@ fn three_manifolds_have_names_where_they_are_proved() {
     assert!(coface(&["info", argument(&facets)]).stdout.contains(": S3."));
 }
 
+/// Signatures of Regina 7.5 stand for the same tables; those of both generations may stand in one list.
+#[test]
+fn signatures_of_the_second_generation_are_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let list = folder.path().join("list.sig");
+    std::fs::write(&list, "bNjd L(5,2)\ncN6OXa S2 x S1\nbkaajn L(5,2)\n").unwrap();
+    let written = |number: u32| {
+        let place = format!("{}#{number}", argument(&list));
+        coface(&["convert", &place, "--to", "isosig"]).stdout.trim_end().to_owned()
+    };
+    assert_eq!([1, 2, 3].map(written), ["bkaajn", "cMcabbjaj", "bkaajn"]);
+    std::fs::write(&list, "bNjd_\n").unwrap();
+    assert!(coface(&["info", argument(&list)]).fails_with(1).contains("'_'"));
+}
+
 /// A triangulation is looked up in a list, in which it may stand with other names of its tetrahedra.
 #[test]
 fn manifolds_are_looked_up_in_a_census() {

@@ -11,6 +11,16 @@
 //! * for each gluing of type 2 the number of its permutation among all in lexicographic order, in as many characters as
 //!   the last of them needs (one up to dimension 3, two for dimension 4).
 //!
+//! Signatures of the **second generation**, which Regina writes from version 7.5 on, are read too. Behind n they are a row of bits, six to a
+//! character and the lowest first, and so are their numbers:
+//! * two bits that are set, which no type of a facet has, and a bit that says whether all permutations are odd;
+//! * for each facet that is no gluing to a new simplex and was not reached by an earlier gluing, its simplex, or n for boundary, in as
+//!   many bits as n takes;
+//! * a bit for each facet that was not reached, the last facet first: 0 for a gluing to the next simplex not met yet, which exchanges
+//!   vertices 0 and 1;
+//! * for each gluing to a simplex met before the number of its permutation, in as many bits as the last of them takes, and one less if all are
+//!   odd: half of the number then. Of each two permutations in lexicographic order the even one comes first.
+//!
 //! Each choice of a first simplex and of the order of its vertices gives such a text; the signature is the first of them
 //! in the order of ASCII. That of a table in several parts has those of the parts, sorted, one after the other.
 
@@ -38,7 +48,7 @@ const FRESH: u8 = 1;
 const KNOWN: u8 = 2;
 
 /// The number of permutations of so many things.
-fn factorial(count: usize) -> u64 {
+pub(super) fn factorial(count: usize) -> u64 {
     (1..=count as u64).product()
 }
 
@@ -68,7 +78,7 @@ fn rank(images: &[u8]) -> u64 {
 }
 
 /// The permutation at a place among all of its length in lexicographic order.
-fn unrank(count: usize, mut place: u64) -> Vec<u32> {
+pub(super) fn unrank(count: usize, mut place: u64) -> Vec<u32> {
     let mut left: Vec<u32> = (0..count as u32).collect();
     (0..count)
         .map(|i| {
@@ -134,7 +144,7 @@ impl GluingTable {
     }
 
     /// The table that an isomorphism signature of this dimension describes; also one that is not the first of all texts
-    /// for its table. The signature does not tell the dimension.
+    /// for its table. The signature does not tell the dimension. Signatures of the second generation are read too; none are written.
     ///
     /// # Errors
     /// [`ErrorKind::Parse`] naming the character, counted from 1, that has no meaning or no place;
@@ -392,13 +402,13 @@ impl<'a> Starts<'a> {
 }
 
 /// One gluing read: the place of the character that tells it, simplex, facet, neighbor, vertex map.
-type ReadGluing = (usize, usize, usize, usize, Vec<u32>);
+pub(super) type ReadGluing = (usize, usize, usize, usize, Vec<u32>);
 
 /// A signature being read.
-struct Text<'a> {
+pub(super) struct Text<'a> {
     characters: Vec<char>,
-    digits: Vec<u8>,
-    at: usize,
+    pub(super) digits: Vec<u8>,
+    pub(super) at: usize,
     signature: &'a str,
 }
 
@@ -416,7 +426,7 @@ impl<'a> Text<'a> {
         Ok(text)
     }
 
-    fn fault(&self, place: usize, what: &str) -> Error {
+    pub(super) fn fault(&self, place: usize, what: &str) -> Error {
         let message = match self.characters.get(place) {
             Some(character) => format!("character {} of the signature, {character:?}, {what}", place + 1),
             None => format!("the signature ends after {} characters: {what}", self.characters.len()),
@@ -469,6 +479,10 @@ impl<'a> Text<'a> {
         let count = count as usize;
         if count == 0 && (first > 0 || left > 0) {
             return Err(self.fault(begin, "begins a part without simplices"));
+        }
+        if self.digits.get(self.at).is_some_and(|digit| digit & 3 == 3) {
+            self.packed_component(count, facets, first, gluings)?;
+            return Ok(count);
         }
         let kinds = self.kinds(count, facets)?;
         let known = kinds.iter().filter(|&&(_, kind)| kind == KNOWN).count();

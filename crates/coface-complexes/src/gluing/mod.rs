@@ -14,6 +14,7 @@ mod isomorphism_signature;
 mod links;
 mod manifold;
 mod orientation;
+mod packed_signature;
 mod table;
 mod truncation;
 
