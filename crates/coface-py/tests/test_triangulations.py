@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import coface
 import pytest
 
@@ -17,6 +19,18 @@ def test_moves_keep_the_space() -> None:
     assert again.isomorphism(smaller)["isomorphic"]
     with pytest.raises(coface.Error, match="dimension 3"):
         coface.as_model([[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]).simplified()
+
+
+def test_triangulations_are_looked_up_in_a_census(tmp_path: Path) -> None:
+    census = tmp_path / "closed.sig"
+    census.write_text("cMcabbgqw RP3\nbkaagj S3\n")
+    _, done = coface.as_model(SPHERE).simplified(census=census)
+    assert done["census"]["found"] == {"line": 2, "signature": "bkaagj", "name": "S3"}
+    census.write_text("cMcabbgqw RP3\n")
+    _, done = coface.as_model(SPHERE).simplified(census=census)
+    assert done["census"]["found"] is None and done["census"]["triangulation_count"] == 1
+    with pytest.raises(coface.Error, match="none.sig"):
+        coface.as_model(SPHERE).simplified(census=tmp_path / "none.sig")
 
 
 def test_names_do_not_matter() -> None:

@@ -2101,7 +2101,7 @@ class Model:
             loops in their order; ``left``, the loops on which no patch fits.
         """
         ...
-    def simplified(self, *, attempts: int = 200, progress: _Progress = ...) -> tuple[Model, dict[str, Json]]:
+    def simplified(self, *, attempts: int = 200, census: str | os.PathLike[str] | None = None, progress: _Progress = ...) -> tuple[Model, dict[str, Json]]:
         """A triangulated 3-manifold with fewer tetrahedra, by moves that keep the space.
 
         The moves 4-1, 3-2 and 2-0 and collapses of edges remove tetrahedra; 2-3 adds one on the way to others. The same input gives the same triangulation on every
