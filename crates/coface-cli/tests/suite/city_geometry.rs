@@ -113,7 +113,8 @@ fn surfaces_without_their_holes_are_cut_with_nothing() {
     let hole = city.ring(&rectangle([8, 2], [12, 4]), 10);
     shell[1].as_array_mut().unwrap().push(hole);
     city.asked("Solid", &json!([shell]), |path| {
-        let refusal = coface(&["boolean", "union", path]).fails_with(1);
+        let run = coface(&["boolean", "union", path]);
+        let refusal = run.fails_with(1);
         assert!(refusal.contains("1 surface has holes that cross or touch its rings"), "{refusal}");
         assert!(coface(&["arrange", path]).fails_with(1).contains("mend these holes"));
         assert_eq!(codes(&coface(&["info", path, "--json"]).json(), &["surface"]), [201]);
