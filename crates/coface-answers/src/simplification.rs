@@ -75,7 +75,7 @@ impl SimplifiedManifold {
     /// ```
     /// use coface_answers::{Census, SimplifiedManifold};
     /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let census = Census::from_reader("closed.sig", &b"bkaagj S3\ncMcabbgqw RP3\n"[..])?;
+    /// let census = Census::from_reader("closed.sig", &b"bkaagb S3\nbkaagj S3\ncMcabbgqw RP3\n"[..])?;
     /// let text = "[[0,1,2,3],[0,1,2,4],[0,1,3,4],[0,2,3,4],[1,2,3,4]]";
     /// let sphere = coface_io::read(text.as_bytes(), coface_io::Format::Json)?;
     /// let found = SimplifiedManifold::in_census("sphere.json", &sphere, 200, &census)?;

@@ -27,7 +27,6 @@ pub struct Model {
     pub(crate) format: Option<Format>,
     pub(crate) vertex_count: usize,
     pub(crate) positions: Positions,
-    /// Instead of the positions, where some are not finite.
     pub(crate) partial_positions: Option<PartialPositions>,
     pub(crate) polygons: RaggedArray,
     pub(crate) shapes: Vec<CellShape>,
@@ -38,14 +37,11 @@ pub struct Model {
     pub(crate) data: Vec<CellData>,
     pub(crate) structure: Option<Structure>,
     pub(crate) refinement: Option<ChainRefinement>,
-    /// The faces before coordinates were rounded.
     pub(crate) exact: Option<Arc<ExactPolygons>>,
-    /// The surfaces of the file, of which the polygons are made.
     pub(crate) stated: Option<Arc<StatedSurfaces>>,
     pub(crate) features: FeatureTable,
     pub(crate) reference: Option<ReferenceSystem>,
     pub(crate) remarks: Vec<Remark>,
-    /// Whether ideal vertices are points of the space.
     pub(crate) is_pseudomanifold: bool,
 }
 

@@ -180,7 +180,7 @@ impl<'a> CongruentBoolean<'a> {
     }
 
     /// The surface as polygons, those with holes or slits as triangles, with the data `input` and `polygon` and a group for each input;
-    /// with walls if these are kept.
+    /// with shared faces if these are kept.
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::InvalidInput`] where a face cannot be cut into triangles.
@@ -220,7 +220,7 @@ impl<'a> CongruentBoolean<'a> {
         Ok(model)
     }
 
-    /// The cells of the result with the vertices, edges and faces around them, walls too, each cell once; a remark says so where cells are no
+    /// The cells of the result with the vertices, edges and faces around them, shared faces too, each cell once; a remark says so where cells are no
     /// balls.
     ///
     /// # Errors
@@ -279,7 +279,7 @@ impl<'a> CongruentBoolean<'a> {
         Ok(SolidBooleanProvenance { files, polygons: polygons.collect() })
     }
 
-    /// The faces of the surface, and the walls if these are kept.
+    /// The faces of the surface, and the shared faces if these are kept.
     fn faces(&self) -> Vec<(CellId, Sign)> {
         let walls = if self.request.keep_walls { self.boundary.walls() } else { &[] };
         let walls = walls.iter().map(|&wall| (wall, Sign::Plus));

@@ -70,7 +70,7 @@ pub(crate) struct Persistence {
     #[arg(long, conflicts_with_all = ["function", "values", "upper_star", "extended", "cycles", "certificate"])]
     zigzag: bool,
     /// The paths of the points of the diagram while the first function becomes the second one, and so on, each vertex along a line. -o writes them as .json, or
-    /// as .csv with lines vine,degree,parameter,birth,death; the JSON has "functions", and "vines", a list of {"degree","points"} with points [parameter,birth,death]
+    /// as .csv with lines vine,degree,parameter,birth,death; the JSON has "functions", and "vines", a list of {"degree","points"} with points `[parameter,birth,death]`
     #[arg(long, value_name = "x|y|z|FILE", num_args = 1.., conflicts_with_all = ["function", "values", "upper_star", "extended", "cycles", "certificate", "zigzag"])]
     vineyard: Vec<String>,
     /// Only pairs whose persistence is greater than R; a negative R keeps all
