@@ -7,12 +7,10 @@ use crate::congruence::{choice, named_models};
 use crate::errors::{OrRaise, invalid, whole_or_none};
 use crate::model::{Model, format_of};
 use crate::objects::{text_of, to_python};
+use crate::solid_boolean::{Combined, solid_result};
 use crate::source::Source;
 use crate::work::run;
-use coface::answers::answer::{
-    PlanarArrangementAnswer, PlanarBooleanAnswer, SolidBooleanAnswer, SolidBooleanProvenance,
-    SpatialArrangementAnswer,
-};
+use coface::answers::answer::{PlanarArrangementAnswer, PlanarBooleanAnswer, SpatialArrangementAnswer};
 use coface::answers::{
     ArrangementMethod, ArrangementRequest, BooleanRequest, CongruentBoolean, CongruentScene,
     DrawingArrangement, DrawingOptions, PlanarDrawing, RegionBoolean, RegionSource, SceneArrangement,
@@ -28,7 +26,6 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::OnceLock;
 
 const RULES: [(&str, InsideRule); 3] =
     [("nonzero", InsideRule::Nonzero), ("evenodd", InsideRule::Odd), ("positive", InsideRule::Positive)];
@@ -447,27 +444,6 @@ pub(crate) fn boolean<'py>(
         Ok((answer, provenance, mesh, Combined::Exact(Box::new(arrangement)), request))
     })?;
     solid_result(py, solid)
-}
-
-fn solid_result(
-    py: Python<'_>,
-    (answer, provenance, mesh, arrangement, request): (
-        SolidBooleanAnswer,
-        SolidBooleanProvenance,
-        io::Model,
-        Combined,
-        SolidRequest,
-    ),
-) -> PyResult<Bound<'_, PyAny>> {
-    let result = SolidBooleanResult {
-        answer,
-        provenance,
-        model: Py::new(py, Model::of(mesh))?,
-        arrangement,
-        request,
-        cells: OnceLock::new(),
-    };
-    Ok(Bound::new(py, result)?.into_any())
 }
 
 /// The formula that a word or a text stands for.
@@ -951,95 +927,5 @@ answer! { SpatialArrangement {
 
     fn __repr__(&self) -> String {
         format!("SpatialArrangement(f-vector {})", text_of(&self.answer.f_vector))
-    }
-}
-
-/// The cells that a combination is of.
-enum Combined {
-    Exact(Box<SceneArrangement>),
-    Glued(Box<CongruentScene>),
-}
-
-/// Solids combined: a surface.
-///
-/// Made by :func:`boolean`.
-#[pyclass(frozen, dict, module = "coface", name = "SolidBoolean")]
-pub(crate) struct SolidBooleanResult {
-    answer: SolidBooleanAnswer,
-    provenance: SolidBooleanProvenance,
-    model: Py<Model>,
-    arrangement: Combined,
-    request: SolidRequest,
-    /// Made when they are asked for.
-    cells: OnceLock<Py<Model>>,
-}
-
-answer! { SolidBooleanResult {
-    /// The volume; ``None`` if the exterior is in the result.
-    measure,
-    /// The numbers of vertices, edges and faces of the surface.
-    f_vector,
-    /// The number of components of the surface.
-    components,
-    /// Whether the surface has no rim.
-    closed,
-    /// Whether the surface is a manifold, with a witness if not.
-    manifold,
-    /// The area of the surface.
-    area,
-    /// The genus of a connected surface.
-    genus,
-    /// The number of parts that are connected through faces.
-    solids,
-    /// The number of voids.
-    voids,
-    /// Whether the exterior is in the result.
-    unbounded,
-    /// Edges and vertices where the result is no surface.
-    pinches,
-    /// What rounding of coordinates does.
-    rounding,
-    /// What was put together, where that was asked for or needed.
-    joined,
-    /// What congruence put together, with ``method="congruence"``.
-    congruence,
-    /// Vertices - edges + faces.
-    euler_characteristic,
-}
-    /// The surface.
-    #[getter]
-    fn model(&self, py: Python<'_>) -> Py<Model> {
-        self.model.clone_ref(py)
-    }
-
-    /// The cells of the result as a chain complex with positions, refined until each is a ball, so that its homology is
-    /// that of the result.
-    #[getter]
-    fn cells(&self, py: Python<'_>) -> PyResult<Py<Model>> {
-        if let Some(cells) = self.cells.get() {
-            return Ok(cells.clone_ref(py));
-        }
-        let exact = self.model.get().source.model.exact_polygons().cloned();
-        let made = run(py, None, || {
-            let made = match &self.arrangement {
-                Combined::Exact(own) => SolidBoolean::of(own, &self.request)?.to_chains()?,
-                Combined::Glued(own) => CongruentBoolean::of(own, &self.request)?.to_chains()?,
-            };
-            Ok(match exact {
-                Some(exact) => made.with_exact_polygons(exact),
-                None => made,
-            })
-        })?;
-        let made = Py::new(py, Model::of(made))?;
-        Ok(self.cells.get_or_init(|| made).clone_ref(py))
-    }
-
-    /// Where everything comes from.
-    fn provenance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.provenance)
-    }
-
-    fn __repr__(&self) -> String {
-        format!("SolidBoolean(volume {}, f-vector {})", text_of(&self.answer.measure), text_of(&self.answer.f_vector))
     }
 }

@@ -37,6 +37,7 @@ mod points;
 mod products;
 mod report;
 mod shards;
+mod solid_boolean;
 mod source;
 mod surface;
 mod view;
@@ -84,7 +85,7 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<arrangement::PlanarArrangement>()?;
     module.add_class::<arrangement::PlanarBoolean>()?;
     module.add_class::<arrangement::SpatialArrangement>()?;
-    module.add_class::<arrangement::SolidBooleanResult>()?;
+    module.add_class::<solid_boolean::SolidBooleanResult>()?;
     module.add_class::<yin::Curve>()?;
     module.add_class::<yin::YinSet>()?;
     module.add_class::<yin::Kinks>()?;
