@@ -44,6 +44,7 @@ mod view;
 mod volumes;
 mod work;
 mod yin;
+mod zigzags;
 
 use pyo3::prelude::*;
 
@@ -97,7 +98,7 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(persistence::persistence, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::_extended_persistence, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::_vineyard, module)?)?;
-    module.add_function(wrap_pyfunction!(persistence::_zigzag, module)?)?;
+    module.add_function(wrap_pyfunction!(zigzags::_zigzag, module)?)?;
     module.add_function(wrap_pyfunction!(diagrams::_diagram_distance, module)?)?;
     module.add_function(wrap_pyfunction!(points::alpha, module)?)?;
     module.add_function(wrap_pyfunction!(points::alpha_complex, module)?)?;
