@@ -143,14 +143,21 @@ impl DiagramCurvesRequest {
     /// Computes the curves.
     ///
     /// # Errors
-    /// Those of [`Barcode::ended_at`]; [`ErrorKind::InvalidInput`] where no range is given and the diagram has none, for one that is not finite, and
+    /// Those of [`Barcode::ended_at`]; [`ErrorKind::InvalidInput`] for numbers of classes of extended persistence, where no range is given and the diagram has none, for one that is not finite, and
     /// for values that are NaN; [`ErrorKind::TooLarge`] for more than 16,777,216 values.
     ///
     /// # Examples
     /// See [`DiagramCurvesRequest`].
     pub fn answer(&self, diagram: &GivenDiagram) -> Result<DiagramCurvesAnswer, Error> {
         let mut remarks = diagram.remarks().to_vec();
-        let all = ended(diagram, self.end)?;
+        let all = ended(diagram.barcodes(), self.end)?;
+        // Where classes are counted, it matters which of their ends belong to their lives.
+        let counted = match self.kind {
+            DiagramCurveKind::Betti | DiagramCurveKind::Euler => {
+                ended(&diagram.half_open_barcodes()?, self.end)?
+            }
+            _ => Vec::new(),
+        };
         let chosen: Vec<usize> = match (self.kind, self.degree) {
             (DiagramCurveKind::Euler, _) | (_, None) => (0..all.len()).collect(),
             (_, Some(degree)) => vec![degree],
@@ -165,12 +172,13 @@ impl DiagramCurvesRequest {
                 if diagram.is_of_points() {
                     remarks.push(Remark::new(RemarkCode::InputReading, OF_POINTS));
                 }
-                let numbers = euler_characteristic_curve(&all, &values).into_iter().map(|x| x as f64);
+                let numbers = euler_characteristic_curve(&counted, &values).into_iter().map(|x| x as f64);
                 push("euler characteristic".to_owned(), numbers.collect());
             }
             DiagramCurveKind::Betti => {
                 for &degree in &chosen {
-                    let numbers = barcode(degree).betti_curve(&values).into_iter().map(|x| x as f64);
+                    let barcode = counted.get(degree).unwrap_or(&none);
+                    let numbers = barcode.betti_curve(&values).into_iter().map(|x| x as f64);
                     push(format!("degree {degree}"), numbers.collect());
                 }
             }
@@ -252,10 +260,10 @@ fn require_values(count: usize) -> Result<(), Error> {
     .with_cure("give a lower number"))
 }
 
-/// The barcodes of a diagram, whose classes that never die end at this value if there is one.
-fn ended(diagram: &GivenDiagram, end: Option<f64>) -> Result<Vec<Barcode>, Error> {
+/// The barcodes, whose classes that never die end at this value if there is one.
+fn ended(barcodes: &[Barcode], end: Option<f64>) -> Result<Vec<Barcode>, Error> {
     let one = |barcode: &Barcode| end.map_or_else(|| Ok(barcode.clone()), |end| barcode.ended_at(end));
-    diagram.barcodes().iter().map(one).collect()
+    barcodes.iter().map(one).collect()
 }
 
 /// That classes which never die are left out.
@@ -393,7 +401,7 @@ impl DiagramImageRequest {
     /// # Examples
     /// See [`DiagramImageRequest`].
     pub fn answer(&self, diagram: &GivenDiagram) -> Result<DiagramImageAnswer, Error> {
-        let barcode = ended(diagram, self.end)?.into_iter().nth(self.degree).unwrap_or_default();
+        let barcode = ended(diagram.barcodes(), self.end)?.into_iter().nth(self.degree).unwrap_or_default();
         let finite = || barcode.intervals().iter().filter(|ends| ends.iter().all(|end| end.is_finite()));
         let longest = finite().map(|[birth, death]| (death - birth).abs()).fold(0.0, f64::max);
         let persistences = self.persistences.or((longest > 0.0).then_some([0.0, longest]));

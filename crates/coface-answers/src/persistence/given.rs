@@ -28,12 +28,49 @@ pub struct GivenDiagram {
     degrees: Vec<Barcode>,
     /// For each class its place in the file.
     places: Vec<Vec<usize>>,
+    /// For each class which of its ends belong to its life.
+    ends: Vec<Vec<Ends>>,
     is_of_points: bool,
+    is_extended: bool,
     remarks: Vec<Remark>,
 }
 
-/// Classes in the order of a file: degree, birth and death.
-type Classes = Vec<(usize, [f64; 2])>;
+/// Whether a class is there at the values of its birth and of its death: at its birth alone, but for classes of zigzags.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Ends {
+    is_birth_open: bool,
+    is_death_closed: bool,
+}
+
+/// What the kind of a class says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Zigzag(Ends),
+    /// Ordinary, relative or extended.
+    Extended,
+}
+
+impl Kind {
+    /// The kind of this name, as it is written for zigzags and extended persistence.
+    fn of(name: &str) -> Option<Self> {
+        let zigzag =
+            |is_birth_open, is_death_closed| Some(Self::Zigzag(Ends { is_birth_open, is_death_closed }));
+        match name {
+            "closed-open" => zigzag(false, false),
+            "closed-closed" => zigzag(false, true),
+            "open-open" => zigzag(true, false),
+            "open-closed" => zigzag(true, true),
+            "ordinary" | "relative" | "extended+" | "extended-" => Some(Self::Extended),
+            _ => None,
+        }
+    }
+}
+
+/// A class of a file: degree, birth and death, and its kind if it has one.
+type Class = (usize, [f64; 2], Option<Kind>);
+
+/// Classes in the order of a file.
+type Classes = Vec<Class>;
 
 impl GivenDiagram {
     /// The diagram of these barcodes, one for each degree from 0 on.
@@ -48,7 +85,9 @@ impl GivenDiagram {
         let mut next = 0..;
         let places =
             degrees.iter().map(|barcode| next.by_ref().take(barcode.intervals().len()).collect()).collect();
-        Self { name: name.to_owned(), degrees, places, is_of_points: false, remarks: Vec::new() }
+        let ends = degrees.iter().map(|barcode| vec![Ends::default(); barcode.intervals().len()]).collect();
+        let name = name.to_owned();
+        Self { name, degrees, places, ends, is_of_points: false, is_extended: false, remarks: Vec::new() }
     }
 
     /// The same diagram, said to be of points: it has only the degrees that were asked for.
@@ -69,7 +108,7 @@ impl GivenDiagram {
 
     /// The diagram in a file of this name: the JSON of `coface persistence`, lists `[degree, [birth, death]]` as of GUDHI or `[[birth, death], ..]`
     /// for each degree as of Ripser; a `.npy` array; what Ripser prints; or a table with the columns birth and death, and the degree behind them.
-    /// A first line of words names the columns; files `.pers` of GUDHI and tables of four columns have the degree before births and deaths.
+    /// A first line of words names the columns, of which `kind` has the kinds of classes of zigzags; files `.pers` of GUDHI and tables of four columns have the degree before births and deaths.
     ///
     /// # Errors
     /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) and [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) with the file
@@ -103,23 +142,30 @@ impl GivenDiagram {
     }
 
     fn of_classes(name: &str, classes: Classes) -> Result<Self, Error> {
-        let count = classes.iter().map(|&(degree, _)| degree + 1).max().unwrap_or(0);
+        let count = classes.iter().map(|&(degree, ..)| degree + 1).max().unwrap_or(0);
         let mut intervals = vec![Vec::new(); count];
         let mut places = vec![Vec::new(); count];
-        for (place, (degree, interval)) in classes.into_iter().enumerate() {
+        let mut ends = vec![Vec::new(); count];
+        let is_extended = classes.iter().any(|&(.., kind)| kind == Some(Kind::Extended));
+        for (place, (degree, interval, kind)) in classes.into_iter().enumerate() {
             intervals[degree].push(interval);
             places[degree].push(place);
+            ends[degree].push(match kind {
+                Some(Kind::Zigzag(ends)) => ends,
+                _ => Ends::default(),
+            });
         }
         let degrees = intervals.into_iter().map(Barcode::new).collect::<Result<_, Error>>()?;
-        Ok(Self { name: name.to_owned(), degrees, places, is_of_points: false, remarks: Vec::new() })
+        let name = name.to_owned();
+        Ok(Self { name, degrees, places, ends, is_of_points: false, is_extended, remarks: Vec::new() })
     }
 
     /// Rows of numbers, with the names of the columns if the file has them.
-    fn of_rows(name: &str, table: &NumberTable, names: Option<Vec<String>>) -> Result<Self, Error> {
+    fn of_rows(name: &str, table: &NumberTable, head: Option<Head>) -> Result<Self, Error> {
         let is_of_gudhi = name.to_ascii_lowercase().ends_with(".pers");
         let mut remarks = Vec::new();
-        let columns = match names {
-            Some(names) => named_columns(&names)?,
+        let columns = match &head {
+            Some(head) => named_columns(&head.names)?,
             None => {
                 let (columns, said) = columns_of(table, is_of_gudhi)?;
                 remarks.extend(said);
@@ -138,7 +184,8 @@ impl GivenDiagram {
             };
             let degree = columns.degree.map_or(Ok(0.0), number)?;
             let interval = [number(columns.birth)?, number(columns.death)?];
-            Ok((whole_degree(degree).map_err(at_line)?, interval))
+            let kind = head.as_ref().and_then(|head| head.kinds.get(row).copied().flatten());
+            Ok((whole_degree(degree).map_err(at_line)?, interval, kind))
         };
         let classes = (0..table.row_count()).map(class).collect::<Result<Classes, Error>>()?;
         Ok(Self { remarks, ..Self::of_classes(name, classes)? })
@@ -197,6 +244,28 @@ impl GivenDiagram {
         &self.remarks
     }
 
+    /// The barcodes by degree with intervals that have their births and not their deaths, as classes of filtrations live: an end that is open where
+    /// others are closed, or closed where others are open, is the next number above.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a diagram of extended persistence, whose classes live on two ways.
+    pub(super) fn half_open_barcodes(&self) -> Result<Vec<Barcode>, Error> {
+        if self.is_extended {
+            let message = "classes of extended persistence live while values rise and while they fall again: they cannot be counted at a value";
+            return Err(Error::invalid(message)
+                .with_cure("give the diagram of the function without its extension")
+                .in_file(&self.name));
+        }
+        let moved = |(&[birth, death], ends): (&[f64; 2], &Ends)| {
+            let end = |end: f64, is_moved: bool| if is_moved { end.next_up() } else { end };
+            [end(birth, ends.is_birth_open), end(death, ends.is_death_closed)]
+        };
+        let one = |(barcode, ends): (&Barcode, &Vec<Ends>)| {
+            Barcode::new(barcode.intervals().iter().zip(ends).map(moved).collect())
+        };
+        self.degrees.iter().zip(&self.ends).map(one).collect()
+    }
+
     /// Whether the diagram is of points, which have classes of higher degrees that nobody asked for.
     pub(super) fn is_of_points(&self) -> bool {
         self.is_of_points
@@ -241,7 +310,7 @@ fn of_json(value: &Value) -> Result<(Classes, bool), Error> {
             let (Some(degree), [Some(birth), Some(death)]) = (class["degree"].as_f64(), ends) else {
                 return Err(wrong(class));
             };
-            Ok((whole_degree(degree)?, [birth, death]))
+            Ok((whole_degree(degree)?, [birth, death], class["kind"].as_str().and_then(Kind::of)))
         };
         let is_of_points = object.get("threshold").is_some_and(Value::is_number);
         return Ok((list.iter().map(class).collect::<Result<_, Error>>()?, is_of_points));
@@ -256,14 +325,15 @@ fn of_json(value: &Value) -> Result<(Classes, bool), Error> {
         match parts.as_slice() {
             [degree, pair] if degree.is_number() && pair.is_array() => {
                 let degree = whole_degree(degree.as_f64().unwrap_or(f64::NAN))?;
-                classes.push((degree, interval(pair).ok_or_else(|| wrong(item))?));
+                classes.push((degree, interval(pair).ok_or_else(|| wrong(item))?, None));
             }
             pairs if pairs.iter().all(Value::is_array) => {
                 for pair in pairs {
-                    classes.push((whole_degree(place as f64)?, interval(pair).ok_or_else(|| wrong(pair))?));
+                    let interval = interval(pair).ok_or_else(|| wrong(pair))?;
+                    classes.push((whole_degree(place as f64)?, interval, None));
                 }
             }
-            _ => classes.push((0, interval(item).ok_or_else(|| wrong(item))?)),
+            _ => classes.push((0, interval(item).ok_or_else(|| wrong(item))?, None)),
         }
     }
     Ok((classes, false))
@@ -287,22 +357,30 @@ fn of_ripser(text: &str) -> Result<Classes, Error> {
                 "" => f64::INFINITY,
                 word => word.parse().map_err(|_| wrong())?,
             };
-            classes.push((degree, [birth, death]));
+            classes.push((degree, [birth, death], None));
         }
     }
     // Where values fall, what never dies has an empty place too.
     let is_falling = |[birth, death]: [f64; 2]| death < birth;
-    if classes.iter().any(|&(_, interval)| is_falling(interval)) {
-        for (_, interval) in classes.iter_mut().filter(|(_, interval)| interval[1] == f64::INFINITY) {
+    if classes.iter().any(|&(_, interval, _)| is_falling(interval)) {
+        for (_, interval, _) in classes.iter_mut().filter(|(_, interval, _)| interval[1] == f64::INFINITY) {
             interval[1] = f64::NEG_INFINITY;
         }
     }
     Ok(classes)
 }
 
-/// The rows of a text, and the words of its first line.
-fn table_of(text: &str) -> Result<(Option<Vec<String>>, NumberTable), Error> {
-    let mut names = None;
+/// What a first line of words says.
+struct Head {
+    /// The names of the columns.
+    names: Vec<String>,
+    /// The kinds of the rows, where a column has them.
+    kinds: Vec<Option<Kind>>,
+}
+
+/// The rows of a text, and what its first line says.
+fn table_of(text: &str) -> Result<(Option<Head>, NumberTable), Error> {
+    let mut head: Option<Head> = None;
     let mut table = NumberTable::default();
     for (line, content) in text.lines().enumerate() {
         let content = content.trim();
@@ -315,9 +393,10 @@ fn table_of(text: &str) -> Result<(Option<Vec<String>>, NumberTable), Error> {
         } else {
             content.split_whitespace().collect()
         };
-        let is_first = names.is_none() && table.row_count() == 0;
+        let is_first = head.is_none() && table.row_count() == 0;
         if is_first && words.iter().all(|word| word.parse::<f64>().is_err()) {
-            names = Some(words.iter().map(|word| word.trim_matches('"').to_lowercase()).collect());
+            let names = words.iter().map(|word| word.trim_matches('"').to_lowercase()).collect();
+            head = Some(Head { names, kinds: Vec::new() });
             continue;
         }
         // Columns of words, as the cells of a class, stand behind the numbers.
@@ -327,8 +406,12 @@ fn table_of(text: &str) -> Result<(Option<Vec<String>>, NumberTable), Error> {
             return Err(no_diagram(message).at_line(line as u64 + 1));
         }
         table.push_row(&numbers, line as u64 + 1);
+        if let Some(head) = &mut head {
+            let column = head.names.iter().position(|name| name == "kind");
+            head.kinds.push(column.and_then(|column| Kind::of(words.get(column)?.trim_matches('"'))));
+        }
     }
-    Ok((names, table))
+    Ok((head, table))
 }
 
 /// A number; an empty place of a list is the death of a class that never dies.

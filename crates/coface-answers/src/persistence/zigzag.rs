@@ -311,7 +311,11 @@ impl PersistenceRequest {
             bounding_chain: None,
             cocycle: None,
         };
-        let long = pairs.iter().filter(|pair| pair.persistence() > self.min_persistence);
+        // A class that is there at one time alone has the length 0, and is there.
+        let is_met = |pair: &ZigzagPair| pair.is_birth_closed() && pair.is_death_closed();
+        let least = self.min_persistence;
+        let is_long = |pair: &&ZigzagPair| pair.persistence() > least || least == 0.0 && is_met(pair);
+        let long = pairs.iter().filter(is_long);
         Ok(PersistenceAnswer {
             file: zigzag.name.clone(),
             field: prime as u32,

@@ -189,3 +189,18 @@ fn what_is_no_diagram_is_refused_with_its_place() {
         assert!(run.status == 1 && run.stderr.contains(says), "{text:?}: {} {}", run.status, run.stderr);
     }
 }
+
+/// Classes that live on two ways are not counted as if there were one.
+#[test]
+fn classes_of_extended_persistence_are_not_counted() {
+    let folder = folder_of_paths();
+    for file in ["extended.json", "extended.csv"] {
+        let line = ["persistence", "path.json", "--function", "a.values", "--extended", "-o", file];
+        assert_eq!(coface_in(folder.path(), &line).status, 0);
+        for verb in ["betti", "euler"] {
+            let run = coface_in(folder.path(), &["diagram", verb, file]);
+            assert!(run.fails_with(1).contains("classes of extended persistence"), "{verb} {file}");
+        }
+        assert_eq!(coface_in(folder.path(), &["diagram", "landscape", file]).status, 0, "{file}");
+    }
+}

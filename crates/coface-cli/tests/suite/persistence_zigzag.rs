@@ -131,3 +131,70 @@ fn wrong_zigzags_are_named_by_their_places() {
     assert_eq!(coface_in(folder.path(), &line).status, 0);
     coface_in(folder.path(), &["persistence", "missing.txt", "--zigzag"]).fails_with(1);
 }
+
+/// Classes are counted at the very values at which simplices enter and leave: the alternating sum is that of the simplices that are there, and
+/// a simplex is there at the time at which it leaves.
+#[test]
+fn curves_of_zigzags_count_what_is_there() {
+    let simplices: [&[u32]; 10] =
+        [&[0], &[1], &[2], &[3], &[0, 1], &[0, 2], &[1, 2], &[2, 3], &[1, 3], &[0, 1, 2]];
+    let is_face = |face: &[u32], of: &[u32]| face.len() < of.len() && face.iter().all(|v| of.contains(v));
+    let folder = tempfile::tempdir().unwrap();
+    for seed in 1..6_u64 {
+        let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        let (mut is_there, mut text, mut expected) = ([false; 10], String::new(), Vec::new());
+        let alternating = |is_there: &[bool; 10]| -> f64 {
+            let sign = |at: usize| if simplices[at].len() % 2 == 1 { 1.0 } else { -1.0 };
+            (0..10).filter(|&at| is_there[at]).map(sign).sum()
+        };
+        while expected.len() < 128 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let at = (state >> 33) as usize % 10;
+            let enters = !is_there[at];
+            let fits = (0..10).all(|other| {
+                if enters {
+                    is_there[other] || !is_face(simplices[other], simplices[at])
+                } else {
+                    !is_there[other] || !is_face(simplices[at], simplices[other])
+                }
+            });
+            if !fits {
+                continue;
+            }
+            // Before the step what was there is there still.
+            let before = alternating(&is_there);
+            is_there[at] = enters;
+            let names: Vec<String> = simplices[at].iter().map(u32::to_string).collect();
+            text += &format!("{} {}\n", if enters { "i" } else { "d" }, names.join(" "));
+            expected.push(if enters { alternating(&is_there) } else { before });
+            expected.push(alternating(&is_there));
+        }
+        std::fs::write(folder.path().join("steps.txt"), &text).unwrap();
+        // At 1, 1.5, .. and 65, behind the last step.
+        expected.push(alternating(&is_there));
+        for file in ["steps.json", "steps.csv"] {
+            assert_eq!(
+                coface_in(folder.path(), &["persistence", "steps.txt", "--zigzag", "-o", file]).status,
+                0
+            );
+            let line = ["diagram", "euler", file, "--samples", "129", "--range", "1", "65", "--json"];
+            let answer = coface_in(folder.path(), &line).json();
+            assert_eq!(answer["curves"][0]["numbers"], json!(expected), "{file}: {text}");
+        }
+    }
+}
+
+/// A point that enters and leaves at one time is there at that time.
+#[test]
+fn a_class_of_one_time_is_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("steps.txt"), "i 0 @ 1\ni 1 @ 2\nd 1 @ 2\n").unwrap();
+    let line = ["persistence", "steps.txt", "--zigzag", "-o", "steps.csv"];
+    assert_eq!(coface_in(folder.path(), &line).status, 0);
+    let text = std::fs::read_to_string(folder.path().join("steps.csv")).unwrap();
+    assert!(text.contains("\n0,2,2,closed-closed,1,1\n"), "{text}");
+    let line = ["diagram", "betti", "steps.csv", "--samples", "3", "--range", "1", "3", "--json"];
+    assert_eq!(coface_in(folder.path(), &line).json()["curves"][0]["numbers"], json!([1.0, 2.0, 1.0]));
+    let long = ["persistence", "steps.txt", "--zigzag", "--min-persistence", "0.5", "--json"];
+    assert_eq!(coface_in(folder.path(), &long).json()["diagram"].as_array().unwrap().len(), 1);
+}

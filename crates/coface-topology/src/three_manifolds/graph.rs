@@ -92,6 +92,45 @@ pub struct GraphSpace {
 }
 
 impl GraphSpace {
+    /// The fiber h' and the section's boundary o' at the second side of the torus by those at the first side, a row each: $h' = a\, h + b\, o$ and
+    /// $o' = c\, h + d\, o$. The determinant is -1, and b is not 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::gluing::GluingTable;
+    /// use coface_topology::{SpaceName, named_space};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let table = GluingTable::from_isomorphism_signature("hLALMkbcceffggemkbtibj", 3)?;
+    /// let Some(space) = named_space(&table, &table.faces()?, 0)? else { return Ok(()) };
+    /// let SpaceName::Graph(graph) = space.name() else { return Ok(()) };
+    /// let [[a, b], [c, d]] = graph.matrix();
+    /// assert_eq!((a * d - b * c, graph.piece_count()), (-1, 2));
+    /// assert_eq!(graph.fibers(0), [(2, 1), (2, 1)]);
+    /// # Ok(()) }
+    /// ```
+    pub fn matrix(&self) -> [[i64; 2]; 2] {
+        self.matrix
+    }
+
+    /// The number of pieces: one that is glued to itself, or two.
+    ///
+    /// # Examples
+    /// See [`Self::matrix`].
+    pub fn piece_count(&self) -> usize {
+        self.pieces.len()
+    }
+
+    /// The invariants $(\alpha, \beta)$ of the exceptional fibers of a piece, with 0 < β < α.
+    ///
+    /// # Panics
+    /// If there is no such piece.
+    ///
+    /// # Examples
+    /// See [`Self::matrix`].
+    pub fn fibers(&self, piece: usize) -> &[(i64, i64)] {
+        &self.pieces[piece].fibers
+    }
+
     /// The space of one piece with two boundary tori, or of two with one each, in its least form. `None` if a piece is no piece of its own, or the fibers
     /// agree.
     pub(super) fn new(pieces: Vec<Piece>, matrix: Matrix) -> Option<Self> {
@@ -309,6 +348,18 @@ impl TorusBundle {
     }
 
     /// What the walk around the circle makes of two loops of the torus, by rows.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::gluing::GluingTable;
+    /// use coface_topology::{SpaceName, named_space};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let table = GluingTable::from_isomorphism_signature("hvLPQkcedfgfggnnkqqeiw", 3)?;
+    /// let Some(space) = named_space(&table, &table.faces()?, 0)? else { return Ok(()) };
+    /// let SpaceName::TorusBundle(bundle) = space.name() else { return Ok(()) };
+    /// assert_eq!(bundle.monodromy(), [[2, 1], [1, 1]]);
+    /// # Ok(()) }
+    /// ```
     pub fn monodromy(&self) -> [[i64; 2]; 2] {
         self.monodromy
     }

@@ -29,9 +29,12 @@ use coface_complexes::gluing::{FaceClasses, GluingTable};
 ///
 /// # Complexity
 /// $O(n^2)$ for n tetrahedra, and the Smith normal form of a matrix of size O(n); choices of fibers are followed up to a fixed number; all that for each attempt.
+/// Normal surfaces are looked for once in the smallest triangulation that moves lead to, and in what each sphere leaves: up to 42 tetrahedra, and a fixed number
+/// of vectors and comparisons.
 ///
 /// # References
-/// B. A. Burton, *Minimal triangulations and normal surfaces* (2003); H. Seifert, *Topologie dreidimensionaler gefaserter Raeume* (1933).
+/// B. A. Burton, *Minimal triangulations and normal surfaces* (2003) and *A new approach to crushing 3-manifold triangulations* (2014); H. Seifert,
+/// *Topologie dreidimensionaler gefaserter Raeume* (1933); F. Waldhausen, *Eine Klasse von 3-dimensionalen Mannigfaltigkeiten* (1967).
 ///
 /// # Examples
 /// ```
