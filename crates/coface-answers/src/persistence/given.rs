@@ -137,8 +137,8 @@ impl GivenDiagram {
         if text.contains("persistence intervals in dim") {
             return Self::of_classes(name, of_ripser(text)?);
         }
-        let (names, table) = table_of(text)?;
-        Self::of_rows(name, &table, names)
+        let (head, table) = table_of(text)?;
+        Self::of_rows(name, &table, head.as_ref())
     }
 
     fn of_classes(name: &str, classes: Classes) -> Result<Self, Error> {
@@ -161,10 +161,10 @@ impl GivenDiagram {
     }
 
     /// Rows of numbers, with the names of the columns if the file has them.
-    fn of_rows(name: &str, table: &NumberTable, head: Option<Head>) -> Result<Self, Error> {
+    fn of_rows(name: &str, table: &NumberTable, head: Option<&Head>) -> Result<Self, Error> {
         let is_of_gudhi = name.to_ascii_lowercase().ends_with(".pers");
         let mut remarks = Vec::new();
-        let columns = match &head {
+        let columns = match head {
             Some(head) => named_columns(&head.names)?,
             None => {
                 let (columns, said) = columns_of(table, is_of_gudhi)?;
@@ -184,7 +184,7 @@ impl GivenDiagram {
             };
             let degree = columns.degree.map_or(Ok(0.0), number)?;
             let interval = [number(columns.birth)?, number(columns.death)?];
-            let kind = head.as_ref().and_then(|head| head.kinds.get(row).copied().flatten());
+            let kind = head.and_then(|head| head.kinds.get(row).copied().flatten());
             Ok((whole_degree(degree).map_err(at_line)?, interval, kind))
         };
         let classes = (0..table.row_count()).map(class).collect::<Result<Classes, Error>>()?;
