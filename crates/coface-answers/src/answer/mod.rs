@@ -44,6 +44,7 @@ mod view;
 mod yin;
 mod yin_events;
 mod yin_interface;
+mod yin_interface_places;
 mod yin_places;
 mod yin_series;
 
@@ -129,6 +130,10 @@ pub use yin_events::{YinEventAnswer, YinEventCounts, YinEventKind};
 pub use yin_interface::{
     JunctionKind, VanishedEdgeAnswer, YinEdgeAnswer, YinInterfaceAdvectAnswer, YinInterfaceAnswer,
     YinJunctionAnswer, YinNeighborAnswer, YinPhaseAnswer,
+};
+pub use yin_interface_places::{
+    EdgeBendAnswer, EdgeSample, InterfacePoint, PhaseComparison, PhasePoints, YinInterfaceComparisonAnswer,
+    YinInterfaceCurvatureAnswer, YinInterfaceLocateAnswer, YinInterfaceSampleAnswer,
 };
 pub use yin_places::{
     YinBendPlace, YinBoundarySample, YinCurvatureAnswer, YinCurveBend, YinFaultAnswer, YinFaultKind,

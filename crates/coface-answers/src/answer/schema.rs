@@ -9,7 +9,8 @@ use super::{
     RenderAnswer, RowAnswer, ShardAnswer, SignatureAnswer, SimplicesAnswer, SimplifyAnswer,
     SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer, VineyardAnswer,
     YinAdvectAnswer, YinCombinationAnswer, YinComparisonAnswer, YinCurvatureAnswer, YinCutCellsAnswer,
-    YinInfoAnswer, YinInterfaceAdvectAnswer, YinInterfaceAnswer, YinKinksAnswer, YinLocateAnswer,
+    YinInfoAnswer, YinInterfaceAdvectAnswer, YinInterfaceAnswer,
+    YinInterfaceComparisonAnswer, YinInterfaceCurvatureAnswer, YinInterfaceLocateAnswer, YinInterfaceSampleAnswer, YinKinksAnswer, YinLocateAnswer,
     YinNormalizeAnswer, YinSampleAnswer, YinSeriesAnswer, YinSetAnswer, YinValidationAnswer,
 };
 use schemars::generate::SchemaSettings;
@@ -110,14 +111,18 @@ answers! {
     "yin fit" => YinSetAnswer,
     "yin kinks" => YinKinksAnswer,
     "yin compare" => YinComparisonAnswer,
+    "yin compare (interface)" => YinInterfaceComparisonAnswer,
     "yin compare --series" => YinSeriesAnswer,
     "yin interface" => YinInterfaceAnswer,
     "yin cut-cells" => YinCutCellsAnswer,
     "yin advect" => YinAdvectAnswer,
     "yin advect --inputs" => YinInterfaceAdvectAnswer,
     "yin locate" => YinLocateAnswer,
+    "yin locate (interface)" => YinInterfaceLocateAnswer,
     "yin sample" => YinSampleAnswer,
+    "yin sample (interface)" => YinInterfaceSampleAnswer,
     "yin curvature" => YinCurvatureAnswer,
+    "yin curvature (interface)" => YinInterfaceCurvatureAnswer,
     "yin validate" => YinValidationAnswer,
     "yin normalize" => YinNormalizeAnswer,
 }

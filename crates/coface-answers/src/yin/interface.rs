@@ -221,16 +221,18 @@ impl PlanarInterface {
     /// # Ok(()) }
     /// ```
     pub fn phases(&self) -> Result<Vec<PlanarSet>, Error> {
-        let set = |phase: u32| {
-            if self.plane == Some(phase) {
-                return Ok(YinSet::plane(self.graph.order()));
-            }
-            match self.has(phase) {
-                true => self.graph.phase_set(phase),
-                false => Ok(YinSet::empty(self.graph.order())),
-            }
+        (0..self.names.len() as u32).map(|phase| self.phase_set(phase)).collect()
+    }
+
+    /// A phase as a set.
+    pub(super) fn phase_set(&self, phase: u32) -> Result<PlanarSet, Error> {
+        let order = self.graph.order();
+        let set = match self.has(phase) {
+            true if self.plane == Some(phase) => YinSet::plane(order),
+            true => self.graph.phase_set(phase)?,
+            false => YinSet::empty(order),
         };
-        (0..self.names.len() as u32).map(|phase| set(phase).map(PlanarSet::from_set)).collect()
+        Ok(PlanarSet::from_set(set))
     }
 
     /// The interface as an answer; `files` are the names of the inputs. With `has_curves` edges have their knots and control points.

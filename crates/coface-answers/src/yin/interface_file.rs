@@ -50,6 +50,23 @@ impl PlanarInterface {
     /// # Ok(()) }
     /// ```
     pub fn of_answer(answer: &YinInterfaceAnswer) -> Result<Self, Error> {
+        let graph = Self::graph_of(answer)?;
+        let names: Vec<String> = answer.phases.iter().map(|phase| phase.name.clone()).collect();
+        if let Some(fault) = graph.fault()? {
+            return Err(Error::invalid(format!("the interface is none: {fault}"))
+                .with_cure("give edges that meet at their ends only"));
+        }
+        let is_plane =
+            |phase: usize| answer.phases[phase].area.is_none() && answer.phases[phase].components > 0;
+        let plane = match graph.edge_count() {
+            0 => (0..names.len()).find(|&phase| is_plane(phase)).map(|phase| phase as u32),
+            _ => None,
+        };
+        Ok(Self { graph, names, plane, remarks: Vec::new() })
+    }
+
+    /// The graph that an answer tells, whether its edges meet elsewhere or not.
+    pub(super) fn graph_of(answer: &YinInterfaceAnswer) -> Result<InterfaceGraph, Error> {
         let order = Order::new(answer.order as usize)?;
         let none = || {
             Error::invalid("the edges have no control points".to_owned())
@@ -88,19 +105,7 @@ impl PlanarInterface {
         let pairs = pairs
             .map(|&[from, to]| Ok([directed(from)?, directed(to)?]))
             .collect::<Result<Vec<_>, Error>>()?;
-        let graph = InterfaceGraph::from_curves(&answer.vertices, &ends, &phases, curves, &pairs, order)?;
-        let names: Vec<String> = answer.phases.iter().map(|phase| phase.name.clone()).collect();
-        if let Some(fault) = graph.fault()? {
-            return Err(Error::invalid(format!("the interface is none: {fault}"))
-                .with_cure("give edges that meet at their ends only"));
-        }
-        let is_plane =
-            |phase: usize| answer.phases[phase].area.is_none() && answer.phases[phase].components > 0;
-        let plane = match graph.edge_count() {
-            0 => (0..names.len()).find(|&phase| is_plane(phase)).map(|phase| phase as u32),
-            _ => None,
-        };
-        Ok(Self { graph, names, plane, remarks: Vec::new() })
+        InterfaceGraph::from_curves(&answer.vertices, &ends, &phases, curves, &pairs, order)
     }
 
     /// The phases as sets with their names, in their order.

@@ -11,6 +11,7 @@ mod facts;
 mod interface;
 mod interface_file;
 mod interface_motion;
+mod interface_places;
 mod labels;
 mod making;
 mod motion;

@@ -109,8 +109,8 @@ impl PlanarSet {
     pub fn curvature(&self, file: &str) -> Result<YinCurvatureAnswer, Error> {
         let bent = |(curve, bend): (usize, CurveBend)| YinCurveBend {
             curve,
-            least: place(bend.least),
-            greatest: place(bend.greatest),
+            least: bend_place(bend.least),
+            greatest: bend_place(bend.greatest),
             sharpest: in_degrees(bend.sharpest),
             roughest: bend.roughest.map(in_degrees),
         };
@@ -119,10 +119,10 @@ impl PlanarSet {
     }
 }
 
-fn place(place: CurvePlace) -> YinBendPlace {
+pub(super) fn bend_place(place: CurvePlace) -> YinBendPlace {
     YinBendPlace { piece: place.piece, parameter: place.parameter, point: place.point, value: place.value }
 }
 
-fn in_degrees(turn: CurvePlace) -> YinBendPlace {
-    YinBendPlace { value: turn.value.to_degrees(), ..place(turn) }
+pub(super) fn in_degrees(turn: CurvePlace) -> YinBendPlace {
+    YinBendPlace { value: turn.value.to_degrees(), ..bend_place(turn) }
 }

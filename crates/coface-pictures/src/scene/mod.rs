@@ -17,6 +17,7 @@ mod domain;
 mod forest;
 mod geodesics;
 mod hidden;
+mod interfaces;
 mod labels;
 mod layers;
 mod layout;

@@ -81,16 +81,9 @@ impl Scene {
             layer.detail =
                 if holes > 0 { format!("{bounded}, {}", holes_text(holes)) } else { bounded.to_owned() };
             layer.is_on = true;
-            let points: Vec<[f64; 2]> = atom.iter().flat_map(|&curve| &chords[curve]).copied().collect();
-            let mut start = 0;
-            let walks = atom.iter().map(|&curve| {
-                start += chords[curve].len() as u32;
-                (start - chords[curve].len() as u32..start).collect()
-            });
-            let walks: Vec<Vec<u32>> = walks.collect();
-            // Chords that cross where curves only touch leave a component unfilled.
-            layer.triangles = triangulated_walks(walks, &|i| points[i as usize]).unwrap_or_default();
-            layer.positions = Some(points.into_iter().map(lift).collect());
+            let (points, triangles) = filled_component(atom, &chords);
+            layer.triangles = triangles;
+            layer.positions = Some(points);
             scene.push_layer(layer);
         }
         let mut all_kinks = Layer::new("knots", "kinks");
@@ -141,6 +134,23 @@ impl Scene {
         scene.report = Some(SceneReport::Set(Box::new(answer)));
         Ok(scene)
     }
+}
+
+/// The chords around a component of a set, and triangles of their ends that fill it.
+pub(super) fn filled_component(
+    atom: &[usize],
+    chords: &[Vec<[f64; 2]>],
+) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    let points: Vec<[f64; 2]> = atom.iter().flat_map(|&curve| &chords[curve]).copied().collect();
+    let mut start = 0;
+    let walks = atom.iter().map(|&curve| {
+        start += chords[curve].len() as u32;
+        (start - chords[curve].len() as u32..start).collect()
+    });
+    let walks: Vec<Vec<u32>> = walks.collect();
+    // Chords that cross where curves only touch leave a component unfilled.
+    let triangles = triangulated_walks(walks, &|i| points[i as usize]).unwrap_or_default();
+    (points.into_iter().map(|[x, y]| [x, y, 0.0]).collect(), triangles)
 }
 
 #[cfg(test)]

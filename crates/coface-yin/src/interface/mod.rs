@@ -12,6 +12,7 @@ mod graph;
 mod overlaid;
 mod partition;
 mod phases;
+mod places;
 mod sets;
 mod trails;
 
@@ -19,5 +20,6 @@ pub use fault::InterfaceFault;
 pub(crate) use graph::Arcs;
 pub use graph::{InterfaceEdge, InterfaceGraph};
 pub use partition::Overlaps;
+pub use places::EdgeBend;
 pub use sets::InterfaceOptions;
 pub use trails::{DirectedEdge, Trail};

@@ -1,6 +1,7 @@
 //! How curves of a boundary bend.
 
 use super::YinSet;
+use crate::Curve;
 use crate::curve::bernstein;
 use coface_algebra::Error;
 
@@ -65,62 +66,78 @@ impl YinSet {
 
     fn bend(&self, number: usize) -> Result<CurveBend, Error> {
         let curve = self.curve(number);
-        let still = |piece: usize| {
-            Error::invalid(format!("curve {number} has no direction at an end of piece {piece}"))
-                .with_cure("fit the curve again through its knots")
-        };
-        let value = |piece: usize, s: f64| {
-            let found = curve.sample(number, piece, s, 0.0);
-            CurvePlace { piece, parameter: s, point: found.point, value: found.curvature.unwrap_or(0.0) }
-        };
-        let [mut least, mut greatest] = [value(0, 0.0); 2];
-        for piece in 0..curve.piece_count() {
-            if bernstein::is_straight(curve.piece(piece)) {
-                let middle = CurvePlace { value: 0.0, ..value(piece, 0.5) };
-                least = if middle.value < least.value { middle } else { least };
-                greatest = if middle.value > greatest.value { middle } else { greatest };
-                continue;
-            }
-            let places: Vec<CurvePlace> =
-                (0..=PLACES).map(|at| value(piece, at as f64 / PLACES as f64)).collect();
-            for at in 0..=PLACES {
-                let around = [at.saturating_sub(1), (at + 1).min(PLACES)];
-                for sign in [-1.0, 1.0] {
-                    let own = sign * places[at].value;
-                    if around.iter().any(|&other| sign * places[other].value > own) {
-                        continue;
-                    }
-                    let found = narrowed(places[at], around.map(|at| places[at].parameter), sign, |s| {
-                        value(piece, s)
-                    });
-                    if sign < 0.0 && found.value < least.value {
-                        least = found;
-                    } else if sign > 0.0 && found.value > greatest.value {
-                        greatest = found;
-                    }
-                }
-            }
-        }
+        let [least, greatest] = extreme_curvatures(&curve);
         let mut sharpest: Option<CurvePlace> = None;
         let mut roughest: Option<CurvePlace> = None;
         let kinks: Vec<u32> = self.kinks().on_curve(number as u32).collect();
-        for piece in 0..curve.piece_count() {
-            let before = (piece + curve.piece_count() - 1) % curve.piece_count();
-            let from = curve.sample(number, before, 1.0, 0.0).tangent.ok_or_else(|| still(before))?;
-            let to = curve.sample(number, piece, 0.0, 0.0).tangent.ok_or_else(|| still(piece))?;
-            let turn = (from[0] * to[1] - from[1] * to[0]).atan2(from[0] * to[0] + from[1] * to[1]);
-            let place = CurvePlace { value: turn, ..value(piece, 0.0) };
-            let more = |known: &Option<CurvePlace>| known.is_none_or(|known| turn.abs() > known.value.abs());
-            if more(&sharpest) {
+        for knot in 0..curve.piece_count() {
+            let place = turn_at(&curve, knot).ok_or_else(|| {
+                Error::invalid(format!("curve {number} has no direction at knot {knot}"))
+                    .with_cure("fit the curve again through its knots")
+            })?;
+            if is_more(&place, sharpest.as_ref()) {
                 sharpest = Some(place);
             }
-            if kinks.binary_search(&(piece as u32)).is_err() && more(&roughest) {
+            if kinks.binary_search(&(knot as u32)).is_err() && is_more(&place, roughest.as_ref()) {
                 roughest = Some(place);
             }
         }
         let sharpest = sharpest.expect("a closed curve has pieces");
         Ok(CurveBend { least, greatest, sharpest, roughest })
     }
+}
+
+/// Whether a curve turns more at a place than at another, if there is one.
+pub(crate) fn is_more(place: &CurvePlace, known: Option<&CurvePlace>) -> bool {
+    known.is_none_or(|known| place.value.abs() > known.value.abs())
+}
+
+/// How much a curve turns at a knot, from the piece before it to the one that begins there: at its start from its last piece. None without
+/// a direction.
+pub(crate) fn turn_at(curve: &Curve<'_>, knot: usize) -> Option<CurvePlace> {
+    let before = (knot + curve.piece_count() - 1) % curve.piece_count();
+    let from = curve.sample(0, before, 1.0, 0.0).tangent?;
+    let found = curve.sample(0, knot, 0.0, 0.0);
+    let to = found.tangent?;
+    let turn = (from[0] * to[1] - from[1] * to[0]).atan2(from[0] * to[0] + from[1] * to[1]);
+    Some(CurvePlace { piece: knot, parameter: 0.0, point: found.point, value: turn })
+}
+
+/// The least and the greatest curvature of a curve.
+pub(crate) fn extreme_curvatures(curve: &Curve<'_>) -> [CurvePlace; 2] {
+    let value = |piece: usize, s: f64| {
+        let found = curve.sample(0, piece, s, 0.0);
+        CurvePlace { piece, parameter: s, point: found.point, value: found.curvature.unwrap_or(0.0) }
+    };
+    let [mut least, mut greatest] = [value(0, 0.0); 2];
+    for piece in 0..curve.piece_count() {
+        if bernstein::is_straight(curve.piece(piece)) {
+            let middle = CurvePlace { value: 0.0, ..value(piece, 0.5) };
+            least = if middle.value < least.value { middle } else { least };
+            greatest = if middle.value > greatest.value { middle } else { greatest };
+            continue;
+        }
+        let places: Vec<CurvePlace> =
+            (0..=PLACES).map(|at| value(piece, at as f64 / PLACES as f64)).collect();
+        for at in 0..=PLACES {
+            let around = [at.saturating_sub(1), (at + 1).min(PLACES)];
+            for sign in [-1.0, 1.0] {
+                let own = sign * places[at].value;
+                if around.iter().any(|&other| sign * places[other].value > own) {
+                    continue;
+                }
+                let found = narrowed(places[at], around.map(|at| places[at].parameter), sign, |s| {
+                    value(piece, s)
+                });
+                if sign < 0.0 && found.value < least.value {
+                    least = found;
+                } else if sign > 0.0 && found.value > greatest.value {
+                    greatest = found;
+                }
+            }
+        }
+    }
+    [least, greatest]
 }
 
 /// The place of the greatest value near a place, by thirds of the way around it.

@@ -134,52 +134,55 @@ impl YinSet {
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn samples(&self, sampling: Sampling) -> Result<Vec<Sample>, Error> {
-        match sampling {
-            Sampling::PerPiece(0) | Sampling::PerCurve(0) => {
-                return Err(Error::invalid("no points are asked for").with_cure("ask for one or more"));
-            }
-            Sampling::Spacing(spacing) if !(spacing > 0.0 && spacing.is_finite()) => {
-                return Err(Error::invalid(format!("points cannot be {spacing} apart"))
-                    .with_cure("give a positive length"));
-            }
-            _ => {}
+        samples_along((0..self.curve_count()).map(|number| self.curve(number)), sampling)
+    }
+}
+
+/// Points along curves, one curve after the other; of a curve that is not closed its end too.
+pub(crate) fn samples_along<'a>(
+    curves: impl Iterator<Item = Curve<'a>>,
+    sampling: Sampling,
+) -> Result<Vec<Sample>, Error> {
+    match sampling {
+        Sampling::PerPiece(0) | Sampling::PerCurve(0) => {
+            return Err(Error::invalid("no points are asked for").with_cure("ask for one or more"));
         }
-        let mut samples = Vec::new();
-        for number in 0..self.curve_count() {
-            let curve = self.curve(number);
-            let [low, high] = curve.bounding_box();
-            let extent = (high[0] - low[0]).max(high[1] - low[1]);
-            let tolerance = PRECISION * extent;
-            let lengths = curve.lengths_at_knots(tolerance);
-            let whole = lengths[lengths.len() - 1];
-            let count = match sampling {
-                Sampling::PerPiece(count) => count.saturating_mul(curve.piece_count()),
-                Sampling::PerCurve(count) => count,
-                // A curve that is a whole number of distances long but for rounding is not given one more.
-                Sampling::Spacing(spacing) => {
-                    let parts = whole / spacing;
-                    (if (parts - parts.round()).abs() <= 1e-12 * parts {
-                        parts.round()
-                    } else {
-                        parts.ceil()
-                    })
+        Sampling::Spacing(spacing) if !(spacing > 0.0 && spacing.is_finite()) => {
+            return Err(Error::invalid(format!("points cannot be {spacing} apart"))
+                .with_cure("give a positive length"));
+        }
+        _ => {}
+    }
+    let mut samples = Vec::new();
+    for (number, curve) in curves.enumerate() {
+        let [low, high] = curve.bounding_box();
+        let extent = (high[0] - low[0]).max(high[1] - low[1]);
+        let tolerance = PRECISION * extent;
+        let lengths = curve.lengths_at_knots(tolerance);
+        let whole = lengths[lengths.len() - 1];
+        let count = match sampling {
+            Sampling::PerPiece(count) => count.saturating_mul(curve.piece_count()),
+            Sampling::PerCurve(count) => count,
+            // A curve that is a whole number of distances long but for rounding is not given one more.
+            Sampling::Spacing(spacing) => {
+                let parts = whole / spacing;
+                (if (parts - parts.round()).abs() <= 1e-12 * parts { parts.round() } else { parts.ceil() })
                     .max(1.0) as usize
-                }
-            };
-            if samples.len().saturating_add(count) > MOST {
-                return Err(Error::invalid("these are more than 2^27 points")
-                    .with_cure("ask for fewer, or for a greater distance"));
             }
-            if let Sampling::PerPiece(count) = sampling {
-                for (piece, &before) in lengths.iter().enumerate().take(curve.piece_count()) {
-                    for at in 0..count {
-                        let s = at as f64 / count as f64;
-                        let length = before + length_between(curve.piece(piece), [0.0, s], tolerance);
-                        samples.push(curve.sample(number, piece, s, length));
-                    }
+        };
+        if samples.len().saturating_add(count) > MOST {
+            return Err(Error::invalid("these are more than 2^27 points")
+                .with_cure("ask for fewer, or for a greater distance"));
+        }
+        if let Sampling::PerPiece(count) = sampling {
+            for (piece, &before) in lengths.iter().enumerate().take(curve.piece_count()) {
+                for at in 0..count {
+                    let s = at as f64 / count as f64;
+                    let length = before + length_between(curve.piece(piece), [0.0, s], tolerance);
+                    samples.push(curve.sample(number, piece, s, length));
                 }
-                continue;
             }
+        } else {
             for at in 0..count {
                 let length = whole * (at as f64 / count as f64);
                 let piece = lengths[1..curve.piece_count()].partition_point(|&to| to <= length);
@@ -188,6 +191,10 @@ impl YinSet {
                 samples.push(curve.sample(number, piece, s, length));
             }
         }
-        Ok(samples)
+        let last = curve.piece_count() - 1;
+        if curve.knot_point(0) != curve.knot_point(last + 1) {
+            samples.push(curve.sample(number, last, 1.0, whole));
+        }
     }
+    Ok(samples)
 }
