@@ -1,14 +1,17 @@
 //! Reading what the command line names.
 
 use crate::failure::Failure;
+use crate::output::is_json;
 use crate::progress::Progress;
 use crate::remarks;
 use coface::answers::Producer;
+use coface::answers::answer::YinInterfaceAnswer;
 use coface::io;
 use coface::io::yin::BoundaryDrawing;
 use coface::io::{Format, Model, ReadOptions};
 use std::io::Read;
 use std::path::Path;
+use std::sync::OnceLock;
 
 /// A model with where it came from.
 pub(crate) struct Loaded {
@@ -36,9 +39,12 @@ fn is_standard_input(path: &Path) -> bool {
 }
 
 /// What `-` names, read to its end so that it can be looked at twice.
+static STANDARD_INPUT: OnceLock<Result<Vec<u8>, String>> = OnceLock::new();
+
+/// What an input names.
 pub(crate) enum Source<'a> {
     File(&'a Path),
-    Bytes(Vec<u8>),
+    Bytes(&'static [u8]),
 }
 
 impl<'a> Source<'a> {
@@ -46,10 +52,26 @@ impl<'a> Source<'a> {
         if !is_standard_input(path) {
             return Ok(Self::File(path));
         }
-        let mut bytes = Vec::new();
-        let fault = |error| Failure::new(format!("standard input: cannot be read: {error}"));
-        std::io::stdin().lock().read_to_end(&mut bytes).map_err(fault)?;
-        Ok(Self::Bytes(bytes))
+        let bytes = STANDARD_INPUT.get_or_init(|| {
+            let mut bytes = Vec::new();
+            std::io::stdin().lock().read_to_end(&mut bytes).map_err(|error| error.to_string())?;
+            Ok(bytes)
+        });
+        match bytes {
+            Ok(bytes) => Ok(Self::Bytes(bytes)),
+            Err(error) => Err(Failure::new(format!("standard input: cannot be read: {error}"))),
+        }
+    }
+
+    /// What `coface yin interface -o` wrote, if that is in it.
+    pub(crate) fn interface(&self) -> Result<Option<YinInterfaceAnswer>, coface::Error> {
+        match self {
+            Self::File(path) if is_json(path) && path.is_file() => {
+                YinInterfaceAnswer::of_json(&std::fs::read(path)?).transpose()
+            }
+            Self::File(_) => Ok(None),
+            Self::Bytes(bytes) => YinInterfaceAnswer::of_json(bytes).transpose(),
+        }
     }
 
     /// The model in it, with its name.
@@ -58,8 +80,7 @@ impl<'a> Source<'a> {
             Self::File(path) => read(path, options, progress),
             Self::Bytes(bytes) => {
                 let name = name(Path::new("-"));
-                let model =
-                    io::read_with(&bytes[..], &options).map_err(|error| error.in_file(name.clone()))?;
+                let model = io::read_with(*bytes, &options).map_err(|error| error.in_file(name.clone()))?;
                 Ok(Loaded::new(name, model))
             }
         }
@@ -69,7 +90,7 @@ impl<'a> Source<'a> {
     pub(crate) fn boundary(&self, options: &ReadOptions) -> Result<BoundaryDrawing, coface::Error> {
         let (name, drawing) = match self {
             Self::File(path) => (name(path), io::read_boundary_path(path, options)?),
-            Self::Bytes(bytes) => (name(Path::new("-")), io::read_boundary_with(&bytes[..], options)?),
+            Self::Bytes(bytes) => (name(Path::new("-")), io::read_boundary_with(*bytes, options)?),
         };
         remarks::take(&name, drawing.remarks());
         Ok(drawing)

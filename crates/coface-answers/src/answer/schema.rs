@@ -9,9 +9,9 @@ use super::{
     RenderAnswer, RowAnswer, ShardAnswer, SignatureAnswer, SimplicesAnswer, SimplifyAnswer,
     SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer, VineyardAnswer,
     YinAdvectAnswer, YinCombinationAnswer, YinComparisonAnswer, YinCurvatureAnswer, YinCutCellsAnswer,
-    YinInfoAnswer, YinInterfaceAdvectAnswer, YinInterfaceAnswer,
-    YinInterfaceComparisonAnswer, YinInterfaceCurvatureAnswer, YinInterfaceLocateAnswer, YinInterfaceSampleAnswer, YinKinksAnswer, YinLocateAnswer,
-    YinNormalizeAnswer, YinSampleAnswer, YinSeriesAnswer, YinSetAnswer, YinValidationAnswer,
+    YinInfoAnswer, YinInterfaceAdvectAnswer, YinInterfaceAnswer, YinInterfaceComparisonAnswer,
+    YinInterfaceCurvatureAnswer, YinInterfaceLocateAnswer, YinInterfaceSampleAnswer, YinKinksAnswer,
+    YinLocateAnswer, YinNormalizeAnswer, YinSampleAnswer, YinSeriesAnswer, YinSetAnswer, YinValidationAnswer,
 };
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};

@@ -39,7 +39,8 @@ impl PhaseBoundary {
         let Some([low, high]) = self.set.bounding_box().filter(|_| self.set.is_bounded()) else {
             return if self.set.is_bounded() { Vec::new() } else { (0..points.len()).collect() };
         };
-        let is_near = |point: &[f64; 2]| (0..2).all(|axis| low[axis] <= point[axis] && point[axis] <= high[axis]);
+        let is_near =
+            |point: &[f64; 2]| (0..2).all(|axis| low[axis] <= point[axis] && point[axis] <= high[axis]);
         (0..points.len()).filter(|&at| is_near(&points[at])).collect()
     }
 
@@ -125,7 +126,13 @@ impl PlanarInterface {
         }
         Ok(YinInterfaceLocateAnswer {
             file: file.to_owned(),
-            phases: self.names.iter().cloned().zip(inside).map(|(name, own)| PhasePoints::new(name, own)).collect(),
+            phases: self
+                .names
+                .iter()
+                .cloned()
+                .zip(inside)
+                .map(|(name, own)| PhasePoints::new(name, own))
+                .collect(),
             boundary: count(YinLocation::Boundary),
             outside: count(YinLocation::Outside),
             points: found,

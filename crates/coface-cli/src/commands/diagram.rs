@@ -220,7 +220,7 @@ fn read(path: &Path) -> Result<GivenDiagram, Failure> {
         Source::File(path) => {
             std::fs::read(path).map_err(|error| coface::Error::from(error).in_file(name.clone()))?
         }
-        Source::Bytes(bytes) => bytes,
+        Source::Bytes(bytes) => bytes.to_vec(),
     };
     Ok(GivenDiagram::read(&name, &bytes)?)
 }

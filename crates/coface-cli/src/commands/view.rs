@@ -8,7 +8,7 @@ use crate::progress::Progress;
 use crate::remarks::say_remarks;
 use clap::Args;
 use coface::answers::answer::{LayerAnswer, ViewAnswer, to_pretty_json};
-use coface::answers::{PlanarSet, Report, SetRequest, text};
+use coface::answers::{PlanarInterface, PlanarSet, Report, SetRequest, text};
 use coface::io::{Format, Model};
 use coface::pictures::Scene;
 use coface::pictures::pages::html::{Figure, Section};
@@ -22,8 +22,8 @@ use std::path::{Path, PathBuf};
 /// the universal cover (coface cover -o cover.json), facts about the cells of an arrangement (coface arrange --json), sets of simplices,
 /// forests, persistence diagrams. A click on a vertex, an edge, a face or a cell shows its star, closure, link and boundary.
 ///
-/// Models are all that coface reads: surfaces, volumes, drawings, chain complexes with positions, and Yin sets with their splines, kinks and
-/// knots.
+/// Models are all that coface reads: surfaces, volumes, drawings, chain complexes with positions, Yin sets with their splines, kinks and
+/// knots, and interfaces (coface yin interface -o FILE.json) with their phases, edges and junctions.
 #[derive(Args)]
 pub(crate) struct View {
     /// The model; - is standard input
@@ -98,11 +98,19 @@ impl View {
     /// Reads the input as a set of the plane, or else as a model.
     fn read(&self, common: &Common, progress: &Progress) -> Result<Shown, Failure> {
         let source = input::Source::of(&self.input)?;
-        let loaded = source.model(common.reading(), progress);
-        progress.stage("drawing");
+        let name = input::name(&self.input);
+        let in_file = |error: coface::Error| error.in_file(name.clone());
         let title = |name: &str| {
             Path::new(name).file_name().map_or(name.to_owned(), |name| name.to_string_lossy().into_owned())
         };
+        if let Some(answer) = source.interface().map_err(in_file)? {
+            progress.stage("drawing");
+            let interface = PlanarInterface::of_answer(&answer).map_err(in_file)?;
+            let scene = Scene::of_interface(&title(&name), &interface).map_err(in_file)?;
+            return Ok(Shown { name, scene, model: None });
+        }
+        let loaded = source.model(common.reading(), progress);
+        progress.stage("drawing");
         let may_be_set = match &loaded {
             Ok(loaded) => {
                 let model = &loaded.model;
@@ -114,8 +122,6 @@ impl View {
             Err(_) => true,
         };
         if may_be_set && let Ok(drawing) = source.boundary(&common.reading()) {
-            let name = input::name(&self.input);
-            let in_file = |error: coface::Error| error.in_file(name.clone());
             let set = PlanarSet::of(&drawing, &SetRequest::default()).map_err(in_file)?;
             let scene = Scene::of_set(&title(&name), &set).map_err(in_file)?;
             return Ok(Shown { name, scene, model: None });

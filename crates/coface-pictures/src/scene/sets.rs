@@ -137,10 +137,7 @@ impl Scene {
 }
 
 /// The chords around a component of a set, and triangles of their ends that fill it.
-pub(super) fn filled_component(
-    atom: &[usize],
-    chords: &[Vec<[f64; 2]>],
-) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+pub(super) fn filled_component(atom: &[usize], chords: &[Vec<[f64; 2]>]) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
     let points: Vec<[f64; 2]> = atom.iter().flat_map(|&curve| &chords[curve]).copied().collect();
     let mut start = 0;
     let walks = atom.iter().map(|&curve| {

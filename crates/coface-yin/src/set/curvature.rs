@@ -126,9 +126,8 @@ pub(crate) fn extreme_curvatures(curve: &Curve<'_>) -> [CurvePlace; 2] {
                 if around.iter().any(|&other| sign * places[other].value > own) {
                     continue;
                 }
-                let found = narrowed(places[at], around.map(|at| places[at].parameter), sign, |s| {
-                    value(piece, s)
-                });
+                let found =
+                    narrowed(places[at], around.map(|at| places[at].parameter), sign, |s| value(piece, s));
                 if sign < 0.0 && found.value < least.value {
                     least = found;
                 } else if sign > 0.0 && found.value > greatest.value {

@@ -20,7 +20,7 @@ pub(super) fn given(path: &Path, common: &Common, image: &ImageArguments) -> Res
         Source::File(path) => {
             std::fs::read(path).map_err(|error| coface::Error::from(error).in_file(name.clone()))?
         }
-        Source::Bytes(bytes) => bytes,
+        Source::Bytes(bytes) => bytes.to_vec(),
     };
     Ok(GivenZigzag::read(&name, &bytes)?)
 }

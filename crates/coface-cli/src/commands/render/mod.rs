@@ -313,7 +313,7 @@ impl Render {
             let set = self.set(source, common).map_err(|error| error.in_file(name))?;
             return Ok(Some(set_picture(&set, SetPicture::Forest)?));
         }
-        if let Some(interface) = self.interface(source)? {
+        if let Some(interface) = source.interface().map_err(|error| error.in_file(name.clone()))? {
             return Ok(Some(
                 interface_picture(&self.title(), &interface).map_err(|error| error.in_file(name))?,
             ));
@@ -436,21 +436,6 @@ impl Render {
         };
         let values: Vec<f64> = (0..rows * columns).map(value).collect();
         Ok(Some(image_picture(&self.title(), [rows, columns], &values)?))
-    }
-
-    /// The interface that coface yin interface -o wrote, if the input is one.
-    fn interface(&self, source: &Source<'_>) -> Result<Option<YinInterfaceAnswer>, Failure> {
-        let bytes;
-        let text: &[u8] = match source {
-            Source::File(path) if is_json(path) && path.is_file() => {
-                bytes = std::fs::read(path)
-                    .map_err(|error| Failure::new(format!("{}: cannot be read: {error}", self.name())))?;
-                &bytes
-            }
-            Source::File(_) => return Ok(None),
-            Source::Bytes(bytes) => bytes,
-        };
-        Ok(YinInterfaceAnswer::of_json(text).and_then(Result::ok))
     }
 
     fn set(&self, source: &Source<'_>, common: &Common) -> Result<PlanarSet, coface::Error> {

@@ -1,6 +1,6 @@
 //! `coface yin compare`: how far two sets are apart.
 
-use super::{SetOptions, Shown};
+use super::{SetOptions, Shown, given, phase_places};
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input;
@@ -11,6 +11,7 @@ use clap::Args;
 use coface::answers::answer::{YinComparisonAnswer, YinSeriesAnswer};
 use coface::answers::{PlanarSet, text};
 use coface::geometry::Angle;
+use serde::Serialize;
 use std::path::PathBuf;
 
 /// How far two sets are apart: the area of their symmetric difference, right to about 1e-14 of the box around both.
@@ -23,6 +24,9 @@ use std::path::PathBuf;
 /// "along_normals" (the greatest distance along the normals of the first boundary), "curvature" (the greatest difference of curvatures where
 /// these normals meet the second), each with its "_error", "normals_left_out" (the part of the first boundary whose normals do not meet the
 /// second within twice the Hausdorff distance), "components" and "holes" of both.
+///
+/// Two interfaces are compared phase by phase, namesakes with each other: "phases", each with "numbers" and the keys above, "area_xor" (the
+/// sum of theirs), "area_xor_error", and "junctions" of both.
 ///
 /// With --exact the sets are compared with a shape instead of a last file; with --series any number of them, one after the other: a table
 /// of convergence with the rates at which areas and distances fall with the mean distance of knots. With --json: "reference", "rows" (each
@@ -120,6 +124,17 @@ impl Compare {
             )));
         }
         let progress = Progress::start(common.quiet);
+        if let [first, second] = &self.inputs[..]
+            && let (Some(a), Some(b)) = (given::interface(first)?, given::interface(second)?)
+        {
+            if !self.series {
+                let names = [first, second].map(|path| input::name(path));
+                [first, second].iter().try_for_each(|path| self.options.check_interface(path))?;
+                progress.stage("comparing");
+                let answer = a.compared_with(&names[0], &b, &names[1])?;
+                return give(&answer, || phase_places::comparison_page(&answer), common, progress);
+            }
+        }
         let mut sets = Vec::with_capacity(count);
         for path in &self.inputs {
             sets.push((input::name(path), self.options.read(path, common, false, &progress)?));
@@ -133,27 +148,29 @@ impl Compare {
         let (reference, last) = sets.pop().expect("there are two sets at least");
         if self.series {
             let answer = last.series(&reference, &sets)?;
-            if let Some(path) = &common.output {
-                write_json(path, &answer)?;
-            }
-            drop(progress);
-            return match (common.json, &common.output) {
-                (true, _) => print_json(&answer),
-                (false, Some(_)) => Ok(()),
-                (false, None) => print_text(&table(&answer)),
-            };
+            return give(&answer, || table(&answer), common, progress);
         }
         let (name, first) = &sets[0];
         let answer = first.compared_with(name, &last, &reference)?;
-        if let Some(path) = &common.output {
-            write_json(path, &answer)?;
-        }
-        drop(progress);
-        match (common.json, &common.output) {
-            (true, _) => print_json(&answer),
-            (false, Some(_)) => Ok(()),
-            (false, None) => print_text(&page(&answer)),
-        }
+        give(&answer, || page(&answer), common, progress)
+    }
+}
+
+/// Gives an answer as the command line asks.
+fn give(
+    answer: &impl Serialize,
+    page: impl FnOnce() -> String,
+    common: &Common,
+    progress: Progress,
+) -> Result<(), Failure> {
+    if let Some(path) = &common.output {
+        write_json(path, answer)?;
+    }
+    drop(progress);
+    match (common.json, &common.output) {
+        (true, _) => print_json(answer),
+        (false, Some(_)) => Ok(()),
+        (false, None) => print_text(&page()),
     }
 }
 

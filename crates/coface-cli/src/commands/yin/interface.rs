@@ -1,6 +1,6 @@
 //! `coface yin interface`: sets as phases that share the arcs between them.
 
-use super::{SetOptions, Shown};
+use super::{SetOptions, Shown, given};
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input;
@@ -86,21 +86,34 @@ impl Interface {
         let output = InterfaceOutput::new(&self.options, common)?;
         let progress = Progress::start(common.quiet);
         let interface = self.phases.read(&self.inputs, &self.options, common, &progress)?;
-        progress.stage("measuring");
-        let files: Vec<String> = self.inputs.iter().map(|path| input::name(path)).collect();
-        let answer = interface.answer(&files, false)?;
         progress.stage("writing");
         self.phases.write_sets(&interface, &self.options, common)?;
-        if let Some(path) = &common.output {
-            write_file(path, &output.bytes(&interface, &self.inputs)?)?;
-        }
-        drop(progress);
-        say_remarks(interface.remarks(), common);
-        match (common.json, &common.output) {
-            (true, _) => print_json(&answer),
-            (false, Some(_)) => Ok(()),
-            (false, None) => print_text(&page("Interface", &answer)),
-        }
+        give(&interface, "Interface", &self.inputs, &output, common, progress)
+    }
+}
+
+/// Gives an interface as the command line asks.
+pub(super) fn give(
+    interface: &PlanarInterface,
+    what: &str,
+    inputs: &[PathBuf],
+    output: &InterfaceOutput,
+    common: &Common,
+    progress: Progress,
+) -> Result<(), Failure> {
+    progress.stage("measuring");
+    let files: Vec<String> = inputs.iter().map(|path| input::name(path)).collect();
+    let answer = interface.answer(&files, false)?;
+    if let Some(path) = &common.output {
+        progress.stage("writing");
+        write_file(path, &output.bytes(interface, inputs)?)?;
+    }
+    drop(progress);
+    say_remarks(interface.remarks(), common);
+    match (common.json, &common.output) {
+        (true, _) => print_json(&answer),
+        (false, Some(_)) => Ok(()),
+        (false, None) => print_text(&page(what, &answer)),
     }
 }
 
@@ -154,17 +167,6 @@ fn ends_in(path: &Path, word: &str) -> bool {
     path.extension().is_some_and(|own| own.eq_ignore_ascii_case(word))
 }
 
-/// The interface in a file, if it is one.
-fn written_interface(path: &Path) -> Result<Option<PlanarInterface>, Failure> {
-    if !is_json(path) || !path.is_file() {
-        return Ok(None);
-    }
-    let name = input::name(path);
-    let text = std::fs::read(path).map_err(|error| coface::Error::from(error).in_file(name.clone()))?;
-    let found = YinInterfaceAnswer::of_json(&text).map(|answer| PlanarInterface::of_answer(&answer?));
-    Ok(found.transpose().map_err(|error| error.in_file(name))?)
-}
-
 impl PhaseOptions {
     /// Whether files are an interface, and not one set.
     pub(super) fn are_phases(&self, inputs: &[PathBuf]) -> Result<bool, Failure> {
@@ -172,7 +174,7 @@ impl PhaseOptions {
         if inputs.len() > 1 || self.is_asked() || inputs.iter().any(is_image) {
             return Ok(true);
         }
-        Ok(written_interface(&inputs[0])?.is_some())
+        Ok(given::interface_answer(&inputs[0])?.is_some())
     }
 
     /// Whether an option says that there are phases.
@@ -196,7 +198,9 @@ impl PhaseOptions {
         }
         if let ([path], None, None) = (inputs, self.smooth, self.overlaps) {
             progress.stage(format!("reading {}", input::name(path)));
-            if let Some(interface) = written_interface(path)? {
+            if let Some(interface) = given::interface(path)? {
+                options.check_interface(path)?;
+                accept(interface.remarks(), common)?;
                 return Ok(interface);
             }
         }
@@ -236,13 +240,14 @@ impl PhaseOptions {
                 sets.extend(found.map_err(|error| error.in_file(name.clone()))?);
                 continue;
             }
-            if let Some(interface) = written_interface(path)? {
+            if let Some(interface) = given::interface(path)? {
+                options.check_interface(path)?;
                 sets.extend(interface.named_phases()?);
                 continue;
             }
             let is_split = match self.parts {
                 Some(parts) => parts == Parts::Features,
-                None => inputs.len() == 1,
+                None => inputs.len() == 1 && !given::is_phase(path),
             };
             if is_split {
                 let drawing = options.drawing(path, common, progress)?;

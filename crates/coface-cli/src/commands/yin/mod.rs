@@ -5,18 +5,22 @@ mod combine;
 mod compare;
 mod cut_cells;
 mod edit;
+mod given;
 mod interface;
 mod page;
+mod phase_places;
 mod places;
 mod validity;
 
+use self::given::Given;
+use self::interface::InterfaceOutput;
 use crate::arguments::Common;
 use crate::commands::arrange::{Rule, output_format};
 use crate::failure::Failure;
 use crate::input;
 use crate::output::{print_json, print_text};
 use crate::progress::Progress;
-use crate::remarks::{accept, say_remarks, take};
+use crate::remarks::say_remarks;
 use clap::{Args, Subcommand, ValueEnum};
 use coface::answers::answer::{
     Remark, RemarkCode, YinAdvectAnswer, YinCombinationAnswer, YinEventAnswer, YinInfoAnswer, YinKinkPoint,
@@ -24,8 +28,6 @@ use coface::answers::answer::{
 };
 use coface::answers::{KinkRequest, PlanarSet, SetRequest};
 use coface::arrange::boolean::BooleanFormula;
-use coface::io;
-use coface::io::yin::BoundaryDrawing;
 use coface::io::{Format, replace_file};
 use coface::pictures::{SetPicture, set_picture};
 use coface::yin::{EndCondition, KnotIndex, Order};
@@ -40,6 +42,10 @@ use std::path::{Path, PathBuf};
 /// closed lines. Polygons have order 2; --order 4 makes cubics of their sides, which stay straight, and `coface yin fit` smooth splines
 /// through their corners.
 ///
+/// The .json of an interface (`coface yin interface -o`) is an input too: `info`, `validate`, `locate`, `sample`, `curvature`, `transform`,
+/// `compare`, `interface` and `advect` take it whole, and every verb takes one of its phases, named FILE.json#NAME or by its number from 0,
+/// FILE.json#0.
+///
 /// With -o the set is written: .json keeps everything, .svg and .dat keep curves, others are polygons (--flatten for curves).
 ///
 /// With --json: "empty", "plane", "bounded", "area" (null if unbounded), "perimeter", "curve_counts" (positive and negative curves, by
@@ -53,7 +59,8 @@ pub(crate) struct Yin {
 
 #[derive(Subcommand)]
 enum Task {
-    /// What a set is: area, perimeter, components and holes, its curves and how they lie in each other
+    /// What a set is: area, perimeter, components and holes, its curves and how they lie in each other; of an interface its phases, edges
+    /// and junctions
     Info(One),
     /// The exterior of a set: what is neither in it nor on its boundary
     Complement(One),
@@ -204,41 +211,6 @@ impl SetOptions {
         request.flatten = common.flatten;
         request.canonical = self.canonical;
         request
-    }
-
-    /// Reads a file as these options say.
-    fn read(
-        &self,
-        path: &Path,
-        common: &Common,
-        fit: bool,
-        progress: &Progress,
-    ) -> Result<PlanarSet, Failure> {
-        let mut request = self.request(common);
-        request.fit = fit;
-        let name = input::name(path);
-        let drawing = self.drawing(path, common, progress)?;
-        progress.stage("checking");
-        let set = PlanarSet::of(&drawing, &request).map_err(|error| error.in_file(name.clone()))?;
-        accept(set.remarks(), common)?;
-        take(&name, set.remarks());
-        Ok(set)
-    }
-
-    /// Reads what a file says about a boundary.
-    fn drawing(&self, path: &Path, common: &Common, progress: &Progress) -> Result<BoundaryDrawing, Failure> {
-        let name = input::name(path);
-        progress.stage(format!("reading {name}"));
-        let mut reading = common.reading();
-        if self.order != Some(Order::LINEAR) {
-            // Curves stay curves: it is on output that they may have to become chords.
-            reading = reading.flatten(None);
-        }
-        let drawing = match path.as_os_str() == "-" {
-            true => io::read_boundary_with(std::io::stdin().lock(), &reading),
-            false => io::read_boundary_path(path, &reading),
-        };
-        Ok(drawing.map_err(|error| error.in_file(name))?)
     }
 
     /// The file of -o and its format; pictures other than the set need an SVG.
@@ -424,9 +396,16 @@ impl Yin {
 
 impl One {
     fn info(&self, common: &Common) -> Result<(), Failure> {
-        let output = self.options.output(common)?;
         let progress = Progress::start(common.quiet);
-        let set = self.options.read(&self.input, common, false, &progress)?;
+        let set = match self.options.given(&self.input, common, &progress)? {
+            Given::Set(set) => set,
+            Given::Interface(interface) => {
+                let output = InterfaceOutput::new(&self.options, common)?;
+                let inputs = std::slice::from_ref(&self.input);
+                return interface::give(&interface, "Interface", inputs, &output, common, progress);
+            }
+        };
+        let output = self.options.output(common)?;
         progress.stage("measuring");
         let name = input::name(&self.input);
         let answer = YinInfoAnswer::new(name.clone(), set.answer()?);

@@ -1,6 +1,7 @@
 //! `coface yin locate`, `sample` and `curvature`: places on and around a boundary.
 
-use super::{SetOptions, Shown, pair};
+use super::given::Given;
+use super::{SetOptions, Shown, pair, phase_places};
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input;
@@ -8,26 +9,23 @@ use crate::output::{is_json, print_json, print_text, write_file, write_json};
 use crate::progress::Progress;
 use clap::Args;
 use coface::answers::answer::{YinBendPlace, YinCurvatureAnswer, YinLocateAnswer, YinSampleAnswer};
-use coface::answers::{PlanarSet, text};
+use coface::answers::text;
 use coface::yin::Sampling;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// So many lines are shown of a list.
-const LISTED: usize = 20;
+pub(super) const LISTED: usize = 20;
 
 /// Where points lie of a set: inside, on the boundary or outside, with the nearest point of the boundary and the signed distance.
 ///
 /// Which side a point is on is exact for straight pieces, and certain for others but for points that rounding does not tell from the
 /// boundary. Distances are positive inside.
 ///
-/// With -o the points are written, to .csv (x, y, location, signed_distance, nearest_x, nearest_y, curve, piece, parameter) or .json. With
-/// --json: "inside", "boundary", "outside" (numbers of points), and "points", for each "point", "location", "signed_distance", "nearest",
-/// "curve", "piece", "parameter".
 #[derive(Args)]
 pub(super) struct Locate {
-    /// The set; - is standard input
+    /// The set, or an interface; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
     #[command(flatten)]
@@ -47,9 +45,12 @@ pub(super) struct Locate {
 ///
 /// With -o the points are written, to .csv (curve, piece, parameter, length, x, y, tangent_x, tangent_y, curvature) or .json. With --json:
 /// "samples", for each "curve", "piece", "parameter", "length", "point", "tangent", "curvature".
+///
+/// Of an interface its edges are sampled, each with the phases on its "left" and "right"; those that are not closed give the point at their
+/// end too.
 #[derive(Args)]
 pub(super) struct SampleVerb {
-    /// The set; - is standard input
+    /// The set, or an interface; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
     #[command(flatten)]
@@ -71,10 +72,11 @@ pub(super) struct SampleVerb {
 /// minus that. For the curvature all along the boundary ask for `coface yin sample`.
 ///
 /// With --json, and with -o FILE.json: "curves", for each "least" and "greatest" (curvatures), "sharpest" (the knot at which it turns most,
-/// in degrees) and "roughest" (the same among knots that are no kinks; null if all are), each with "piece", "parameter", "point", "value".
+/// in degrees) and "roughest" (the same among knots that are no kinks; null if all are), each with "piece", "parameter", "point", "value". Of
+/// an interface: "edges", each with "left" and "right" phase, "least", "greatest" and "sharpest".
 #[derive(Args)]
 pub(super) struct Curvature {
-    /// The set; - is standard input
+    /// The set, or an interface; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
     #[command(flatten)]
@@ -152,15 +154,24 @@ impl Locate {
         if points.is_empty() {
             return Err(Failure::new("there are no points to locate; give --point X,Y, or --points FILE"));
         }
-        let planar = self.options.read(&self.input, common, false, &progress)?;
+        let (given, name) = (self.options.given(&self.input, common, &progress)?, input::name(&self.input));
         progress.stage("locating");
-        let answer = planar.located(&input::name(&self.input), &points)?;
-        give(&answer, || located_table(&answer), || located_page(&answer), common, progress)
+        match given {
+            Given::Set(set) => {
+                let answer = set.located(&name, &points)?;
+                give(&answer, || located_table(&answer), || located_page(&answer), common, progress)
+            }
+            Given::Interface(interface) => {
+                let answer = interface.located(&name, &points)?;
+                let [table, page] = [phase_places::located_table, phase_places::located_page];
+                give(&answer, || table(&answer), || page(&answer), common, progress)
+            }
+        }
     }
 }
 
 /// A number of a table; nothing if there is none.
-fn cell(number: Option<f64>) -> String {
+pub(super) fn cell(number: Option<f64>) -> String {
     number.map_or(String::new(), |number| format!("{number:?}"))
 }
 
@@ -185,7 +196,7 @@ fn located_table(answer: &YinLocateAnswer) -> String {
     table
 }
 
-fn place([x, y]: [f64; 2]) -> String {
+pub(super) fn place([x, y]: [f64; 2]) -> String {
     format!("({}, {})", text::number(x), text::number(y))
 }
 
@@ -210,7 +221,7 @@ fn located_page(answer: &YinLocateAnswer) -> String {
 }
 
 /// Says how many are not shown.
-fn more(facts: &mut Vec<(String, String, String)>, count: usize) {
+pub(super) fn more(facts: &mut Vec<(String, String, String)>, count: usize) {
     if count > LISTED {
         facts.push((String::new(), format!("and {} more", text::grouped(count - LISTED)), String::new()));
     }
@@ -224,16 +235,20 @@ impl SampleVerb {
             (_, _, Some(spacing)) => Sampling::Spacing(spacing),
             (count, ..) => Sampling::PerPiece(count.unwrap_or(8)),
         };
-        let (answer, progress) = self.read(sampling, common)?;
-        give(&answer, || sample_table(&answer), || sample_page(&answer), common, progress)
-    }
-
-    fn read(&self, sampling: Sampling, common: &Common) -> Result<(YinSampleAnswer, Progress), Failure> {
         let progress = Progress::start(common.quiet);
-        let planar = self.options.read(&self.input, common, false, &progress)?;
+        let (given, name) = (self.options.given(&self.input, common, &progress)?, input::name(&self.input));
         progress.stage("sampling");
-        let answer = planar.sampled(&input::name(&self.input), sampling)?;
-        Ok((answer, progress))
+        match given {
+            Given::Set(set) => {
+                let answer = set.sampled(&name, sampling)?;
+                give(&answer, || sample_table(&answer), || sample_page(&answer), common, progress)
+            }
+            Given::Interface(interface) => {
+                let answer = interface.sampled(&name, sampling)?;
+                let [table, page] = [phase_places::sample_table, phase_places::sample_page];
+                give(&answer, || table(&answer), || page(&answer), common, progress)
+            }
+        }
     }
 }
 
@@ -275,11 +290,18 @@ impl Curvature {
     pub(super) fn run(&self, common: &Common) -> Result<(), Failure> {
         check_output(&self.options, common, false)?;
         let progress = Progress::start(common.quiet);
-        let planar: PlanarSet = self.options.read(&self.input, common, false, &progress)?;
+        let (given, name) = (self.options.given(&self.input, common, &progress)?, input::name(&self.input));
         progress.stage("measuring");
-        let name = input::name(&self.input);
-        let answer = planar.curvature(&name).map_err(|error| error.in_file(name))?;
-        give(&answer, String::new, || curvature_page(&answer), common, progress)
+        match given {
+            Given::Set(set) => {
+                let answer = set.curvature(&name).map_err(|error| error.in_file(name))?;
+                give(&answer, String::new, || curvature_page(&answer), common, progress)
+            }
+            Given::Interface(interface) => {
+                let answer = interface.curvature(&name).map_err(|error| error.in_file(name))?;
+                give(&answer, String::new, || phase_places::curvature_page(&answer), common, progress)
+            }
+        }
     }
 }
 

@@ -1,5 +1,7 @@
 //! `coface yin validate`, `normalize` and `transform`.
 
+use super::given::{self, Given};
+use super::interface::{self, InterfaceOutput};
 use super::{SetOptions, Shown, give, pair};
 use crate::arguments::Common;
 use crate::commands::arrange::Rule;
@@ -10,7 +12,7 @@ use crate::progress::Progress;
 use crate::remarks::{accept, take};
 use clap::Args;
 use coface::answers::answer::{YinInfoAnswer, YinValidationAnswer};
-use coface::answers::{PlanarSet, text};
+use coface::answers::{PlanarInterface, PlanarSet, text};
 use coface::geometry::{AffineMap, Angle};
 use std::path::PathBuf;
 
@@ -20,7 +22,8 @@ use std::path::PathBuf;
 /// where one lies in the other. Faults of curves by themselves are all listed, of curves together the first.
 ///
 /// With --json, and with -o FILE.json: "valid", "faults" (each with its "kind", "curves", "point" and "message"), "curves" (their number),
-/// "roughest" (of order 4 and more the knot that is no kink at which a curve turns most, in degrees).
+/// "roughest" (of order 4 and more the knot that is no kink at which a curve turns most, in degrees). Of an interface its edges are checked:
+/// whether they meet at their ends only, and phases lie on the right sides.
 #[derive(Args)]
 pub(super) struct Validate {
     /// The file; - is standard input
@@ -48,7 +51,7 @@ pub(super) struct Normalize {
 
 /// The image of a set under an affine map of the plane: scaled, then turned, then moved, or by a matrix.
 ///
-/// Control points are mapped; kinks and names stay. Curves that touch and come to cross by rounding are an error, with the place.
+/// Control points are mapped; kinks and names stay, and an interface stays one. Curves that touch and come to cross by rounding are an error, with the place.
 #[derive(Args)]
 pub(super) struct Transform {
     /// The set; - is standard input
@@ -106,10 +109,22 @@ impl Validate {
         }
         let progress = Progress::start(common.quiet);
         let name = input::name(&self.input);
-        let drawing = self.options.drawing(&self.input, common, &progress)?;
-        progress.stage("checking");
-        let answer = PlanarSet::validation(&name, &drawing, &self.options.request(common))
-            .map_err(|error| error.in_file(name.clone()))?;
+        let found = given::interface_answer(&self.input)?;
+        let is_set = found.is_none();
+        let answer = match found {
+            Some(found) => {
+                self.options.check_interface(&self.input)?;
+                progress.stage("checking");
+                PlanarInterface::validation(&name, &found)
+            }
+            None => {
+                let drawing = self.options.drawing(&self.input, common, &progress)?;
+                progress.stage("checking");
+                let request = self.options.request(common);
+                PlanarSet::validation(&name, &drawing, &request)
+            }
+        };
+        let answer = answer.map_err(|error| error.in_file(name.clone()))?;
         accept(&answer.remarks, common)?;
         take(&name, &answer.remarks);
         if let Some(path) = &common.output {
@@ -119,10 +134,14 @@ impl Validate {
         match (common.json, &common.output) {
             (true, _) => print_json(&answer)?,
             (false, Some(_)) => {}
-            (false, None) => print_text(&page(&answer))?,
+            (false, None) => print_text(&page(&answer, is_set))?,
         }
         match answer.faults.first() {
             None => Ok(()),
+            Some(first) if !is_set => Err(Failure::new(format!(
+                "{name}: the edges are no interface: {}; make it from sets again: coface yin interface SETS --overlaps first",
+                first.message
+            ))),
             Some(first) => Err(Failure::new(format!(
                 "{name}: the curves bound no set: {}; repair them with `coface yin normalize`",
                 first.message
@@ -131,10 +150,10 @@ impl Validate {
     }
 }
 
-fn page(answer: &YinValidationAnswer) -> String {
+fn page(answer: &YinValidationAnswer, is_set: bool) -> String {
     let mut facts = vec![
         ("valid".to_owned(), if answer.valid { "yes" } else { "no" }.to_owned(), String::new()),
-        ("curves".to_owned(), text::grouped(answer.curves), String::new()),
+        (if is_set { "curves" } else { "edges" }.to_owned(), text::grouped(answer.curves), String::new()),
     ];
     for (number, fault) in answer.faults.iter().enumerate() {
         let label = if number == 0 { "faults" } else { "" };
@@ -164,13 +183,22 @@ impl Normalize {
 
 impl Transform {
     pub(super) fn run(&self, common: &Common) -> Result<(), Failure> {
-        let output = self.options.output(common)?;
         let map = self.map()?;
         let progress = Progress::start(common.quiet);
-        let planar = self.options.read(&self.input, common, false, &progress)?;
-        progress.stage("transforming");
         let name = input::name(&self.input);
-        let planar = planar.transformed(&map).map_err(|error| error.in_file(name.clone()))?;
+        let set = match self.options.given(&self.input, common, &progress)? {
+            Given::Set(set) => set,
+            Given::Interface(found) => {
+                let output = InterfaceOutput::new(&self.options, common)?;
+                progress.stage("transforming");
+                let image = found.transformed(&map).map_err(|error| error.in_file(name.clone()))?;
+                let inputs = std::slice::from_ref(&self.input);
+                return interface::give(&image, "Image", inputs, &output, common, progress);
+            }
+        };
+        let output = self.options.output(common)?;
+        progress.stage("transforming");
+        let planar = set.transformed(&map).map_err(|error| error.in_file(name.clone()))?;
         progress.stage("measuring");
         let answer = YinInfoAnswer::new(name, planar.answer()?);
         give(&planar, "Image", answer, &self.options, output, common, progress)
