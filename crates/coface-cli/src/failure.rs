@@ -52,6 +52,9 @@ fn in_words(error: Error) -> Error {
         Some("triangulate the model first") => {
             "triangulate the model first: coface arrange INPUT --dimension 3 --triangles -o OUT"
         }
+        Some("read it as an interface") => {
+            "read it as an interface: coface yin info INPUT says what it is, and coface view INPUT -o OUT.html shows it"
+        }
         Some("ask for homology, or take triangles of its boundary") => {
             "ask for homology: coface homology INPUT; or take triangles of its boundary: \
              coface convert INPUT -o boundary.obj and coface arrange boundary.obj --triangles -o OUT"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -94,3 +95,29 @@ def test_interfaces_move() -> None:
     assert same.areas == pytest.approx(moved.areas, abs=1e-12) and len(same.junctions) == len(moved.junctions)
     with pytest.raises(coface.InvalidInputError, match="flow"):
         rooms.advected("drift")
+
+
+def test_files_places_phases_and_comparisons(tmp_path: Path) -> None:
+    rooms = coface.interface({"left": _square(0, 0), "right": _square(1, 0), "top": _square(0, 1, 2)})
+    path = tmp_path / "rooms.json"
+    rooms.write(path)
+    again = coface.Interface.read(path)
+    assert (again.phases, again.edges, again.junctions) == (rooms.phases, rooms.edges, rooms.junctions)
+    assert again.phase("top").area == 4.0 and again.phase(0).bounding_box == [[0.0, 0.0], [1.0, 1.0]]
+    with pytest.raises(coface.InvalidInputError, match="no phase"):
+        again.phase("attic")
+    random = np.random.default_rng(3).uniform(-1, 4, (200, 2))
+    phases, facts = again.locate(random)
+    for number, region in enumerate(again.sets()):
+        assert ((phases == number) == (region.locate(random) == 1)).all()
+    assert facts["outside"] == int((phases == -1).sum()) and (phases != -2).all()
+    assert again.locate([[1, 1]])[0].tolist() == [-2]
+    assert again.compare(rooms)["area_xor"] == 0.0
+    moved, _ = rooms.advected("translation", 1.0, velocity=(0.5, 0.0), spacing=3.0)
+    assert rooms.compare(moved)["area_xor"] == pytest.approx(1 + 1 + 2)
+    with pytest.raises(coface.ParseError, match="coface.Interface.read"):
+        coface.YinSet.read(path)
+    other = tmp_path / "other.json"
+    other.write_text('{"curves": []}')
+    with pytest.raises(coface.ParseError, match="no interface"):
+        coface.Interface.read(other)

@@ -657,6 +657,47 @@ export interface DrawnPolygonsAnswer {
   valid: boolean;
 }
 
+/** How an edge of an interface bends. */
+export interface EdgeBendAnswer {
+  /** The edge. */
+  edge: number;
+  /** Where its curvature is greatest. */
+  greatest: YinBendPlace;
+  /** Where its curvature is least: positive where it turns left, one over the unit of the file. */
+  least: YinBendPlace;
+  /** The phase on its left; null for what is in no phase. */
+  left?: number | null;
+  /** The phase on its right; null for what is in no phase. */
+  right?: number | null;
+  /**
+   * The knot between its ends at which its direction turns most at once, and by how many degrees, positive to the left; null for an edge
+   * of one piece.
+   */
+  sharpest?: YinBendPlace | null;
+}
+
+/** A point of an edge of an interface. */
+export interface EdgeSample {
+  /** The signed curvature, positive where the edge turns left; null where it stands still. */
+  curvature?: number | null;
+  /** The edge. */
+  edge: number;
+  /** The phase on its left; null for what is in no phase. */
+  left?: number | null;
+  /** The length of the edge from its start, in the unit of the file. */
+  length: number;
+  /** The parameter in [0, 1] on that piece. */
+  parameter: number;
+  /** The piece of the edge. */
+  piece: number;
+  /** The point. */
+  point: [number, number];
+  /** The phase on its right; null for what is in no phase. */
+  right?: number | null;
+  /** The direction of the edge, of length one; null where it stands still. */
+  tangent?: [number, number] | null;
+}
+
 /** The weights of edges in the energy of harmonic forms. */
 export type EdgeWeights = "cotangent" | "uniform";
 
@@ -1168,6 +1209,26 @@ export interface InfoReports {
 /** How the cells inside of a model are found. */
 export type InsideMethod = "winding" | "parity" | "closed_mouths";
 
+/** Where a point lies of an interface. */
+export interface InterfacePoint {
+  /** The distance from the nearest edge; null without edges. */
+  distance?: number | null;
+  /** The edge that the nearest point is on; null without edges. */
+  edge?: number | null;
+  /** Whether it lies in a phase, on an edge, or in no phase. */
+  location: YinLocation;
+  /** The point of the edges that is nearest to it; null without edges. */
+  nearest?: [number, number] | null;
+  /** The parameter of the nearest point in [0, 1] on that piece; null without edges. */
+  parameter?: number | null;
+  /** The phase that it lies in; of a point on an edge the phases that meet there, without what is in no phase. */
+  phases: number[];
+  /** The piece of that edge; null without edges. */
+  piece?: number | null;
+  /** The point. */
+  point: [number, number];
+}
+
 /** The intersection form of a closed oriented manifold of even dimension. */
 export interface IntersectionFormAnswer {
   /** The basis. */
@@ -1571,6 +1632,53 @@ export interface PersistencePairAnswer {
    * `closed-open`, `closed-closed`, `open-closed` or `open-open`: whether the class is there at the time of its birth, and at that of its death.
    */
   kind?: string | null;
+}
+
+/** How far a phase of one interface is from one of another. */
+export interface PhaseComparison {
+  /**
+   * The greatest distance of the second boundary from the first along the normals of the first, up to twice the Hausdorff distance; null if
+   * no normal meets it so near.
+   */
+  along_normals?: number | null;
+  /** An estimate from above of how far that is off. */
+  along_normals_error: number;
+  /** The area of the first set less that of the second; null if it is infinite. */
+  area_signed?: number | null;
+  /** How far that is off at most by rounding. */
+  area_signed_error: number;
+  /** The area of the symmetric difference; null if it is infinite. */
+  area_xor?: number | null;
+  /** An estimate from above of how far that is off. */
+  area_xor_error: number;
+  /** The number of components of each set. */
+  components: [number, number];
+  /** The greatest difference of the curvatures of both boundaries where normals meet, in the inverse of the unit; null if none does. */
+  curvature?: number | null;
+  /** An estimate from above of how far that is off. */
+  curvature_error: number;
+  /** The names of the inputs. */
+  files: string[];
+  /** The Hausdorff distance of the boundaries; null if one set alone has a boundary. */
+  hausdorff?: number | null;
+  /** An estimate from above of how far that is off. */
+  hausdorff_error: number;
+  /** The number of holes of each set. */
+  holes: [number, number];
+  /** The part of the places of the first boundary whose normals do not meet the second one so near. */
+  normals_left_out: number;
+  /** The numbers of the phases. */
+  numbers: [number, number];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
+/** How many points lie in a phase. */
+export interface PhasePoints {
+  /** The number of points inside. */
+  inside: number;
+  /** The name of the phase. */
+  name: string;
 }
 
 /** A generator as a physical group of a mesh. */
@@ -2900,6 +3008,61 @@ export interface YinInterfaceAnswer {
   smooth_pairs?: [[number, number], [number, number]][] | null;
   /** The points at which edges end: junctions, kinks, and one point of each closed edge. */
   vertices: [number, number][];
+}
+
+/** The answer of `yin compare` for two interfaces. */
+export interface YinInterfaceComparisonAnswer {
+  /**
+   * The sum of the areas of the symmetric differences of all phases; null if one is infinite. What went from one phase to another counts
+   * twice.
+   */
+  area_xor?: number | null;
+  /** An estimate from above of how far that is off. */
+  area_xor_error: number;
+  /** The names of the files. */
+  files: string[];
+  /** The number of junctions of each interface. */
+  junctions: [number, number];
+  /** The phases of the first interface, each compared with its namesake in the second, or with the one of its number if names differ. */
+  phases: PhaseComparison[];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
+/** The answer of `yin curvature` for an interface. */
+export interface YinInterfaceCurvatureAnswer {
+  /** How each edge bends. */
+  edges: EdgeBendAnswer[];
+  /** The name of the file. */
+  file: string;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
+/** The answer of `yin locate` for an interface. */
+export interface YinInterfaceLocateAnswer {
+  /** The number of points on edges. */
+  boundary: number;
+  /** The name of the file. */
+  file: string;
+  /** The number of points in no phase. */
+  outside: number;
+  /** For each phase the number of points inside. */
+  phases: PhasePoints[];
+  /** The points, in the order in which they were given. */
+  points: InterfacePoint[];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
+/** The answer of `yin sample` for an interface. */
+export interface YinInterfaceSampleAnswer {
+  /** The name of the file. */
+  file: string;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** The points, edge by edge; edges that are not closed give the point at their end too. */
+  samples: EdgeSample[];
 }
 
 /** A junction of an interface. */

@@ -23,4 +23,5 @@ mod surface_curves;
 mod turned_boxes;
 mod verdicts;
 mod volumes;
+mod yin_interface_places;
 mod yin_partitions;

@@ -54,6 +54,7 @@ mod volumes;
 mod yin;
 mod yin_faults;
 mod yin_interface;
+mod yin_interface_places;
 mod yin_motion;
 mod yin_places;
 mod yin_rules;

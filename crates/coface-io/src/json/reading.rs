@@ -241,6 +241,14 @@ fn to_model(content: Content, tolerance: Option<f64>) -> Result<Model, Error> {
             )
             .with_cure("give one of them"));
         }
+        Content::Unknown(keys)
+            if ["phases", "junctions"].iter().all(|word| keys.iter().any(|key| key == word)) =>
+        {
+            return Err(Error::parse(
+                "the object is an interface of regions, and neither a model nor one set",
+            )
+            .with_cure("read it as an interface"));
+        }
         Content::Unknown(keys) => {
             let keys: Vec<String> = keys.iter().map(|key| format!("\"{}\"", shortened(key))).collect();
             return Err(Error::parse(format!(

@@ -1408,6 +1408,71 @@ class Interface:
             What lies outside of all phases is no phase.
         """
         ...
+    @staticmethod
+    def read(path: str | os.PathLike[str]) -> Interface:
+        """The interface in a file that :meth:`write` or ``coface yin interface -o`` wrote.
+
+        Parameters
+        ----------
+        path : path-like
+            A ``.json`` file.
+
+        Returns
+        -------
+        Interface
+            The same interface, bit for bit.
+        """
+        ...
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """Writes the interface to a ``.json`` file, with the control points of all edges."""
+        ...
+    def phase(self, name: str | int) -> YinSet:
+        """The phase with this name, or with this number if none has the name, as a set.
+
+        Parameters
+        ----------
+        name : str or int
+            Its name or its number, from 0.
+
+        Returns
+        -------
+        YinSet
+            Its neighbors have the same pieces along their common edges.
+        """
+        ...
+    def locate(self, points: ArrayLike) -> tuple[NDArray[np.int64], dict[str, Any]]:
+        """Where points lie: in which phase, on an edge, or in no phase.
+
+        Parameters
+        ----------
+        points : array_like of shape (n, 2)
+            The points.
+
+        Returns
+        -------
+        phases : ndarray of shape (n,) and type int64
+            The number of the phase that each point lies in, -1 for points in no phase, -2 for points on an edge.
+        facts : dict
+            ``phases`` (each with its ``name`` and the number of points ``inside``), ``boundary``, ``outside``, and for each of ``points`` its
+            ``location``, ``phases`` (of a point on an edge those that meet there), ``distance``, ``nearest`` point of the edges, ``edge``,
+            ``piece`` and ``parameter``.
+        """
+        ...
+    def compare(self, other: Interface) -> dict[str, Any]:
+        """How far the phases are from those of another interface; namesakes are compared with each other.
+
+        Parameters
+        ----------
+        other : Interface
+            With the same names, or as many phases.
+
+        Returns
+        -------
+        dict
+            ``area_xor`` (the sum over all phases), ``area_xor_error``, ``junctions`` of both, and ``phases``, each with ``numbers`` and what
+            :meth:`YinSet.compare` says.
+        """
+        ...
     def sets(self) -> list[YinSet]:
         """The phases as sets, in their order; neighbors have the same pieces along their common edges.
 

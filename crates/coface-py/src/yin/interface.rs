@@ -1,7 +1,7 @@
 //! Interfaces: sets as phases that share the arcs between them.
 
-use super::YinSet;
 use super::motion::{GivenFlow, scheme_of, tracking_options, verification_of};
+use super::{YinSet, points_of};
 use crate::answer::answer;
 use crate::arrangement::rule_of;
 use crate::congruence::choice;
@@ -10,15 +10,17 @@ use crate::model::Model;
 use crate::objects::to_python;
 use crate::pictures::flat_file;
 use crate::work::run;
-use coface::answers::answer::YinInterfaceAnswer;
+use coface::answers::answer::{InterfacePoint, YinInterfaceAnswer, YinLocation, to_json};
 use coface::answers::{LabelImage, NamedSet, PlanarInterface, SetRequest};
 use coface::io;
 use coface::pictures::interface_picture;
 use coface::yin::{InterfaceOptions, InterfaceRepair, Overlaps};
-use coface::{EdgeId, Error};
+use coface::{EdgeId, Error, ErrorKind};
+use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use serde::Serialize;
+use std::path::PathBuf;
 
 /// Sets of the plane as phases that share the arcs between them: edges, junctions, areas, lengths and neighbors.
 ///
@@ -102,6 +104,117 @@ answer! { Interface {
     ///     They give the same interface again.
     fn sets(&self, py: Python<'_>) -> PyResult<Vec<YinSet>> {
         run(py, None, || self.interface.phases()?.into_iter().map(YinSet::of).collect::<Result<Vec<_>, Error>>())
+    }
+
+    /// The interface in a file that :meth:`write` or ``coface yin interface -o`` wrote.
+    ///
+    /// Parameters
+    /// ----------
+    /// path : path-like
+    ///     A ``.json`` file.
+    ///
+    /// Returns
+    /// -------
+    /// Interface
+    ///     The same interface, bit for bit.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface, numpy as np, os, tempfile
+    /// >>> rooms = coface.interface(np.array([[1, 1, 2], [1, 1, 2]]))
+    /// >>> path = os.path.join(tempfile.mkdtemp(), "rooms.json")
+    /// >>> rooms.write(path)
+    /// >>> coface.Interface.read(path).areas
+    /// [4.0, 2.0]
+    #[staticmethod]
+    fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        run(py, None, || {
+            let name = path.display().to_string();
+            let in_file = |error: Error| error.in_file(name.clone());
+            let text = std::fs::read(&path).map_err(|error| in_file(Error::from(error)))?;
+            let answer = YinInterfaceAnswer::of_json(&text).unwrap_or_else(|| {
+                Err(Error::new(ErrorKind::Parse, "there is no interface in it")
+                    .with_cure("give a file that Interface.write wrote, or make one of sets by coface.interface"))
+            });
+            Self::of(PlanarInterface::of_answer(&answer.map_err(in_file)?).map_err(in_file)?)
+        })
+    }
+
+    /// Writes the interface to a ``.json`` file, with the control points of all edges.
+    fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        run(py, None, || io::replace_file(&path, |out| Ok(writeln!(out, "{}", to_json(&self.answer))?)))
+    }
+
+    /// The phase with this name, or with this number if none has the name, as a set.
+    ///
+    /// Parameters
+    /// ----------
+    /// name : str or int
+    ///     Its name or its number, from 0.
+    ///
+    /// Returns
+    /// -------
+    /// YinSet
+    ///     Its neighbors have the same pieces along their common edges.
+    fn phase(&self, py: Python<'_>, name: &Bound<'_, PyAny>) -> PyResult<YinSet> {
+        let name = name.str()?.to_string();
+        run(py, None, || YinSet::of(self.interface.phase(&name)?))
+    }
+
+    /// Where points lie: in which phase, on an edge, or in no phase.
+    ///
+    /// Parameters
+    /// ----------
+    /// points : array_like of shape (n, 2)
+    ///     The points.
+    ///
+    /// Returns
+    /// -------
+    /// phases : ndarray of shape (n,) and type int64
+    ///     The number of the phase that each point lies in, -1 for points in no phase, -2 for points on an edge.
+    /// facts : dict
+    ///     ``phases`` (each with its ``name`` and the number of points ``inside``), ``boundary``, ``outside``, and for each of ``points`` its
+    ///     ``location``, ``phases`` (of a point on an edge those that meet there), ``distance``, ``nearest`` point of the edges, ``edge``,
+    ///     ``piece`` and ``parameter``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface, numpy as np
+    /// >>> rooms = coface.interface(np.array([[1, 1, 2], [1, 1, 2]]))
+    /// >>> phases, facts = rooms.locate([[1, 1], [2.5, 1], [2, 1], [9, 9]])
+    /// >>> phases.tolist(), facts["points"][2]["phases"], facts["points"][0]["distance"]
+    /// ([0, 1, -2, -1], [0, 1], 1.0)
+    fn locate<'py>(
+        &self,
+        py: Python<'py>,
+        points: &Bound<'py, PyAny>,
+    ) -> PyResult<(Bound<'py, PyArray1<i64>>, Bound<'py, PyAny>)> {
+        let points = points_of(points, "points")?;
+        let found = run(py, None, || self.interface.located("self", &points))?;
+        let number = |place: &InterfacePoint| match place.location {
+            YinLocation::Inside => i64::from(place.phases[0]),
+            YinLocation::Boundary => -2,
+            YinLocation::Outside => -1,
+        };
+        let phases = PyArray1::from_vec(py, found.points.iter().map(number).collect());
+        Ok((phases, to_python(py, &found)?))
+    }
+
+    /// How far the phases are from those of another interface; namesakes are compared with each other.
+    ///
+    /// Parameters
+    /// ----------
+    /// other : Interface
+    ///     With the same names, or as many phases.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    ///     ``area_xor`` (the sum over all phases), ``area_xor_error``, ``junctions`` of both, and ``phases``, each with ``numbers`` and what
+    ///     :meth:`YinSet.compare` says.
+    fn compare<'py>(&self, py: Python<'py>, other: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        let other = &other.get().interface;
+        to_python(py, &run(py, None, || self.interface.compared_with("self", other, "other"))?)
     }
 
     /// The interface after it moved with a flow: phases keep their common arcs, and junctions stay junctions.

@@ -9,14 +9,14 @@ use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::filtration::read_function;
 use crate::input::{self, Source};
-use crate::output::{is_json, print_bytes, print_json, write_file};
+use crate::output::{print_bytes, print_json, write_file};
 use crate::pictures::PictureFormat;
 use crate::progress::Progress;
 use crate::remarks::{say_remarks, take};
 use crate::simplices::SimplexList;
 use crate::surface;
 use clap::{Args, ValueEnum};
-use coface::answers::answer::{Remark, RemarkCode, RenderAnswer, YinInterfaceAnswer};
+use coface::answers::answer::{Remark, RemarkCode, RenderAnswer};
 use coface::answers::{
     BlockedMatrix, GeometryCheck, Growth, MatrixBlocks, Neighborhood, PersistenceRequest, PlanarSet,
     PolygonSchema, Report, ReportRequest, SetRequest,

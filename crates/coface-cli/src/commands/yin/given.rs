@@ -84,7 +84,7 @@ impl SetOptions {
         };
         let name = input::name(path);
         Err(Failure::new(format!(
-            "{name}: {option} is of one set, and this is an interface; leave it out, or name a phase: {name}#0"
+            "{name}: {option} is of one set, and this is an interface; leave it out, or name a phase, as in coface yin info {name}#0"
         )))
     }
 
@@ -129,7 +129,7 @@ impl SetOptions {
             (None, Some(_)) => {
                 let file = input::name(&file);
                 Err(Failure::new(format!(
-                    "{name}: {file} is no interface, and has no phases; give the file alone: {file}"
+                    "{name}: {file} is no interface, and has no phases; give the file alone, as in coface yin info {file}"
                 )))
             }
             (Some(answer), None) => {
@@ -139,7 +139,7 @@ impl SetOptions {
                         format!("{name}: it is an interface without phases, and not a set; give another file")
                     }
                     _ => format!(
-                        "{name}: it is an interface of {count} phases, and not one set; name a phase by its number or its name: {name}#0"
+                        "{name}: it is an interface of {count} phases, and not one set; name a phase by its number or its name, as in coface yin info {name}#0"
                     ),
                 }))
             }

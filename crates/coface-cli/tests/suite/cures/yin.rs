@@ -25,6 +25,12 @@ const ARCS: Files = &[
         "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M0 1e-13 C3 4 4 1 4 -1e-13 L2 -3 Z\"/></svg>",
     ),
 ];
+/// Two squares side by side.
+const ROOMS: Files = &[
+    ("rooms.wkt", "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((1 0, 2 0, 2 1, 1 1, 1 0)))"),
+    ("square.wkt", "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"),
+];
+const INTERFACE: &[&str] = &["coface yin interface rooms.wkt -o rooms.json"];
 /// A drop that becomes a long thin thread in a vortex.
 const DROP: Files = &[(
     "drop.json",
@@ -259,4 +265,40 @@ pub(super) const CASES: &[Case] = &[
         .files(DISKS)
         .refused("coface yin compare a.svg b.svg --picture kinks -o out.svg")
         .cured(&[&["coface yin xor a.svg b.svg --picture kinks -o out.svg"]]),
+    Case::new("yin/given.rs", "name a phase by its number or its name, as in coface yin info {name}#0")
+        .files(ROOMS)
+        .before(INTERFACE)
+        .refused("coface yin complement rooms.json")
+        .cured(&[
+            &["coface yin complement rooms.json#0"],
+            &["coface yin complement rooms.json#rooms.wkt#1"],
+        ]),
+    Case::new("yin/given.rs", "leave it out, or name a phase, as in coface yin info {name}#0")
+        .files(ROOMS)
+        .before(INTERFACE)
+        .refused("coface yin info rooms.json --order 4")
+        .cured(&[&["coface yin info rooms.json"], &["coface yin info rooms.json#0 --order 4"]]),
+    Case::new("yin/given.rs", "give the file alone, as in coface yin info {file}")
+        .files(ROOMS)
+        .refused("coface yin info square.wkt#1")
+        .cured(&[&["coface yin info square.wkt"]]),
+    Case::new("yin/validity.rs", "make it from sets again: coface yin interface SETS --overlaps first")
+        .files(ROOMS)
+        .before(INTERFACE)
+        .damaged(&[(
+            "rooms.json",
+            "{\"files\":[],\"order\":2,\"phases\":[{\"name\":\"a\",\"area\":1,\"perimeter\":1,\"components\":1,\"holes\":0,\"neighbors\":[]}],\
+             \"vertices\":[[0,0]],\"edges\":[{\"ends\":[0,0],\"left\":0,\"right\":null,\"length\":1,\"pieces\":4,\"knots\":[0,1,2,3,4],\
+             \"controls\":[[0,0],[2,2],[2,0],[0,2],[0,0]]}],\"junctions\":[],\"smooth_pairs\":[],\"length\":1,\"remarks\":[]}",
+        )])
+        .refused("coface yin validate rooms.json")
+        .cured(&[&[
+            "coface yin interface rooms.wkt square.wkt --overlaps first -o rooms.json",
+            "coface yin validate rooms.json",
+        ]]),
+    Case::new("cli/src/failure.rs", "coface yin info INPUT says what it is, and coface view INPUT -o OUT.html shows it")
+        .files(ROOMS)
+        .before(INTERFACE)
+        .refused("coface homology rooms.json")
+        .cured(&[&["coface yin info rooms.json"], &["coface view rooms.json -o rooms.html"]]),
 ];
