@@ -60,7 +60,7 @@ impl PointQuestion {
         progress.stage(format!("reading {name}"));
         let points = match Source::of(path)? {
             Source::File(path) => reading.distances_of_path(path, &common.reading())?,
-            Source::Bytes(bytes) => NumberTable::read(&bytes[..])
+            Source::Bytes(bytes) => NumberTable::read(bytes)
                 .and_then(|table| reading.distances(&table))
                 .map_err(|error| error.in_file(name.clone()))?,
         };
@@ -80,7 +80,7 @@ impl PointQuestion {
         progress.stage(format!("reading {name}"));
         let graph = match Source::of(path)? {
             Source::File(path) => reading.graph_of_path(path)?,
-            Source::Bytes(bytes) => reading.graph(&bytes[..]).map_err(|error| error.in_file(name.clone()))?,
+            Source::Bytes(bytes) => reading.graph(bytes).map_err(|error| error.in_file(name.clone()))?,
         };
         accept(common, graph.remarks(), &name)?;
         Ok(self.request(common).found_of_graph(&name, &graph)?)
@@ -90,7 +90,7 @@ impl PointQuestion {
 fn graph_of(source: &Source<'_>, reading: FlagReading, name: &str) -> Result<FileGraph, coface::Error> {
     match source {
         Source::File(path) => reading.graph_of_path(path),
-        Source::Bytes(bytes) => reading.graph(&bytes[..]).map_err(|error| error.in_file(name)),
+        Source::Bytes(bytes) => reading.graph(bytes).map_err(|error| error.in_file(name)),
     }
 }
 

@@ -125,15 +125,14 @@ impl Compare {
         }
         let progress = Progress::start(common.quiet);
         if let [first, second] = &self.inputs[..]
+            && !self.series
             && let (Some(a), Some(b)) = (given::interface(first)?, given::interface(second)?)
         {
-            if !self.series {
-                let names = [first, second].map(|path| input::name(path));
-                [first, second].iter().try_for_each(|path| self.options.check_interface(path))?;
-                progress.stage("comparing");
-                let answer = a.compared_with(&names[0], &b, &names[1])?;
-                return give(&answer, || phase_places::comparison_page(&answer), common, progress);
-            }
+            let names = [first, second].map(|path| input::name(path));
+            [first, second].iter().try_for_each(|path| self.options.check_interface(path))?;
+            progress.stage("comparing");
+            let answer = a.compared_with(&names[0], &b, &names[1])?;
+            return give(&answer, || phase_places::comparison_page(&answer), common, progress);
         }
         let mut sets = Vec::with_capacity(count);
         for path in &self.inputs {

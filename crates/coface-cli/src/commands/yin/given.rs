@@ -34,8 +34,8 @@ fn file_and_phase(path: &Path) -> (PathBuf, Option<String>) {
 }
 
 /// The interface of an answer in a file.
-fn interface_of(answer: YinInterfaceAnswer, name: &str) -> Result<PlanarInterface, Failure> {
-    let found = PlanarInterface::of_answer(&answer);
+fn interface_of(answer: &YinInterfaceAnswer, name: &str) -> Result<PlanarInterface, Failure> {
+    let found = PlanarInterface::of_answer(answer);
     Ok(found.map_err(|error| error.in_file(name.to_owned()))?)
 }
 
@@ -51,7 +51,7 @@ pub(super) fn interface_answer(path: &Path) -> Result<Option<YinInterfaceAnswer>
 
 /// The interface that a whole file is, if it is one.
 pub(super) fn interface(path: &Path) -> Result<Option<PlanarInterface>, Failure> {
-    interface_answer(path)?.map(|answer| interface_of(answer, &input::name(path))).transpose()
+    interface_answer(path)?.map(|answer| interface_of(&answer, &input::name(path))).transpose()
 }
 
 /// Whether an input is a phase of an interface.
@@ -144,7 +144,7 @@ impl SetOptions {
                 }))
             }
             (Some(answer), Some(phase)) => {
-                let found = interface_of(answer, &input::name(&file))?.phase(&phase).map_err(in_file)?;
+                let found = interface_of(&answer, &input::name(&file))?.phase(&phase).map_err(in_file)?;
                 Ok(drawing_of(&found, &reading)?)
             }
         }
@@ -155,5 +155,5 @@ impl SetOptions {
 fn drawing_of(set: &PlanarSet, reading: &ReadOptions) -> Result<BoundaryDrawing, coface::Error> {
     let mut text = Vec::new();
     set.write(&mut text, Format::Json, None)?;
-    io::read_boundary_with(&text[..], &reading.clone().format(Format::Json))
+    io::read_boundary_with(&text[..], &reading.format(Format::Json))
 }
