@@ -69,7 +69,7 @@ fn phases_are_sets_by_name_and_by_number() {
     assert_eq!(yin(&["compare", &phase("left"), &phase("right")])["area_xor"], json!(2.0));
     let moved =
         yin(&["advect", &phase("bar"), "--velocity", "1,0", "--time", "1", "--spacing", "3", "--events"]);
-    assert_eq!((moved["bounding_box"][0][0].as_f64().unwrap() - 1.0).abs() < 1e-12, true);
+    assert!((moved["bounding_box"][0][0].as_f64().unwrap() - 1.0).abs() < 1e-12);
     let text = std::fs::read(&path).unwrap();
     assert_eq!(coface_reading(&["yin", "info", "-#left", "--json"], &text).status, 2, "an option");
     // A file with a # in its name is that file.

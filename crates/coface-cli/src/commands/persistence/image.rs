@@ -83,7 +83,7 @@ pub(crate) fn stream<'s>(
         Source::File(path) => (input::name(path), io::volume_of_path(path, &options)?),
         Source::Bytes(bytes) => {
             let name = input::name(Path::new("-"));
-            let found = io::volume_of(bytes, &options).map_err(|error| error.in_file(name.clone()))?;
+            let found = io::volume_of(*bytes, &options).map_err(|error| error.in_file(name.clone()))?;
             (name, found)
         }
     };

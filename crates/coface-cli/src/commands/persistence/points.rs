@@ -90,7 +90,7 @@ impl PointQuestion {
 fn graph_of(source: &Source<'_>, reading: FlagReading, name: &str) -> Result<FileGraph, coface::Error> {
     match source {
         Source::File(path) => reading.graph_of_path(path),
-        Source::Bytes(bytes) => reading.graph(bytes).map_err(|error| error.in_file(name)),
+        Source::Bytes(bytes) => reading.graph(*bytes).map_err(|error| error.in_file(name)),
     }
 }
 
