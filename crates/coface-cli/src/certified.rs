@@ -1,8 +1,22 @@
 //! `--certificate`: proofs of answers, which are of files.
 
+use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::output::write_file;
+use coface::io::check_output;
 use std::path::{Path, PathBuf};
+
+/// What can be known before the work: the certificate has a place, and is of a file as it is.
+pub(crate) fn check_place(
+    place: &Path,
+    inputs: &[PathBuf],
+    verb: &str,
+    common: &Common,
+) -> Result<(), Failure> {
+    check_output(place)?;
+    refuse_standard_input(inputs)?;
+    common.points.refuse(&format!("{verb} with a certificate"))
+}
 
 /// A certificate has the hash of a file.
 pub(crate) fn refuse_standard_input(inputs: &[PathBuf]) -> Result<(), Failure> {

@@ -179,7 +179,7 @@ pub(crate) fn _check(
     run(py, progress, || {
         let read = inputs.iter().map(|input| content(input)).collect::<Result<Vec<_>, Error>>()?;
         let read: Vec<&[u8]> = read.iter().map(Vec::as_slice).collect();
-        let verdict = coface_check_plane::check(&certificate, &read).map_err(refused)?;
+        let verdict = coface_check_loops::check(&certificate, &read).map_err(refused)?;
         let names = inputs.iter().map(|input| input.display().to_string()).collect();
         Ok((names, verdict.proved().to_vec(), verdict.unchecked().to_vec()))
     })

@@ -7,13 +7,13 @@ pub fn check_certificate(bytes: &[u8]) {
     let mut parts = bytes.split(|byte| *byte == 0);
     let certificate = parts.next().unwrap_or_default();
     let inputs: Vec<&[u8]> = parts.collect();
-    drop(coface_check_plane::check(certificate, &inputs));
+    drop(coface_check_loops::check(certificate, &inputs));
     let Ok(mut value) = serde_json::from_slice::<Value>(certificate) else { return };
     if let Some(keys) = value.as_object_mut() {
         let hashes = inputs.iter().map(|input| json!({"name": "a", "sha256": coface_check::sha256(input)}));
         keys.insert("inputs".to_owned(), hashes.collect());
     }
-    if let Ok(verdict) = coface_check_plane::check(value.to_string().as_bytes(), &inputs) {
+    if let Ok(verdict) = coface_check_loops::check(value.to_string().as_bytes(), &inputs) {
         let keys = value["answer"].as_object().map_or(0, serde_json::Map::len);
         assert!(!verdict.proved().is_empty() && verdict.unchecked().len() < keys);
     }

@@ -22,6 +22,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("coface-check", &[]),
     ("coface-check-persistence", &["coface-check"]),
     ("coface-check-plane", &["coface-check", "coface-check-persistence"]),
+    ("coface-check-loops", &["coface-check", "coface-check-plane"]),
     ("coface-io", &["coface-algebra", "coface-geometry", "coface-complexes", "coface-arrange", "coface-yin"]),
     (
         "coface-answers",
@@ -35,6 +36,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "coface-io",
             "coface-check",
             "coface-check-plane",
+            "coface-check-loops",
         ],
     ),
     (
@@ -77,8 +79,11 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "coface-scale",
         ],
     ),
-    ("coface-cli", &["coface", "coface-allocator", "coface-check", "coface-check-plane"]),
-    ("coface-py", &["coface", "coface-allocator", "coface-check", "coface-check-plane"]),
+    (
+        "coface-cli",
+        &["coface", "coface-allocator", "coface-check", "coface-check-plane", "coface-check-loops"],
+    ),
+    ("coface-py", &["coface", "coface-allocator", "coface-check", "coface-check-loops"]),
     ("coface-bench", &["coface"]),
 ];
 

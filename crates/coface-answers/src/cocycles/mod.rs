@@ -5,6 +5,7 @@
 //! * [`SurfaceCocycles`] is the part of it that needs a surface and nothing of its file, [`surface_harmonic_forms`] too.
 //! * [`tested_cochain`] says whether a [`GivenCochain`] is closed and exact.
 
+mod certificate;
 mod surface;
 mod testing;
 

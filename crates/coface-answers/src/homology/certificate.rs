@@ -4,18 +4,19 @@ use super::FoundHomology;
 use crate::answer::{ChainTerm, HomologyAnswer};
 use coface_algebra::chains::{ChainComplex, MorseComplex};
 use coface_algebra::{Error, ErrorKind, Integer, SparseMatrix, WideMatrix, smith_form_with_transforms};
+use coface_topology::{Coefficients, homology};
 use serde::Serialize;
 
 /// A certificate, as `docs/certificates.md` describes it.
 #[derive(Serialize)]
-struct Certificate<'a> {
+struct Certificate<A> {
     coface_certificate: u64,
     coface: &'static str,
     kind: &'static str,
     inputs: Vec<Input>,
     reduced: bool,
     relative: Option<&'static str>,
-    answer: &'a HomologyAnswer,
+    answer: A,
     proof: Proof,
 }
 
@@ -119,6 +120,24 @@ impl FoundHomology {
     }
 }
 
+/// A certificate of the integral homology groups of a file, which stands inside of another one.
+pub(crate) fn of_groups(inputs: &[(&str, &[u8])]) -> Result<impl Serialize + use<>, Error> {
+    let (name, bytes) = inputs.first().ok_or_else(|| Error::invalid("a certificate needs its input"))?;
+    let complex = coface_check::Complex::read(bytes).map_err(|fault| refused(&fault.to_string()))?;
+    let groups = homology(&chain_complex(&complex)?);
+    let answer = HomologyAnswer::of(name, Coefficients::Integers, false, groups.groups());
+    Ok(Certificate {
+        coface_certificate: coface_check::VERSION,
+        coface: env!("CARGO_PKG_VERSION"),
+        kind: "homology",
+        inputs: Input::list(inputs),
+        reduced: false,
+        relative: None,
+        answer,
+        proof: Proof::of(&complex)?,
+    })
+}
+
 /// A certificate as text, after the checker has accepted it.
 pub(crate) fn checked(
     certificate: &impl Serialize,
@@ -126,7 +145,7 @@ pub(crate) fn checked(
 ) -> Result<String, coface_check::Fault> {
     let text = crate::answer::to_json(certificate) + "\n";
     let bytes: Vec<&[u8]> = inputs.iter().map(|(_, bytes)| *bytes).collect();
-    coface_check_plane::check(text.as_bytes(), &bytes)?;
+    coface_check_loops::check(text.as_bytes(), &bytes)?;
     Ok(text)
 }
 

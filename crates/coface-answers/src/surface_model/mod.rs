@@ -1,6 +1,7 @@
 //! A model as a surface, and the models of surfaces that are made from it.
 
 mod canonical;
+mod certificate;
 mod covering;
 mod cutting;
 mod schema;

@@ -41,7 +41,7 @@ impl Check {
         }
         let read = inputs.iter().map(|input| bytes(input)).collect::<Result<Vec<_>, _>>()?;
         let read: Vec<&[u8]> = read.iter().map(Vec::as_slice).collect();
-        let verdict = coface_check_plane::check(&certificate, &read).map_err(refused)?;
+        let verdict = coface_check_loops::check(&certificate, &read).map_err(refused)?;
         let answer = CheckAnswer {
             certificate: self.certificate.display().to_string(),
             files: inputs.iter().map(|input| input.display().to_string()).collect(),

@@ -1,6 +1,7 @@
 //! `coface cocycles`: first cohomology.
 
 use crate::arguments::Common;
+use crate::certified;
 use crate::chains::{chain_of_group, read_terms};
 use crate::domain::{DomainOptions, is_msh};
 use crate::failure::Failure;
@@ -53,6 +54,10 @@ pub(crate) struct Cocycles {
     /// With --test of a cochain that is not of integers: sums up to this absolute value count as zero
     #[arg(long, value_name = "R", requires = "test")]
     tolerance: Option<f64>,
+    /// A certificate of the basis, which coface check verifies: rank, closedness, values on loops, and that it is a basis over Z; of a facet list, a
+    /// chain complex, or a surface as plain OFF or OBJ
+    #[arg(long, value_name = "OUT", conflicts_with_all = ["test", "relative", "domain"])]
+    certificate: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -89,6 +94,9 @@ impl From<Method> for CocycleBasisMethod {
 
 impl Cocycles {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        if let Some(place) = &self.certificate {
+            certified::check_place(place, std::slice::from_ref(&self.input), "cocycles", common)?;
+        }
         let progress = Progress::start(common.quiet);
         let loaded = input::read(&self.input, common.reading(), &progress)?;
         let domain = self.domain.domain(&loaded.model, &progress)?;
@@ -111,6 +119,10 @@ impl Cocycles {
         let found = request.found(&producer).map_err(|error| in_words(error).in_file(name.clone()))?;
         accept(found.remarks(), common)?;
         say_remarks(found.remarks(), common);
+        if let Some(place) = &self.certificate {
+            progress.stage(format!("proving {}", place.display()));
+            certified::save(place, std::slice::from_ref(&self.input), |inputs| found.certificate(inputs))?;
+        }
         let mut answer = found.answer(&name);
         if let Some(path) = &common.output {
             progress.stage(format!("writing {}", path.display()));

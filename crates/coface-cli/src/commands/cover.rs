@@ -1,6 +1,7 @@
 //! `coface cover`: universal covers of surfaces, and orientation double covers.
 
 use crate::arguments::Common;
+use crate::certified;
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 use crate::progress::Progress;
@@ -8,7 +9,7 @@ use crate::remarks::{accept, say_remarks};
 use crate::surface;
 use clap::{ArgGroup, Args, ValueEnum};
 use coface::Error;
-use coface::answers::answer::{CoverAnswer, DoubleCoverAnswer, Remark, RemarkCode};
+use coface::answers::answer::{CoverAnswer, Remark, RemarkCode};
 use coface::answers::text;
 use coface::answers::{LayoutChoice, SurfaceModel};
 use coface::topology::{CoverExtent, UniversalCover};
@@ -52,6 +53,10 @@ pub(crate) struct Cover {
     /// Cover the boundary surface of a volume mesh
     #[arg(long)]
     boundary: bool,
+    /// A certificate of the cover, which coface check verifies: the way down is a local isomorphism, copies, words, degree of a whole cover; of a facet
+    /// list, or a surface as plain OFF or OBJ
+    #[arg(long, value_name = "OUT", conflicts_with = "boundary")]
+    certificate: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -65,6 +70,9 @@ enum Layout {
 
 impl Cover {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        if let Some(place) = &self.certificate {
+            certified::check_place(place, std::slice::from_ref(&self.input), "cover", common)?;
+        }
         let progress = Progress::start(common.quiet);
         let (name, surface) = surface::read(&self.input, self.boundary, common, &progress)?;
         if self.orientation {
@@ -76,6 +84,7 @@ impl Cover {
             (None, copies) => CoverExtent::Copies(copies.unwrap_or(1)),
         };
         let cover = surface.cover(self.component, extent, self.most_cells).map_err(in_file)?;
+        self.certify(&progress, |inputs| cover.certificate(inputs))?;
         let choice = match self.layout {
             Layout::None => None,
             Layout::Auto => common.output.is_some().then_some(LayoutChoice::Any),
@@ -105,6 +114,17 @@ impl Cover {
         answer(common, &object, || page(&name, &object, cover.cover()))
     }
 
+    /// Writes the certificate, if there is to be one.
+    fn certify(
+        &self,
+        progress: &Progress,
+        certificate: impl FnOnce(&[(&str, &[u8])]) -> Result<String, Error>,
+    ) -> Result<(), Failure> {
+        let Some(place) = &self.certificate else { return Ok(()) };
+        progress.stage(format!("proving {}", place.display()));
+        certified::save(place, std::slice::from_ref(&self.input), certificate)
+    }
+
     fn double_cover(
         &self,
         name: &str,
@@ -112,21 +132,8 @@ impl Cover {
         common: &Common,
         progress: Progress,
     ) -> Result<(), Failure> {
-        let (map, model) = surface.orientation_double_cover()?;
-        let (v, e, f) = (map.vertex_count(), map.edge_count(), map.face_count());
-        let surfaces = |map: &coface::complexes::surface::GeneralizedMap| -> Vec<String> {
-            map.surfaces().iter().map(ToString::to_string).collect()
-        };
-        let [below, above] = [surfaces(surface.map()), surfaces(&map)];
-        let object = DoubleCoverAnswer {
-            file: name.to_owned(),
-            copies: 2,
-            surfaces_below: below,
-            surfaces: above,
-            f_vector: vec![v, e, f],
-            euler_characteristic: v as i64 - e as i64 + f as i64,
-            remarks: Vec::new(),
-        };
+        let (object, model) = surface.double_cover(name)?;
+        self.certify(&progress, |inputs| object.certificate(inputs))?;
         if let Some(path) = &common.output {
             progress.stage(format!("writing {}", path.display()));
             surface::save(path, &model, &object, common)?;
@@ -137,7 +144,7 @@ impl Cover {
             let facts = [
                 fact("surface", names(&object.surfaces_below), ""),
                 fact("cover", names(&object.surfaces), "each face twice, once for each side"),
-                fact("cells", counts([v, e, f]), ""),
+                fact("cells", counts(&object.f_vector), ""),
             ];
             text::facts(&format!("orientation double cover of {name}"), &facts)
         })
@@ -163,8 +170,9 @@ fn names(all: &[String]) -> String {
     }
 }
 
-fn counts([v, e, f]: [usize; 3]) -> String {
-    format!("{}, {}, {}", text::count(v, "vertex"), text::count(e, "edge"), text::count(f, "face"))
+fn counts(f_vector: &[usize]) -> String {
+    let counts = f_vector.iter().zip(["vertex", "edge", "face"]);
+    counts.map(|(&count, cell)| text::count(count, cell)).collect::<Vec<_>>().join(", ")
 }
 
 fn page(name: &str, object: &CoverAnswer, cover: &UniversalCover) -> String {
@@ -180,14 +188,14 @@ fn page(name: &str, object: &CoverAnswer, cover: &UniversalCover) -> String {
     fact("group", object.group.clone(), "of deck transformations");
     let whole = if cover.is_complete() { "the whole cover" } else { "part of the cover" };
     fact("copies", cover.copy_count().to_string(), whole);
-    let (spheres, skeleton) = (cover.sphere_sizes(), cover.skeleton());
+    let spheres = cover.sphere_sizes();
     let (few, more) = surface::few(spheres.len());
     let mut sizes: Vec<String> = spheres.iter().take(few).map(ToString::to_string).collect();
     if more > 0 {
         sizes.push("..".to_owned());
     }
     fact("spheres", sizes.join(", "), "copies at distance 0, 1, ..");
-    fact("cells", counts([skeleton.vertex_count(), skeleton.edge_count(), skeleton.face_count()]), "");
+    fact("cells", counts(&object.f_vector), "");
     let disk = match cover.euler_characteristic() {
         1 => "a disk",
         2 => "a sphere",

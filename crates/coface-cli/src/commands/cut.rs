@@ -1,6 +1,7 @@
 //! `coface cut`: surfaces cut open.
 
 use crate::arguments::Common;
+use crate::certified;
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 use crate::progress::Progress;
@@ -68,6 +69,10 @@ pub(crate) struct Cut {
     /// Cut the boundary surface of a volume mesh
     #[arg(long)]
     boundary: bool,
+    /// A certificate of the cut, which coface check verifies: what components are, that each is cut to a disk, the word of seams around it, or what
+    /// a path leaves; of a facet list, or a surface as plain OFF or OBJ
+    #[arg(long, value_name = "OUT", conflicts_with_all = ["canonical", "layout", "uv", "boundary"])]
+    certificate: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -103,6 +108,9 @@ impl Cut {
     }
 
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        if let Some(place) = &self.certificate {
+            certified::check_place(place, std::slice::from_ref(&self.input), "cut", common)?;
+        }
         let progress = Progress::start(common.quiet);
         let (name, surface) = surface::read(&self.input, self.boundary, common, &progress)?;
         if let Some(path) = &self.along {
@@ -146,6 +154,10 @@ impl Cut {
         common: &Common,
         progress: &Progress,
     ) -> Result<CutAnswer, Failure> {
+        if let Some(place) = &self.certificate {
+            progress.stage(format!("proving {}", place.display()));
+            certified::save(place, std::slice::from_ref(&self.input), |inputs| cut.certificate(inputs))?;
+        }
         let mut object = cut.answer();
         object.file = Some(name.to_owned());
         object.remarks = remarks;

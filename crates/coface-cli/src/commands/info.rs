@@ -14,7 +14,7 @@ use coface::answers::answer::{
 };
 use coface::answers::text;
 use coface::answers::{GeometryCheck, MapResult, MapTask, Producer, Report, ReportRequest};
-use coface::io::{Format, Model, check_output};
+use coface::io::{Format, Model};
 use coface::pictures::pages::html::{self, Figure, Section};
 use coface::pictures::{Scene, matrix_picture};
 use serde::Serialize;
@@ -103,11 +103,7 @@ const PLACES_IN_JSON: usize = 100;
 impl Info {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         if let Some(place) = &self.certificate {
-            // Before the work, not after it.
-            check_output(place)?;
-            certified::refuse_standard_input(&self.inputs)?;
-            // The checker reads the file as it is.
-            common.points.refuse("info with a certificate")?;
+            certified::check_place(place, &self.inputs, "info", common)?;
             if self.inputs.len() > 1 {
                 return Err(Failure::new(
                     "--certificate is for one input: name one, or run the command once for each",

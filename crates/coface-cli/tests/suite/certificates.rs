@@ -147,7 +147,7 @@ fn lie_about(certificate: &Path, inputs: &[&Path]) {
     let honest: Value = serde_json::from_slice(&fs::read(certificate).unwrap()).unwrap();
     let inputs: Vec<Vec<u8>> = inputs.iter().map(|input| fs::read(input).unwrap()).collect();
     let inputs: Vec<&[u8]> = inputs.iter().map(Vec::as_slice).collect();
-    let verdict = |value: &Value| coface_check_plane::check(value.to_string().as_bytes(), &inputs);
+    let verdict = |value: &Value| coface_check_loops::check(value.to_string().as_bytes(), &inputs);
     let truth = verdict(&honest).expect("the program wrote it");
     let mut all = Vec::new();
     places(&honest, "", &mut all);
