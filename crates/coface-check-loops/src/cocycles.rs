@@ -1,6 +1,6 @@
 //! Certificates of bases of the first cohomology.
 
-use crate::claims::Claims;
+use crate::claims::{Claims, count};
 use coface_check::json::{field, index, integer, list, optional};
 use coface_check::{Complex, Fault, Verdict};
 use dashu_int::IBig;
@@ -24,15 +24,16 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
         let message = format!("{} cocycles are there, and the rank is {rank}", cocycles.len());
         return Err(Fault::new(step, message));
     }
+    let faces = faces_of_edges(&complex);
     for (i, cocycle) in cocycles.iter().enumerate() {
-        for face in 0..complex.counts().get(2).copied().unwrap_or(0) {
-            let terms = complex.boundary(2, face).iter();
-            let sum: IBig = terms
-                .filter_map(|(edge, incidence)| Some(cocycle.get(edge)? * IBig::from(*incidence)))
-                .fold(IBig::ZERO, |sum, term| sum + term);
-            if sum != IBig::ZERO {
-                return Err(Fault::new(step, format!("the sum of cocycle {i} around face {face} is {sum}")));
+        let mut sums: BTreeMap<u32, IBig> = BTreeMap::new();
+        for (edge, value) in cocycle {
+            for (face, incidence) in faces.get(*edge as usize).into_iter().flatten() {
+                *sums.entry(*face).or_default() += value * IBig::from(*incidence);
             }
+        }
+        if let Some((face, sum)) = sums.iter().find(|(_, sum)| **sum != IBig::ZERO) {
+            return Err(Fault::new(step, format!("the sum of cocycle {i} around face {face} is {sum}")));
         }
     }
     let loops = list(field(answer, "loops", "loops")?, "\"loops\"", "loops")?;
@@ -55,16 +56,29 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     claims.prove(format!("the first cohomology over Z has rank {rank}"));
     claims.equal("rank", &json!(rank))?;
     claims.prove(format!(
-        "{rank} cocycles are closed, and their values on {} closed loops are the pairing",
-        loops.len()
+        "{}, closed, whose values on {} are the pairing",
+        count(rank, "cocycle", "cocycles"),
+        count(loops.len(), "closed loop", "closed loops")
     ));
-    claims.prove("their classes are a basis of the first cohomology over Z".to_owned());
+    claims.prove("the classes of the cocycles are a basis of the first cohomology over Z".to_owned());
     if optional(answer, "determinant").is_some() {
         let sign = if is_negative { -1 } else { 1 };
         claims.equal("determinant", &if loops.len() == rank { json!(sign) } else { Value::Null })?;
     }
     claims.know(&["file", "cocycles", "loops", "pairing"]);
     Ok(claims.verdict())
+}
+
+/// For each edge the faces that have it, with their incidences.
+fn faces_of_edges(complex: &Complex) -> Vec<Vec<(u32, i64)>> {
+    let counts = complex.counts();
+    let mut faces = vec![Vec::new(); counts.get(1).copied().unwrap_or(0)];
+    for face in 0..counts.get(2).copied().unwrap_or(0) {
+        for &(edge, incidence) in complex.boundary(2, face) {
+            faces[edge as usize].push((face as u32, incidence));
+        }
+    }
+    faces
 }
 
 /// The rank of the first cohomology: that of the first homology, which a certificate inside of this one proves.

@@ -7,12 +7,17 @@ use crate::work::run;
 use coface::Error;
 use coface::algebra::ErrorKind;
 use coface::answers::{
-    ArrangementRequest, BooleanRequest, DrawingArrangement, Growth, HomologyRequest, PersistenceRequest,
-    PlanarDrawing, Producer, RegionBoolean, RegionSource, RelativeTo, Report, ReportRequest, VertexFunction,
+    ArrangementRequest, BooleanRequest, CocyclesRequest, CutRequest, DrawingArrangement, Growth,
+    HomologyRequest, PersistenceRequest, PlanarDrawing, Producer, RegionBoolean, RegionSource, RelativeTo,
+    Report, ReportRequest, SurfaceModel, VertexFunction,
 };
 use coface::io::{Format, read_path};
+use coface::topology::CoverExtent;
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
+
+/// Covers in certificates have at most so many cells.
+const MOST_CELLS: usize = 100_000_000;
 
 /// The report in a certificate lists so many places of a kind.
 const PLACES: usize = 100;
@@ -38,7 +43,11 @@ pub(crate) fn _certificate(
         "info" => true,
         _ => {
             let message = format!("no answer is called {of:?}");
-            return Err(invalid(py, message, "give of=\"homology\", \"info\" or \"persistence\""));
+            return Err(invalid(
+                py,
+                message,
+                "give of=\"homology\", \"info\", \"persistence\", \"cut\", \"cover\" or \"cocycles\"",
+            ));
         }
     };
     run(py, progress, || {
@@ -115,6 +124,49 @@ pub(crate) fn _persistence_certificate(
             .growth(growth)
             .min_persistence(min_persistence);
         request.found(&name, &producer)?.certificate(&[(&name, &bytes)])
+    })
+}
+
+/// The certificate of a surface cut open, of a cover or of cocycles of a file, as text.
+#[pyfunction]
+#[pyo3(signature = (path, of, simplify, along, radius, copies, orientation, component, progress=None))]
+#[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
+pub(crate) fn _surface_certificate(
+    py: Python<'_>,
+    path: PathBuf,
+    of: &str,
+    simplify: bool,
+    along: Option<Vec<u32>>,
+    radius: Option<usize>,
+    copies: Option<usize>,
+    orientation: bool,
+    component: usize,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<String> {
+    let extent = match (radius, copies) {
+        (Some(radius), None) => CoverExtent::Radius(radius),
+        (None, Some(copies)) => CoverExtent::Copies(copies),
+        _ if of != "cover" || orientation => CoverExtent::Copies(1),
+        _ => {
+            let message = "a cover has a radius or a number of copies, one of the two";
+            return Err(invalid(py, message, "give radius=2, copies=20 or orientation=True"));
+        }
+    };
+    run(py, progress, || {
+        let name = path.display().to_string();
+        let model = read_path(&path, None)?;
+        let bytes = content(&path)?;
+        let inputs: [(&str, &[u8]); 1] = [(&name, &bytes)];
+        if of == "cocycles" {
+            return CocyclesRequest::new().found(&Producer::of(model)?)?.certificate(&inputs);
+        }
+        let surface = SurfaceModel::of(model).map_err(|error| error.in_file(&name))?;
+        match (of, along) {
+            ("cover", _) if orientation => surface.double_cover(&name)?.0.certificate(&inputs),
+            ("cover", _) => surface.cover(component, extent, MOST_CELLS)?.certificate(&inputs),
+            (_, Some(path)) => surface.cut_along(&path)?.certificate(&inputs),
+            _ => surface.cut_open(&CutRequest { simplify, ..CutRequest::default() })?.certificate(&inputs),
+        }
     })
 }
 

@@ -15,6 +15,8 @@ pub fn check_certificate(bytes: &[u8]) {
     }
     if let Ok(verdict) = coface_check_loops::check(value.to_string().as_bytes(), &inputs) {
         let keys = value["answer"].as_object().map_or(0, serde_json::Map::len);
-        assert!(!verdict.proved().is_empty() && verdict.unchecked().len() < keys);
+        // Places inside of keys have a dot.
+        let unchecked = verdict.unchecked().iter().filter(|place| !place.contains('.')).count();
+        assert!(!verdict.proved().is_empty() && unchecked < keys);
     }
 }

@@ -79,10 +79,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "coface-scale",
         ],
     ),
-    (
-        "coface-cli",
-        &["coface", "coface-allocator", "coface-check", "coface-check-plane", "coface-check-loops"],
-    ),
+    ("coface-cli", &["coface", "coface-allocator", "coface-check", "coface-check-loops"]),
     ("coface-py", &["coface", "coface-allocator", "coface-check", "coface-check-loops"]),
     ("coface-bench", &["coface"]),
 ];

@@ -1,6 +1,6 @@
 //! Certificates of surfaces that were cut open, and of their covers.
 
-use super::{SurfaceCover, SurfaceCut, SurfaceModel};
+use super::{SurfaceCover, SurfaceCut};
 use crate::answer::DoubleCoverAnswer;
 use crate::homology::certificate::{Input, checked, refused};
 use coface_algebra::{EdgeId, Error, FaceId, VertexId};
@@ -34,14 +34,6 @@ struct Edges {
 struct Faces {
     /// For each component a face of it.
     faces: Vec<Vec<u32>>,
-}
-
-impl SurfaceModel {
-    /// The vertices around a face by their numbers in the file.
-    fn face_numbers(&self, face: FaceId) -> Vec<u32> {
-        let map = self.map();
-        map.sides_of(face).map(|side| self.number(map.source(side))).collect()
-    }
 }
 
 impl SurfaceCut<'_> {
@@ -80,10 +72,8 @@ impl SurfaceCut<'_> {
         answer.file = Some((*name).to_owned());
         let text = if self.is_along_path() {
             let along = Some(self.seam_vertices(0));
-            checked(
-                &Certificate { along, ..certificate(answer, inputs, Faces { faces: self.faces() }) },
-                inputs,
-            )
+            let faces = Faces { faces: self.faces() };
+            checked(&Certificate { along, ..certificate("cut", answer, inputs, Some(faces)) }, inputs)
         } else {
             let edges = self.edges.iter().map(|&edge| self.surface.edge_numbers(edge)).collect();
             checked(&certificate("cut", answer, inputs, Some(Edges { edges })), inputs)

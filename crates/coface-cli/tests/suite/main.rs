@@ -6,6 +6,7 @@ mod batch;
 mod boolean;
 mod buildings;
 mod certificates;
+mod certificates_of_surfaces;
 mod city_geometry;
 mod congruence;
 mod congruent_solids;

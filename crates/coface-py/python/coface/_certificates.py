@@ -26,7 +26,7 @@ class Verified(TypedDict):
 @in_words
 def certificate(
     path: _Path | Sequence[_Path],
-    of: Literal["homology", "info", "persistence", "arrange", "boolean"] = "homology",
+    of: Literal["homology", "info", "persistence", "arrange", "boolean", "cut", "cover", "cocycles"] = "homology",
     *,
     coefficients: str | int | None = None,
     cohomology: bool = False,
@@ -39,6 +39,12 @@ def certificate(
     operation: str | None = None,
     rule: str | None = None,
     exact: bool = False,
+    simplify: bool = False,
+    along: Sequence[int] | None = None,
+    radius: int | None = None,
+    copies: int | None = None,
+    orientation: bool = False,
+    component: int = 0,
     progress: Any = False,
 ) -> str:
     """A proof of an answer about a file, which :func:`check` verifies without any code of what computed the answer.
@@ -53,7 +59,8 @@ def certificate(
         ``"homology"``; ``"info"`` for the report: counts, components, manifold up to dimension 3, orientability, boundary loops and genus;
         ``"persistence"`` for the diagram of a function on the vertices: pairs with their cells, and Betti numbers;
         ``"arrange"`` for the cells of drawings: counts, areas, and which files contain each face; ``"boolean"`` for a result of drawings: area,
-        components, holes and pinches.
+        components, holes and pinches; of surfaces ``"cut"`` for the disks that components are cut to, with the words around them, or what a path leaves, and
+        ``"cover"`` for copies of the universal cover and their words, or the orientation double cover; ``"cocycles"`` for a basis of the first cohomology.
     coefficients, cohomology, reduced, generators
         As for :func:`homology` and :func:`cohomology`; with generators it is proved that they generate the groups. ``None`` are the integers, for
         persistence the field of two elements.
@@ -66,6 +73,12 @@ def certificate(
         Of a Boolean: ``"union"``, ``"intersection"``, ``"difference"``, ``"xor"``, or a formula of the files such as ``"(a | b) - c"``.
     rule, exact
         As for :func:`arrange` and :func:`boolean`. Where rounding moves vertices, only the exact result has a certificate.
+    simplify, along
+        Of a cut: as for :meth:`Surface.cut`, the path by its vertices.
+    radius, copies, component
+        Of a cover: as for :meth:`Surface.cover`.
+    orientation
+        The orientation double cover instead of the universal one.
     progress
         As for :func:`homology`.
 
@@ -92,6 +105,9 @@ def certificate(
         return _coface._drawing_certificate(paths, operation if of == "boolean" else None, rule, exact, progress)
     if not isinstance(path, (str, os.PathLike)):
         raise _coface.InvalidInputError(f"a certificate of {of} is of one file; give its path")
+    if of in ("cut", "cover", "cocycles"):
+        along = None if along is None else list(along)
+        return _coface._surface_certificate(path, of, simplify, along, radius, copies, orientation, component, progress)
     if of == "persistence":
         field = "f2" if coefficients is None else coefficients
         return _coface._persistence_certificate(path, field, function, upper_star, min_persistence, progress)
