@@ -101,8 +101,8 @@ fn rank(whole: &Value, inputs: &[&[u8]]) -> Result<usize, Fault> {
     }
 }
 
-/// The edges of a complex by their vertices, or by their numbers where cells have no vertices.
-struct Edges(HashMap<Vec<u32>, (u32, bool)>);
+/// The edges of a complex by their vertices, with the direction of the complex or against it.
+struct Edges(HashMap<[u32; 2], (u32, bool)>);
 
 impl Edges {
     fn of(complex: &Complex) -> Result<Self, Fault> {
@@ -111,12 +111,11 @@ impl Edges {
         for edge in 0..count {
             let number = edge as u32;
             match complex.vertices(1, edge) {
-                None => drop(edges.insert(vec![number], (number, true))),
                 Some(&[a, b]) => {
-                    edges.insert(vec![a, b], (number, true));
-                    edges.insert(vec![b, a], (number, false));
+                    edges.insert([a, b], (number, true));
+                    edges.insert([b, a], (number, false));
                 }
-                Some(_) => return Err(Fault::new("input", "an edge has not two vertices")),
+                _ => return Err(Fault::new("input", "an edge has not two vertices")),
             }
         }
         Ok(Self(edges))
@@ -143,8 +142,10 @@ impl Edges {
         value: IBig,
         step: &str,
     ) -> Result<(), Fault> {
-        let (edge, is_along) =
-            self.0.get(cell).ok_or_else(|| Fault::new(step, format!("there is no edge {cell:?}")))?;
+        let (edge, is_along) = <&[u32; 2]>::try_from(cell)
+            .ok()
+            .and_then(|cell| self.0.get(cell))
+            .ok_or_else(|| Fault::new(step, format!("there is no edge {cell:?}")))?;
         *chain.entry(*edge).or_default() += if *is_along { value } else { -value };
         Ok(())
     }

@@ -211,7 +211,7 @@ pub(crate) fn orientation(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fa
     let surface = Surface::read(inputs[0])?;
     let answer = field(whole, "answer", "answer")?;
     let (_, pieces) = surface.pieces(&vec![false; surface.edge_count()]);
-    let (mut below, mut above, mut counts) = (Vec::new(), Vec::new(), [0usize; 3]);
+    let (mut below, mut above, mut counts) = (Vec::new(), Vec::new(), [2 * surface.isolated, 0, 0]);
     for piece in &pieces {
         below.push(piece.name());
         match piece.is_orientable {

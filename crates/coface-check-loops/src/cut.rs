@@ -69,9 +69,9 @@ fn counted(said: &Value, piece: &Piece) -> Result<(), Fault> {
     equal(said, "f_vector", &json!(piece.counts), "a component")
 }
 
-/// The counts of all pieces together are those of the answer.
-fn all_counted(pieces: &[Piece], claims: &mut Claims<'_>) -> Result<(), Fault> {
-    let mut sum = [0usize; 3];
+/// The counts of all pieces together, and of vertices in no face, are those of the answer.
+fn all_counted(surface: &Surface, pieces: &[Piece], claims: &mut Claims<'_>) -> Result<(), Fault> {
+    let mut sum = [surface.isolated, 0, 0];
     pieces.iter().for_each(|piece| sum.iter_mut().zip(piece.counts).for_each(|(sum, count)| *sum += count));
     claims.equal("f_vector", &json!(sum))
 }
@@ -137,7 +137,7 @@ fn disks(surface: &Surface, proof: &Value, answer: &Value, claims: &mut Claims<'
     if !passed.numbers.iter().copied().eq(1..=passed.numbers.len() as u64) {
         return Err(Fault::new("answer", "the seams are not numbered from 1 on"));
     }
-    all_counted(&pieces, claims)
+    all_counted(surface, &pieces, claims)
 }
 
 /// The seams of all components.
@@ -286,5 +286,5 @@ fn along(
         }
         claims.prove(format!("a component, {}, of {}", piece.name(), cells(piece.counts)));
     }
-    all_counted(&pieces, claims)
+    all_counted(surface, &pieces, claims)
 }

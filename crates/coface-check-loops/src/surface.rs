@@ -1,7 +1,7 @@
 //! Surfaces: faces glued along edges, cut or not, and what the pieces are.
 
 use coface_check::{Complex, Fault};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 /// Faces with their sides. The sides of all faces have numbers one after the other; the corner of a side is its start.
 pub(crate) struct Surface {
@@ -17,6 +17,8 @@ pub(crate) struct Surface {
     sides_of: Vec<Vec<u32>>,
     /// The number of faces.
     face_count: usize,
+    /// The number of vertices in no face.
+    pub(crate) isolated: usize,
     by_ends: HashMap<[u32; 2], u32>,
     by_vertices: HashMap<Vec<u32>, u32>,
 }
@@ -111,7 +113,9 @@ impl Surface {
             return Err(refuse("the input is no complex of dimension 2"));
         };
         let faces: Option<Vec<&[u32]>> = (0..face_count).map(|face| complex.vertices(2, face)).collect();
-        let found = Self::of(&faces.ok_or_else(|| refuse("the faces have no vertices"))?)?;
+        let mut found = Self::of(&faces.ok_or_else(|| refuse("the faces have no vertices"))?)?;
+        let used: BTreeSet<u32> = found.ends.iter().map(|ends| ends[0]).collect();
+        found.isolated = complex.counts()[0].saturating_sub(used.len());
         match found.edge_count() == edge_count {
             true => Ok(found),
             false => Err(refuse("an edge lies in no face")),
@@ -128,6 +132,7 @@ impl Surface {
             edge_of: Vec::new(),
             sides_of: Vec::new(),
             face_count: faces.len(),
+            isolated: 0,
             by_ends: HashMap::new(),
             by_vertices: HashMap::new(),
         };

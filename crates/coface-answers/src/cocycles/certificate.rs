@@ -24,8 +24,8 @@ impl FoundCocycles<'_> {
     /// `docs/certificates.md` says. It has been checked.
     ///
     /// # Errors
-    /// [`coface_algebra::ErrorKind::UnsupportedFormat`] if the checker does not read the file as this library does: it reads facet lists, chain complexes,
-    /// and plain OFF and OBJ. [`coface_algebra::ErrorKind::InvalidInput`] for cocycles of a domain, or relative to a part.
+    /// [`coface_algebra::ErrorKind::UnsupportedFormat`] if the checker does not read the file as this library does: it reads facet lists, and plain
+    /// OFF and OBJ. [`coface_algebra::ErrorKind::InvalidInput`] for cocycles of a domain, or relative to a part.
     ///
     /// # Complexity
     /// That of homology, and of a Smith form with transforms of what a matching leaves.

@@ -57,7 +57,7 @@ impl SurfaceCut<'_> {
     /// let cut = surface.cut_open(&CutRequest { simplify: true, ..CutRequest::default() })?;
     /// let certificate = cut.certificate(&[("sphere.json", input)])?;
     /// let verdict = coface_check_loops::check(certificate.as_bytes(), &[input]).expect("the proof holds");
-    /// assert!(verdict.proved()[0].contains("sphere, cut along 1 edge to a disk"));
+    /// assert!(verdict.proved()[0].contains("sphere, cut along 2 edges to a disk"));
     /// # Ok(()) }
     /// ```
     pub fn certificate(&self, inputs: &[(&str, &[u8])]) -> Result<String, Error> {

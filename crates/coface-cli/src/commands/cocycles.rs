@@ -54,8 +54,8 @@ pub(crate) struct Cocycles {
     /// With --test of a cochain that is not of integers: sums up to this absolute value count as zero
     #[arg(long, value_name = "R", requires = "test")]
     tolerance: Option<f64>,
-    /// A certificate of the basis, which coface check verifies: rank, closedness, values on loops, and that it is a basis over Z; of a facet list, a
-    /// chain complex, or a surface as plain OFF or OBJ
+    /// A certificate of the basis, which coface check verifies: rank, closedness, values on loops, and that it is a basis over Z; of a facet list, or
+    /// a surface as plain OFF or OBJ
     #[arg(long, value_name = "OUT", conflicts_with_all = ["test", "relative", "domain"])]
     certificate: Option<PathBuf>,
 }
