@@ -2,7 +2,6 @@
 
 use super::SurfaceModel;
 use super::cutting::polygons_of_map;
-use crate::answer::DoubleCoverAnswer;
 use coface_algebra::progress::stage;
 use coface_algebra::{Error, FaceId, VertexId};
 use coface_complexes::surface::GeneralizedMap;
@@ -134,39 +133,6 @@ impl SurfaceModel {
             .with_data(CellData::integers("copy", GroupKind::Vertices, 1, sheet(v))?)?
             .with_data(CellData::integers("copy", GroupKind::Polygons, 1, sheet(f))?)?;
         Ok((map.clone(), model))
-    }
-}
-
-impl SurfaceModel {
-    /// The answer about the orientation double cover, with this name of the input, and the cover as a model.
-    ///
-    /// # Errors
-    /// As of [`Self::orientation_double_cover`].
-    ///
-    /// # Examples
-    /// ```
-    /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// use coface_answers::SurfaceModel;
-    /// // A Moebius band.
-    /// let band = coface_io::read(&b"[[0,1,2],[1,2,3],[2,3,4],[3,4,0],[4,0,1]]"[..], coface_io::Format::Json)?;
-    /// let (answer, _) = SurfaceModel::of(band)?.double_cover("band.json")?;
-    /// assert_eq!(answer.surfaces, ["annulus"]);
-    /// # Ok(()) }
-    /// ```
-    pub fn double_cover(&self, file: &str) -> Result<(DoubleCoverAnswer, Model), Error> {
-        let (map, model) = self.orientation_double_cover()?;
-        let [v, e, f] = [map.vertex_count(), map.edge_count(), map.face_count()];
-        let names = |map: &GeneralizedMap| map.surfaces().iter().map(ToString::to_string).collect();
-        let answer = DoubleCoverAnswer {
-            file: file.to_owned(),
-            copies: 2,
-            surfaces_below: names(self.map()),
-            surfaces: names(&map),
-            f_vector: vec![v, e, f],
-            euler_characteristic: v as i64 - e as i64 + f as i64,
-            remarks: Vec::new(),
-        };
-        Ok((answer, model))
     }
 }
 
