@@ -1,4 +1,4 @@
-//! A checker of the certificates of surfaces that were cut open or covered, and of bases of the first cohomology. It shares no code with what computed them:
+//! A checker of the certificates of surfaces that were cut open or covered, of bases of the first cohomology, and of fundamental groups. It shares no code with what computed them:
 //! complexes are those of [`coface_check`], and it glues and adds by itself.
 //!
 //! A certificate of a cut has the edges that were cut. [`check`] glues the faces along all others, and finds what the pieces are by their Euler
@@ -9,7 +9,10 @@ mod claims;
 mod cocycles;
 mod cover;
 mod cut;
+mod pi1;
 mod surface;
+mod tietze;
+mod words;
 
 use coface_check::json::{field, text};
 use coface_check::{Fault, Verdict};
@@ -43,6 +46,7 @@ pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
         "cut" => cut::check(&whole, inputs),
         "cover" => cover::universal(&whole, inputs),
         "orientation cover" => cover::orientation(&whole, inputs),
+        "pi1" => pi1::check(&whole, inputs),
         "cocycles" => cocycles::check(&whole, inputs),
         _ => coface_check_plane::check(certificate, inputs),
     }

@@ -10,7 +10,6 @@ use crate::surface::{self, Solid};
 use coface::algebra::{RaggedArray, Word};
 use coface::answers::answer::{ClosedPath, WalkAnswer, WalkPair};
 use coface::answers::{FoundGroups, GivenWalks, GroupsRequest, Producer};
-use coface::geometry::Positions;
 use coface::io::{Model, write_path};
 use coface::{Error, ErrorKind};
 use serde::Serialize;
@@ -28,7 +27,7 @@ pub(crate) const FEW: usize = 12;
 pub(crate) struct Asked {
     pub(crate) name: String,
     pub(crate) found: FoundGroups,
-    positions: Positions,
+    pub(crate) producer: Producer,
     /// What is wrong with the positions, where some are not finite.
     fault: Option<Error>,
 }
@@ -53,8 +52,8 @@ impl Asked {
         })?;
         accept(found.remarks(), common)?;
         say_remarks(found.remarks(), common);
-        let (positions, fault) = (producer.positions().clone(), producer.require_finite().err());
-        Ok(Self { name, found, positions, fault })
+        let fault = producer.require_finite().err();
+        Ok(Self { name, found, producer, fault })
     }
 
     /// Writes closed paths as JSON, or as polylines in a format that has positions.
@@ -66,14 +65,14 @@ impl Asked {
         if let Some(fault) = &self.fault {
             return Err(fault.clone().in_file(self.name.clone()).into());
         }
-        if self.positions.dimension() == 0 {
+        if self.producer.positions().dimension() == 0 {
             return Err(Failure::new(format!(
                 "{}: the model has no positions to draw loops with; write them as .json",
                 place.display()
             )));
         }
         let lines = RaggedArray::from_lists(paths.iter().filter(|vertices| vertices.len() > 1));
-        Ok(write_path(&Model::from_lines(self.positions.clone(), lines)?, place, None)?)
+        Ok(write_path(&Model::from_lines(self.producer.positions().clone(), lines)?, place, None)?)
     }
 
     /// Writes the short closed paths, or else the loops.

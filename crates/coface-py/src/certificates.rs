@@ -7,9 +7,9 @@ use crate::work::run;
 use coface::Error;
 use coface::algebra::ErrorKind;
 use coface::answers::{
-    ArrangementRequest, BooleanRequest, CocyclesRequest, CutRequest, DrawingArrangement, Growth,
-    HomologyRequest, PersistenceRequest, PlanarDrawing, Producer, RegionBoolean, RegionSource, RelativeTo,
-    Report, ReportRequest, SurfaceModel, VertexFunction,
+    ArrangementRequest, BooleanRequest, CocyclesRequest, CutRequest, DrawingArrangement, GroupsRequest,
+    Growth, HomologyRequest, PersistenceRequest, PlanarDrawing, Producer, RegionBoolean, RegionSource,
+    RelativeTo, Report, ReportRequest, SurfaceModel, VertexFunction,
 };
 use coface::io::{Format, read_path};
 use coface::topology::CoverExtent;
@@ -46,7 +46,7 @@ pub(crate) fn _certificate(
             return Err(invalid(
                 py,
                 message,
-                "give of=\"homology\", \"info\", \"persistence\", \"cut\", \"cover\" or \"cocycles\"",
+                "give of=\"homology\", \"info\", \"persistence\", \"cut\", \"cover\", \"cocycles\" or \"pi1\"",
             ));
         }
     };
@@ -127,7 +127,7 @@ pub(crate) fn _persistence_certificate(
     })
 }
 
-/// The certificate of a surface cut open, of a cover or of cocycles of a file, as text.
+/// The certificate of a surface cut open, of a cover, of cocycles or of the fundamental groups of a file, as text.
 #[pyfunction]
 #[pyo3(signature = (path, of, simplify, along, radius, copies, orientation, component, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
@@ -157,6 +157,11 @@ pub(crate) fn _surface_certificate(
         let model = read_path(&path, None)?;
         let bytes = content(&path)?;
         let inputs: [(&str, &[u8]); 1] = [(&name, &bytes)];
+        if of == "pi1" {
+            let producer = Producer::of(model)?;
+            let request = GroupsRequest::new().simplified(simplify);
+            return request.certificate(&request.found(&producer)?, &producer, &inputs);
+        }
         if of == "cocycles" {
             return CocyclesRequest::new().found(&Producer::of(model)?)?.certificate(&inputs);
         }

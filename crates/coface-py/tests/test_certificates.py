@@ -82,7 +82,7 @@ def test_what_is_not_so_is_refused(plane: Path, tmp_path: Path) -> None:
     with pytest.raises(coface.Error, match="no such regular file"):
         coface.check(coface.certificate(plane), tmp_path / "missing.json")
     with pytest.raises(coface.Error, match="homology"):
-        coface.certificate(plane, "pi1")  # type: ignore[arg-type]
+        coface.certificate(plane, "loops")  # type: ignore[arg-type]
     with pytest.raises(coface.Error, match="no such"):
         coface.certificate(tmp_path / "missing.json")
     for junk in ["{}", '{"a":1}', plane]:
@@ -111,3 +111,21 @@ def test_diagrams_are_proved(tmp_path: Path) -> None:
         coface.check(json.dumps(lie), torus)
     with pytest.raises(coface.InvalidInputError, match="function="):
         coface.certificate(torus, "persistence", function="w")
+
+
+def test_cuts_covers_cocycles_and_groups_are_proved(plane: Path, tmp_path: Path) -> None:
+    torus = tmp_path / "torus.off"
+    coface.generate("torus", columns=4, rows=3).write(torus)
+    for of, options, expected in [
+        ("cut", {"simplify": True}, "a component, torus, cut along"),
+        ("cover", {"radius": 1}, "copies = 5"),
+        ("cover", {"orientation": True}, "surfaces, in some order: torus, torus"),
+        ("cocycles", {}, "rank = 2"),
+        ("pi1", {}, "this group is Z^2"),
+    ]:
+        proof = coface.certificate(torus, of, **options)
+        assert any(claim.startswith(expected) for claim in coface.check(proof, torus)["proved"]), of
+    claims = coface.check(coface.certificate(plane, "cover", copies=2), plane)["proved"]
+    assert "it is the universal cover: a covering of degree 2 that is simply connected" in claims
+    with pytest.raises(coface.InvalidInputError, match="radius=2"):
+        coface.certificate(plane, "cover")

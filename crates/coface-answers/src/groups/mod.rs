@@ -4,6 +4,7 @@
 //! * [`FoundGroups`] has the presentations and the loops, and makes the answers of `pi1`, `loops`, `cycles`, `homotopic` and
 //!   `subgroups`.
 
+mod certificate;
 mod found;
 mod surface;
 mod walks;
@@ -13,7 +14,7 @@ pub(crate) use surface::roles_of_edges;
 
 use crate::Producer;
 use crate::answer::{GroupCounts, HomomorphismAnswer, Remark, RemarkCode, SubgroupCount, TreesAnswer};
-use coface_algebra::chains::ChainComplex;
+use coface_algebra::chains::{ChainComplex, TwoSkeleton};
 use coface_algebra::progress::stage;
 use coface_algebra::{CellId, Error, VertexId, Word};
 use coface_topology::{
@@ -255,17 +256,7 @@ impl GroupsRequest {
         let skeleton = producer.two_skeleton()?;
         let number = |vertex: VertexId| producer.cell_vertices(0, CellId::new(vertex.index()))[0];
         let steps = stage("walking around faces", 0);
-        let groups = match self.base {
-            None => EdgePathGroups::new(&skeleton),
-            Some(base) => {
-                let mut vertices = (0..skeleton.vertex_count()).map(VertexId::new);
-                let vertex = vertices.find(|&vertex| number(vertex) == base);
-                EdgePathGroups::with_base(
-                    &skeleton,
-                    vertex.ok_or_else(|| no_vertex(base, "to be the base"))?,
-                )?
-            }
-        };
+        let groups = self.edge_paths(producer, &skeleton)?;
         let is_small = skeleton.edge_count() <= surface::MOST_EDGES;
         let small = is_small.then(|| (skeleton.vertex_count(), skeleton.edge_ends().to_vec()));
         drop((skeleton, steps));
@@ -289,6 +280,14 @@ impl GroupsRequest {
         found.remarks.extend(producer.remarks().iter().filter(cut).cloned());
         found.trees = small.map(|(vertices, ends)| trees_of(&groups, vertices, &ends, number));
         Ok(found)
+    }
+
+    /// The groups by paths along edges, with the base that was asked for.
+    fn edge_paths(&self, producer: &Producer, skeleton: &TwoSkeleton) -> Result<EdgePathGroups, Error> {
+        let Some(base) = self.base else { return Ok(EdgePathGroups::new(skeleton)) };
+        let number = |vertex: &VertexId| producer.cell_vertices(0, CellId::new(vertex.index()))[0];
+        let vertex = (0..skeleton.vertex_count()).map(VertexId::new).find(|vertex| number(vertex) == base);
+        EdgePathGroups::with_base(skeleton, vertex.ok_or_else(|| no_vertex(base, "to be the base"))?)
     }
 
     fn shown(&self, presentation: &Presentation, effort: Effort) -> Shown {

@@ -1,6 +1,7 @@
 //! `coface pi1`: fundamental groups.
 
 use crate::arguments::{Common, Limit};
+use crate::certified;
 use crate::failure::Failure;
 use crate::groups::{self, Asked, FEW};
 use crate::output::give;
@@ -61,6 +62,10 @@ pub(crate) struct Pi1 {
     /// not depend on the machine
     #[arg(long, value_name = "TIME", value_parser = groups::effort)]
     time_limit: Option<Limit<Duration>>,
+    /// A certificate of the groups, which coface check verifies: presentations by paths along edges, the Tietze moves that simplify them, names that
+    /// the last presentation shows; of a facet list, or a surface as plain OFF or OBJ
+    #[arg(long, value_name = "OUT", conflicts_with_all = ["shortest", "canonical", "walks", "cycles", "time_limit"])]
+    certificate: Option<PathBuf>,
 }
 
 /// Which closed paths are to be short.
@@ -90,6 +95,9 @@ const NO_SURFACE: &str = "leave --shortest, --canonical, --walks and --cycles ou
 
 impl Pi1 {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        if let Some(place) = &self.certificate {
+            certified::check_place(place, std::slice::from_ref(&self.input), "pi1", common)?;
+        }
         let progress = Progress::start(common.quiet);
         let walks = self.walks.as_deref().map(groups::walks_in).transpose()?;
         let mut request = GroupsRequest::new()
@@ -108,6 +116,12 @@ impl Pi1 {
             request = request.short_paths(cycles.kind(), self.through);
         }
         let asked = Asked::of(&self.input, &request, Some(NO_SURFACE), common, &progress)?;
+        if let Some(place) = &self.certificate {
+            progress.stage(format!("proving {}", place.display()));
+            certified::save(place, std::slice::from_ref(&self.input), |inputs| {
+                request.certificate(&asked.found, &asked.producer, inputs)
+            })?;
+        }
         if let Some(path) = &self.loops {
             asked.write_paths(path, &progress)?;
         }

@@ -26,7 +26,7 @@ class Verified(TypedDict):
 @in_words
 def certificate(
     path: _Path | Sequence[_Path],
-    of: Literal["homology", "info", "persistence", "arrange", "boolean", "cut", "cover", "cocycles"] = "homology",
+    of: Literal["homology", "info", "persistence", "arrange", "boolean", "cut", "cover", "cocycles", "pi1"] = "homology",
     *,
     coefficients: str | int | None = None,
     cohomology: bool = False,
@@ -60,7 +60,8 @@ def certificate(
         ``"persistence"`` for the diagram of a function on the vertices: pairs with their cells, and Betti numbers;
         ``"arrange"`` for the cells of drawings: counts, areas, and which files contain each face; ``"boolean"`` for a result of drawings: area,
         components, holes and pinches; of surfaces ``"cut"`` for the disks that components are cut to, with the words around them, or what a path leaves, and
-        ``"cover"`` for copies of the universal cover and their words, or the orientation double cover; ``"cocycles"`` for a basis of the first cohomology.
+        ``"cover"`` for copies of the universal cover and their words, or the orientation double cover; ``"cocycles"`` for a basis of the first cohomology;
+        ``"pi1"`` for the presentations of the fundamental groups.
     coefficients, cohomology, reduced, generators
         As for :func:`homology` and :func:`cohomology`; with generators it is proved that they generate the groups. ``None`` are the integers, for
         persistence the field of two elements.
@@ -74,7 +75,7 @@ def certificate(
     rule, exact
         As for :func:`arrange` and :func:`boolean`. Where rounding moves vertices, only the exact result has a certificate.
     simplify, along
-        Of a cut: as for :meth:`Surface.cut`, the path by its vertices.
+        Of a cut: as for :meth:`Surface.cut`, the path by its vertices. Of fundamental groups: the presentations that simplification gives.
     radius, copies, component
         Of a cover: as for :meth:`Surface.cover`.
     orientation
@@ -105,7 +106,7 @@ def certificate(
         return _coface._drawing_certificate(paths, operation if of == "boolean" else None, rule, exact, progress)
     if not isinstance(path, (str, os.PathLike)):
         raise _coface.InvalidInputError(f"a certificate of {of} is of one file; give its path")
-    if of in ("cut", "cover", "cocycles"):
+    if of in ("cut", "cover", "cocycles", "pi1"):
         along = None if along is None else list(along)
         return _coface._surface_certificate(path, of, simplify, along, radius, copies, orientation, component, progress)
     if of == "persistence":

@@ -5,7 +5,7 @@ use super::word_table::{UNIT, WordTable};
 use crate::homology::AbelianGroup;
 use coface_algebra::chains::TwoSkeleton;
 use coface_algebra::progress::stage;
-use coface_algebra::{EdgeId, Error, ErrorKind, VertexId};
+use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign, UnionFind, Word};
 use std::collections::{BTreeSet, VecDeque};
 
@@ -56,6 +56,8 @@ pub struct EdgePathGroups {
     edge_words: Vec<u32>,
     words: Vec<Word>,
     components: Vec<Component>,
+    /// The faces that gave an edge its word, in their order.
+    determining: Vec<FaceId>,
 }
 
 #[derive(Clone, Debug)]
@@ -143,6 +145,8 @@ struct Words<'a> {
     unknown: Vec<u32>,
     /// Whether each face has given an edge its word.
     is_used: Vec<bool>,
+    /// The faces that are used, in their order.
+    determining: Vec<FaceId>,
     ready: VecDeque<u32>,
     generators: Vec<u32>,
     table: WordTable,
@@ -164,6 +168,7 @@ impl<'a> Words<'a> {
             of_edge: vec![NONE; edge_count],
             unknown: faces.iter().map(|rim| rim.len() as u32).collect(),
             is_used: vec![false; faces.len()],
+            determining: Vec::new(),
             ready: VecDeque::new(),
             generators: Vec::new(),
             table: WordTable::new(),
@@ -227,6 +232,7 @@ impl<'a> Words<'a> {
                 // The step times the others is the unit.
                 Some(rest) => {
                     self.is_used[face as usize] = true;
+                    self.determining.push(FaceId::from_u32(face));
                     self.set(step >> 1, if step & 1 == 0 { WordTable::inverse(rest) } else { rest });
                 }
                 None => self.make_generator(step >> 1),
@@ -389,7 +395,7 @@ impl EdgePathGroups {
         let mut words = Words::new(skeleton.faces(), skeleton.edge_count());
         words.finish(&forest, &ends);
         let relators = words.relators(skeleton.solids());
-        let Words { of_edge: edge_words, generators, table, .. } = words;
+        let Words { of_edge: edge_words, generators, table, determining, .. } = words;
         let mut generator_edges = vec![Vec::new(); forest.roots.len()];
         let mut component_of = Vec::with_capacity(generators.len());
         let mut local = Vec::with_capacity(generators.len());
@@ -420,7 +426,7 @@ impl EdgePathGroups {
                 generator_edges,
             })
             .collect();
-        Self { ends, forest, edge_words, words, components }
+        Self { ends, forest, edge_words, words, components, determining }
     }
 
     /// The number of components.
@@ -514,6 +520,22 @@ impl EdgePathGroups {
     /// ```
     pub fn generator_edges(&self, component: usize) -> &[EdgeId] {
         &self.components[component].generator_edges
+    }
+
+    /// The faces that gave an edge its word, in their order: all other edges of such a face had words before.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::known_spaces;
+    /// use coface_topology::EdgePathGroups;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// // Of the 21 edges of the torus 6 are in the tree and 2 are generators; 13 faces give the others, and the last is the relator.
+    /// let skeleton = known_spaces::cyclic_torus(2)?.freeze().two_skeleton()?;
+    /// assert_eq!(EdgePathGroups::new(&skeleton).determining_faces().len(), 13);
+    /// # Ok(()) }
+    /// ```
+    pub fn determining_faces(&self) -> &[FaceId] {
+        &self.determining
     }
 
     /// The path along the tree from the base of its component to a vertex.
