@@ -64,7 +64,7 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
             ));
         }
         claims.prove(format!(
-            "the group of a component: {} and {}",
+            "the group of a component has the presentation of the answer, {} and {}",
             count(shown.0, "generator", "generators"),
             count(own.len(), "relator", "relators")
         ));
@@ -85,7 +85,7 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
         return Err(Fault::new("answer", "a component is missing"));
     }
     claims.know(&["file", "components", "simplified"]);
-    claims.prove(format!("these are all {}", count(is_met.len(), "component", "components")));
+    claims.prove(format!("the input has {}", count(is_met.len(), "component", "components")));
     Ok(claims.verdict())
 }
 

@@ -28,7 +28,12 @@ pub(crate) fn refuse_standard_input(inputs: &[PathBuf]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes the certificate of an answer about these files, from their names and bytes.
+/// Whether a certificate is to have the binary form, by the name of its file.
+fn is_binary(place: &Path) -> bool {
+    place.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("bin"))
+}
+
+/// Writes the certificate of an answer about these files, from their names and bytes: JSON, or the binary form in a file .bin.
 pub(crate) fn save(
     place: &Path,
     files: &[PathBuf],
@@ -44,5 +49,10 @@ pub(crate) fn save(
     let inputs: Vec<(&str, &[u8])> =
         names.iter().map(String::as_str).zip(read.iter().map(Vec::as_slice)).collect();
     let certificate = certificate(&inputs).map_err(|error| error.in_file(names[0].clone()))?;
-    write_file(place, certificate.as_bytes())
+    if !is_binary(place) {
+        return write_file(place, certificate.as_bytes());
+    }
+    let packed = coface_check_binary::packed(certificate.as_bytes())
+        .map_err(|fault| Failure::new(format!("{}: {fault}", place.display())))?;
+    write_file(place, &packed)
 }

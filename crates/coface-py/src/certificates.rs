@@ -224,7 +224,7 @@ pub(crate) fn _check(
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<(Vec<String>, Vec<String>, Vec<String>)> {
     let refused = |fault: coface_check::Fault| Error::invalid(format!("not verified: {fault}"));
-    let named = || coface_check::input_names(&certificate).map_err(refused).or_raise(py);
+    let named = || coface_check_binary::input_names(&certificate).map_err(refused).or_raise(py);
     let inputs: Vec<PathBuf> = match inputs.is_empty() {
         true => named()?.into_iter().map(PathBuf::from).collect(),
         false => inputs,
@@ -236,7 +236,7 @@ pub(crate) fn _check(
     run(py, progress, || {
         let read = inputs.iter().map(|input| content(input)).collect::<Result<Vec<_>, Error>>()?;
         let read: Vec<&[u8]> = read.iter().map(Vec::as_slice).collect();
-        let verdict = coface_check_loops::check(&certificate, &read).map_err(refused)?;
+        let verdict = coface_check_binary::check(&certificate, &read).map_err(refused)?;
         let names = inputs.iter().map(|input| input.display().to_string()).collect();
         Ok((names, verdict.proved().to_vec(), verdict.unchecked().to_vec()))
     })

@@ -23,6 +23,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("coface-check-persistence", &["coface-check"]),
     ("coface-check-plane", &["coface-check", "coface-check-persistence"]),
     ("coface-check-loops", &["coface-check", "coface-check-plane"]),
+    ("coface-check-binary", &["coface-check", "coface-check-loops"]),
     ("coface-io", &["coface-algebra", "coface-geometry", "coface-complexes", "coface-arrange", "coface-yin"]),
     (
         "coface-answers",
@@ -79,8 +80,8 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "coface-scale",
         ],
     ),
-    ("coface-cli", &["coface", "coface-allocator", "coface-check", "coface-check-loops"]),
-    ("coface-py", &["coface", "coface-allocator", "coface-check", "coface-check-loops"]),
+    ("coface-cli", &["coface", "coface-allocator", "coface-check", "coface-check-binary"]),
+    ("coface-py", &["coface", "coface-allocator", "coface-check", "coface-check-binary"]),
     ("coface-bench", &["coface"]),
 ];
 

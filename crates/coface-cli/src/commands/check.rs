@@ -30,7 +30,7 @@ impl Check {
         };
         let mut inputs = self.inputs.clone();
         if inputs.is_empty() {
-            let names = coface_check::input_names(&certificate).map_err(refused)?;
+            let names = coface_check_binary::input_names(&certificate).map_err(refused)?;
             inputs = names.into_iter().map(PathBuf::from).collect();
         }
         if inputs.is_empty() {
@@ -41,7 +41,7 @@ impl Check {
         }
         let read = inputs.iter().map(|input| bytes(input)).collect::<Result<Vec<_>, _>>()?;
         let read: Vec<&[u8]> = read.iter().map(Vec::as_slice).collect();
-        let verdict = coface_check_loops::check(&certificate, &read).map_err(refused)?;
+        let verdict = coface_check_binary::check(&certificate, &read).map_err(refused)?;
         let answer = CheckAnswer {
             certificate: self.certificate.display().to_string(),
             files: inputs.iter().map(|input| input.display().to_string()).collect(),

@@ -55,7 +55,8 @@ pub(crate) struct Cocycles {
     #[arg(long, value_name = "R", requires = "test")]
     tolerance: Option<f64>,
     /// A certificate of the basis, which coface check verifies: rank, closedness, values on loops, and that it is a basis over Z; of a facet list, or
-    /// a surface as plain OFF or OBJ
+    /// a surface as plain OFF or OBJ; in
+    /// the binary form if OUT ends in .bin
     #[arg(long, value_name = "OUT", conflicts_with_all = ["test", "relative", "domain"])]
     certificate: Option<PathBuf>,
 }

@@ -54,7 +54,8 @@ pub(crate) struct Cover {
     #[arg(long)]
     boundary: bool,
     /// A certificate of the cover, which coface check verifies: the way down is a local isomorphism, copies, words, degree of a whole cover; of a facet
-    /// list, or a surface as plain OFF or OBJ
+    /// list, or a surface as plain OFF or OBJ; in
+    /// the binary form if OUT ends in .bin
     #[arg(long, value_name = "OUT", conflicts_with = "boundary")]
     certificate: Option<PathBuf>,
 }

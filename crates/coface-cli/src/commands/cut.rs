@@ -70,7 +70,8 @@ pub(crate) struct Cut {
     #[arg(long)]
     boundary: bool,
     /// A certificate of the cut, which coface check verifies: what components are, that each is cut to a disk, the word of seams around it, or what
-    /// a path leaves; of a facet list, or a surface as plain OFF or OBJ
+    /// a path leaves; of a facet list, or a surface as plain OFF or OBJ; in
+    /// the binary form if OUT ends in .bin
     #[arg(long, value_name = "OUT", conflicts_with_all = ["canonical", "layout", "uv", "boundary"])]
     certificate: Option<PathBuf>,
 }

@@ -58,7 +58,8 @@ pub(crate) struct Info {
     #[arg(long, value_name = "METHOD", num_args = 0..=1, default_missing_value = "structure")]
     repair: Option<Method>,
     /// A certificate of the report on one input, which coface check verifies: counts, components, manifold up to dimension 3, orientability,
-    /// boundary loops, genus, homology; of a facet list, or a surface as plain OFF or OBJ
+    /// boundary loops, genus, homology; of a facet list, or a surface as plain OFF or OBJ; in
+    /// the binary form if OUT ends in .bin
     #[arg(long, value_name = "OUT")]
     certificate: Option<PathBuf>,
 }

@@ -80,7 +80,8 @@ pub(crate) struct Persistence {
     /// in .vtk, .obj and other mesh formats, with groups of triangles and cells. Not made short
     #[arg(long, value_name = "OUT", num_args = 0..=1)]
     cycles: Option<Option<PathBuf>>,
-    /// A certificate of the pairs, which coface check verifies against the input; of a facet list, a chain complex, or a surface as plain OFF or OBJ
+    /// A certificate of the pairs, which coface check verifies against the input; of a facet list, a chain complex, or a surface as plain OFF or OBJ; in
+    /// the binary form if OUT ends in .bin
     #[arg(long, value_name = "OUT")]
     certificate: Option<PathBuf>,
     #[command(flatten)]

@@ -63,7 +63,8 @@ pub(crate) struct Pi1 {
     #[arg(long, value_name = "TIME", value_parser = groups::effort)]
     time_limit: Option<Limit<Duration>>,
     /// A certificate of the groups, which coface check verifies: presentations by paths along edges, the Tietze moves that simplify them, names that
-    /// the last presentation shows; of a facet list, or a surface as plain OFF or OBJ
+    /// the last presentation shows; of a facet list, or a surface as plain OFF or OBJ; in
+    /// the binary form if OUT ends in .bin
     #[arg(long, value_name = "OUT", conflicts_with_all = ["shortest", "canonical", "walks", "cycles", "time_limit"])]
     certificate: Option<PathBuf>,
 }

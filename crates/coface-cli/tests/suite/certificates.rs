@@ -148,7 +148,7 @@ pub(crate) fn lie_about(certificate: &Path, inputs: &[&Path]) {
     let honest: Value = serde_json::from_slice(&fs::read(certificate).unwrap()).unwrap();
     let inputs: Vec<Vec<u8>> = inputs.iter().map(|input| fs::read(input).unwrap()).collect();
     let inputs: Vec<&[u8]> = inputs.iter().map(Vec::as_slice).collect();
-    let verdict = |value: &Value| coface_check_loops::check(value.to_string().as_bytes(), &inputs);
+    let verdict = |value: &Value| coface_check_binary::check(value.to_string().as_bytes(), &inputs);
     let truth = verdict(&honest).expect("the program wrote it");
     let mut all = Vec::new();
     places(&honest, "", &mut all);
@@ -445,4 +445,48 @@ fn complexes_of_points_have_no_certificates_of_their_files() {
             assert!(!certificate.exists());
         }
     }
+}
+
+#[test]
+fn the_binary_form_says_the_same() {
+    let folder = tempfile::tempdir().unwrap();
+    let input = folder.path().join("torus.off");
+    fs::write(&input, TORUS).unwrap();
+    let [text, binary] = ["proof.cert", "proof.bin"].map(|name| folder.path().join(name));
+    for verb in [
+        &["homology"][..],
+        &["info"],
+        &["persistence"],
+        &["cut"],
+        &["cover", "--radius", "1"],
+        &["cocycles"],
+        &["pi1"],
+    ] {
+        for place in [&text, &binary] {
+            let line =
+                [&verb[..1], &[argument(&input)], &verb[1..], &["--certificate", argument(place), "--json"]];
+            coface(&line.concat()).json();
+        }
+        assert_eq!(checked(&text, &input)["proved"], checked(&binary, &input)["proved"], "{verb:?}");
+        // The certificate names its input.
+        assert_eq!(coface(&["check", argument(&binary)]).status, 0);
+        let bytes = fs::read(&binary).unwrap();
+        assert!(bytes.len() < fs::metadata(&text).unwrap().len() as usize, "{verb:?}");
+        // A byte that is changed is refused, or leaves what is proved; but another bound between pairs is another true claim.
+        if verb[0] == "persistence" {
+            continue;
+        }
+        let read = fs::read(&input).unwrap();
+        let truth = coface_check_binary::check(&bytes, &[&read]).unwrap();
+        for at in 0..bytes.len() {
+            let mut lie = bytes.clone();
+            lie[at] ^= 1 << (at % 8);
+            if let Ok(found) = coface_check_binary::check(&lie, &[&read]) {
+                assert!(found.proved().iter().all(|line| truth.proved().contains(line)), "{verb:?} {at}");
+            }
+        }
+    }
+    fs::write(&binary, &fs::read(&binary).unwrap()[..40]).unwrap();
+    let run = coface(&["check", argument(&binary), argument(&input)]);
+    assert!(run.fails_with(1).contains("the binary form"), "{}", run.stderr);
 }

@@ -122,7 +122,8 @@ def check(certificate: str | bytes | os.PathLike[str], *inputs: _Path, progress:
     Parameters
     ----------
     certificate
-        What :func:`certificate` gave or ``--certificate`` of the program wrote: its text, or the path of its file.
+        What :func:`certificate` gave or ``--certificate`` of the program wrote: its text, its bytes, or the path of its file. Both forms are read, JSON and
+        the binary one.
     inputs
         The files of that run in their order; those that the certificate names if they are left out.
     progress

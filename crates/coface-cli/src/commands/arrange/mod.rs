@@ -126,7 +126,8 @@ pub(crate) struct CellOptions {
     /// Refuse an arrangement of more than N cells
     #[arg(long, value_name = "N")]
     pub(crate) max_cells: Option<usize>,
-    /// In the plane, a certificate of the exact cells, which coface check verifies: of WKT and GeoJSON of two coordinates, and .lines
+    /// In the plane, a certificate of the exact cells, which coface check verifies: of WKT and GeoJSON of two coordinates, and .lines; in
+    /// the binary form if OUT ends in .bin
     #[arg(long, value_name = "OUT", conflicts_with_all = ["close", "snap", "grid", "weld", "tolerance"])]
     pub(crate) certificate: Option<PathBuf>,
 }

@@ -82,7 +82,8 @@ pub(crate) struct Homology {
     #[arg(long, value_name = "MODEL", requires = "map")]
     target: Option<PathBuf>,
     /// A certificate of the groups and the generators, which coface check verifies against the input; of a facet list, a chain complex, or a
-    /// surface as plain OFF or OBJ
+    /// surface as plain OFF or OBJ; in
+    /// the binary form if OUT ends in .bin
     #[arg(long, value_name = "OUT")]
     certificate: Option<PathBuf>,
     #[command(flatten)]
