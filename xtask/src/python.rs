@@ -49,7 +49,7 @@ pub(crate) fn python(tally: &mut Tally) {
     let stubs = [&["-m", "mypy.stubtest"], &options[..], &["coface._coface"]].concat();
     check(tally, "stubs in Python", &mut interpreter(&stubs));
     let tests = ["-m", "pytest", "--quiet", "-p", "no:cacheprovider", "--durations=8", "tests"];
-    run_counted(tally, "tests in Python", interpreter(&tests));
+    run_counted(tally, "tests in Python", interpreter(&tests), || ());
     examples(tally);
 }
 

@@ -8,70 +8,94 @@ use crate::{cargo, root};
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Condvar, Mutex, PoisonError};
 use std::time::Instant;
 
 /// Runs every check to the end, says what is skipped and why, and closes with the slowest stages and the counts.
 ///
-/// Two lanes run side by side. One builds everything once, and then runs the tests in Rust beside those in Python and in a browser; the other
-/// has what needs no such build, and the lints and docs, which have a build folder of their own, so that neither waits for the other's lock.
+/// Everything is built once, beside what needs no build. Then three lanes run side by side: the tests in Rust, those in Python and in a
+/// browser, and the lints and docs. These share the build folder, and with it all macros and build scripts, which are a quarter of a build from
+/// nothing; so they start when the tests have been found built and leave them the lock of that folder.
 pub(crate) fn run() -> ExitCode {
     let begin = Instant::now();
     let mut tally = Tally::default();
     check(&mut tally, "format", &mut cargo(&["fmt", "--all", "--check"]));
     graphblas(&mut tally);
-    let built = || {
-        let mut tally = Tally::default();
-        if !build(&mut tally) {
-            return tally;
-        }
-        let rust = || {
-            let mut tally = Tally::default();
-            let all = [&["test", "--workspace", "--no-fail-fast"], features()].concat();
-            run_counted(&mut tally, "tests", cargo(&all));
-            guide(&mut tally);
-            readme(&mut tally);
-            crate::book::check(&mut tally);
-            tally
-        };
-        let others = || {
-            let mut tally = Tally::default();
-            python(&mut tally);
-            browser(&mut tally);
-            tally
-        };
-        let lanes = std::thread::scope(|scope| {
-            [scope.spawn(rust), scope.spawn(others)]
-                .map(|lane| lane.join().unwrap_or_else(|_| Tally::of_panic()))
-        });
-        lanes.into_iter().for_each(|lane| tally.add(lane));
-        tally
-    };
-    let beside = || {
-        let mut tally = Tally::default();
+    let (has_built, has_begun) = (AtomicBool::new(false), Event::default());
+    let building = |tally: &mut Tally| has_built.store(build(tally), Ordering::Relaxed);
+    let beside = |tally: &mut Tally| {
         crate::python::prepare_early();
-        viewer(&mut tally);
-        packages(&mut tally);
-        crate::advisories::check(&mut tally);
-        // With the same features as the tests: with others everything would be built again.
-        let lints = [
-            &["clippy", "--quiet", "--workspace", "--all-targets"],
-            &GRAPHBLAS[..],
-            &["--", "-D", "warnings"],
-        ];
-        let folder = target().join("lints");
-        check(&mut tally, "lints", cargo(&lints.concat()).env("CARGO_TARGET_DIR", &folder));
-        let document = ["doc", "--quiet", "--workspace", "--no-deps"];
-        check(&mut tally, "docs", docs(cargo(&document).env("CARGO_TARGET_DIR", &folder)));
-        oldest_rust(&mut tally);
-        tally
+        viewer(tally);
+        packages(tally);
+        crate::advisories::check(tally);
+        oldest_rust(tally);
     };
-    let lanes = std::thread::scope(|scope| {
-        let lanes = [scope.spawn(built), scope.spawn(beside)];
-        lanes.map(|lane| lane.join().unwrap_or_else(|_| Tally::of_panic()))
-    });
-    lanes.into_iter().for_each(|lane| tally.add(lane));
+    side_by_side(&mut tally, &[&building, &beside]);
+    let rust = |tally: &mut Tally| {
+        let all = [&["test", "--workspace", "--no-fail-fast"], features()].concat();
+        run_counted(tally, "tests", cargo(&all), || has_begun.set());
+        // Tests that were not found built did not begin.
+        has_begun.set();
+        guide(tally);
+        readme(tally);
+        crate::book::check(tally);
+    };
+    let others = |tally: &mut Tally| {
+        python(tally);
+        browser(tally);
+    };
+    let lints = |tally: &mut Tally| {
+        has_begun.wait();
+        lints_and_docs(tally);
+    };
+    if has_built.into_inner() {
+        side_by_side(&mut tally, &[&rust, &others, &lints]);
+    } else {
+        lints_and_docs(&mut tally);
+    }
     skips(&mut tally);
     close(&tally, begin)
+}
+
+/// Something that happens once, which other threads wait for.
+#[derive(Default)]
+struct Event {
+    has_happened: Mutex<bool>,
+    change: Condvar,
+}
+
+impl Event {
+    fn set(&self) {
+        *self.has_happened.lock().unwrap_or_else(PoisonError::into_inner) = true;
+        self.change.notify_all();
+    }
+
+    fn wait(&self) {
+        let has_happened = self.has_happened.lock().unwrap_or_else(PoisonError::into_inner);
+        drop(self.change.wait_while(has_happened, |has_happened| !*has_happened));
+    }
+}
+
+/// Runs lanes at once, and adds up what they found.
+fn side_by_side(tally: &mut Tally, lanes: &[&(dyn Fn(&mut Tally) + Sync)]) {
+    let found: Vec<Tally> = std::thread::scope(|scope| {
+        let run = |lane: &'_ (dyn Fn(&mut Tally) + Sync)| {
+            let mut tally = Tally::default();
+            lane(&mut tally);
+            tally
+        };
+        let lanes: Vec<_> = lanes.iter().map(|lane| scope.spawn(move || run(*lane))).collect();
+        lanes.into_iter().map(|lane| lane.join().unwrap_or_else(|_| Tally::of_panic())).collect()
+    });
+    found.into_iter().for_each(|lane| tally.add(lane));
+}
+
+/// Lints and docs of everything. With the same features as the tests: with others everything would be built again.
+fn lints_and_docs(tally: &mut Tally) {
+    let lints = ["clippy", "--quiet", "--workspace", "--all-targets"];
+    check(tally, "lints", &mut cargo(&[&lints[..], features(), &["--", "-D", "warnings"]].concat()));
+    check(tally, "docs", docs(&mut cargo(&["doc", "--quiet", "--workspace", "--no-deps"])));
 }
 
 /// Builds everything that a test runs; whether that went well.
@@ -87,7 +111,7 @@ pub(crate) fn run_crate(name: &str) -> ExitCode {
     let begin = Instant::now();
     let mut tally = Tally::default();
     check(&mut tally, "format", &mut cargo(&["fmt", "--package", name, "--check"]));
-    run_counted(&mut tally, "tests", cargo(&["test", "--no-fail-fast", "--package", name]));
+    run_counted(&mut tally, "tests", cargo(&["test", "--no-fail-fast", "--package", name]), || ());
     let lints = ["clippy", "--quiet", "--all-targets", "--package", name, "--", "-D", "warnings"];
     check(&mut tally, "lints", &mut cargo(&lints));
     check(&mut tally, "docs", docs(&mut cargo(&["doc", "--quiet", "--no-deps", "--package", name])));
@@ -186,11 +210,12 @@ pub(crate) fn built(name: &str) -> Command {
 }
 
 /// Many tests in one command, which says how many passed; all are run even when some fail.
-pub(crate) fn run_counted(tally: &mut Tally, name: &str, command: Command) {
+/// `begun` is called when the first of them starts, and cargo has done its part.
+pub(crate) fn run_counted(tally: &mut Tally, name: &str, command: Command, begun: impl Fn()) {
     println!("== {name}: {}", words(&command));
     let begin = Instant::now();
     let mut counts = Tally::default();
-    let is_done = follow(command, &mut counts).unwrap_or_else(|error| {
+    let is_done = follow(command, &mut counts, begun).unwrap_or_else(|error| {
         println!("cannot run: {error}");
         false
     });
@@ -208,7 +233,7 @@ pub(crate) fn run_counted(tally: &mut Tally, name: &str, command: Command) {
 }
 
 /// Runs tests, prints what they say, and keeps the time of each program. Whether all went well.
-fn follow(mut command: Command, counts: &mut Tally) -> std::io::Result<bool> {
+fn follow(mut command: Command, counts: &mut Tally, begun: impl Fn()) -> std::io::Result<bool> {
     // One pipe for both: cargo says on standard error which program it runs, and the program on standard output how long it took.
     let (reader, writer) = std::io::pipe()?;
     command.stdin(Stdio::null()).stdout(writer.try_clone()?).stderr(writer);
@@ -224,6 +249,7 @@ fn follow(mut command: Command, counts: &mut Tally) -> std::io::Result<bool> {
             words.strip_prefix("Running ").or_else(|| words.strip_prefix("Doc-tests ").map(|_| words))
         {
             program = named(what);
+            begun();
         }
         let time = line.strip_prefix("test result: ").and_then(|rest| rest.rsplit_once("finished in "));
         if let Some(seconds) = time.and_then(|(_, time)| time.trim_end_matches('s').parse().ok()) {

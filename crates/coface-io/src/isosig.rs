@@ -405,7 +405,7 @@ impl<R: Read> RawLines<R> {
             if piece.is_empty() {
                 return Ok((length, true));
             }
-            let end = piece.iter().position(|&byte| byte == b'\n');
+            let end = memchr::memchr(b'\n', piece);
             let used = end.map_or(piece.len(), |at| at + 1);
             if self.line.len() <= LONGEST_LINE {
                 self.line.extend_from_slice(&piece[..used]);
