@@ -127,7 +127,7 @@ fn model_of(made: FamilyModel) -> Result<io::Model, Error> {
 /// Parameters
 /// ----------
 /// family : str
-///     The name of the family; :func:`families` lists them. ``_`` and ``-`` are the same.
+///     The name of the family, or another name of it such as ``cube``; :func:`families` lists them. ``_`` and ``-`` are the same.
 /// boundary : bool
 ///     The boundary of the model instead: the facets of exactly one cell.
 /// skeleton : int, optional

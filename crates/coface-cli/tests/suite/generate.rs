@@ -271,6 +271,19 @@ fn prisms_and_products_of_files() {
     assert!(message.contains("square.off"), "{message}");
 }
 
+#[test]
+fn families_have_other_names() {
+    for (other, name) in [("cube", "box"), ("annulus", "ring"), ("projective-plane", "rp2")] {
+        let [found, expected] =
+            [other, name].map(|family| coface(&["generate", family, "--to", "json"]).stdout.clone());
+        assert!(!found.is_empty() && found == expected, "{other}");
+    }
+    let (run, report) = scene(r#"[{"shape":"cube","sizes":[1,2,3]}]"#, "cube.vtk");
+    assert_eq!((run.status, report["signed_volume"].clone()), (0, json!(6.0)), "{}", run.stderr);
+    let help = coface(&["generate", "--help"]);
+    assert!(help.stdout.contains("cube"), "{}", help.stdout);
+}
+
 /// Writes a scene beside a file that it names, and makes a model of it.
 fn scene(text: &str, target: &str) -> (crate::program::Run, Value) {
     let folder = tempfile::tempdir().unwrap();

@@ -23,6 +23,7 @@ use std::fmt;
 /// ```
 pub struct Family {
     name: &'static str,
+    aliases: &'static [&'static str],
     about: &'static str,
     parameters: &'static [Parameter],
     rule: Rule,
@@ -40,7 +41,7 @@ impl Family {
         parameters: &'static [Parameter],
         rule: fn(&Given<'_>) -> Result<PlacedCells, Error>,
     ) -> Self {
-        Self { name, about, parameters, rule: Rule::Cells(rule) }
+        Self { name, aliases: &[], about, parameters, rule: Rule::Cells(rule) }
     }
 
     pub(super) const fn space(
@@ -49,7 +50,7 @@ impl Family {
         parameters: &'static [Parameter],
         rule: fn(&Given<'_>) -> Result<SimplicialComplex, Error>,
     ) -> Self {
-        Self { name, about, parameters, rule: Rule::Complex(rule) }
+        Self { name, aliases: &[], about, parameters, rule: Rule::Complex(rule) }
     }
 
     /// All families: shapes with positions, then known spaces without.
@@ -63,15 +64,33 @@ impl Family {
         SHAPES.iter().chain(SPACES)
     }
 
-    /// The family of this name.
+    /// With other names that people know it by.
+    pub(super) const fn also(mut self, aliases: &'static [&'static str]) -> Self {
+        self.aliases = aliases;
+        self
+    }
+
+    /// The family of this name, or of this other name.
     ///
     /// # Examples
     /// ```
     /// use coface_complexes::families::Family;
     /// assert!(Family::named("klein").is_some() && Family::named("donut").is_none());
+    /// assert_eq!(Family::named("cube").map(Family::name), Some("box"));
     /// ```
     pub fn named(name: &str) -> Option<&'static Self> {
-        Self::all().find(|family| family.name == name)
+        Self::all().find(|family| family.name == name || family.aliases.contains(&name))
+    }
+
+    /// Other names of it, which [`Family::named`] takes too.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::families::Family;
+    /// assert_eq!(Family::named("ring").map(Family::aliases), Some(&["annulus"][..]));
+    /// ```
+    pub fn aliases(&self) -> &'static [&'static str] {
+        self.aliases
     }
 
     /// The name, with `-` between its words.
@@ -213,6 +232,21 @@ mod tests {
         names.sort_unstable();
         names.dedup();
         assert_eq!(names.len(), 55, "names are unique");
+    }
+
+    #[test]
+    fn other_names_are_of_one_family() {
+        let mut names: Vec<&str> = Family::all().flat_map(|family| family.aliases()).copied().collect();
+        let count = names.len();
+        names.extend(Family::all().map(Family::name));
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), 55 + count);
+        for family in Family::all() {
+            for alias in family.aliases() {
+                assert_eq!(Family::named(alias).map(Family::name), Some(family.name()));
+            }
+        }
     }
 
     #[test]

@@ -82,7 +82,8 @@ pub(super) static SHAPES: &[Family] = &[
             };
             shapes::disk(given.real("radius"), grid, given.cells())
         },
-    ),
+    )
+    .also(&["disc"]),
     Family::shape(
         "ring",
         "A ring in the plane between two circles",
@@ -91,7 +92,8 @@ pub(super) static SHAPES: &[Family] = &[
             let grid = [given.count("rings"), given.count("sectors")];
             shapes::ring(given.real("inner_radius"), given.real("outer_radius"), grid, given.cells())
         },
-    ),
+    )
+    .also(&["annulus"]),
     Family::shape(
         "helicoid",
         "A spiral ramp about the third axis",
@@ -167,7 +169,8 @@ pub(super) static SHAPES: &[Family] = &[
             let grid = [given.count("columns"), given.count("rows")];
             shapes::moebius(given.real("radius"), given.real("width"), grid, given.cells())
         },
-    ),
+    )
+    .also(&["moebius-band", "mobius"]),
     Family::shape(
         "klein",
         "A Klein bottle: crossing itself in space, or embedded in dimension 4",
@@ -191,7 +194,8 @@ pub(super) static SHAPES: &[Family] = &[
             let grid = [given.count("columns"), given.count("rows")];
             bottle(given.real("major_radius"), given.real("minor_radius"), grid, given.cells())
         },
-    ),
+    )
+    .also(&["klein-bottle"]),
     Family::shape("csaszar", "The torus with 7 vertices and flat triangles that do not cross", &[], |_| {
         shapes::csaszar_torus()
     }),
@@ -219,7 +223,8 @@ pub(super) static SHAPES: &[Family] = &[
             let shape = if given.has("shape") { given.counts("shape") } else { vec![1; sizes.len()] };
             shapes::cuboid(&sizes, &shape, given.cells())
         },
-    ),
+    )
+    .also(&["cube", "cuboid"]),
     Family::shape("ball", "A solid ball about the origin", &[RADIUS, ALONG_DIAMETER, CELLS], |given| {
         shapes::ball(given.real("radius"), given.count("subdivisions"), given.cells())
     }),
@@ -231,7 +236,8 @@ pub(super) static SHAPES: &[Family] = &[
             let grid = [given.count("subdivisions"), given.count("layers")];
             shapes::rod(given.real("radius"), given.real("height"), grid, given.cells())
         },
-    ),
+    )
+    .also(&["solid-cylinder"]),
     Family::shape(
         "solid-torus",
         "The solid in a torus",

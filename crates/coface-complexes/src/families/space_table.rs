@@ -63,7 +63,8 @@ pub(super) static SPACES: &[Family] = &[
         &[Parameter::count("vertices", "N", "The number of vertices, 5 or more", 5)],
         |given| known_spaces::triangle_strip(given.count("vertices")),
     ),
-    Family::space("rp2", "The projective plane with 6 vertices", &[], |_| known_spaces::projective_plane()),
+    Family::space("rp2", "The projective plane with 6 vertices", &[], |_| known_spaces::projective_plane())
+        .also(&["projective-plane"]),
     Family::space(
         "rp",
         "Real projective space",
@@ -88,10 +89,12 @@ pub(super) static SPACES: &[Family] = &[
             Parameter::count("q", "Q", "The twist, coprime to p", 2),
         ],
         |given| known_spaces::lens_space(given.count("p"), given.count("q")),
-    ),
+    )
+    .also(&["lens-space"]),
     Family::space("poincare", "The homology sphere of Poincare", &[], |_| {
         known_spaces::glued_solid(Solid::Dodecahedron, 2)
-    }),
+    })
+    .also(&["poincare-sphere"]),
     Family::space("weber-seifert", "The hyperbolic space of Weber and Seifert", &[], |_| {
         known_spaces::glued_solid(Solid::Dodecahedron, 1)
     }),

@@ -53,7 +53,8 @@ impl FromArgMatches for Member {
 
 /// The subcommand of a family.
 pub(super) fn command_of(family: &'static Family) -> Command {
-    Command::new(family.name()).about(family.about()).args(family.parameters().iter().map(argument_of))
+    let command = Command::new(family.name()).about(family.about()).visible_aliases(family.aliases());
+    command.args(family.parameters().iter().map(argument_of))
 }
 
 fn argument_of(parameter: &'static Parameter) -> Arg {
