@@ -275,7 +275,7 @@ fn prisms_and_products_of_files() {
 fn families_have_other_names() {
     for (other, name) in [("cube", "box"), ("annulus", "ring"), ("projective-plane", "rp2")] {
         let [found, expected] =
-            [other, name].map(|family| coface(&["generate", family, "--to", "json"]).stdout.clone());
+            [other, name].map(|family| coface(&["generate", family, "--to", "json"]).stdout);
         assert!(!found.is_empty() && found == expected, "{other}");
     }
     let (run, report) = scene(r#"[{"shape":"cube","sizes":[1,2,3]}]"#, "cube.vtk");
