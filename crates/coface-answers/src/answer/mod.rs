@@ -126,7 +126,9 @@ pub use yin::{
     YinComparisonAnswer, YinCurve, YinCutCellsAnswer, YinDecision, YinInfoAnswer, YinKinkPoint,
     YinKinksAnswer, YinPieceSource, YinProvenance, YinRepairAnswer, YinSetAnswer,
 };
-pub use yin_events::{YinEventAnswer, YinEventCounts, YinEventKind};
+pub use yin_events::{
+    YinEventAnswer, YinEventCounts, YinEventKind, YinInterfaceEventAnswer, YinInterfaceEventKind,
+};
 pub use yin_interface::{
     JunctionKind, VanishedEdgeAnswer, YinEdgeAnswer, YinInterfaceAdvectAnswer, YinInterfaceAnswer,
     YinJunctionAnswer, YinNeighborAnswer, YinPhaseAnswer,

@@ -1,6 +1,6 @@
 //! The answer of `yin interface`.
 
-use super::{Remark, YinRepairAnswer};
+use super::{Remark, YinInterfaceEventAnswer, YinRepairAnswer};
 use serde::{Deserialize, Serialize};
 
 /// The answer of `yin interface`.
@@ -49,6 +49,10 @@ pub struct YinInterfaceAdvectAnswer {
     pub vanished: Vec<VanishedEdgeAnswer>,
     /// The steps in which edges were cut and pasted.
     pub repairs: Vec<YinRepairAnswer>,
+    /// The changes of the topology, by time; null unless they were asked for.
+    pub events: Option<Vec<YinInterfaceEventAnswer>>,
+    /// How exactly times of events are found; null unless they were asked for.
+    pub event_tolerance: Option<f64>,
     /// The areas of the phases at the beginning; null where one is infinite.
     pub areas_before: Vec<Option<f64>>,
     /// The files of the way, in the order of time.

@@ -1,7 +1,10 @@
 //! An interface that moves with a velocity field.
 
 use super::{MotionRequest, PlanarInterface};
-use crate::answer::{Remark, RemarkCode, VanishedEdgeAnswer, YinInterfaceAdvectAnswer, YinRepairAnswer};
+use crate::answer::{
+    Remark, RemarkCode, VanishedEdgeAnswer, YinInterfaceAdvectAnswer, YinInterfaceEventAnswer,
+    YinRepairAnswer,
+};
 use crate::text;
 use coface_algebra::{EdgeId, Error};
 use coface_yin::{InterfaceFault, RungeKutta, TrackedGraph};
@@ -15,6 +18,8 @@ pub struct InterfaceMotion {
     counts: [usize; 3],
     vanished: Vec<VanishedEdgeAnswer>,
     repairs: Vec<YinRepairAnswer>,
+    events: Option<Vec<YinInterfaceEventAnswer>>,
+    event_tolerance: Option<f64>,
     areas_before: Vec<Option<f64>>,
     /// The number that each edge had at the beginning.
     origins: Vec<Option<u32>>,
@@ -65,6 +70,8 @@ impl PlanarInterface {
             counts: [0; 3],
             vanished: Vec::new(),
             repairs: Vec::new(),
+            events: request.events.then(Vec::new),
+            event_tolerance: None,
             areas_before: self.phases()?.iter().map(|phase| phase.set().area()).collect(),
             origins: (0..self.graph.edge_count() as u32).map(Some).collect(),
         };
@@ -74,6 +81,9 @@ impl PlanarInterface {
             let times = [frame - 1, frame].map(|at| end * at as f64 / count as f64);
             let tracking = request.tracking(times, step, spacing);
             let moved = motion.last.graph.advected(&velocity, &tracking)?;
+            if request.events {
+                motion.event_tolerance = tracking.times_within()?;
+            }
             motion.go_on(&moved);
             take(frame, &motion.last)?;
         }
@@ -147,11 +157,22 @@ impl InterfaceMotion {
         for (sum, count) in self.counts.iter_mut().zip([counts.steps(), counts.added(), counts.removed()]) {
             *sum += count;
         }
+        if let Some(events) = &mut self.events {
+            events.extend(moved.events().iter().map(YinInterfaceEventAnswer::new));
+        }
         let origin = |edge: Option<EdgeId>| self.origins.get(edge?.index()).copied().flatten();
         let vanished = moved.vanished().iter();
         self.vanished.extend(vanished.map(|&(time, edge)| VanishedEdgeAnswer { time, edge: origin(edge) }));
         self.origins = moved.edges().iter().map(|&edge| origin(edge)).collect();
         self.last = self.last.followed_by(moved);
+    }
+
+    /// The changes of the topology, by time; none unless they were asked for.
+    ///
+    /// # Examples
+    /// See [`YinInterfaceEventAnswer::new`].
+    pub fn events(&self) -> Option<&[YinInterfaceEventAnswer]> {
+        self.events.as_deref()
     }
 
     /// The interface at the end.
@@ -205,6 +226,8 @@ impl InterfaceMotion {
             removed,
             vanished: self.vanished.clone(),
             repairs: self.repairs.clone(),
+            events: self.events.clone(),
+            event_tolerance: self.event_tolerance,
             areas_before: self.areas_before.clone(),
             frames,
             interface,

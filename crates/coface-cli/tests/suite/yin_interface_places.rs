@@ -181,3 +181,39 @@ fn damaged_interfaces_are_refused_with_the_place() {
     let found = coface(&["yin", "info", argument(&answer)]);
     assert!(found.status == 1 && found.stderr.contains("interface -o FILE.json"), "{}", found.stderr);
 }
+
+#[test]
+fn events_of_interfaces_have_times_and_phases() {
+    let folder = TempDir::new().unwrap();
+    let path = interface(&folder);
+    // The edge between the squares has the length exp(-t), and the least distance of knots is 0.05.
+    let line =
+        ["advect", argument(&path), "--velocity", "0; -y", "--time", "4", "--spacing", "0.5", "--events"];
+    let found = yin(&line);
+    let event = &found["events"][0];
+    assert_eq!((event["kind"].as_str(), &event["phases"]), (Some("junctions-meet"), &json!([0, 1, 2])));
+    assert!((event["time"].as_f64().unwrap() - 20.0f64.ln()).abs() < 1e-3, "{event}");
+    assert_eq!((&event["before"], &found["event_tolerance"]), (&json!(null), &json!(4e-5)));
+    // In parts the same; and on a page.
+    let out = folder.path().join("out.json");
+    let parts = yin(&[&line[..], &["--frames", "4", "-o", argument(&out)]].concat());
+    let times = |found: &serde_json::Value| {
+        let events = found["events"].as_array().unwrap();
+        events.iter().map(|event| event["time"].as_f64().unwrap()).collect::<Vec<f64>>()
+    };
+    assert!(times(&parts).len() == times(&found).len());
+    assert!(times(&parts).iter().zip(times(&found)).all(|(a, b)| (a - b).abs() < 1e-3));
+    let page = coface(&[&["yin"], &line[..]].concat()).stdout;
+    assert!(page.contains("junctions meet") && page.contains("Events"), "{page}");
+    let without = yin(&["advect", argument(&path), "--velocity", "1,0", "--time", "0.1", "--spacing", "3"]);
+    assert_eq!(without["events"], json!(null));
+    // A room that shrinks away.
+    let dot = folder.path().join("dot.wkt");
+    std::fs::write(&dot, "POLYGON ((-1 -1, 1 -1, 1 1, -1 1, -1 -1))").unwrap();
+    let line = ["--inputs", "files", "--velocity", "-x; -y", "--time", "6", "--spacing", "0.5", "--events"];
+    let found = yin(&[&["advect", argument(&dot)], &line[..]].concat());
+    assert_eq!(
+        (&found["events"][0]["kind"], &found["events"][0]["after"]["components"]),
+        (&json!("phase-vanishes"), &json!(0))
+    );
+}

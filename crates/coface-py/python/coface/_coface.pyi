@@ -1482,7 +1482,7 @@ class Interface:
             They give the same interface again.
         """
         ...
-    def advected(self, flow: str | Callable[..., Any], end: float | None = None, *, step: float | None = None, spacing: float | None = None, period: float = 4.0, vortices: int = 4, velocity: Sequence[float] = ..., center: Sequence[float] = ..., speed: float = 1.0, verify: str = "each-step", repair: str | None = None, scheme: str | None = None, least_ratio: float = 0.1, turn: float | None = None, keep_small: bool = False, progress: _Progress = ...) -> tuple[Interface, dict[str, Json]]:
+    def advected(self, flow: str | Callable[..., Any], end: float | None = None, *, step: float | None = None, spacing: float | None = None, period: float = 4.0, vortices: int = 4, velocity: Sequence[float] = ..., center: Sequence[float] = ..., speed: float = 1.0, verify: str = "each-step", repair: str | None = None, scheme: str | None = None, least_ratio: float = 0.1, turn: float | None = None, keep_small: bool = False, events: bool = False, event_tolerance: float | None = None, progress: _Progress = ...) -> tuple[Interface, dict[str, Json]]:
         """The interface after it moved with a flow: phases keep their common arcs, and junctions stay junctions.
 
         Parameters

@@ -5,12 +5,14 @@ use super::{YinSet, points_of};
 use crate::answer::answer;
 use crate::arrangement::rule_of;
 use crate::congruence::choice;
-use crate::errors::{self, invalid};
+use crate::errors::{self, OrRaise, invalid};
 use crate::model::Model;
 use crate::objects::to_python;
 use crate::pictures::flat_file;
 use crate::work::run;
-use coface::answers::answer::{InterfacePoint, YinInterfaceAnswer, YinLocation, to_json};
+use coface::answers::answer::{
+    InterfacePoint, YinInterfaceAnswer, YinInterfaceEventAnswer, YinLocation, to_json,
+};
 use coface::answers::{LabelImage, NamedSet, PlanarInterface, SetRequest};
 use coface::io;
 use coface::pictures::interface_picture;
@@ -251,6 +253,10 @@ answer! { Interface {
     ///     Points are added where the polygon through them turns by more degrees.
     /// keep_small : bool
     ///     Keep closed edges that become short beside ``spacing``. Otherwise they leave the interface, with an :class:`AssumptionWarning`.
+    /// events : bool
+    ///     List the changes of the topology, with times that are narrowed down within steps.
+    /// event_tolerance : float, optional
+    ///     How exactly these times are found; a thousandth of the step if left out.
     /// progress : bool or callable, optional
     ///     ``True`` shows a bar; a function is called with (stage, done, total).
     ///
@@ -259,7 +265,8 @@ answer! { Interface {
     /// interface : Interface
     ///     The interface, with the same phases.
     /// facts : dict
-    ///     ``steps``, ``added``, ``removed``, ``vanished`` and ``repairs``.
+    ///     ``steps``, ``added``, ``removed``, ``vanished``, ``repairs``, and ``events``: ``None`` unless asked for, else dictionaries with
+    ///     ``time``, ``kind``, ``words``, ``place``, ``phases``, ``before`` and ``after``, as ``coface yin advect --events`` gives them.
     ///
     /// Examples
     /// --------
@@ -268,7 +275,7 @@ answer! { Interface {
     /// >>> moved, facts = rooms.advected("translation", 1.0, velocity=(2.0, 0.0), spacing=3.0)
     /// >>> len(moved.junctions), [round(area, 9) for area in moved.areas]
     /// (2, [4.0, 2.0])
-    #[pyo3(signature = (flow, end=None, *, step=None, spacing=None, period=4.0, vortices=4, velocity=[1.0, 0.0], center=[0.0, 0.0], speed=1.0, verify="each-step", repair=None, scheme=None, least_ratio=0.1, turn=None, keep_small=false, progress=None))]
+    #[pyo3(signature = (flow, end=None, *, step=None, spacing=None, period=4.0, vortices=4, velocity=[1.0, 0.0], center=[0.0, 0.0], speed=1.0, verify="each-step", repair=None, scheme=None, least_ratio=0.1, turn=None, keep_small=false, events=false, event_tolerance=None, progress=None))]
     #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
     fn advected<'py>(
         &self,
@@ -288,6 +295,8 @@ answer! { Interface {
         least_ratio: f64,
         turn: Option<f64>,
         keep_small: bool,
+        events: bool,
+        event_tolerance: Option<f64>,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Self, Bound<'py, PyAny>)> {
         let (flow, usual) = GivenFlow::read(flow, period, vortices, velocity, center, speed)?;
@@ -297,6 +306,7 @@ answer! { Interface {
         options = options.verification(verification_of(py, verify)?).repair(rule_of(py, repair)?);
         options = options.scheme(scheme_of(py, scheme)?);
         options = options.least_ratio(least_ratio).most_turn(turn.map(f64::to_radians)).keep_small(keep_small);
+        options = options.events(events).event_tolerance(event_tolerance);
         let moved = flow.moved(
             py,
             progress,
@@ -327,6 +337,7 @@ answer! { Interface {
                 .map(|&(time, edge)| VanishedEdge { time, edge: edge.map(EdgeId::to_u32) })
                 .collect(),
             repairs: moved.repairs().iter().map(repair).collect(),
+            events: options.times_within().or_raise(py)?.map(|_| moved.events().iter().map(YinInterfaceEventAnswer::new).collect()),
         };
         let found = run(py, None, || Self::of(self.interface.followed_by(&moved)))?;
         Ok((found, to_python(py, &facts)?))
@@ -354,6 +365,7 @@ struct MotionFacts {
     removed: usize,
     vanished: Vec<VanishedEdge>,
     repairs: Vec<RepairedEdges>,
+    events: Option<Vec<YinInterfaceEventAnswer>>,
 }
 
 /// A closed edge that became too small, and when.

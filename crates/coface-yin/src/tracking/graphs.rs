@@ -1,5 +1,6 @@
 //! Interfaces that move.
 
+use super::graph_events::{GraphOnTheWay, InterfaceEvent};
 use super::markers::{MarkerRange, MovedMarkers, moved_markers, polyline_length};
 use super::sets::in_step;
 use super::{TrackingCounts, TrackingOptions};
@@ -42,11 +43,12 @@ impl InterfaceRepair {
 /// An interface that has moved.
 #[derive(Clone, Debug)]
 pub struct TrackedGraph {
-    graph: InterfaceGraph,
-    counts: TrackingCounts,
-    vanished: Vec<(f64, Option<EdgeId>)>,
-    repairs: Vec<InterfaceRepair>,
-    edges: Vec<Option<EdgeId>>,
+    pub(super) graph: InterfaceGraph,
+    pub(super) counts: TrackingCounts,
+    pub(super) vanished: Vec<(f64, Option<EdgeId>)>,
+    pub(super) repairs: Vec<InterfaceRepair>,
+    pub(super) edges: Vec<Option<EdgeId>>,
+    pub(super) events: Vec<InterfaceEvent>,
 }
 
 impl TrackedGraph {
@@ -123,6 +125,24 @@ impl TrackedGraph {
         &self.repairs
     }
 
+    /// The changes of the topology, by time; nothing without [`TrackingOptions::events`].
+    ///
+    /// # Examples
+    /// A disk shrinks to a point, and leaves its phase empty.
+    /// ```
+    /// use coface_algebra::EdgeId;
+    /// use coface_yin::{Curve, InterfaceEventKind, InterfaceGraph, Order, TrackingOptions, YinSet};
+    /// let disk = YinSet::new(&[Curve::circle([0.0, 0.0], 1.0, 64, Order::CUBIC)?])?;
+    /// let graph = InterfaceGraph::of_sets(&[disk], Order::CUBIC, 0.0)?;
+    /// let moved = graph.advected(|[x, y], _| [-x, -y], &TrackingOptions::new(8.0, 0.25, 0.1).events(true))?;
+    /// let event = &moved.events()[0];
+    /// assert_eq!((event.kind(), event.phases()), (InterfaceEventKind::PhaseVanishes, &[0][..]));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn events(&self) -> &[InterfaceEvent] {
+        &self.events
+    }
+
     /// For each edge its number at the beginning; after a repair edges have none.
     ///
     /// # Examples
@@ -157,7 +177,8 @@ impl InterfaceGraph {
     /// The interface after all its points have moved with a velocity, which depends on the point and the time.
     ///
     /// Vertices stay vertices and edges stay edges, each fitted anew after each step. Closed edges at vertices of their own vanish when
-    /// they are shorter than three times the least distance of markers. Other edges stay, however short.
+    /// they are shorter than three times the least distance of markers. Other edges stay, however short. [`TrackingOptions::events`] lists what
+    /// changes, with times narrowed down within steps: see [`InterfaceEventKind`](super::InterfaceEventKind) for what is decided.
     ///
     /// Where edges come closer to each other than the error of tracking they may meet: that is an error, or repaired by the rule of
     /// [`TrackingOptions::repair`], which says what is inside of each phase; what then lies in several goes to the lowest.
@@ -230,73 +251,65 @@ impl InterfaceGraph {
         options: &TrackingOptions,
     ) -> Result<TrackedGraph, Error> {
         let (steps, step) = options.steps()?;
-        if options.is_watching() {
-            return Err(Error::invalid("events of an interface are not looked for".to_owned())
-                .with_cure("leave events and contacts out, or move its phases as sets"));
+        if options.on_contact.is_some() {
+            return Err(Error::invalid("contacts of an interface are not looked for".to_owned())
+                .with_cure("leave contacts out, or move its phases as sets"));
         }
-        let range = options.range();
-        let mut graph = self.clone();
-        let mut counts = TrackingCounts { steps, ..TrackingCounts::default() };
-        let (mut vanished, mut repairs) = (Vec::new(), Vec::new());
-        let mut numbers: Vec<Option<EdgeId>> = (0..self.edge_count()).map(EdgeId::new).map(Some).collect();
+        let mut way = GraphOnTheWay::new(self, options, options.times_within()?);
+        way.counts.steps = steps;
         let steps_done = stage("moving", steps);
         for at in 0..steps {
             steps_done.advance(1);
             let time = options.start + at as f64 * step;
-            let end_time = time + step;
-            let in_step = |error: Error| in_step(&error, at + 1, end_time);
-            let map = |points: &[[f64; 2]]| map(points, time, step);
-            let mut points = Vec::with_capacity(graph.edge_count());
-            for edge in 0..graph.edge_count() {
-                let curve = graph.curve(EdgeId::new(edge));
-                let own_range = range_of(&graph, EdgeId::new(edge), range);
-                let MovedMarkers { points: own, .. } =
-                    moved_markers(curve, |_| false, &map, own_range, &mut counts).map_err(in_step)?;
-                points.push(own);
-            }
-            let mut vertices = map(graph.vertices());
-            vertices.resize(graph.vertices().len(), [f64::NAN; 2]);
-            for (edge, own) in points.iter().enumerate() {
-                // Bit for bit what the edges have.
-                let [start, end] = graph.ends(EdgeId::new(edge)).map(VertexId::index);
-                (vertices[start], vertices[end]) = (own[0], own[own.len() - 1]);
-            }
-            let is_gone = |edge: usize| {
-                let least = range_of(&graph, EdgeId::new(edge), range).least;
-                is_alone(&graph, EdgeId::new(edge))
-                    && (points[edge].len() < 4 || polyline_length(&points[edge]) < 3.0 * least)
-            };
-            let stays: Vec<bool> = (0..graph.edge_count()).map(|edge| !is_gone(edge)).collect();
-            for edge in (0..stays.len()).filter(|&edge| !stays[edge]) {
-                vanished.push((end_time, numbers[edge]));
-            }
-            graph = graph.moved(vertices, &points, &stays).map_err(in_step)?;
-            let mut kept = stays.iter();
-            numbers.retain(|_| *kept.next().expect("there is an entry for each edge"));
-            if !options.is_verified_after(at, steps) {
-                continue;
-            }
-            let edges = (0..graph.edge_count()).map(EdgeId::new);
-            let edges =
-                edges.map(|edge| (graph.curve(edge).as_borrowed(), graph.ends(edge).map(VertexId::to_u32)));
-            if at + 1 < steps && are_surely_apart(edges) {
-                continue;
-            }
-            let Some(fault) = graph.fault().map_err(in_step)? else { continue };
-            let Some(rule) = options.repair else {
-                return Err(in_step(fault.into_error().with_cure(
-                    "take shorter steps or a smaller spacing, or repair the interface by a fill rule",
-                )));
-            };
-            graph = graph.repaired(rule).map_err(in_step)?;
-            numbers = vec![None; graph.edge_count()];
-            repairs.push(InterfaceRepair { step: at + 1, time: end_time, fault });
+            let is_verified = options.is_verified_after(at, steps);
+            way.step(&map, at + 1, [time, time + step], is_verified.then_some(at + 1 == steps))
+                .map_err(|error| in_step(&error, at + 1, time + step))?;
         }
-        Ok(TrackedGraph { graph, counts, vanished, repairs, edges: numbers })
+        Ok(way.tracked())
+    }
+
+    /// The interface after a part of a step, in which edges that are closed and short go.
+    pub(super) fn moved_by(
+        &self,
+        map: &impl Fn(&[[f64; 2]]) -> Vec<[f64; 2]>,
+        range: MarkerRange,
+        counts: &mut TrackingCounts,
+    ) -> Result<(Self, Vec<bool>), Error> {
+        let mut points = Vec::with_capacity(self.edge_count());
+        for edge in (0..self.edge_count()).map(EdgeId::new) {
+            let own_range = range_of(self, edge, range);
+            let MovedMarkers { points: own, .. } =
+                moved_markers(self.curve(edge), |_| false, map, own_range, counts)?;
+            points.push(own);
+        }
+        let mut vertices = map(self.vertices());
+        vertices.resize(self.vertices().len(), [f64::NAN; 2]);
+        for (edge, own) in points.iter().enumerate() {
+            // Bit for bit what the edges have.
+            let [start, end] = self.ends(EdgeId::new(edge)).map(VertexId::index);
+            (vertices[start], vertices[end]) = (own[0], own[own.len() - 1]);
+        }
+        let is_gone = |edge: usize| {
+            let least = range_of(self, EdgeId::new(edge), range).least;
+            is_alone(self, EdgeId::new(edge))
+                && (points[edge].len() < 4 || polyline_length(&points[edge]) < 3.0 * least)
+        };
+        let stays: Vec<bool> = (0..self.edge_count()).map(|edge| !is_gone(edge)).collect();
+        Ok((self.moved(vertices, &points, &stays)?, stays))
+    }
+
+    /// Whether edges have come to meet; that they are surely apart is enough unless it is looked thoroughly.
+    pub(super) fn fault_on_the_way(&self, is_thorough: bool) -> Result<Option<InterfaceFault>, Error> {
+        let edges = (0..self.edge_count()).map(EdgeId::new);
+        let edges = edges.map(|edge| (self.curve(edge).as_borrowed(), self.ends(edge).map(VertexId::to_u32)));
+        if !is_thorough && are_surely_apart(edges) {
+            return Ok(None);
+        }
+        self.fault()
     }
 
     /// The interface of what a rule says is inside of each phase; what lies in several goes to the lowest.
-    fn repaired(&self, rule: InsideRule) -> Result<Self, Error> {
+    pub(super) fn repaired(&self, rule: InsideRule) -> Result<Self, Error> {
         let phases = self.phases();
         let sets: Vec<YinSet> = phases
             .iter()

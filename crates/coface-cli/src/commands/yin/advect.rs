@@ -38,7 +38,9 @@ use std::path::{Path, PathBuf};
 /// its time), "repairs" (each with its "step", "time" and "fault"), "events" (each with "time", "kind": components-merge, component-splits, hole-forms, hole-opens,
 /// holes-merge, hole-splits, component-vanishes, hole-vanishes or contact, "words", "place", "before" and "after": "components" and "holes"),
 /// "event_tolerance", "contact_distance" and "area_before"; for an interface the keys of `coface yin interface` and "areas_before" of the
-/// phases; and "frames".
+/// phases; and "frames". Events of an interface have the "phases" that changed, and are phase-vanishes, component-vanishes, hole-vanishes,
+/// junctions-meet (the edge between them is shorter than the least distance of knots, and stays), and where --repair cuts and pastes
+/// phase-merges, phase-splits, hole-forms and hole-opens. Edges from a junction to itself have no events.
 #[derive(Args)]
 pub(super) struct Advect {
     /// The set, or the phases of an interface; - is standard input

@@ -7,7 +7,7 @@ use coface::answers::text;
 const LISTED: usize = 12;
 
 /// So many events are listed.
-const LISTED_EVENTS: usize = 100;
+pub(super) const LISTED_EVENTS: usize = 100;
 
 /// The page of a set, with these kinks and events one by one.
 pub(super) fn of(

@@ -174,7 +174,7 @@ pub(super) const CASES: &[Case] = &[
         .cured(&[&["coface yin advect disk.svg --velocity 1,0 --event-tolerance 0.1 --events"]]),
     Case::new("advect/phases.rs", "write the phases with `coface yin interface --sets` and move one")
         .files(DISK)
-        .refused("coface yin advect disk.svg --inputs files --velocity 1,0 --events")
+        .refused("coface yin advect disk.svg --inputs files --velocity 1,0 --on-contact keep")
         .cured(&[
             &["coface yin advect disk.svg --inputs files --velocity 1,0"],
             &[

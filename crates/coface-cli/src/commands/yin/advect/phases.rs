@@ -3,12 +3,14 @@
 use super::{Advect, Motion, named_rules, numbered};
 use crate::arguments::Common;
 use crate::commands::yin::interface::{InterfaceOutput, page};
+use crate::commands::yin::page::LISTED_EVENTS;
 use crate::failure::Failure;
 use crate::input;
 use crate::output::{print_json, print_text, write_file};
 use crate::progress::Progress;
 use crate::remarks::say_remarks;
-use coface::answers::{MotionRequest, PlanarInterface};
+use coface::answers::answer::{YinInterfaceAnswer, YinInterfaceEventAnswer};
+use coface::answers::{MotionRequest, PlanarInterface, text};
 use coface::io::StagedFiles;
 
 impl Advect {
@@ -19,9 +21,9 @@ impl Advect {
         request: &MotionRequest,
         common: &Common,
     ) -> Result<(), Failure> {
-        if request.events || request.on_contact.is_some() {
+        if request.on_contact.is_some() {
             return Err(Failure::new(
-                "--events and --on-contact are of one set: leave them out, or write the phases with `coface yin interface --sets` and move one",
+                "--on-contact is of one set: leave it out, or write the phases with `coface yin interface --sets` and move one",
             ));
         }
         let output = InterfaceOutput::new(&self.options, common)?;
@@ -59,8 +61,45 @@ impl Advect {
         say_remarks(&motion.remarks(), common);
         match (common.json, &common.output) {
             (true, _) => print_json(&answer),
-            (false, Some(_)) => Ok(()),
-            (false, None) => print_text(&page("Moved interface", &answer.interface)),
+            (false, Some(_)) if answer.events.is_none() => Ok(()),
+            (false, _) => {
+                print_text(&page("Moved interface", &answer.interface))?;
+                answer
+                    .events
+                    .as_deref()
+                    .map_or(Ok(()), |events| print_text(&events_page(events, &answer.interface)))
+            }
         }
     }
+}
+
+/// The changes of the topology, one by one.
+fn events_page(events: &[YinInterfaceEventAnswer], interface: &YinInterfaceAnswer) -> String {
+    let mut facts =
+        vec![("events".to_owned(), text::grouped(events.len()), "changes of the topology".to_owned())];
+    for event in events.iter().take(LISTED_EVENTS) {
+        let names: Vec<&str> =
+            event.phases.iter().map(|&phase| interface.phases[phase as usize].name.as_str()).collect();
+        let [x, y] = event.place.map(text::number);
+        let counts = [event.before, event.after].map(|counts| {
+            counts.map(|own| {
+                let components = text::count(own.components, "component");
+                format!("{components}, {}", text::count(own.holes, "hole"))
+            })
+        });
+        let change = match counts {
+            [Some(before), Some(after)] => format!(": {before} -> {after}"),
+            _ => String::new(),
+        };
+        facts.push((
+            String::new(),
+            format!("at time {} {}", text::number(event.time), event.words),
+            format!("{} near ({x}, {y}){change}", names.join(", ")),
+        ));
+    }
+    if events.len() > LISTED_EVENTS {
+        let more = format!("and {} more", text::grouped(events.len() - LISTED_EVENTS));
+        facts.push((String::new(), more, String::new()));
+    }
+    text::facts("Events", &facts)
 }

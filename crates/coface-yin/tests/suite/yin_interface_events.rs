@@ -1,0 +1,141 @@
+//! Changes of the topology of interfaces that move, with times that are known.
+#![allow(clippy::unwrap_used, reason = "a failing test shows where")]
+
+use coface_arrange::boolean::InsideRule;
+use coface_yin::{
+    Curve, Flow, InterfaceEvent, InterfaceEventKind, InterfaceGraph, InterfaceOptions, Order, Overlaps,
+    TrackedGraph, TrackingOptions, YinSet,
+};
+use std::f64::consts::TAU;
+
+fn disk(center: [f64; 2], radius: f64) -> YinSet {
+    YinSet::new(&[Curve::circle(center, radius, 64, Order::CUBIC).unwrap()]).unwrap()
+}
+
+fn polygon(points: &[[f64; 2]]) -> YinSet {
+    let closed: Vec<[f64; 2]> = points.iter().copied().chain([points[0]]).collect();
+    YinSet::new(&[Curve::polyline(&closed).unwrap()]).unwrap()
+}
+
+/// Left, right, above and below; left and right have the edge from (0, -1/2) to (0, 1/2) in common.
+fn four() -> InterfaceGraph {
+    let sets = [
+        polygon(&[[0.0, -0.5], [0.0, 0.5], [-2.0, 2.0], [-2.0, -2.0]]),
+        polygon(&[[0.0, 0.5], [0.0, -0.5], [2.0, -2.0], [2.0, 2.0]]),
+        polygon(&[[0.0, 0.5], [2.0, 2.0], [-2.0, 2.0]]),
+        polygon(&[[0.0, -0.5], [-2.0, -2.0], [2.0, -2.0]]),
+    ];
+    InterfaceGraph::of_sets(&sets, Order::LINEAR, -1.0).unwrap()
+}
+
+fn kinds(moved: &TrackedGraph) -> Vec<InterfaceEventKind> {
+    moved.events().iter().map(InterfaceEvent::kind).collect()
+}
+
+#[test]
+fn junctions_meet_when_the_edge_between_them_is_too_short() {
+    // The edge has the length exp(-t); markers are at least 0.05 apart.
+    for (step, tolerance) in [(0.25, 1e-4), (0.05, 1e-6)] {
+        let options = TrackingOptions::new(4.0, step, 0.5).events(true).event_tolerance(tolerance);
+        let moved = four().advected(|[_, y], _| [0.0, -y], &options).unwrap();
+        let [event] = moved.events() else { panic!("{:?}", moved.events()) };
+        assert_eq!((event.kind(), event.counts()), (InterfaceEventKind::JunctionsMeet, None));
+        assert_eq!(event.phases(), [0, 1, 2, 3]);
+        let exact = (1.0f64 / 0.05).ln();
+        assert!((event.time() - exact).abs() < 2.0 * tolerance + 1e-4 * step, "{} and {exact}", event.time());
+        assert!(event.place().iter().all(|x| x.abs() < 1e-12));
+        // The edge is kept.
+        assert_eq!(moved.graph().edge_count(), four().edge_count());
+    }
+}
+
+#[test]
+fn an_edge_that_stays_short_is_told_once_and_again_after_it_was_long() {
+    // Its length is exp(-3 sin(t)).
+    let squeeze = |[_, y]: [f64; 2], t: f64| [0.0, -4.0 * t.cos() * y];
+    let options = TrackingOptions::new(2.0 * TAU, 0.05, 0.5).events(true);
+    let moved = four().advected(squeeze, &options).unwrap();
+    assert_eq!(kinds(&moved), [InterfaceEventKind::JunctionsMeet; 2]);
+    let times: Vec<f64> = moved.events().iter().map(InterfaceEvent::time).collect();
+    assert!((times[1] - times[0] - TAU).abs() < 1e-3, "{times:?}");
+    // What is short at the beginning is no change.
+    let options = TrackingOptions::new(1.0, 0.1, 20.0).events(true);
+    assert!(four().advected(squeeze, &options).unwrap().events().is_empty());
+}
+
+#[test]
+fn phases_components_and_holes_vanish_at_their_times() {
+    // Disks of one phase in a disk of another, which has a hole that is in none.
+    let (small, smaller, hole) = (disk([-1.0, 0.0], 0.5), disk([1.0, 0.0], 0.25), disk([0.0, 1.0], 0.125));
+    let inner = small.join(&smaller).unwrap();
+    let outer = disk([0.0, 0.0], 4.0).difference(&inner).unwrap().difference(&hole).unwrap();
+    let graph = InterfaceGraph::of_sets(&[inner, outer], Order::CUBIC, -1.0).unwrap();
+    let options = TrackingOptions::new(3.0, 0.05, 0.1).least_ratio(0.1).events(true).event_tolerance(1e-5);
+    let moved = graph.advected(|[x, y], _| [-x, -y], &options).unwrap();
+    use InterfaceEventKind::{ComponentVanishes, HoleVanishes, PhaseVanishes};
+    assert_eq!(kinds(&moved), [HoleVanishes, ComponentVanishes]);
+    let [first, second] = moved.events() else { unreachable!() };
+    // The hole of the other phase goes with the component, and is no event.
+    assert_eq!((first.phases(), first.counts()), (&[1][..], Some([[1, 3], [1, 2]])));
+    assert_eq!((second.phases(), second.counts()), (&[0][..], Some([[2, 0], [1, 0]])));
+    // Circumferences fall by exp(-t); three of the least distances are too short.
+    for (event, radius) in [(first, 0.125), (second, 0.25)] {
+        let exact = (TAU * radius / 0.03f64).ln();
+        assert!((event.time() - exact).abs() < 0.05, "{} and {exact}", event.time());
+    }
+    let far = TrackingOptions::new(6.0, 0.05, 0.1).least_ratio(0.1).events(true);
+    let moved = graph.advected(|[x, y], _| [-x, -y], &far).unwrap();
+    assert_eq!(kinds(&moved), [HoleVanishes, ComponentVanishes, PhaseVanishes, PhaseVanishes]);
+    assert_eq!(moved.events()[3].phases(), [1]);
+    assert_eq!(moved.vanished().len(), 4);
+    // Without events the same goes, with the times of steps.
+    let quiet = TrackingOptions::new(6.0, 0.05, 0.1).least_ratio(0.1);
+    let same = graph.advected(|[x, y], _| [-x, -y], &quiet).unwrap();
+    assert!(same.events().is_empty() && same.vanished().len() == 4);
+}
+
+#[test]
+fn times_do_not_depend_on_the_steps() {
+    let times = |step: f64| {
+        let options = TrackingOptions::new(4.0, step, 0.5).events(true).event_tolerance(1e-6);
+        let moved = four().advected(|[_, y], _| [0.0, -y], &options).unwrap();
+        moved.events().iter().map(InterfaceEvent::time).collect::<Vec<f64>>()
+    };
+    let all: Vec<Vec<f64>> = [0.01, 0.03, 0.07, 0.11].map(times).to_vec();
+    assert!(all.iter().all(|own| own.len() == 1 && (own[0] - all[0][0]).abs() < 1e-5), "{all:?}");
+}
+
+#[test]
+fn rigid_motions_of_interfaces_have_no_events() {
+    let turn = Flow::Rotation { center: [1.0, 0.5], speed: 1.0 };
+    let options = TrackingOptions::new(TAU, 0.05, 0.5).events(true);
+    assert!(four().advected(|p, t| turn.velocity(p, t), &options).unwrap().events().is_empty());
+}
+
+#[test]
+fn edges_that_are_cut_and_pasted_change_phases() {
+    // Two disks of one phase: steps that are much too long carry one onto the other.
+    let pair = disk([-1.5, 0.0], 1.0).join(&disk([1.5, 0.0], 1.0)).unwrap();
+    let options = InterfaceOptions::new(Order::CUBIC).overlaps(Overlaps::Refused);
+    let graph = InterfaceGraph::of_sets_with(&[pair], &options).unwrap();
+    let onto = |[x, _]: [f64; 2], _: f64| [-x.signum(), 0.0];
+    let options = TrackingOptions::new(1.0, 0.25, 0.1).events(true);
+    let refused = graph.advected(onto, &options).unwrap_err();
+    assert!(refused.message().contains("at time 0.5"), "{refused}");
+    let moved = graph.advected(onto, &options.repair(InsideRule::Nonzero)).unwrap();
+    assert_eq!(kinds(&moved)[0], InterfaceEventKind::PhaseMerges);
+    let event = &moved.events()[0];
+    assert_eq!(event.counts(), Some([[2, 0], [1, 0]]));
+    assert!((event.time() - 0.5).abs() < 1e-2, "{event:?}");
+}
+
+#[test]
+fn contacts_of_interfaces_are_refused() {
+    use coface_yin::OnContact;
+    let options = TrackingOptions::new(1.0, 0.25, 0.1).on_contact(OnContact::Keep);
+    let refused = four().advected(|_, _| [0.0; 2], &options).unwrap_err();
+    assert!(refused.message().contains("contacts of an interface"));
+    let none = InterfaceGraph::of_sets(&[], Order::LINEAR, 0.0).unwrap();
+    let options = TrackingOptions::new(1.0, 0.25, 0.1).events(true);
+    assert!(none.advected(|_, _| [1.0, 0.0], &options).unwrap().events().is_empty());
+}
