@@ -2950,6 +2950,10 @@ export interface YinInterfaceAdvectAnswer {
   areas_before: (number | null)[];
   /** The edges: arcs between two phases, or between a phase and what is in none. */
   edges: YinEdgeAnswer[];
+  /** How exactly times of events are found; null unless they were asked for. */
+  event_tolerance?: number | null;
+  /** The changes of the topology, by time; null unless they were asked for. */
+  events?: YinInterfaceEventAnswer[] | null;
   /** The names of the files. */
   files: string[];
   /** The files of the way, in the order of time. */
@@ -3038,6 +3042,30 @@ export interface YinInterfaceCurvatureAnswer {
   /** What was assumed or left out. */
   remarks: Remark[];
 }
+
+/** A change of the topology of an interface that moves. */
+export interface YinInterfaceEventAnswer {
+  /** What there is of the phase just after; null for junctions that meet. */
+  after?: YinEventCounts | null;
+  /** What there was of the phase just before; null for junctions that meet. */
+  before?: YinEventCounts | null;
+  /** What changed. */
+  kind: YinInterfaceEventKind;
+  /** The phase that changed; of junctions that meet all phases around them. */
+  phases: number[];
+  /**
+   * Where: the mean of the knots of an edge that vanishes, the middle of the ends of an edge whose junctions meet, or the place at which
+   * edges came to meet.
+   */
+  place: [number, number];
+  /** When it came, as exactly as "event_tolerance" says: the first time at which it is seen. */
+  time: number;
+  /** What changed, in words. */
+  words: string;
+}
+
+/** A kind of change of an interface. */
+export type YinInterfaceEventKind = "phase-vanishes" | "component-vanishes" | "hole-vanishes" | "junctions-meet" | "phase-merges" | "phase-splits" | "hole-forms" | "hole-opens";
 
 /** The answer of `yin locate` for an interface. */
 export interface YinInterfaceLocateAnswer {

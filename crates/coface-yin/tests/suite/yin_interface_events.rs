@@ -51,7 +51,7 @@ fn junctions_meet_when_the_edge_between_them_is_too_short() {
 
 #[test]
 fn an_edge_that_stays_short_is_told_once_and_again_after_it_was_long() {
-    // Its length is exp(-3 sin(t)).
+    // Its length is exp(-4 sin(t)).
     let squeeze = |[_, y]: [f64; 2], t: f64| [0.0, -4.0 * t.cos() * y];
     let options = TrackingOptions::new(2.0 * TAU, 0.05, 0.5).events(true);
     let moved = four().advected(squeeze, &options).unwrap();
@@ -59,7 +59,7 @@ fn an_edge_that_stays_short_is_told_once_and_again_after_it_was_long() {
     let times: Vec<f64> = moved.events().iter().map(InterfaceEvent::time).collect();
     assert!((times[1] - times[0] - TAU).abs() < 1e-3, "{times:?}");
     // What is short at the beginning is no change.
-    let options = TrackingOptions::new(1.0, 0.1, 20.0).events(true);
+    let options = TrackingOptions::new(1.0, 0.1, 11.0).events(true);
     assert!(four().advected(squeeze, &options).unwrap().events().is_empty());
 }
 
@@ -70,7 +70,7 @@ fn phases_components_and_holes_vanish_at_their_times() {
     let inner = small.join(&smaller).unwrap();
     let outer = disk([0.0, 0.0], 4.0).difference(&inner).unwrap().difference(&hole).unwrap();
     let graph = InterfaceGraph::of_sets(&[inner, outer], Order::CUBIC, -1.0).unwrap();
-    let options = TrackingOptions::new(3.0, 0.05, 0.1).least_ratio(0.1).events(true).event_tolerance(1e-5);
+    let options = TrackingOptions::new(4.2, 0.05, 0.1).least_ratio(0.1).events(true).event_tolerance(1e-5);
     let moved = graph.advected(|[x, y], _| [-x, -y], &options).unwrap();
     use InterfaceEventKind::{ComponentVanishes, HoleVanishes, PhaseVanishes};
     assert_eq!(kinds(&moved), [HoleVanishes, ComponentVanishes]);
@@ -78,10 +78,10 @@ fn phases_components_and_holes_vanish_at_their_times() {
     // The hole of the other phase goes with the component, and is no event.
     assert_eq!((first.phases(), first.counts()), (&[1][..], Some([[1, 3], [1, 2]])));
     assert_eq!((second.phases(), second.counts()), (&[0][..], Some([[2, 0], [1, 0]])));
-    // Circumferences fall by exp(-t); three of the least distances are too short.
+    // Circumferences fall by exp(-t); three of the least distances are too short, and so are less than four knots.
     for (event, radius) in [(first, 0.125), (second, 0.25)] {
         let exact = (TAU * radius / 0.03f64).ln();
-        assert!((event.time() - exact).abs() < 0.05, "{} and {exact}", event.time());
+        assert!((exact - 0.4..exact).contains(&event.time()), "{} and {exact}", event.time());
     }
     let far = TrackingOptions::new(6.0, 0.05, 0.1).least_ratio(0.1).events(true);
     let moved = graph.advected(|[x, y], _| [-x, -y], &far).unwrap();
@@ -114,19 +114,19 @@ fn rigid_motions_of_interfaces_have_no_events() {
 
 #[test]
 fn edges_that_are_cut_and_pasted_change_phases() {
-    // Two disks of one phase: steps that are much too long carry one onto the other.
-    let pair = disk([-1.5, 0.0], 1.0).join(&disk([1.5, 0.0], 1.0)).unwrap();
+    // Two disks of one phase, which a flow that jumps at x = 0 brings onto each other at time 0.2.
+    let pair = disk([-1.2, 0.0], 1.0).join(&disk([1.2, 0.0], 1.0)).unwrap();
     let options = InterfaceOptions::new(Order::CUBIC).overlaps(Overlaps::Refused);
     let graph = InterfaceGraph::of_sets_with(&[pair], &options).unwrap();
     let onto = |[x, _]: [f64; 2], _: f64| [-x.signum(), 0.0];
-    let options = TrackingOptions::new(1.0, 0.25, 0.1).events(true);
+    let options = TrackingOptions::new(0.3, 0.1, 0.1).events(true);
     let refused = graph.advected(onto, &options).unwrap_err();
-    assert!(refused.message().contains("at time 0.5"), "{refused}");
+    assert!(refused.message().contains("in step 3"), "{refused}");
     let moved = graph.advected(onto, &options.repair(InsideRule::Nonzero)).unwrap();
-    assert_eq!(kinds(&moved)[0], InterfaceEventKind::PhaseMerges);
     let event = &moved.events()[0];
-    assert_eq!(event.counts(), Some([[2, 0], [1, 0]]));
-    assert!((event.time() - 0.5).abs() < 1e-2, "{event:?}");
+    assert_eq!((event.kind(), event.phases()), (InterfaceEventKind::PhaseMerges, &[0][..]));
+    assert!(event.counts().is_some_and(|[before, after]| before == [2, 0] && after[0] == 1));
+    assert!((event.time() - 0.2).abs() < 5e-3, "{event:?}");
 }
 
 #[test]
