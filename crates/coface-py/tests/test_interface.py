@@ -121,3 +121,14 @@ def test_files_places_phases_and_comparisons(tmp_path: Path) -> None:
     other.write_text('{"curves": []}')
     with pytest.raises(coface.ParseError, match="no interface"):
         coface.Interface.read(other)
+
+
+def test_events_have_times_and_phases() -> None:
+    left, right = (coface.YinSet.from_rings([[[0.0, -0.5], [0.0, 0.5], [s * 2, 2], [s * 2, -2]][::-s]]) for s in (-1, 1))
+    pair = coface.interface({"left": left, "right": right})
+    _, facts = pair.advected(lambda p, t: np.column_stack([0 * p[:, 0], -p[:, 1]]), 4.0, spacing=0.5, events=True)
+    events = facts["events"]
+    assert [(event["kind"], event["phases"]) for event in events] == [("junctions-meet", [0, 1])]
+    # The edge has the length exp(-t), and points are 0.05 apart at least.
+    assert events[0]["time"] == pytest.approx(np.log(20), abs=1e-3) and events[0]["before"] is None
+    assert pair.advected("translation", 1.0, spacing=3.0)[1]["events"] is None

@@ -1517,6 +1517,10 @@ class Interface:
             Points are added where the polygon through them turns by more degrees.
         keep_small : bool
             Keep closed edges that become short beside ``spacing``. Otherwise they leave the interface, with an :class:`AssumptionWarning`.
+        events : bool
+            List the changes of the topology, with times that are narrowed down within steps.
+        event_tolerance : float, optional
+            How exactly these times are found; a thousandth of the step if left out.
         progress : bool or callable, optional
             ``True`` shows a bar; a function is called with (stage, done, total).
 
@@ -1525,7 +1529,8 @@ class Interface:
         interface : Interface
             The interface, with the same phases.
         facts : dict
-            ``steps``, ``added``, ``removed``, ``vanished`` and ``repairs``.
+            ``steps``, ``added``, ``removed``, ``vanished``, ``repairs``, and ``events``: ``None`` unless asked for, else dictionaries with
+            ``time``, ``kind``, ``words``, ``place``, ``phases``, ``before`` and ``after``, as ``coface yin advect --events`` gives them.
         """
         ...
     def __len__(self) -> int: ...
