@@ -1440,7 +1440,7 @@ class Interface:
             Its neighbors have the same pieces along their common edges.
         """
         ...
-    def locate(self, points: ArrayLike) -> tuple[NDArray[np.int64], dict[str, Any]]:
+    def locate(self, points: ArrayLike) -> tuple[NDArray[np.int64], dict[str, Json]]:
         """Where points lie: in which phase, on an edge, or in no phase.
 
         Parameters
@@ -1458,7 +1458,7 @@ class Interface:
             ``piece`` and ``parameter``.
         """
         ...
-    def compare(self, other: Interface) -> dict[str, Any]:
+    def compare(self, other: Interface) -> dict[str, Json]:
         """How far the phases are from those of another interface; namesakes are compared with each other.
 
         Parameters

@@ -211,6 +211,31 @@ impl Fronts {
         self.retain(&stays);
     }
 
+    /// Takes out curves without others in them that are narrow all along: slivers of gaps that close and of necks that thin out. What is
+    /// narrower than the distance of contacts is in contact, and the mean width of a curve is twice its area by its length, half its width for
+    /// a disk.
+    pub(super) fn close_slivers(&mut self, within: f64) -> Vec<Gone> {
+        let (inner_counts, is_positive) = (self.inner_counts(), self.are_positive());
+        let mut stays = vec![true; self.fronts.len()];
+        let mut slivers = Vec::new();
+        for (number, front) in self.fronts.iter().enumerate() {
+            let knots: Vec<[f64; 2]> =
+                (0..=front.curve.piece_count()).map(|knot| front.curve.knot_point(knot)).collect();
+            let length = polyline_length(&knots);
+            if inner_counts[number] > 0 || 2.0 * front.curve.signed_area().abs() >= 0.5 * within * length {
+                continue;
+            }
+            stays[number] = false;
+            let part = 1.0 / (knots.len() - 1) as f64;
+            let place = [0, 1].map(|axis| knots[1..].iter().map(|point| part * point[axis]).sum());
+            slivers.push(Gone { origin: front.origin, length, place, is_positive: is_positive[number] });
+        }
+        if !slivers.is_empty() {
+            self.retain(&stays);
+        }
+        slivers
+    }
+
     /// The numbers of all curves, each behind those that lie in it.
     fn inside_out(&self) -> Vec<usize> {
         let mut depths: Vec<Option<u32>> = vec![None; self.fronts.len()];

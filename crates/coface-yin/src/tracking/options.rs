@@ -289,7 +289,8 @@ impl TrackingOptions {
         self
     }
 
-    /// The same with boundaries in contact when they are nearer than this; none for the least distance of markers.
+    /// The same with boundaries in contact when they are nearer than this; none for the least distance of markers. With [`OnContact::Merge`]
+    /// curves whose mean width (twice the area by the length) is below half of it vanish: slivers of gaps that close and necks that thin out.
     ///
     /// # Examples
     /// See [`Self::on_contact`].

@@ -12,6 +12,9 @@ use coface_arrange::boolean::InsideRule;
 /// So often a step is halted; what comes after that in it has the time of its end.
 const HALTS: usize = 64;
 
+/// So often a step is halted at contacts and crossings that change no topology: fronts that are pressed together close a gap bit by bit.
+const IDLE_HALTS: usize = 3;
+
 /// What moves points from a time by a step.
 type Map<'a> = &'a dyn Fn(&[[f64; 2]], f64, f64) -> Vec<[f64; 2]>;
 
@@ -69,10 +72,11 @@ impl<'a> Watch<'a> {
         [mut from, end]: [f64; 2],
         counts: &mut TrackingCounts,
     ) -> Result<Fronts, Error> {
+        let mut idle_halts = 0;
         for halt in 0..=HALTS {
             let last = self.trial(&fronts, map, [from, end], *counts)?;
             let (mut found, mut until) = (last, end);
-            if !self.is_quiet(&found) && halt < HALTS {
+            if !self.is_quiet(&found) && halt < HALTS && idle_halts < IDLE_HALTS {
                 let mut quiet = from;
                 while (until - quiet).abs() > self.tolerance {
                     let middle = 0.5 * quiet + 0.5 * until;
@@ -90,6 +94,7 @@ impl<'a> Watch<'a> {
             *counts = found.counts;
             let before = fronts.counts();
             fronts = self.taken(found, before, number, until)?;
+            idle_halts += usize::from(fronts.counts() == before);
             if until == end {
                 break;
             }
@@ -108,7 +113,10 @@ impl<'a> Watch<'a> {
     ) -> Result<Trial, Error> {
         let mut fronts = fronts.clone();
         let map = |points: &[[f64; 2]]| map(points, from, until - from);
-        let gone = fronts.advance(&map, self.options.range(), &mut counts)?;
+        let mut gone = fronts.advance(&map, self.options.range(), &mut counts)?;
+        if self.closes_slivers() {
+            gone.extend(fronts.close_slivers(self.within));
+        }
         let contacts = match self.options.on_contact {
             Some(_) => fronts.contacts(self.within),
             None => Vec::new(),
@@ -148,17 +156,7 @@ impl<'a> Watch<'a> {
         if !(gone.is_empty() && fresh.is_empty()) {
             fault = fronts.fault(false);
         }
-        for gone in gone {
-            let (kind, axis) = match gone.is_positive {
-                true => (EventKind::ComponentVanishes, 0),
-                false => (EventKind::HoleVanishes, 1),
-            };
-            let mut after = before;
-            after[axis] -= 1;
-            self.events.push(TopologyEvent { time, kind, place: gone.place, before, after });
-            self.vanished.push(VanishedCurve { curve: gone.origin, time, length: gone.length });
-            before = after;
-        }
+        before = self.push_gone(gone, before, time);
         let rule = self.rule();
         let is_undecided = fault.is_err();
         let fault = match self.options.on_contact {
@@ -191,7 +189,33 @@ impl<'a> Watch<'a> {
             Some(OnContact::Merge) if !fresh.is_empty() => self.merge(&mut fronts, time)?,
             _ => {}
         }
+        self.close_slivers(&mut fronts, time);
         Ok(fronts)
+    }
+
+    /// Takes out what has become narrow all along.
+    fn close_slivers(&mut self, fronts: &mut Fronts, time: f64) {
+        if self.closes_slivers() {
+            let before = fronts.counts();
+            let slivers = fronts.close_slivers(self.within);
+            self.push_gone(slivers, before, time);
+        }
+    }
+
+    /// What vanished, and the numbers of components and holes after that.
+    fn push_gone(&mut self, all: Vec<Gone>, mut before: [usize; 2], time: f64) -> [usize; 2] {
+        for gone in all {
+            let (kind, axis) = match gone.is_positive {
+                true => (EventKind::ComponentVanishes, 0),
+                false => (EventKind::HoleVanishes, 1),
+            };
+            let mut after = before;
+            after[axis] -= 1;
+            self.events.push(TopologyEvent { time, kind, place: gone.place, before, after });
+            self.vanished.push(VanishedCurve { curve: gone.origin, time, length: gone.length });
+            before = after;
+        }
+        before
     }
 
     /// The rule by which boundaries that cross are cut and pasted.
@@ -217,6 +241,11 @@ impl<'a> Watch<'a> {
         self.repairs.push(Repair { step, time, fault });
         self.push_differences(time, place, before, fronts.counts());
         Ok(())
+    }
+
+    /// Whether what is narrower than the distance of contacts all along goes.
+    fn closes_slivers(&self) -> bool {
+        self.options.on_contact == Some(OnContact::Merge) && !self.options.keep_small
     }
 
     /// Changes the set at its contacts, one after the other.
@@ -265,7 +294,9 @@ impl<'a> Watch<'a> {
         let Some(fault) = found else { return Ok(()) };
         let rule = self.rule().ok_or_else(|| met(fault))?;
         let before = fronts.counts();
-        self.repair(fronts, fault, rule, before, (steps, self.options.end))
+        self.repair(fronts, fault, rule, before, (steps, self.options.end))?;
+        self.close_slivers(fronts, self.options.end);
+        Ok(())
     }
 
     pub(super) fn into_parts(self) -> (Vec<VanishedCurve>, Vec<Repair>, Vec<TopologyEvent>) {

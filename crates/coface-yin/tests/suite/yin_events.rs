@@ -268,3 +268,23 @@ fn options_without_meaning_are_refused() {
     let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[], Order::LINEAR).unwrap();
     assert!(graph.advected(along_x, &merging(1.0)).unwrap_err().cure().is_some());
 }
+
+#[test]
+fn fronts_that_are_pressed_together_leave_no_slivers_and_end() {
+    let disks =
+        YinSet::new(&[-1.2, 1.2].map(|x| Curve::circle([x, 0.0], 1.0, 8, Order::CUBIC).unwrap())).unwrap();
+    let onto = |[x, _]: [f64; 2], _: f64| [(-20.0 * x).clamp(-1.0, 1.0), 0.0];
+    for within in [1e-2, 1e-3] {
+        let options =
+            TrackingOptions::new(0.5, 0.05, 0.25).on_contact(OnContact::Merge).contact_distance(within);
+        let moved = disks.advected(onto, &options).unwrap();
+        assert_eq!(moved.events()[0].kind(), EventKind::ComponentsMerge);
+        assert_eq!(moved.set().component_count(), 1);
+        for curve in 0..moved.set().curve_count() {
+            let own = moved.set().curve(curve);
+            let width = 2.0 * own.signed_area().abs() / own.length(1e-9);
+            assert!(width > 0.45 * within, "{within}: curve {curve} has the width {width}");
+        }
+        assert!(moved.repairs().len() <= 4 * 10, "{}", moved.repairs().len());
+    }
+}

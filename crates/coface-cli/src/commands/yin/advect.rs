@@ -31,7 +31,7 @@ use std::path::{Path, PathBuf};
 ///
 /// A continuous velocity brings nothing into contact in finite time: what merges or splits is a matter of the distance at which the model
 /// ends. --on-contact merge joins the set across gaps, and cuts it through necks, that are narrower than --contact-distance, by a
-/// rectangle of that width; --on-contact keep goes on with the curves as they are, with a remark, and is an error only if they cross at
+/// rectangle of that width, and slivers whose mean width is below half of it vanish (they stay with --keep-small); --on-contact keep goes on with the curves as they are, with a remark, and is an error only if they cross at
 /// the end. --events lists what merges, splits, opens, closes and vanishes, with times and places.
 ///
 /// With --json also "time", "steps", "scheme" (its order), "added" and "removed" (knots), "vanished" (curves that became too short, each with
