@@ -302,7 +302,8 @@ pub enum RemarkCode {
     MergedWithinBlock,
     /// The boundary of a moving region was cut and pasted.
     TopologyRepaired,
-    /// Curves of a moving region became shorter than three times the least distance of knots, and were left out.
+    /// Curves of a moving region became shorter than three times the least distance of knots, or narrower than half of the distance of
+    /// contacts that merge, and were left out.
     CurvesVanished,
     /// Parts of the boundary of a moving region came into contact, and were left as they are.
     ContactsKept,

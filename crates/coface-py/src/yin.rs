@@ -788,7 +788,7 @@ answer! { YinSet {
     ///     and cuts it through necks, ``"keep"`` goes on with the curves as they are, with an :class:`AssumptionWarning`, and is an error only
     ///     if they cross at the end. Left out, contacts are not looked for, and crossing is an error at once. Events are listed too.
     /// contact_distance : float, optional
-    ///     The least distance of points along curves if left out.
+    ///     The least distance of points along curves if left out. With ``"merge"`` curves whose mean width is below half of it vanish.
     /// progress : bool or callable, optional
     ///     ``True`` shows a bar; a function is called with (stage, done, total).
     ///
@@ -883,9 +883,13 @@ answer! { YinSet {
         }
         if let Some(first) = moved.vanished().first() {
             let count = moved.vanished().len();
+            let narrow = match on_contact {
+                Some(_) => ", or narrower than half of the contact distance,",
+                None => "",
+            };
             let message = format!(
-                "{count} of the curves became shorter than three times the least distance of points and left the set, the first at time {}; \
-                 give keep_small=True to keep such curves",
+                "{count} of the curves became shorter than three times the least distance of points{narrow} and left the set, the first at \
+                 time {}; give keep_small=True to keep such curves",
                 first.time()
             );
             errors::warn(py, &message)?;

@@ -431,9 +431,13 @@ impl PlanarMotion {
     pub fn vanishing(&self) -> Option<Remark> {
         let first = self.vanished.first()?;
         let count = self.vanished.len();
+        let narrow = match self.contact_distance {
+            Some(_) => ", or narrower than half of the contact distance,",
+            None => "",
+        };
         let message = format!(
-            "{} became shorter than three times the least distance of knots and left the set, the first at time {}; --keep-small \
-             keeps such curves",
+            "{} became shorter than three times the least distance of knots{narrow} and left the set, the first at time {}; \
+             --keep-small keeps such curves",
             text::count(count, "curve"),
             text::number(first.time)
         );

@@ -318,3 +318,21 @@ fn what_vanishes_is_an_event() {
     let wrong = [&["yin"], &common[..], &["--contact-distance", "1"]].concat();
     assert_eq!(coface(&wrong).status, 2);
 }
+
+#[test]
+fn fronts_that_are_pressed_together_end_and_each_remark_comes_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let disks = [-1.2, 1.2].map(|x| json!({"points": ring([x, 0.0], 1.0, 8)}));
+    let path = file(&folder, "few.json", &json!({"order": 4, "curves": disks}));
+    let common = ["yin", "advect", argument(&path), "--velocity", "max(-1, min(1, -20*x)); 0"];
+    let steps = ["--time", "0.8", "--step", "0.05", "--spacing", "0.25", "--on-contact", "merge"];
+    let run = coface(&[&common[..], &steps, &["--contact-distance", "1e-2", "--json"]].concat());
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    assert_eq!(run.json()["curves"].as_array().map(Vec::len), Some(1), "no sliver is left");
+    let mut lines: Vec<&str> = run.stderr.lines().collect();
+    let count = lines.len();
+    lines.sort_unstable();
+    lines.dedup();
+    assert!(count > 0 && lines.len() == count, "{}", run.stderr);
+    assert!(run.stderr.contains("narrower than half of the contact distance"), "{}", run.stderr);
+}

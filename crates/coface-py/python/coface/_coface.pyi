@@ -3966,7 +3966,7 @@ class YinSet:
             and cuts it through necks, ``"keep"`` goes on with the curves as they are, with an :class:`AssumptionWarning`, and is an error only
             if they cross at the end. Left out, contacts are not looked for, and crossing is an error at once. Events are listed too.
         contact_distance : float, optional
-            The least distance of points along curves if left out.
+            The least distance of points along curves if left out. With ``"merge"`` curves whose mean width is below half of it vanish.
         progress : bool or callable, optional
             ``True`` shows a bar; a function is called with (stage, done, total).
 
@@ -4240,7 +4240,7 @@ def generate(family: str, *, boundary: bool = False, skeleton: int | None = None
     Parameters
     ----------
     family : str
-        The name of the family; :func:`families` lists them. ``_`` and ``-`` are the same.
+        The name of the family, or another name of it such as ``cube``; :func:`families` lists them. ``_`` and ``-`` are the same.
     boundary : bool
         The boundary of the model instead: the facets of exactly one cell.
     skeleton : int, optional

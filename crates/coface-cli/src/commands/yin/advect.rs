@@ -8,11 +8,8 @@ use crate::arguments::Common;
 use crate::commands::arrange::Rule;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::remark;
 use crate::progress::Progress;
-use crate::remarks::say_remarks;
 use clap::{Args, ValueEnum};
-use coface::answers::text;
 use coface::answers::{MotionRequest, PlanarSet};
 use coface::io::StagedFiles;
 use coface::yin::{Flow, OnContact, RungeKutta, VelocityExpression, Verification};
@@ -30,9 +27,10 @@ use std::path::{Path, PathBuf};
 /// features of one file with --inputs features. They keep their common arcs, and junctions stay junctions. -o FILE.json writes an interface again.
 ///
 /// A continuous velocity brings nothing into contact in finite time: what merges or splits is a matter of the distance at which the model
-/// ends. --on-contact merge joins the set across gaps, and cuts it through necks, that are narrower than --contact-distance, by a
-/// rectangle of that width, and slivers whose mean width is below half of it vanish (they stay with --keep-small); --on-contact keep goes on with the curves as they are, with a remark, and is an error only if they cross at
-/// the end. --events lists what merges, splits, opens, closes and vanishes, with times and places.
+/// ends. --on-contact merge joins the set across gaps, and cuts it through necks, that are narrower than --contact-distance, by a rectangle
+/// of that width, and slivers whose mean width is below half of it vanish (they stay with --keep-small); --on-contact keep goes on with the
+/// curves as they are, with a remark, and is an error only if they cross at the end. --events lists what merges, splits, opens, closes and
+/// vanishes, with times and places.
 ///
 /// With --json also "time", "steps", "scheme" (its order), "added" and "removed" (knots), "vanished" (curves that became too short, each with
 /// its time), "repairs" (each with its "step", "time" and "fault"), "events" (each with "time", "kind": components-merge, component-splits, hole-forms, hole-opens,
@@ -200,13 +198,6 @@ impl Advect {
         if let Some(staged) = staged {
             progress.stage("writing");
             staged.finish()?;
-        }
-        say_remarks(motion.vanishing().as_slice(), common);
-        if motion.repair_count() > 0 && !common.quiet {
-            remark(&format!(
-                "the boundary was cut and pasted in {}",
-                text::count(motion.repair_count(), "step")
-            ));
         }
         give(planar, "Moved set", answer, &self.options, output, common, progress)
     }
