@@ -1,7 +1,7 @@
 //! The pool: requests to worker processes, answers from them.
 
 use super::{Limits, Loss};
-use crate::workers::process::{Answer, Reply, WorkerCommand, WorkerProcess};
+use crate::workers::process::{ATTEMPTS, Answer, Reply, WorkerCommand, WorkerProcess};
 use coface_algebra::progress;
 use coface_algebra::{Error, ErrorKind};
 use std::collections::BTreeMap;
@@ -42,8 +42,6 @@ pub struct WorkerPool {
     limits: Limits,
 }
 
-/// So many workers are lost to a request from outside before it is given up.
-const ATTEMPTS: usize = 3;
 /// How often it is looked whether the work was asked to stop.
 const TICK: Duration = Duration::from_millis(50);
 
@@ -348,6 +346,31 @@ mod tests {
             watch.run(|| pool(2, Limits::default()).run("endless", 9, request, |_, _| Ok(())))
         });
         assert!(stopped.is_err());
+    }
+
+    #[test]
+    fn workers_that_are_killed_while_they_start_are_started_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let marks = folder.path().display();
+        // So many starts are killed, and then there is a worker.
+        let run = |kills: usize| {
+            let mark =
+                format!("n=$(ls {marks} | wc -l); test $n -lt {kills} && mkdir {marks}/$n && kill -KILL $$;");
+            let command = WorkerCommand::new("sh", ["-c".to_owned(), format!("{mark}{DOUBLING}")]);
+            let mut all = Vec::new();
+            let done = WorkerPool::new(command, 1, Limits::default()).run(
+                "words",
+                1,
+                |_| "ab".to_owned(),
+                |_, outcome| {
+                    all.extend(outcome.map(|answer| answer.line).ok());
+                    Ok(())
+                },
+            );
+            done.map(|()| all).map_err(|error| error.to_string())
+        };
+        assert_eq!(run(2), Ok(vec!["abab".to_owned()]));
+        assert!(run(9).unwrap_err().contains("cannot be started: it was ended from outside by SIGKILL"));
     }
 
     #[test]

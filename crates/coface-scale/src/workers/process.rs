@@ -69,6 +69,8 @@ impl WorkerCommand {
     }
 }
 
+/// So many workers may be ended from outside at one request, or one after the other before they are ready.
+pub(crate) const ATTEMPTS: usize = 3;
 /// How long a worker may take until it is ready.
 const START: Duration = Duration::from_secs(120);
 /// How long a worker may live after its output ended.
@@ -104,12 +106,32 @@ enum Silence {
 }
 
 impl WorkerProcess {
-    /// Starts a worker, sends it its limits, and waits until it is ready; `None` if the pool ended first.
+    /// Starts a worker, sends it its limits, and waits until it is ready; `None` if the pool ended first. One that is ended from outside before
+    /// it is ready is started again, [`ATTEMPTS`] times in all.
     pub(crate) fn start(
         command: &WorkerCommand,
         limits: Limits,
         ended: &AtomicBool,
     ) -> Result<Option<Self>, Error> {
+        let mut attempts = 1;
+        loop {
+            match Self::start_once(command, limits, ended)? {
+                Ok(worker) => return Ok(worker),
+                Err(Loss::Killed { .. }) if attempts < ATTEMPTS => attempts += 1,
+                Err(loss) => {
+                    let message = format!("a worker process cannot be started: it {loss}");
+                    return Err(Error::new(ErrorKind::Io, message).with_cure(loss.cure()));
+                }
+            }
+        }
+    }
+
+    /// The same once; what it was lost to if it ended.
+    fn start_once(
+        command: &WorkerCommand,
+        limits: Limits,
+        ended: &AtomicBool,
+    ) -> Result<Result<Option<Self>, Loss>, Error> {
         let mut child = command.spawn(limits)?;
         let (Some(requests), Some(output), Some(faults)) =
             (child.stdin.take(), child.stdout.take(), child.stderr.take())
@@ -125,15 +147,11 @@ impl WorkerProcess {
         let _ = worker.requests.write_all(format!("memory {memory}\n").as_bytes());
         let fault = |message| Err(Error::new(ErrorKind::Io, message));
         match worker.line(Some(START), ended) {
-            Ok(line) if line == READY => Ok(Some(worker)),
+            Ok(line) if line == READY => Ok(Ok(Some(worker))),
             Ok(line) => fault(format!("a worker process cannot be started: {line}")),
-            Err(Silence::Ended) => Ok(None),
+            Err(Silence::Ended) => Ok(Ok(None)),
             Err(Silence::Time) => fault("a worker process does not become ready".to_owned()),
-            Err(Silence::Death) => {
-                let loss = worker.loss();
-                fault(format!("a worker process cannot be started: it {loss}"))
-                    .map_err(|error| error.with_cure(loss.cure()))
-            }
+            Err(Silence::Death) => Ok(Err(worker.loss())),
         }
     }
 
