@@ -78,7 +78,10 @@ impl Loss {
 
     /// How a worker with this memory ended that nobody here ended; `said` is what it wrote on standard error.
     pub(crate) fn of_death(status: ExitStatus, said: &str, memory: Option<u64>) -> Self {
-        let is_out_of_memory = said.lines().any(|line| line.starts_with("memory allocation of "));
+        // An allocation of Rust that failed, or one of the system: of the stack of a thread, say.
+        let is_out_of_memory = said.lines().any(|line| {
+            line.starts_with("memory allocation of ") || line.contains("Cannot allocate memory (os error 12)")
+        });
         let signal = signal_of(status);
         if is_out_of_memory && status.code() != Some(0) {
             return Self::Memory { limit: memory };

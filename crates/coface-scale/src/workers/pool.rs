@@ -233,6 +233,7 @@ mod tests {
                 signal*) kill -${word#signal} $$;;
                 exit*) exit ${word#exit};;
                 memory) echo "memory allocation of 99 bytes failed" >&2; kill -ABRT $$;;
+                stack) echo "fault: no stack: Cannot allocate memory (os error 12) at here.rs:1" >&2; exit 101;;
                 fault) echo "fault: no bits left at here.rs:1" >&2; exit 101;;
                 second) test "$before" && kill -SEGV $$; echo fine;;
                 long*) i=0; while test $i -lt ${word#long}; do i=$((i + 1)); echo >&2 "line $i"; done; exit 3;;
@@ -277,11 +278,12 @@ mod tests {
     #[test]
     fn a_loss_says_how_the_worker_ended() {
         let limits = Limits { memory: Some(1 << 30), time: None };
-        let words = ["a", "signal11", "signal9", "memory", "fault", "exit0", "long9999", "b"];
+        let words = ["a", "signal11", "signal9", "memory", "stack", "fault", "exit0", "long9999", "b"];
         let expected = [
             "aa",
             "crash: crashed: SIGSEGV",
             "killed: was ended from outside by SIGKILL, 3 times",
+            "memory: needed more than 1 GiB of memory",
             "memory: needed more than 1 GiB of memory",
             "crash: crashed: no bits left at here.rs:1",
             "crash: crashed: exit status: 0",
