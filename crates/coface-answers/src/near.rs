@@ -95,6 +95,18 @@ impl ThinCells {
     }
 }
 
+/// The tolerance of congruence where none is given, and the remark that says so: a part of the extent that nobody means, but more
+/// than what rounding explains; in one digit.
+pub(crate) fn assumed_tolerance(flat: &[f64], dimension: usize) -> (f64, Remark) {
+    let ThinCells { least, unit, .. } = ThinCells::of(flat, dimension);
+    let length = least.max(16.0 * unit);
+    let tolerance = if length > 0.0 { in_one_digit(length) } else { 0.0 };
+    let message = format!(
+        "pieces within {tolerance:.0e} of each other become one, {THIN_PART:e} of the extent or what rounding explains, since no --tolerance is given"
+    );
+    (tolerance, Remark::new(RemarkCode::ToleranceAssumed, message))
+}
+
 /// A length in one digit that is at least this one, to be named as a tolerance.
 pub(crate) fn in_one_digit(length: f64) -> f64 {
     rounded_up(length, 1)

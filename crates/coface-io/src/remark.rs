@@ -149,6 +149,7 @@ impl RemarkCode {
                 | SelfCrossingRing
                 | UnclosedRing
                 | NumbersRounded
+                | ToleranceAssumed
                 | FacesSplit
                 | UnknownKey
                 | DrawingAssumption
@@ -292,6 +293,8 @@ pub enum RemarkCode {
     NumbersRounded,
     /// Features that were nearly one were put together: within the tolerance asked for, or to make rounded coordinates valid.
     FeaturesJoined,
+    /// Congruence was asked for without a tolerance; one was taken from the extent of the inputs.
+    ToleranceAssumed,
     /// Cells are so thin that they are not meant, as a rule.
     ThinCells,
     /// An area or a length is beyond the range of numbers.

@@ -97,7 +97,7 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 ///     Before anything else, vertices of each model that are at most so far apart are merged; none moves farther.
 /// method : {"exact", "congruence"}, optional
 ///     How cells are found: ``"congruence"`` cuts each segment, in space each polygon in its own plane, for itself, in rounded numbers,
-///     and pieces that are within ``tolerance`` of each other become one.
+///     and pieces that are within ``tolerance`` of each other become one; without it within 1e-9 of the extent, with a warning.
 /// max_cells : int, optional
 ///     More cells than this are refused.
 /// split : bool
@@ -149,7 +149,7 @@ pub(crate) fn arrange<'py>(
     let models = welded_models(py, named_models(models)?, weld)?;
     let inputs = inputs_of(py, inputs, features)?;
     let rule = rule_of(py, rule)?;
-    let method = method_of(py, method, tolerance)?;
+    let method = method_of(py, method)?;
     if is_flat(py, &models, dimension)? {
         let mut request = ArrangementRequest::default();
         (request.rule, request.prune, request.snap, request.max_cells) = (rule, prune, snap, max_cells);
@@ -172,7 +172,6 @@ pub(crate) fn arrange<'py>(
             let message = "snap, exact and max_cells are for the exact method, not for method=\"congruence\"";
             return Err(invalid(py, message, "leave one of them out"));
         }
-        let tolerance = tolerance.unwrap_or_default();
         let rule = rule.unwrap_or_default();
         let (arranged, answer) = run(py, progress, || {
             let arranged = CongruentScene::of_scene(scene_of(&models, inputs, 1, true)?, tolerance)?;
@@ -215,14 +214,9 @@ fn inputs_of(py: Python<'_>, inputs: Option<&str>, features: bool) -> PyResult<O
 const METHODS: [(&str, ArrangementMethod); 2] =
     [("exact", ArrangementMethod::Exact), ("congruence", ArrangementMethod::Congruence)];
 
-/// How cells are found; refuses congruence without a tolerance.
-fn method_of(py: Python<'_>, method: Option<&str>, tolerance: Option<f64>) -> PyResult<ArrangementMethod> {
-    let method = method.map(|word| choice(py, "method", word, &METHODS)).transpose()?.unwrap_or_default();
-    if method == ArrangementMethod::Congruence && tolerance.is_none() {
-        let message = "method=\"congruence\" needs the distance within which vertices become one";
-        return Err(invalid(py, message, "give tolerance="));
-    }
-    Ok(method)
+/// How cells are found.
+fn method_of(py: Python<'_>, method: Option<&str>) -> PyResult<ArrangementMethod> {
+    Ok(method.map(|word| choice(py, "method", word, &METHODS)).transpose()?.unwrap_or_default())
 }
 
 /// Models whose vertices are merged if they are at most so far apart.
@@ -379,7 +373,7 @@ pub(crate) fn boolean<'py>(
     let models = welded_models(py, named_models(models)?, weld)?;
     let inputs = inputs_of(py, inputs, features)?;
     let rule = rule_of(py, rule)?;
-    let method = method_of(py, method, tolerance)?;
+    let method = method_of(py, method)?;
     let closes_mouths = choice(py, "open", open, &[("refuse", false), ("close", true), ("winding", true)])?;
     if is_flat(py, &models, dimension)? {
         let mut request = BooleanRequest::default();
@@ -402,16 +396,19 @@ pub(crate) fn boolean<'py>(
     }
     refuse_planar(py, grid, close)?;
     if method == ArrangementMethod::Congruence {
-        if snap || exact || max_cells.is_some() || closes_mouths || split_pinches {
-            let message = "snap, exact, max_cells, open and split_pinches are for the exact method, not for method=\"congruence\"";
+        if snap || exact || max_cells.is_some() || split_pinches {
+            let message = "snap, exact, max_cells and split_pinches are for the exact method, not for method=\"congruence\"";
             return Err(invalid(py, message, "leave one of them out"));
         }
         let glued = run(py, progress, || {
-            let scene = scene_of(&models, inputs, least_inputs(operation), keep_walls)?;
+            let mut scene = scene_of(&models, inputs, least_inputs(operation), keep_walls)?;
+            if closes_mouths {
+                scene.close_mouths()?;
+            }
             let mut request = SolidRequest::of(formula(operation, scene.names().len())?);
             request.triangles = triangles.unwrap_or_else(|| scene.is_triangulated());
             (request.rule, request.keep_walls) = (rule.unwrap_or_default(), keep_walls);
-            let arrangement = CongruentScene::of_scene(scene, tolerance.unwrap_or_default())?;
+            let arrangement = CongruentScene::of_scene(scene, tolerance)?;
             let result = CongruentBoolean::of(&arrangement, &request)?;
             let (answer, provenance, mesh) = (result.answer()?, result.provenance()?, result.to_mesh()?);
             drop(result);
@@ -909,7 +906,7 @@ answer! { SpatialArrangement {
         run(py, None, || {
             let arranged = match &self.arranged {
                 Arranged::Exact(arranged) => arranged,
-                Arranged::Congruent(own) => return own.to_mesh(true),
+                Arranged::Congruent(own) => return own.to_mesh(triangles, true),
             };
             let triangles = triangles.unwrap_or_else(|| arranged.scene().is_triangulated());
             let mesh = arranged.to_mesh(triangles, true)?;

@@ -24,8 +24,10 @@ def test_congruence_has_the_cells_of_the_exact_method() -> None:
     assert exact.congruence is None and found.congruence["stacked_f_vector"][2] >= found.f_vector[2]
     assert list(found.chain_complex().f_vector) == found.f_vector
     assert f"{found.f_vector[2]} faces" in repr(found.model())
-    with pytest.raises(coface.InvalidInputError, match="give tolerance="):
-        coface.arrange(models, method="congruence")
+    assumed = coface.arrange(models, method="congruence")
+    assert assumed.f_vector == found.f_vector and 0 < assumed.congruence["tolerance"] < 1e-8
+    assert "tolerance-assumed" in [remark["code"] for remark in assumed.remarks]
+    assert found.joined["classes"] == [] and found.congruence["glued_f_vector"][2] == 0
     with pytest.raises(coface.InvalidInputError, match="leave method out"):
         found.graph()
 
@@ -40,8 +42,8 @@ def test_drawings_that_meet_nearly_are_glued() -> None:
     assert found.congruence["stacked_f_vector"] == [24, 8] and found.congruence["collapsed"] == 0
     assert union.f_vector == [6, 6, 1] and union.measure == pytest.approx(8)
     assert coface.arrange(a, b).congruence is None
-    with pytest.raises(coface.InvalidInputError, match="give tolerance="):
-        coface.boolean("union", a, b, method="congruence")
+    apart = coface.boolean("union", a, b, method="congruence")
+    assert "tolerance-assumed" in [remark["code"] for remark in apart.remarks]
     with pytest.raises(coface.InvalidInputError, match="smaller tolerance"):
         coface.arrange(a, method="congruence", tolerance=10.0)
 

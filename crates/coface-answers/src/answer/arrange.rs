@@ -212,6 +212,9 @@ pub struct CongruentPieces {
     /// The largest distance of two vertices that became one, in the unit of the inputs: far below the tolerance if that was
     /// chosen well.
     pub largest_class_diameter: f64,
+    /// In space the numbers of vertices, edges and faces that several pieces became.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub glued_f_vector: Vec<usize>,
     /// The segments whose ends became one, or the polygons that are nowhere wider than the tolerance: they are left out.
     #[serde(default)]
     pub collapsed: usize,
@@ -364,4 +367,10 @@ pub struct SpatialArrangementProvenance {
     pub files: Vec<String>,
     /// For each face its sources: the input, the polygon in it, and 1 or -1 where that runs with the face or against it.
     pub faces: Vec<Vec<[i64; 3]>>,
+    /// With `--method congruence` for each vertex the polygons whose pieces became it: the input and the polygon in it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub vertices: Option<Vec<Vec<[u32; 2]>>>,
+    /// With `--method congruence` the same for each edge.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub edges: Option<Vec<Vec<[u32; 2]>>>,
 }

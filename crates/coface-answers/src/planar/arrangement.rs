@@ -45,7 +45,7 @@ pub struct ArrangementRequest {
     pub grid: Option<f64>,
     /// Put vertices and edges together that are at most this far apart, in the unit of the inputs.
     pub tolerance: Option<f64>,
-    /// How cells are found. By congruence a tolerance is needed.
+    /// How cells are found. By congruence a tolerance is taken from the extent of the drawing where none is given.
     pub method: ArrangementMethod,
     /// Keep the exact complex where the drawing with rounded coordinates is another one. Else edges are cut and bent there by
     /// a few units of the last digit.
@@ -92,7 +92,7 @@ pub struct DrawingArrangement {
     /// What congruence glued.
     congruence: Option<CongruentPieces>,
     /// What is said of vertices that were put elsewhere.
-    placed: Option<Remark>,
+    placed: Vec<Remark>,
     pub(super) rule: Option<InsideRule>,
 }
 
@@ -121,7 +121,7 @@ impl DrawingArrangement {
     pub fn new(drawing: PlanarDrawing, request: &ArrangementRequest) -> Result<Self, Error> {
         let options = PlanarOptions::new().max_cells(request.max_cells);
         let exact = PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?;
-        let (mut snap_rounds, mut joined, mut congruence, mut placed) = (None, None, None, None);
+        let (mut snap_rounds, mut joined, mut congruence, mut placed) = (None, None, None, Vec::new());
         let (mut movement, mut certificate, mut is_placed) = (None, None, false);
         let placing = Placing {
             snap: request.snap,
@@ -132,7 +132,7 @@ impl DrawingArrangement {
         // The exact arrangement is kept where another one is made of it.
         let (mut parts, exact) = if placing.is_asked() {
             let own = placing.of(&exact)?;
-            (snap_rounds, joined, placed) = (own.snap_rounds, own.joined, own.remark);
+            (snap_rounds, joined, placed) = (own.snap_rounds, own.joined, own.remarks);
             congruence = own.congruence;
             is_placed = own.snapped.round_count() > 0;
             (Parts::of_snapped(&own.snapped, |source| source, |segment| [segment]), Some(exact))

@@ -33,7 +33,7 @@ pub struct BooleanRequest {
     pub grid: Option<f64>,
     /// Put vertices and edges together that are at most this far apart, in the unit of the inputs.
     pub tolerance: Option<f64>,
-    /// How cells are found. By congruence a tolerance is needed.
+    /// How cells are found. By congruence a tolerance is taken from the extent of the drawing where none is given.
     pub method: ArrangementMethod,
     /// Keep the result as it is, where rounding its coordinates makes polygons invalid. Else edges are cut and bent there by
     /// a few units of the last digit, and polygons that come to share an edge become one.
@@ -169,7 +169,7 @@ impl RegionBoolean {
         drop(walks);
         let (mut snap_rounds, mut joined, mut congruence) = (None, None, None);
         if let Some(placed) = placed {
-            remarks.extend(placed.remark);
+            remarks.extend(placed.remarks);
             (snap_rounds, joined, congruence) = (placed.snap_rounds, placed.joined, placed.congruence);
         }
         let mut movement = None;

@@ -2,7 +2,7 @@
 
 use super::ArrangementMethod;
 use crate::answer::{CongruentPieces, JoinedFeatures, Remark, RemarkCode, RoundingRepair};
-use crate::near::ThinCells;
+use crate::near::{ThinCells, assumed_tolerance};
 use crate::text;
 use coface_algebra::{EdgeId, Error, FaceId, VertexId};
 use coface_arrange::planar::{PlanarArrangement, SnappedArrangement};
@@ -122,8 +122,8 @@ pub(super) struct Placed {
     pub(super) joined: Option<JoinedFeatures>,
     /// What congruence glued.
     pub(super) congruence: Option<CongruentPieces>,
-    /// Says what became of faces.
-    pub(super) remark: Option<Remark>,
+    /// What was assumed, and what became of faces.
+    pub(super) remarks: Vec<Remark>,
 }
 
 impl Placing {
@@ -135,17 +135,20 @@ impl Placing {
     }
 
     /// # Errors
-    /// `InvalidInput` for a step or a tolerance that is none, for both at once, and for congruence without a tolerance, or with one
-    /// in which all segments collapse.
+    /// `InvalidInput` for a step or a tolerance that is none, for both at once, and for congruence with a step, or with a tolerance in
+    /// which all segments collapse.
     pub(super) fn of(&self, exact: &PlanarArrangement) -> Result<Placed, Error> {
         let vanished = |snapped: &SnappedArrangement| {
             exact.face_count().saturating_sub(snapped.arrangement().face_count())
         };
-        match (self.tolerance, self.grid) {
-            (None, _) if self.method == ArrangementMethod::Congruence => Err(Error::invalid(
-                "an arrangement by congruence needs the distance within which vertices become one",
-            )
-            .with_cure("give a tolerance")),
+        let mut remarks = Vec::new();
+        let mut tolerance = self.tolerance;
+        if self.method == ArrangementMethod::Congruence && tolerance.is_none() {
+            let (assumed, remark) = assumed_tolerance(exact.positions().as_flat(), 2);
+            tolerance = Some(assumed);
+            remarks.push(remark);
+        }
+        match (tolerance, self.grid) {
             (Some(_), Some(_)) => {
                 Err(Error::invalid("a tolerance and a grid are two ways to put points together")
                     .with_cure("give one of both"))
@@ -162,6 +165,7 @@ impl Placing {
                     tolerance,
                     stacked_f_vector: stacked.f_vector.to_vec(),
                     largest_class_diameter: stacked.largest_class_diameter,
+                    glued_f_vector: Vec::new(),
                     collapsed: stacked.collapsed.len(),
                 });
                 if let Some(collapsed) =
@@ -179,16 +183,17 @@ impl Placing {
                     }
                 }
                 let snap_rounds = self.snap.then(|| snapped.round_count());
-                Ok(Placed { snapped, snap_rounds, joined, congruence, remark })
+                remarks.extend(remark);
+                Ok(Placed { snapped, snap_rounds, joined, congruence, remarks })
             }
             (None, grid) => {
                 let snapped = match grid {
                     Some(step) => exact.snapped_to_grid(step)?,
                     None => exact.snapped()?,
                 };
-                let remark = grid.and_then(|_| vanished_faces(exact, &snapped));
+                remarks.extend(grid.and_then(|_| vanished_faces(exact, &snapped)));
                 let snap_rounds = Some(snapped.round_count());
-                Ok(Placed { snap_rounds, snapped, joined: None, congruence: None, remark })
+                Ok(Placed { snap_rounds, snapped, joined: None, congruence: None, remarks })
             }
         }
     }

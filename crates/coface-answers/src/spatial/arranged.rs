@@ -180,6 +180,12 @@ impl Arranged {
         if edge.run == Sign::Plus { list } else { list.into_iter().rev().collect() }
     }
 
+    /// What lies inside of faces and is not in their boundary: pairs of a face and an edge that it has on both sides, and of a face
+    /// and a vertex that no edge of it ends at. `faces` rise.
+    pub(super) fn inside_faces(&self, faces: &[(CellId, Sign)]) -> [Vec<(u32, u32)>; 2] {
+        [self.arrangement.slits(faces.iter().map(|face| face.0)), self.arrangement.points_in_faces()]
+    }
+
     /// The face that each face before merging is part of, minus if it runs the other way.
     pub(super) fn faces_of_fine(&self) -> Vec<(u32, Sign)> {
         let mut faces = vec![(0, Sign::Plus); self.arrangement.fine().complex().face_count()];

@@ -166,7 +166,10 @@ impl<'a> SolidBoolean<'a> {
         let facets = boundary.facets().to_vec();
         let (surface, ()) = rayon::join(
             || arrangement.mesh_of(&facets, request.triangles),
-            || boundary.find_pinches(complex),
+            || {
+                let [slits, points] = arranged.inside_faces(&facets);
+                boundary.find_pinches(complex, &slits, &points);
+            },
         );
         let mut surface = surface?;
         if surface.polygons().item_count() >= MOST_CORNERS {

@@ -6,19 +6,23 @@ use super::facts::{
 use super::inputs::{Inputs, Membership};
 use super::models::{NO_CELL, group_names};
 use super::scene::closed_walks;
+use super::boolean::{EXTERIOR, sides_of_faces};
 use super::{OpenInputs, SpatialScene};
+use crate::near::assumed_tolerance;
 use crate::answer::{
-    CongruentPieces, DegeneratePolygons, Place, Remark, RemarkCode, SpatialArrangementAnswer,
+    CongruentPieces, DegeneratePolygons, JoinedFeatures, Place, Remark, RemarkCode, SpatialArrangementAnswer,
     SpatialArrangementProvenance, SpatialInput, SpatialRounding, SplitPolygons,
 };
 use crate::text;
 use coface_algebra::chains::ChainComplex;
-use coface_algebra::{CellId, Error, ErrorKind, FaceId};
+use coface_algebra::{CellId, EdgeId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
 use coface_arrange::boolean::InsideRule;
 use coface_arrange::spatial::{CongruenceArrangement, Crossings, SpatialPolygons, arrange_by_congruence};
 use coface_geometry::Positions;
-use coface_io::{CellData, Group, GroupKind, Model};
+use coface_geometry::predicates::orientation;
+use coface_geometry::triangulation::triangulate;
+use coface_io::{CellData, Group, GroupKind, Model, repeated_vertex};
 
 /// So many polygons or places are listed.
 const MOST_LISTED: usize = 100;
@@ -52,11 +56,14 @@ pub struct CongruentScene {
     walks: RaggedArray,
     face_of_walk: Vec<u32>,
     tolerance: f64,
+    /// Says which tolerance was taken, where none was given.
+    assumed: Option<Remark>,
 }
 
 impl CongruentScene {
     /// Arranges the polygons of a scene. The tolerance is a length in the unit of the models: well above the rounding of
-    /// coordinates, well below the least distance of features that are different.
+    /// coordinates, well below the least distance of features that are different. Without one it is 1e-9 of the extent of the
+    /// models, or more if rounding needs it, and a remark of the answer says so.
     ///
     /// # Errors
     /// Those of [`arrange_by_congruence`], naming the polygon of a file that is not flat within the tolerance.
@@ -74,8 +81,15 @@ impl CongruentScene {
     /// assert_eq!(arranged.complex().f_vector(), [4, 6, 4, 1]);
     /// # Ok(()) }
     /// ```
-    pub fn of_scene(scene: SpatialScene, tolerance: f64) -> Result<Self, Error> {
+    pub fn of_scene(scene: SpatialScene, tolerance: impl Into<Option<f64>>) -> Result<Self, Error> {
         let positions = scene.positions()?;
+        let (tolerance, assumed) = match tolerance.into() {
+            Some(tolerance) => (tolerance, None),
+            None => {
+                let (tolerance, remark) = assumed_tolerance(positions.as_flat(), 3);
+                (tolerance, Some(remark))
+            }
+        };
         let arranged = arrange_by_congruence(&positions, &scene.walks, &scene.polygon_of_walk, tolerance)
             .map_err(|error| named(error, &scene, tolerance))?;
         if tolerance > 0.0
@@ -108,7 +122,7 @@ impl CongruentScene {
             own.iter().for_each(|walk| walks.push(walk));
             face_of_walk.resize(walks.len(), face as u32);
         }
-        Ok(Self { scene, arranged, complex, inputs, walks, face_of_walk, tolerance })
+        Ok(Self { scene, arranged, complex, inputs, walks, face_of_walk, tolerance, assumed })
     }
 
     /// The polygons and where they are from.
@@ -223,7 +237,7 @@ impl CongruentScene {
             },
             split_polygons: SplitPolygons { count: 0, largest_deviation: 0.0 },
             rounding: self.rounding(crossings)?,
-            joined: None,
+            joined: Some(self.joined()?),
             congruence: Some(self.pieces()),
             remarks,
         })
@@ -246,6 +260,8 @@ impl CongruentScene {
         SpatialArrangementProvenance {
             files: self.scene.names().to_vec(),
             faces: (0..self.complex.cell_count(2)).map(sources).collect(),
+            vertices: Some(self.sources_of_low(0, |vertex| self.arranged.polygons_of_vertex(VertexId::new(vertex)))),
+            edges: Some(self.sources_of_low(1, |edge| self.arranged.polygons_of_edge(EdgeId::new(edge)))),
         }
     }
 
@@ -268,11 +284,11 @@ impl CongruentScene {
         Ok(Model::from_chains(self.complex.clone(), self.positions().clone())?.with_remark_on_cells())
     }
 
-    /// The faces as polygons, with the data `cell_back` and `cell_front`, the cells on the two sides of each (-1 for the
-    /// exterior); with `groups` in a group for each cell.
+    /// The faces as polygons, those with holes as triangles, or all as triangles, with the data `cell_back` and `cell_front`, the cells
+    /// on the two sides of each (-1 for the exterior); with `groups` in a group for each cell.
     ///
     /// # Errors
-    /// [`ErrorKind::UnsupportedFormat`] where a face has a hole, which no polygon of a mesh has.
+    /// [`ErrorKind::InvalidInput`] where a face cannot be cut into triangles.
     ///
     /// # Examples
     /// ```
@@ -280,44 +296,44 @@ impl CongruentScene {
     /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
     /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
     /// let scene = coface_answers::SpatialScene::of([("solid", &solid)], true)?;
-    /// let mesh = coface_answers::CongruentScene::of_scene(scene, 1e-9)?.to_mesh(true)?;
+    /// let mesh = coface_answers::CongruentScene::of_scene(scene, 1e-9)?.to_mesh(false, true)?;
     /// assert_eq!((mesh.polygons().len(), mesh.groups().len()), (4, 1));
     /// # Ok(()) }
     /// ```
-    pub fn to_mesh(&self, groups: bool) -> Result<Model, Error> {
-        if let Some(pair) = self.face_of_walk.windows(2).find(|pair| pair[0] == pair[1]) {
-            let message =
-                format!("face {} of the arrangement has a hole, which no polygon of a mesh has", pair[0]);
-            return Err(Error::new(ErrorKind::UnsupportedFormat, message)
-                .with_cure("write .json, which keeps cells as they are"));
-        }
-        let mut model = Model::from_polygons(self.positions().clone(), self.walks.clone())?;
-        let mut sides = vec![[NO_CELL; 2]; self.complex.cell_count(2)];
-        let cells = self.complex.cell_count(3);
-        let mut members = vec![Vec::new(); cells];
-        if let Some(boundaries) = self.complex.boundary_matrix(3) {
-            for (cell, column) in boundaries.columns().enumerate() {
-                for (face, entry) in column.iter() {
-                    sides[face][usize::from(entry < 0)] = cell as i64;
-                    members[cell].push(face as u32);
-                }
+    pub fn to_mesh(&self, triangles: bool, groups: bool) -> Result<Model, Error> {
+        let (mut polygons, mut face_of_polygon) = (RaggedArray::new(), Vec::new());
+        for face in 0..self.complex.cell_count(2) {
+            for piece in self.pieces_of(CellId::new(face), triangles)? {
+                polygons.push(&piece);
+                face_of_polygon.push(face);
             }
         }
+        let mut model = Model::from_polygons(self.positions().clone(), polygons)?;
+        let sides = sides_of_faces(&self.complex);
+        let number = |cell: u32| if cell == EXTERIOR { NO_CELL } else { i64::from(cell) };
         for (side, name) in ["cell_back", "cell_front"].into_iter().enumerate() {
-            let values = sides.iter().map(|own| own[side]).collect();
+            let values = face_of_polygon.iter().map(|&face| number(sides[face][side])).collect();
             model = model.with_data(CellData::integers(name, GroupKind::Polygons, 1, values)?)?;
         }
         if !groups {
             return Ok(model);
+        }
+        let mut members = vec![Vec::new(); self.complex.cell_count(3)];
+        for (polygon, &face) in (0..).zip(&face_of_polygon) {
+            for cell in sides[face] {
+                if let Some(members) = members.get_mut(cell as usize) {
+                    members.push(polygon);
+                }
+            }
         }
         for (cell, members) in members.into_iter().enumerate() {
             model = model.with_group(Group::new(format!("cell_{cell}"), GroupKind::Polygons, members))?;
         }
         if self.scene.has_parts() {
             let mut members = vec![Vec::new(); self.scene.names().len()];
-            for face in 0..self.complex.cell_count(2) {
+            for (polygon, &face) in (0..).zip(&face_of_polygon) {
                 for input in self.inputs_of_face(CellId::new(face)) {
-                    members[input].push(face as u32);
+                    members[input].push(polygon);
                 }
             }
             for (name, members) in group_names(self.scene.names()).into_iter().zip(members) {
@@ -325,6 +341,57 @@ impl CongruentScene {
             }
         }
         Ok(model)
+    }
+
+    /// A face as one polygon, or as triangles where it is no simple polygon or that is asked for.
+    pub(super) fn pieces_of(&self, face: CellId, triangles: bool) -> Result<Vec<Vec<u32>>, Error> {
+        let walks = self.walks_of(face);
+        let is_simple = walks.len() == 1 && repeated_vertex(walks.list(0)).is_none();
+        if is_simple && (!triangles || walks.list(0).len() == 3) {
+            return Ok(vec![walks.list(0).to_vec()]);
+        }
+        let own = triangulated(self.positions(), &walks).ok_or_else(|| {
+            Error::invalid(format!(
+                "face {} crosses itself in rounded numbers, and cannot be cut into triangles",
+                face.index()
+            ))
+            .with_cure("write .json, which keeps faces as they are, or give a smaller tolerance")
+        })?;
+        Ok(own.into_iter().map(|triangle| triangle.to_vec()).collect())
+    }
+
+    /// The inputs and polygons of the cells of a low degree, from their polygons.
+    fn sources_of_low<'a>(&self, degree: usize, polygons: impl Fn(usize) -> &'a [u32]) -> Vec<Vec<[u32; 2]>> {
+        let source = |&polygon: &u32| {
+            let polygon = polygon as usize;
+            [self.scene.input_of_polygon()[polygon], self.scene.source_of_polygon()[polygon]]
+        };
+        (0..self.complex.cell_count(degree)).map(|cell| polygons(cell).iter().map(source).collect()).collect()
+    }
+
+    /// The points that became one although they were apart.
+    pub(super) fn joined(&self) -> Result<JoinedFeatures, Error> {
+        let given = self.scene.positions()?;
+        let at = |point: u32| given.point(VertexId::from_u32(point));
+        let mut points: Vec<(VertexId, u32)> = (0..given.len())
+            .filter_map(|point| Some((self.arranged.vertex_of_point(point)?, point as u32)))
+            .collect();
+        points.sort_unstable();
+        let mut joined = JoinedFeatures::of(&coface_arrange::JoinedFeatures::default(), None);
+        joined.tolerance = self.tolerance;
+        for own in points.chunk_by(|x, y| x.0 == y.0) {
+            let place = self.positions().point(own[0].0);
+            for &(_, point) in own {
+                let way = at(point).iter().zip(place).map(|(x, y)| (x - y).powi(2)).sum::<f64>().sqrt();
+                joined.moved += usize::from(way > 0.0);
+                joined.largest_movement = joined.largest_movement.max(way);
+            }
+            if own.iter().any(|&(_, point)| at(point) != at(own[0].1)) {
+                joined.vertices += own.len() - 1;
+                joined.classes.push(own.iter().map(|&(_, point)| point).collect());
+            }
+        }
+        Ok(joined)
     }
 
     fn inputs_of_face(&self, face: CellId) -> Vec<usize> {
@@ -381,6 +448,7 @@ impl CongruentScene {
             tolerance: self.tolerance,
             stacked_f_vector: self.arranged.stacked_f_vector().to_vec(),
             largest_class_diameter: self.arranged.largest_class_diameter(),
+            glued_f_vector: self.arranged.glued_f_vector().to_vec(),
             collapsed: self.arranged.dropped_polygons().len(),
         }
     }
@@ -404,6 +472,7 @@ impl CongruentScene {
         crossings: &Crossings,
     ) -> Vec<Remark> {
         let mut remarks = self.scene.remarks().to_vec();
+        remarks.extend(self.assumed.clone());
         if crossings.count > 0 {
             let places = text::count(crossings.count, "place");
             let message = format!("with rounded coordinates faces cross in {places}");
@@ -471,4 +540,31 @@ fn named(error: Error, scene: &SpatialScene, tolerance: f64) -> Error {
     Error::invalid(message)
         .with_cure("give a larger --tolerance, or leave --method out: the exact method splits such polygons")
         .in_file(scene.label(input))
+}
+
+/// Triangles of a flat polygon with these walks around it, seen along the axis that it faces most.
+fn triangulated(positions: &Positions, walks: &RaggedArray) -> Option<Vec<[u32; 3]>> {
+    let point = |vertex: u32| positions.point(VertexId::from_u32(vertex));
+    let mut normal = [0.0; 3];
+    for walk in walks.iter() {
+        let origin = point(walk[0]);
+        for (i, &from) in walk.iter().enumerate() {
+            let [p, q] = [from, walk[(i + 1) % walk.len()]]
+                .map(|v| [0, 1, 2].map(|axis| point(v)[axis] - origin[axis]));
+            let turn = coface_geometry::cross(p, q);
+            normal = [0, 1, 2].map(|axis| normal[axis] + turn[axis]);
+        }
+    }
+    let most = (0..3).max_by(|&i, &j| normal[i].abs().total_cmp(&normal[j].abs()))?;
+    let [mut first, mut second] = [(most + 1) % 3, (most + 2) % 3];
+    if normal[most] < 0.0 {
+        std::mem::swap(&mut first, &mut second);
+    }
+    let flat = |vertex: u32| [point(vertex)[first], point(vertex)[second]];
+    let compare = |a: u32, b: u32| {
+        let ([ax, ay], [bx, by]) = (flat(a), flat(b));
+        (ax + 0.0).total_cmp(&(bx + 0.0)).then((ay + 0.0).total_cmp(&(by + 0.0)))
+    };
+    let lists: Vec<&[u32]> = walks.iter().collect();
+    triangulate(&lists, compare, |a, b, c| orientation(flat(a), flat(b), flat(c))).ok()
 }

@@ -9,13 +9,11 @@ use super::models::{group_names, input_data};
 use super::{CongruentScene, SolidRequest};
 use crate::answer::{InsideMethod, SolidBooleanAnswer, SolidBooleanProvenance};
 use coface_algebra::chains::ChainComplex;
-use coface_algebra::{CellId, Error, RaggedArray, Sign, SparseMatrix, VertexId};
+use coface_algebra::{CellId, Error, Sign, SparseMatrix, VertexId};
 use coface_arrange::boolean::{CellSelection, SelectionBoundary, SelectionMesh};
 use coface_complexes::surface::PolygonMesh;
-use coface_geometry::predicates::orientation;
-use coface_geometry::triangulation::triangulate;
 use coface_geometry::{Positions, Sum, polygon_area};
-use coface_io::{Group, GroupKind, Model, repeated_vertex};
+use coface_io::{Group, GroupKind, Model};
 
 /// The solid that a formula of inputs describes, of cells that were glued within a tolerance.
 ///
@@ -173,7 +171,7 @@ impl<'a> CongruentBoolean<'a> {
             rule: rule_word(self.request.rule).to_owned(),
             files,
             rounding: self.arrangement.rounding(crossings)?,
-            joined: None,
+            joined: Some(self.arrangement.joined()?),
             congruence: Some(self.arrangement.pieces()),
             remarks,
         })
@@ -332,47 +330,7 @@ fn mesh_of(
 ) -> Result<SelectionMesh, Error> {
     let mut pieces: Vec<((CellId, Sign), Vec<u32>)> = Vec::new();
     for &facet in facets {
-        let walks = arrangement.walks_of(facet.0);
-        let is_simple = walks.len() == 1 && repeated_vertex(walks.list(0)).is_none();
-        if is_simple && (!triangles || walks.list(0).len() == 3) {
-            pieces.push((facet, walks.list(0).to_vec()));
-            continue;
-        }
-        let own = triangulated(arrangement.positions(), &walks).ok_or_else(|| {
-            Error::invalid(format!(
-                "face {} crosses itself in rounded numbers, and cannot be cut into triangles",
-                facet.0.index()
-            ))
-            .with_cure("write .json, which keeps faces as they are, or give a smaller tolerance")
-        })?;
-        pieces.extend(own.into_iter().map(|triangle| (facet, triangle.to_vec())));
+        pieces.extend(arrangement.pieces_of(facet.0, triangles)?.into_iter().map(|piece| (facet, piece)));
     }
     Ok(SelectionMesh::of_pieces(pieces.iter().map(|(facet, polygon)| (*facet, &polygon[..]))))
-}
-
-/// Triangles of a flat polygon with these walks around it, seen along the axis that it faces most.
-fn triangulated(positions: &Positions, walks: &RaggedArray) -> Option<Vec<[u32; 3]>> {
-    let point = |vertex: u32| positions.point(VertexId::from_u32(vertex));
-    let mut normal = [0.0; 3];
-    for walk in walks.iter() {
-        let origin = point(walk[0]);
-        for (i, &from) in walk.iter().enumerate() {
-            let [p, q] = [from, walk[(i + 1) % walk.len()]]
-                .map(|v| [0, 1, 2].map(|axis| point(v)[axis] - origin[axis]));
-            let turn = coface_geometry::cross(p, q);
-            normal = [0, 1, 2].map(|axis| normal[axis] + turn[axis]);
-        }
-    }
-    let most = (0..3).max_by(|&i, &j| normal[i].abs().total_cmp(&normal[j].abs()))?;
-    let [mut first, mut second] = [(most + 1) % 3, (most + 2) % 3];
-    if normal[most] < 0.0 {
-        std::mem::swap(&mut first, &mut second);
-    }
-    let flat = |vertex: u32| [point(vertex)[first], point(vertex)[second]];
-    let compare = |a: u32, b: u32| {
-        let ([ax, ay], [bx, by]) = (flat(a), flat(b));
-        (ax + 0.0).total_cmp(&(bx + 0.0)).then((ay + 0.0).total_cmp(&(by + 0.0)))
-    };
-    let lists: Vec<&[u32]> = walks.iter().collect();
-    triangulate(&lists, compare, |a, b, c| orientation(flat(a), flat(b), flat(c))).ok()
 }

@@ -169,7 +169,12 @@ impl SceneArrangement {
     /// ```
     pub fn provenance(&self) -> SpatialArrangementProvenance {
         let faces = (0..self.complex().cell_count(2)).map(|face| self.sources(CellId::new(face), Sign::Plus));
-        SpatialArrangementProvenance { files: self.scene.names().to_vec(), faces: faces.collect() }
+        SpatialArrangementProvenance {
+            files: self.scene.names().to_vec(),
+            faces: faces.collect(),
+            vertices: None,
+            edges: None,
+        }
     }
 
     /// The sources of a face that is run through in this direction, as `[model, polygon, sign]`.

@@ -2,7 +2,7 @@
 
 use coface_algebra::CellId;
 use coface_algebra::chains::ChainComplex;
-use coface_algebra::{RaggedArray, SparseMatrix, UnionFind};
+use coface_algebra::{RaggedArray, Sign, SparseMatrix, UnionFind};
 
 const NONE: u32 = u32::MAX;
 
@@ -16,24 +16,48 @@ pub(super) struct Pinches {
 }
 
 impl Pinches {
-    /// The pinches of a boundary with these facets, cells of one degree less than the complex has.
+    /// The pinches of a boundary with these facets, cells of one degree less than the complex has. A pair of `slits` is a
+    /// facet and a ridge that it has on both sides, a pair of `points` a facet and a vertex inside of it that is in no ridge of
+    /// it; both rise, as the facets do.
     ///
     /// # Complexity
     /// Linear but for the corners at pinched edges, and at vertices that a facet runs through twice: nearly linear in
     /// those.
-    pub(super) fn new(complex: &ChainComplex, facets: impl ExactSizeIterator<Item = CellId>) -> Self {
+    pub(super) fn new(
+        complex: &ChainComplex,
+        facets: &[(CellId, Sign)],
+        slits: &[(u32, u32)],
+        points: &[(u32, u32)],
+    ) -> Self {
         let degree = complex.degree_count().saturating_sub(1);
         let Some(ridges) = degree.checked_sub(1).and_then(|below| complex.boundary_matrix(below)) else {
             return Self::default();
         };
         let mut around = RaggedArray::new();
-        facets.for_each(|facet| around.push(ridges.column(facet.index()).rows()));
+        let mut list = Vec::new();
+        for &(facet, _) in facets {
+            let own = ridges.column(facet.index()).rows();
+            let start = slits.partition_point(|slit| slit.0 < facet.to_u32());
+            if slits.get(start).is_none_or(|slit| slit.0 != facet.to_u32()) {
+                around.push(own);
+                continue;
+            }
+            list.clear();
+            list.extend(own);
+            let inside = slits[start..].iter().take_while(|slit| slit.0 == facet.to_u32());
+            inside.for_each(|&(_, ridge)| list.extend([ridge; 2]));
+            around.push(&list);
+        }
+        let is_facet = |facet: u32| facets.binary_search_by_key(&facet, |own| own.0.to_u32()).is_ok();
+        let mut points: Vec<u32> =
+            points.iter().filter(|&&(facet, _)| is_facet(facet)).map(|&(_, vertex)| vertex).collect();
+        points.sort_unstable();
         let pairs = Pairs::new(&around, ridges.row_count());
         let pinched: Vec<CellId> = pairs.crowded.iter().map(|&ridge| CellId::from_u32(ridge)).collect();
         match (degree, complex.boundary_matrix(1)) {
             (2, _) => Self { ridges: pinched.clone(), vertices: pinched },
             (3, Some(ends)) => {
-                let split = split_vertices(&around, &pairs, ends);
+                let split = split_vertices(&around, &pairs, ends, &points);
                 Self { ridges: pinched, vertices: split.into_iter().map(CellId::new).collect() }
             }
             _ => Self { ridges: pinched, vertices: Vec::new() },
@@ -72,7 +96,12 @@ const BOTH: u8 = 0b11;
 ///
 /// A fan is walked around its vertex from edge to edge. Where that is not possible, since an edge has not two facets or
 /// a facet more than two edges at the vertex, fans are put together by union-find.
-fn split_vertices(around: &RaggedArray, pairs: &Pairs, ends: &SparseMatrix) -> Vec<usize> {
+fn split_vertices(
+    around: &RaggedArray,
+    pairs: &Pairs,
+    ends: &SparseMatrix,
+    points: &[u32],
+) -> Vec<usize> {
     let mut facet_of_slot = Vec::with_capacity(around.item_count());
     for facet in 0..around.len() {
         facet_of_slot.resize(around.start(facet + 1), facet as u32);
@@ -118,8 +147,16 @@ fn split_vertices(around: &RaggedArray, pairs: &Pairs, ends: &SparseMatrix) -> V
             *count = if is_closed && *count < 3 { (*count + 1).min(2) } else { 3 };
         }
     }
+    let is_used: Vec<bool> = points.iter().map(|&vertex| fans[vertex as usize] > 0).collect();
     if fans.contains(&3) {
         for vertex in united_fans(around, pairs, ends, |vertex| fans[vertex as usize] == 3) {
+            fans[vertex as usize] = 2;
+        }
+    }
+    // Around a point inside of it a facet is a fan of its own.
+    let mut own = points.iter().zip(is_used).peekable();
+    while let Some((&vertex, is_used)) = own.next() {
+        if is_used || own.peek().is_some_and(|&(&next, _)| next == vertex) {
             fans[vertex as usize] = 2;
         }
     }
@@ -198,7 +235,7 @@ mod tests {
             let pairs = Pairs::new(&around, edges.len());
             let expected = united_fans(&around, &pairs, &ends, |_| true);
             let found: Vec<u32> =
-                split_vertices(&around, &pairs, &ends).into_iter().map(|vertex| vertex as u32).collect();
+                split_vertices(&around, &pairs, &ends, &[]).into_iter().map(|vertex| vertex as u32).collect();
             prop_assert_eq!(found, expected);
             let degree = |edge: u32| around.items().iter().filter(|&&other| other == edge).count();
             let crowded: Vec<u32> = (0..edges.len() as u32).filter(|&edge| degree(edge) > 2).collect();

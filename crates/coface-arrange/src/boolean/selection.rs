@@ -167,7 +167,7 @@ impl CellSelection {
     /// ```
     pub fn boundary(&self, complex: &ChainComplex) -> Result<SelectionBoundary, Error> {
         let mut boundary = self.boundary_without_pinches(complex)?;
-        boundary.find_pinches(complex);
+        boundary.find_pinches(complex, &[], &[]);
         Ok(boundary)
     }
 
@@ -202,10 +202,11 @@ impl CellSelection {
 }
 
 impl SelectionBoundary {
-    /// Finds the pinches in the complex that this is a boundary in.
+    /// Finds the pinches in the complex that this is a boundary in. Slits are facets with ridges that they have on both sides,
+    /// points are facets with vertices inside of them that no ridge of them ends at; both rise.
     #[doc(hidden)]
-    pub fn find_pinches(&mut self, complex: &ChainComplex) {
-        self.pinches = Pinches::new(complex, self.facets.iter().map(|facet| facet.0));
+    pub fn find_pinches(&mut self, complex: &ChainComplex, slits: &[(u32, u32)], points: &[(u32, u32)]) {
+        self.pinches = Pinches::new(complex, &self.facets, slits, points);
     }
 
     /// The facets with a selected cell on one side only, with plus where it is behind: a cycle. Rising.

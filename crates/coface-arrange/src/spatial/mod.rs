@@ -29,6 +29,7 @@ mod cutting;
 mod drawing;
 mod exact_faces;
 mod exact_polygons;
+mod face_interiors;
 mod face_planes;
 mod face_walks;
 mod flat_polygons;

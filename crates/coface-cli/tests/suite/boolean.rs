@@ -274,6 +274,38 @@ fn pinches_are_told_with_coordinates_and_split_on_request() {
 }
 
 #[test]
+fn pinches_inside_of_a_face_are_told_and_split() {
+    let folder = Folder::new();
+    let cube = folder.cube("cube.obj", [0.0; 3], 2.0);
+    let base = "v 0.5 0.5 1\nv 1.5 0.5 1\nv 1.5 1.5 1\nv 0.5 1.5 1\n";
+    let roof = format!("{base}v 0.5 1 2\nv 1.5 1 2\nf 4 3 2 1\nf 1 2 6 5\nf 3 4 5 6\nf 2 3 6\nf 4 1 5\n");
+    let roof = folder.text("roof.obj", &roof);
+    let object = combined("difference", &[&cube, &roof], &[]);
+    assert_eq!((&object["measure"], &object["manifold"]["verdict"]), (&json!(7.5), &json!("no")));
+    assert_eq!(object["pinches"]["edges"], json!([[[0.5, 1.0, 2.0], [1.5, 1.0, 2.0]]]));
+    for extension in ["off", "stl", "obj"] {
+        let out = folder.path(&format!("roof.{extension}"));
+        let object = combined("difference", &[&cube, &roof], &["-o", argument(&out)]);
+        assert_eq!(object["manifold"]["verdict"], json!("yes"), "{extension}");
+        assert_eq!(object["pinches"]["copies"], json!(2), "{extension}");
+    }
+    let again = coface(&["info", argument(&folder.path("roof.off")), "--json"]).json();
+    assert_eq!((&again["manifold"]["verdict"], &again["components"]), (&json!("yes"), &json!(2)));
+    let pyramid =
+        format!("{base}v 1 1 2\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+    let pyramid = folder.text("pyramid.obj", &pyramid);
+    let out = folder.path("pyramid.json");
+    let object = combined("difference", &[&cube, &pyramid], &["-o", argument(&out)]);
+    assert_eq!(object["pinches"]["vertices"], json!([[1.0, 1.0, 2.0]]));
+    let betti = |path: &PathBuf| {
+        let found = coface(&["homology", argument(path), "--json"]).json();
+        let groups = found["homology"].as_array().unwrap();
+        groups.iter().map(|group| group["betti"].as_u64().unwrap()).collect::<Vec<u64>>()
+    };
+    assert_eq!(betti(&out), [1, 0, 1, 0]);
+}
+
+#[test]
 fn results_do_not_depend_on_threads_or_on_the_order_of_inputs() {
     let folder = Folder::new();
     let cube = |name: &str, motion: Motion| folder.squares(name, [0.0; 3], [1.0; 3], 6, motion);

@@ -200,6 +200,43 @@ fn an_apex_and_a_ridge_inside_a_face_touch_it() {
     }
 }
 
+/// A void whose apex or ridge is inside of a face of the solid, from within, and the same with a shaft from the bottom into the void.
+#[test]
+fn voids_that_touch_a_face_from_within() {
+    let polygons = |points: &[[f64; 3]], lists: &[&[u32]]| {
+        let positions = Positions::from_flat(3, points.concat()).unwrap();
+        SpatialPolygons::from_polygons(positions, RaggedArray::from_lists(lists)).unwrap()
+    };
+    let base = [[1., 1., 2.], [3., 1., 2.], [3., 3., 2.], [1., 3., 2.]];
+    let pyramid = polygons(
+        &[&base[..], &[[2., 2., 4.]]].concat(),
+        &[&[3, 2, 1, 0], &[0, 1, 4], &[1, 2, 4], &[2, 3, 4], &[3, 0, 4]],
+    );
+    let roof = polygons(
+        &[&base[..], &[[1., 2., 4.], [3., 2., 4.]]].concat(),
+        &[&[3, 2, 1, 0], &[0, 1, 5, 4], &[2, 3, 4, 5], &[1, 2, 5], &[3, 0, 4]],
+    );
+    let cube = cuboid([0.0; 3], [4.0; 3], |point| point);
+    let shaft = cuboid([1.5, 1.5, 0.0], [2.5, 2.5, 2.5], |point| point);
+    for (void, touches_along) in [(pyramid, 0), (roof, 1)] {
+        for has_shaft in [false, true] {
+            let mut inputs = vec![cube.clone(), void.clone()];
+            inputs.extend(has_shaft.then(|| shaft.clone()));
+            let all = SpatialPolygons::joined(&inputs).unwrap();
+            let arrangement = SpatialArrangement::new(&all, &SpatialOptions::default()).unwrap();
+            let inside = arrangement.inside(Default::default()).unwrap();
+            let parts: Vec<Option<u32>> = inside.iter().map(|own| (own[..] == [0]).then_some(0)).collect();
+            for triangles in [false, true] {
+                let rules = BallRules::new().triangles(triangles);
+                let balls = arrangement.ball_complex_of(&parts, rules).unwrap();
+                assert_eq!(balls.parts_left(), [0u32; 0], "{touches_along} {has_shaft} {triangles}");
+                let expected = if has_shaft { vec![1] } else { vec![1, 0, 1] };
+                assert_eq!(groups(balls.complex()), (expected, false), "{touches_along} {has_shaft} {triangles}");
+            }
+        }
+    }
+}
+
 #[test]
 fn faces_of_the_plane_with_holes_and_islands() {
     let square = |low: f64, high: f64| [[low, low], [high, low], [high, high], [low, high]];

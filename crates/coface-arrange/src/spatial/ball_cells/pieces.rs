@@ -19,6 +19,9 @@ pub(super) struct Kept {
     /// The piece of each cell; of the exterior and of cells that are left out, the last one.
     pub(super) piece_of_cell: Vec<u32>,
     pub(super) piece_count: usize,
+    /// The region of each cell, and last of the exterior: its piece, or a number from [`Self::piece_count`] on for what is
+    /// connected outside of all pieces.
+    region_of_cell: Vec<u32>,
 }
 
 impl Kept {
@@ -39,6 +42,7 @@ impl Kept {
         for cell in 0..parts.len() as u32 {
             pieces.unite(cell, node(cell));
         }
+        let mut regions = UnionFind::new(parts.len() + 1);
         for face in 0..face_count {
             let from = if cuts.rounds.is_empty() {
                 Vec::new()
@@ -56,6 +60,8 @@ impl Kept {
             is_kept[face] = is_of_result || is_on_cut;
             if !is_kept[face] {
                 pieces.unite(node(sides[0]), node(sides[1]));
+                let [behind, before] = sides.map(|cell| cell.min(parts.len() as u32));
+                regions.unite(behind, before);
             }
         }
         let numbers = pieces.class_numbers();
@@ -67,17 +73,28 @@ impl Kept {
             class if class > outside => class - 1,
             class => class,
         };
-        let piece_of_cell = numbers[..parts.len()].iter().map(number).collect();
+        let piece_of_cell: Vec<u32> = numbers[..parts.len()].iter().map(number).collect();
+        let region = |(cell, class): (usize, u32)| match piece_of_cell.get(cell) {
+            Some(&piece) if (piece as usize) < piece_count => piece,
+            _ => piece_count as u32 + class,
+        };
+        let region_of_cell = regions.class_numbers().into_iter().enumerate().map(region).collect();
         let mut points = arrangement.points_in_faces();
         points.retain(|&(face, _)| is_kept[face as usize]);
         let faces_of_fine = faces_of_fine(arrangement);
-        Self { is_kept, is_from_cut, faces_of_fine, points, piece_of_cell, piece_count }
+        Self { is_kept, is_from_cut, faces_of_fine, points, piece_of_cell, piece_count, region_of_cell }
     }
 
     /// The piece on a side of a face, [`Self::piece_count`] for the outside.
     pub(super) fn piece_at(&self, arrangement: &SpatialArrangement, face: u32, side: u32) -> u32 {
         let cell = arrangement.packed_cell(face, side);
         self.piece_of_cell.get(cell as usize).copied().unwrap_or(self.piece_count as u32)
+    }
+
+    /// The region on a side of a face.
+    fn region_at(&self, arrangement: &SpatialArrangement, half: u32) -> u32 {
+        let cell = arrangement.packed_cell(half >> 1, half & 1) as usize;
+        self.region_of_cell[cell.min(self.region_of_cell.len() - 1)]
     }
 
     /// The half-faces around each piece, rising; twice a kept face, plus one in front of it. The last list has all others.
@@ -117,7 +134,8 @@ struct Touch {
     vertex: u32,
     /// The part of the kept faces at the vertex that are connected without it.
     part: u32,
-    piece: u32,
+    /// The piece, or the region outside of all pieces.
+    region: u32,
     /// A half-face of the shell there.
     half: u32,
 }
@@ -197,7 +215,7 @@ impl Pieces {
         // Twice the Euler characteristic of each shell, at its root.
         let mut characteristic = vec![0i64; 2 * complex.face_count()];
         let mut is_counted = vec![false; 4 * sides.item_count()];
-        let mut is_known = vec![true; kept.piece_count + 1];
+        let mut is_known = vec![true; kept.piece_count];
         let mut touching: Vec<Touch> = Vec::new();
         for half in halves() {
             let face = (half >> 1) as usize;
@@ -212,7 +230,7 @@ impl Pieces {
                         characteristic[shell] += 2;
                         let vertex = complex.edges()[(side >> 1) as usize][end];
                         let part = corners.around_vertex.find(corner >> 1);
-                        touching.push(Touch { vertex, part, piece: piece_at(half), half });
+                        touching.push(Touch { vertex, part, region: kept.region_at(arrangement, half), half });
                     }
                 }
             }
@@ -220,7 +238,7 @@ impl Pieces {
         for &(face, vertex) in &kept.points {
             let part = 2 * sides.item_count() as u32 + face;
             for half in [2 * face, 2 * face + 1] {
-                touching.push(Touch { vertex, part, piece: piece_at(half), half });
+                touching.push(Touch { vertex, part, region: kept.region_at(arrangement, half), half });
             }
         }
         touching.sort_unstable();
@@ -243,7 +261,6 @@ impl Pieces {
         for (piece, own) in own_shells.iter().enumerate() {
             is_ball[piece] = own.iter().all(|&shell| characteristic[shell as usize] == 4);
         }
-        is_known.truncate(kept.piece_count);
         let mut part_of_piece = vec![NONE; kept.piece_count + 1];
         for (cell, &piece) in kept.piece_of_cell.iter().enumerate() {
             part_of_piece[piece as usize] = parts[cell];
@@ -366,18 +383,18 @@ fn join_at_vertex(
     if faces.len() < 2 {
         return Vec::new();
     }
-    let mut by_piece: Vec<(u32, u32, u32, u32)> =
-        at.iter().map(|own| (own.piece, own.part, shells.find(own.half), own.half)).collect();
-    by_piece.sort_unstable();
-    if by_piece[0].0 as usize == kept.piece_count {
+    let mut by_region: Vec<(u32, u32, u32, u32)> =
+        at.iter().map(|own| (own.region, own.part, shells.find(own.half), own.half)).collect();
+    by_region.sort_unstable();
+    if by_region[0].0 as usize >= kept.piece_count {
         // Nothing but the outside.
         return Vec::new();
     }
     // Of corners of one shell in one part any will do.
-    by_piece.dedup_by_key(|corner| (corner.0, corner.1, corner.2));
+    by_region.dedup_by_key(|corner| (corner.0, corner.1, corner.2));
     let mut joined = 0;
     let mut is_plain = true;
-    for own in by_piece.chunk_by(|x, y| x.0 == y.0) {
+    for own in by_region.chunk_by(|x, y| x.0 == y.0) {
         let parts = own.chunk_by(|x, y| x.1 == y.1).count();
         joined += parts - 1;
         is_plain &= parts == 1 || parts == own.len();
@@ -401,12 +418,15 @@ fn join_at_vertex(
                 join(&halves, piece, kept, shells, characteristic);
                 return vec![piece];
             }
-            None => at.iter().for_each(|corner| is_known[corner.piece as usize] = false),
+            None => {
+                let own = at.iter().filter(|corner| (corner.region as usize) < kept.piece_count);
+                own.for_each(|corner| is_known[corner.region as usize] = false);
+            }
         }
         return Vec::new();
     }
     let mut between = Vec::new();
-    for own in by_piece.chunk_by(|x, y| x.0 == y.0) {
+    for own in by_region.chunk_by(|x, y| x.0 == y.0) {
         if own.chunk_by(|x, y| x.1 == y.1).count() > 1 {
             let halves: Vec<u32> = own.iter().map(|corner| corner.3).collect();
             join(&halves, own[0].0, kept, shells, characteristic);
@@ -419,7 +439,7 @@ fn join_at_vertex(
 /// Joins the shells of these half-faces by a tube each where they meet at a vertex: k disks around it give way to a
 /// sphere with k holes.
 fn join(halves: &[u32], piece: u32, kept: &Kept, shells: &mut UnionFind, characteristic: &mut [i64]) {
-    if piece as usize == kept.piece_count {
+    if piece as usize >= kept.piece_count {
         return;
     }
     let mut roots: Vec<u32> = halves.iter().map(|&half| shells.find(half)).collect();

@@ -18,7 +18,8 @@ struct Corner {
 /// The half-faces of two parts that see each other at a vertex, one of each part; `None` where that cannot be told.
 ///
 /// On a small sphere around the vertex the parts are two closed curves, of arcs less than a half turn, that do not meet. An
-/// arc from a node of one to a node of the other that crosses neither lies between them.
+/// arc from a node of one to a node of the other that crosses neither lies between them. Where the vertex is inside of a
+/// face, one of the curves is a great circle.
 pub(super) fn facing_halves(
     arrangement: &SpatialArrangement,
     kept: &Kept,
@@ -28,6 +29,12 @@ pub(super) fn facing_halves(
     let predicates = arrangement.fine_triangles().predicates();
     let fine = arrangement.fine_vertex(VertexId::from_u32(vertex)).to_u32();
     let mut around = Around { arrangement, kept, vertex, fine, predicates, nodes: Vec::new() };
+    match faces.map(|own| around.face_around(own)) {
+        [None, None] => {}
+        [Some(face), None] => return around.facing_face(face, faces[1]),
+        [None, Some(face)] => return around.facing_face(face, faces[0]),
+        [Some(_), Some(_)] => return None,
+    }
     let corners = [around.corners(faces[0])?, around.corners(faces[1])?];
     around.nodes = corners.iter().flatten().flat_map(|corner| corner.beside).collect();
     for own in &corners[0] {
@@ -58,6 +65,44 @@ struct Around<'a, P> {
 impl<P: SpatialPredicates> Around<'_, P> {
     fn det(&self, x: u32, y: u32, z: u32) -> Ordering {
         self.predicates.orientation([self.fine, x, y, z])
+    }
+
+    /// The only one of these faces, if the vertex is inside of it.
+    fn face_around(&self, faces: &[u32]) -> Option<u32> {
+        let &[face] = faces else { return None };
+        self.fine_vertices(face).all(|fine| fine != self.fine).then_some(face)
+    }
+
+    /// The fine vertices that sides of a face begin at.
+    fn fine_vertices(&self, face: u32) -> impl Iterator<Item = u32> {
+        let complex = self.arrangement.complex();
+        let list = complex.packed_sides().list(face as usize).iter();
+        list.map(|&side| self.arrangement.fine_vertex(VertexId::from_u32(complex.side_ends(side)[0])).to_u32())
+    }
+
+    /// [`facing_halves`] of a face that the vertex is inside of, and of other faces at the vertex, which are on one side of
+    /// it.
+    fn facing_face(&mut self, face: u32, others: &[u32]) -> Option<[u32; 2]> {
+        let corners = self.corners(others)?;
+        let circle: Vec<u32> = self.fine_vertices(face).collect();
+        self.nodes = corners.iter().flat_map(|corner| corner.beside).chain(circle.iter().copied()).collect();
+        let view = self.arrangement.view(FaceId::from_u32(face));
+        for own in &corners {
+            let from = own.beside[0];
+            let is_free = |&&to: &&u32| {
+                self.off(from, to).is_some() && corners.iter().all(|corner| self.lets_pass(corner, [from, to]))
+            };
+            let Some(&to) = circle.iter().find(is_free) else { continue };
+            let (turn, &next) = circle
+                .iter()
+                .map(|next| (view.turn(&self.predicates, [self.fine, to, *next]), next))
+                .find(|(turn, _)| turn.is_ne())?;
+            // Seen from the front both turn the same way.
+            let is_in_front = self.det(from, to, next) == turn;
+            let half = self.half_towards(own.edges[0], from, to, &corners)?;
+            return Some([2 * face + u32::from(is_in_front), half]);
+        }
+        None
     }
 
     /// The corners at the vertex of these faces; `None` if a face has several there, or one of a half turn or more.

@@ -7,10 +7,13 @@ use crate::congruence::{
     vertex_congruence,
 };
 use coface_algebra::chains::ChainComplex;
-use coface_algebra::{CellId, Error, ErrorKind, FaceId, VertexId};
+use coface_algebra::{CellId, EdgeId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
 use coface_geometry::Positions;
 use rayon::prelude::*;
+
+/// No vertex.
+const NONE: u32 = u32::MAX;
 
 /// The arrangement of polygons in space up to a tolerance.
 #[derive(Clone, Debug)]
@@ -21,8 +24,13 @@ pub struct CongruenceArrangement {
     void_count: usize,
     /// For each face the polygons that it is in, as `2 * polygon + against`, rising.
     polygons_of_face: RaggedArray,
+    /// The polygons with a piece at each vertex and along each edge, rising.
+    polygons_of_low: [RaggedArray; 2],
+    /// The vertex of each point that is a corner of a polygon that is there, else no number.
+    vertex_of_point: Vec<u32>,
     dropped: Vec<u32>,
     stacked_f_vector: [usize; 3],
+    glued_f_vector: [usize; 3],
     largest_class_diameter: f64,
 }
 
@@ -94,6 +102,12 @@ pub fn arrange_by_congruence(
     };
     let slits = stack.slits(&merged)?;
     let (polygons_of_face, normals) = stack.sources(&merged, &sheets, &numbers);
+    let polygons_of_low = [0, 1].map(|degree| stack.polygons_of(&merged, degree, &numbers));
+    let vertex_of_point = vertices_of_points(positions.len(), walks, polygon_of_walk, &dropped, |corner| {
+        merged.classes()[0].image(CellId::new(corner)).next().map(|(vertex, _)| vertex as u32)
+    });
+    let glued_f_vector =
+        [0, 1, 2].map(|degree| merged.classes()[degree].members().iter().filter(|own| own.len() > 1).count());
     let flat = FlatFaces {
         positions: vertices.positions(),
         edges,
@@ -110,7 +124,10 @@ pub fn arrange_by_congruence(
         volumes: cells.volumes,
         void_count: cells.void_count,
         polygons_of_face,
+        polygons_of_low,
+        vertex_of_point,
         dropped,
+        glued_f_vector,
         stacked_f_vector: [0, 1, 2].map(|degree| stack.complex.cell_count(degree)),
         largest_class_diameter: vertices.largest_diameter(),
     })
@@ -235,6 +252,88 @@ impl CongruenceArrangement {
         })
     }
 
+    /// The polygons with a piece at a vertex, rising: several where several pieces became one.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{RaggedArray, VertexId};
+    /// use coface_arrange::spatial::arrange_by_congruence;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let tetrahedron = arrange_by_congruence(&corners, &sides, &[0, 1, 2, 3], 1e-9)?;
+    /// assert_eq!(tetrahedron.polygons_of_vertex(VertexId::new(0)).len(), 3);
+    /// # Ok(()) }
+    /// ```
+    pub fn polygons_of_vertex(&self, vertex: VertexId) -> &[u32] {
+        self.polygons_of_low[0].list(vertex.index())
+    }
+
+    /// The polygons with a piece along an edge, rising.
+    ///
+    /// # Panics
+    /// If there is no such edge.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{EdgeId, RaggedArray};
+    /// use coface_arrange::spatial::arrange_by_congruence;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let tetrahedron = arrange_by_congruence(&corners, &sides, &[0, 1, 2, 3], 1e-9)?;
+    /// assert!((0..6).all(|edge| tetrahedron.polygons_of_edge(EdgeId::new(edge)).len() == 2));
+    /// # Ok(()) }
+    /// ```
+    pub fn polygons_of_edge(&self, edge: EdgeId) -> &[u32] {
+        self.polygons_of_low[1].list(edge.index())
+    }
+
+    /// The vertex that a point became; `None` for points that no polygon of the arrangement has as a corner.
+    ///
+    /// # Panics
+    /// If there is no such point.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::arrange_by_congruence;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 1e-12];
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 4, 3]]);
+    /// let tetrahedron = arrange_by_congruence(&Positions::from_flat(3, points)?, &sides, &[0, 1, 2, 3], 1e-9)?;
+    /// assert_eq!(tetrahedron.vertex_of_point(4), tetrahedron.vertex_of_point(0));
+    /// # Ok(()) }
+    /// ```
+    pub fn vertex_of_point(&self, point: usize) -> Option<VertexId> {
+        Some(self.vertex_of_point[point]).filter(|&vertex| vertex != NONE).map(VertexId::from_u32)
+    }
+
+    /// The numbers of vertices, edges and faces that several pieces became.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::arrange_by_congruence;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.])?;
+    /// let sides = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    /// let tetrahedron = arrange_by_congruence(&corners, &sides, &[0, 1, 2, 3], 1e-9)?;
+    /// // Each edge is a side of two triangles.
+    /// assert_eq!(tetrahedron.glued_f_vector(), [4, 6, 0]);
+    /// # Ok(()) }
+    /// ```
+    pub fn glued_f_vector(&self) -> [usize; 3] {
+        self.glued_f_vector
+    }
+
     /// The polygons that are nowhere wider than the tolerance, rising. They are not in the arrangement.
     ///
     /// # Examples
@@ -352,6 +451,26 @@ fn sheets(
     Ok((sheets, dropped))
 }
 
+/// The vertex of each point, from that of each corner of the polygons that are there, one polygon after the other.
+fn vertices_of_points(
+    count: usize,
+    walks: &RaggedArray,
+    polygon_of_walk: &[u32],
+    dropped: &[u32],
+    vertex_of_corner: impl Fn(usize) -> Option<u32>,
+) -> Vec<u32> {
+    let polygon_count = polygon_of_walk.iter().max().map_or(0, |&last| last as usize + 1);
+    let by_polygon = RaggedArray::grouped(polygon_count, polygon_of_walk.iter().copied());
+    let there = (0..polygon_count as u32).filter(|polygon| dropped.binary_search(polygon).is_err());
+    let own = there.flat_map(|polygon| by_polygon.list(polygon as usize));
+    let points = own.flat_map(|&walk| walks.list(walk as usize));
+    let mut vertices = vec![NONE; count];
+    for (corner, &point) in points.enumerate() {
+        vertices[point as usize] = vertex_of_corner(corner).unwrap_or(NONE);
+    }
+    vertices
+}
+
 /// For each sheet the others whose boxes come within the tolerance, rising.
 fn near_pairs(sheets: &[Sheet], tolerance: f64) -> RaggedArray {
     let mut order: Vec<usize> = (0..sheets.len()).collect();
@@ -386,6 +505,8 @@ struct Stack {
     slits: Vec<[u32; 2]>,
     /// The sheet of each face.
     sheet_of_face: Vec<u32>,
+    /// The sheet of each vertex and of each edge.
+    sheet_of_low: [Vec<u32>; 2],
 }
 
 impl Stack {
@@ -394,6 +515,8 @@ impl Stack {
         let (mut edges, mut faces) = (Vec::new(), Vec::new());
         let (mut slits, mut sheet_of_face) = (Vec::new(), Vec::new());
         let mut edge_count = 0;
+        let corners = (0..).zip(sheets).flat_map(|(sheet, own)| own.corners().map(move |_| sheet));
+        let mut sheet_of_low: [Vec<u32>; 2] = [corners.collect(), Vec::new()];
         for (sheet, CutSheet { vertices, edges: own, faces: own_faces, slits: own_slits }) in (0..).zip(cut) {
             let (first_vertex, first_edge, first_face) = (flat.len() / 3, edge_count, sheet_of_face.len());
             flat.extend(vertices.iter().flatten());
@@ -402,6 +525,8 @@ impl Stack {
                 edges.extend([(tail, first_edge + edge, -1i64), (head, first_edge + edge, 1)]);
             }
             edge_count += own.len();
+            sheet_of_low[0].resize(flat.len() / 3, sheet);
+            sheet_of_low[1].resize(edge_count, sheet);
             for (face, sides) in own_faces.iter().enumerate() {
                 let side = |&(edge, sign)| (first_edge + edge as usize, first_face + face, i64::from(sign));
                 faces.extend(sides.iter().map(side));
@@ -419,7 +544,22 @@ impl Stack {
         let edges = SparseMatrix::from_entries(flat.len() / 3, edge_count, edges)?;
         let faces = SparseMatrix::from_entries(edge_count, sheet_of_face.len(), faces)?;
         let complex = ChainComplex::new(vec![edges, faces])?;
-        Ok(Self { complex, positions: Positions::from_flat(3, flat)?, slits, sheet_of_face })
+        Ok(Self { complex, positions: Positions::from_flat(3, flat)?, slits, sheet_of_face, sheet_of_low })
+    }
+
+    /// The polygons with a piece at each vertex or along each edge of the quotient, rising.
+    fn polygons_of(&self, merged: &ChainCongruence, degree: usize, numbers: &[u32]) -> RaggedArray {
+        let classes = &merged.classes()[degree];
+        let mut pairs: Vec<(u32, u32)> = Vec::with_capacity(self.sheet_of_low[degree].len());
+        for (piece, &sheet) in self.sheet_of_low[degree].iter().enumerate() {
+            let own = classes.image(CellId::new(piece));
+            pairs.extend(own.map(|(class, _)| (class as u32, numbers[sheet as usize])));
+        }
+        pairs.sort_unstable();
+        pairs.dedup();
+        let mut lists = RaggedArray::grouped(classes.class_count(), pairs.iter().map(|pair| pair.0));
+        lists.items_mut().iter_mut().for_each(|item| *item = pairs[*item as usize].1);
+        lists
     }
 
     /// The slits of the faces of the quotient, in order.

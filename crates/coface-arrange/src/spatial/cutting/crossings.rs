@@ -43,6 +43,7 @@ pub(in crate::spatial) fn crossings(
     let common = meetings.cuts.iter().map(|cut| cut.ends[0].point(&sheets).rounded());
     let overlapping =
         meetings.overlapping.iter().map(|&sheet| sheets.point(sheets.corners[sheet as usize][0]));
+    if std::env::var_os("DBGX").is_some() { eprintln!("deg {} touch {} alone {} cuts {} over {}", degenerate.len(), touching.len(), alone.clone().count(), common.len(), overlapping.len()); for c in meetings.cuts.iter().take(2) { eprintln!("{:?} {:?}", c, c.sheets.map(|s| sheets.corners[s as usize].map(|v| sheets.point(v)))); } }
     let count = degenerate.len() + touching.len() + alone.count() + common.len() + overlapping.len();
     let all = degenerate.chain(touching).chain(crossing).chain(common).chain(overlapping);
     Ok(Crossings { count, places: all.take(most_listed).collect() })

@@ -52,8 +52,10 @@ use std::path::{Path, PathBuf};
 /// cell; VTK and PLY have the cells on both sides of each polygon and where it is from.
 ///
 /// With --method congruence, segments, in space polygons in their own planes, are cut one by one in rounded numbers, and vertices, edges
-/// and faces that are within --tolerance of each other become one: for drawings and surfaces that meet only nearly. "congruence" says how many
-/// cells were stacked, the largest distance of two vertices that became one, and what collapsed; in the plane "joined" has the classes of points.
+/// and faces that are within --tolerance of each other become one: for drawings and surfaces that meet only nearly. Without --tolerance it is
+/// 1e-9 of the extent, with a remark. "congruence" says how many
+/// cells were stacked, the largest distance of two vertices that became one, and what collapsed; "joined" has the classes of points, and in
+/// space --provenance the polygons of each vertex, edge and face.
 ///
 /// With --inputs each object, group or component of a file is an input, so that a building may be one
 /// file: "regions" has their
@@ -150,14 +152,11 @@ impl CellOptions {
         Ok(models)
     }
 
-    /// How cells are found; refuses congruence without a tolerance.
-    pub(crate) fn method(&self) -> Result<ArrangementMethod, Failure> {
+    /// How cells are found.
+    pub(crate) fn method(&self) -> ArrangementMethod {
         match self.method {
-            Some(Method::Congruence) if self.tolerance.is_none() => Err(Failure::new(
-                "--method congruence needs the distance within which vertices become one: give --tolerance R",
-            )),
-            Some(Method::Congruence) => Ok(ArrangementMethod::Congruence),
-            Some(Method::Exact) | None => Ok(ArrangementMethod::Exact),
+            Some(Method::Congruence) => ArrangementMethod::Congruence,
+            Some(Method::Exact) | None => ArrangementMethod::Exact,
         }
     }
 
@@ -201,6 +200,7 @@ pub(crate) enum Method {
     /// All decisions are exact; --tolerance puts features together before
     Exact,
     /// Each segment, in space each polygon in its own plane, is cut for itself, and pieces within --tolerance of each other become one
+    /// [without it: within 1e-9 of the extent]
     Congruence,
 }
 

@@ -27,7 +27,7 @@ pub(super) fn run(
             "--graph is for cells in space, and the inputs lie in the plane: leave it out",
         ));
     }
-    let method = verb.cells.method()?;
+    let method = verb.cells.method();
     progress.stage("arranging");
     let models = models.iter().map(|(name, model)| (name.as_str(), model));
     let source = verb.source.map_or_else(Default::default, super::Inputs::source);

@@ -221,13 +221,12 @@ fn by_congruence(
     scene: SpatialScene,
     progress: Progress,
 ) -> Result<(), Failure> {
-    let refused = [(verb.space.triangles, "--triangles"), (verb.graph.is_some(), "--graph")];
-    if let Some((_, option)) = refused.into_iter().find(|(is_given, _)| *is_given) {
-        return Err(for_the_exact_method(option));
+    if verb.graph.is_some() {
+        return Err(for_the_exact_method("--graph"));
     }
     refuse_exact_options(&verb.cells, &verb.space)?;
-    verb.cells.method()?;
-    let arrangement = CongruentScene::of_scene(scene, verb.cells.tolerance.unwrap_or_default())?;
+    let triangles = verb.space.triangles(&scene, output);
+    let arrangement = CongruentScene::of_scene(scene, verb.cells.tolerance)?;
     progress.stage("multiplying boundaries");
     let mut answer = arrangement.answer(verb.cells.rule.map(Rule::inside).unwrap_or_default())?;
     accept(&answer.remarks, common)?;
@@ -240,9 +239,9 @@ fn by_congruence(
         }
         Some((path, Target::Model(format))) => {
             let has_groups = matches!(format, Format::Obj | Format::Msh | Format::Medit);
-            io::write_path(&arrangement.to_mesh(has_groups)?, path, Some(format))?;
+            io::write_path(&arrangement.to_mesh(triangles, has_groups)?, path, Some(format))?;
         }
-        Some((path, Target::Seen(seen))) => write_seen(path, &arrangement.to_mesh(false)?, seen)?,
+        Some((path, Target::Seen(seen))) => write_seen(path, &arrangement.to_mesh(triangles, false)?, seen)?,
         None => {}
     }
     if let Some(path) = &verb.provenance {

@@ -24,7 +24,7 @@ pub(super) fn run(
     models: &[(String, Model)],
     progress: Progress,
 ) -> Result<(), Failure> {
-    let method = verb.cells.method()?;
+    let method = verb.cells.method();
     progress.stage("arranging");
     let models = models.iter().map(|(name, model)| (name.as_str(), model));
     let options = DrawingOptions::new().source(verb.region_source()).close_lines(verb.cells.close);

@@ -64,11 +64,11 @@ pub(super) fn run(
     let output = output.map(in_space).transpose()?;
     progress.stage("arranging");
     let mut scene = scene_of(verb.inputs, task.least_inputs(), models, verb.keep_walls)?;
-    if verb.cells.method()? == ArrangementMethod::Congruence {
-        return by_congruence(verb, task, common, output, scene, progress);
-    }
     if matches!(verb.solids.open, Open::Close) {
         scene.close_mouths()?;
+    }
+    if verb.cells.method() == ArrangementMethod::Congruence {
+        return by_congruence(verb, task, common, output, scene, progress);
     }
     let count = scene.names().len();
     let triangles = verb.space.triangles(&scene, output);
@@ -121,19 +121,15 @@ fn by_congruence(
     scene: SpatialScene,
     progress: Progress,
 ) -> Result<(), Failure> {
-    let refused = [
-        (matches!(verb.solids.open, Open::Close), "--open"),
-        (matches!(verb.solids.pinches, Some(Pinches::Split)), "--pinches"),
-    ];
-    if let Some((_, option)) = refused.into_iter().find(|(is_given, _)| *is_given) {
-        return Err(for_the_exact_method(option));
+    if matches!(verb.solids.pinches, Some(Pinches::Split)) {
+        return Err(for_the_exact_method("--pinches"));
     }
     refuse_exact_options(&verb.cells, &verb.space)?;
     let mut request = SolidRequest::of(task.formula(scene.names().len()));
     request.rule = verb.cells.rule.map(Rule::inside).unwrap_or_default();
     request.triangles = verb.space.triangles(&scene, output);
     request.keep_walls = verb.keep_walls;
-    let arrangement = CongruentScene::of_scene(scene, verb.cells.tolerance.unwrap_or_default())?;
+    let arrangement = CongruentScene::of_scene(scene, verb.cells.tolerance)?;
     progress.stage("combining");
     let result = CongruentBoolean::of(&arrangement, &request)?;
     let made = Made {
@@ -216,7 +212,9 @@ fn page(answer: &SolidBooleanAnswer) -> String {
     let at = pinched_at(answer);
     let gloss = match (answer.pinches.edge_count + answer.pinches.vertex_count, &answer.manifold.witness) {
         (0, _) => String::new(),
-        (_, None) => format!("split at {at}"),
+        (_, None) if answer.pinches.copies > 0 => format!("split at {at}"),
+        // A vertex inside of a face, which the face as a polygon has not.
+        (_, None) => format!("touches itself at {at}"),
         (_, Some(witness)) => {
             format!("pinched at {at}, so: {}; --pinches split makes copies", witness.message)
         }

@@ -171,10 +171,6 @@ pub(super) const CASES: &[Case] = &[
             &["coface arrange crack.off --snap"],
             &["coface arrange crack.off --method congruence --tolerance 1e-9"],
         ]),
-    Case::new("arrange/mod.rs", "within which vertices become one: give --tolerance R")
-        .files(CRACK)
-        .refused("coface arrange crack.off --method congruence")
-        .cured(&[&["coface arrange crack.off --method congruence --tolerance 1e-9"]]),
     Case::new("spatial/congruent.rs", "or leave --method out: the exact method splits such polygons")
         .files(WARPED)
         .refused("coface arrange warped.off --method congruence --tolerance 1e-9")
