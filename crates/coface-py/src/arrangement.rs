@@ -906,7 +906,10 @@ answer! { SpatialArrangement {
         run(py, None, || {
             let arranged = match &self.arranged {
                 Arranged::Exact(arranged) => arranged,
-                Arranged::Congruent(own) => return own.to_mesh(triangles, true),
+                Arranged::Congruent(own) => {
+                    let triangles = triangles.unwrap_or_else(|| own.scene().is_triangulated());
+                    return own.to_mesh(triangles, true);
+                }
             };
             let triangles = triangles.unwrap_or_else(|| arranged.scene().is_triangulated());
             let mesh = arranged.to_mesh(triangles, true)?;

@@ -226,16 +226,20 @@ impl SelectionMesh {
         around: impl Fn([CellId; 2]) -> Vec<(CellId, Sign)>,
     ) -> Result<usize, Error> {
         let sides = self.sides();
-        let mut fans = UnionFind::new(self.polygons.item_count());
-        for group in sides.chunk_by(|x, y| x.0 == y.0) {
-            match group {
-                [side, other] => self.join(&mut fans, side, other),
-                _ => {
-                    for [side, other] in self.pairs(group, &around)? {
-                        self.join(&mut fans, side, other);
-                    }
-                }
+        let mut fans = self.fans(&sides, &[], &around)?;
+        // Where the selection goes around an edge, as around a slit in a face, that does not take the sides apart: then those stay
+        // together that have the outside between them.
+        let mut turned: Vec<[u32; 2]> = Vec::new();
+        for group in sides.chunk_by(|x, y| x.0 == y.0).filter(|group| group.len() > 2) {
+            let mut own: Vec<[u32; 2]> =
+                group.iter().map(|side| self.ends(side).map(|end| fans.find(end))).collect();
+            own.sort_unstable();
+            if own.chunk_by(|x, y| x == y).any(|same| same.len() > 2) {
+                turned.push(group[0].0);
             }
+        }
+        if !turned.is_empty() {
+            fans = self.fans(&sides, &turned, &around)?;
         }
         // The copy of each fan, by its root.
         let mut copies = vec![NONE; self.polygons.item_count()];
@@ -301,21 +305,47 @@ impl SelectionMesh {
         self.polygons.items()[side.1 as usize] == side.0[0]
     }
 
+    /// The corners that stay together, at pinched edges with the selection between them; with the outside at those that are `turned`,
+    /// rising.
+    fn fans(
+        &self,
+        sides: &[Side],
+        turned: &[[u32; 2]],
+        around: impl Fn([CellId; 2]) -> Vec<(CellId, Sign)>,
+    ) -> Result<UnionFind, Error> {
+        let mut fans = UnionFind::new(self.polygons.item_count());
+        for group in sides.chunk_by(|x, y| x.0 == y.0) {
+            match group {
+                [side, other] => self.join(&mut fans, side, other),
+                _ => {
+                    let is_turned = turned.binary_search(&group[0].0).is_ok();
+                    for [side, other] in self.pairs(group, is_turned, &around)? {
+                        self.join(&mut fans, side, other);
+                    }
+                }
+            }
+        }
+        Ok(fans)
+    }
+
+    /// The corners at the lower and the higher end of a side.
+    fn ends(&self, side: &Side) -> [u32; 2] {
+        let (from, to) = (side.1, self.next(side.1).1);
+        if self.rises(side) { [from, to] } else { [to, from] }
+    }
+
     /// Puts the corners of two sides at both ends of an edge together.
     fn join(&self, fans: &mut UnionFind, side: &Side, other: &Side) {
-        let ends = |side: &Side| {
-            let (from, to) = (side.1, self.next(side.1).1);
-            if self.rises(side) { [from, to] } else { [to, from] }
-        };
-        let (mine, theirs) = (ends(side), ends(other));
+        let (mine, theirs) = (self.ends(side), self.ends(other));
         fans.unite(mine[0], theirs[0]);
         fans.unite(mine[1], theirs[1]);
     }
 
-    /// The sides at an edge in pairs with the selection between them.
+    /// The sides at an edge in pairs with the selection between them, or the outside if they are turned.
     fn pairs<'a>(
         &self,
         group: &'a [Side],
+        is_turned: bool,
         around: impl Fn([CellId; 2]) -> Vec<(CellId, Sign)>,
     ) -> Result<Vec<[&'a Side; 2]>, Error> {
         let ends = group[0].0.map(|vertex| self.vertex_sources[vertex as usize]);
@@ -350,6 +380,6 @@ impl SelectionMesh {
             ));
         }
         let next = |i: usize| circle[(i + 1) % circle.len()].0;
-        Ok((0..circle.len()).filter(|&i| circle[i].1).map(|i| [circle[i].0, next(i)]).collect())
+        Ok((0..circle.len()).filter(|&i| circle[i].1 != is_turned).map(|i| [circle[i].0, next(i)]).collect())
     }
 }

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use crate::spatial_arrangements::{Point, cuboid, moved, sorted, triangles_again, turned};
+use coface::answers::answer::RemarkCode;
 use coface::answers::{CongruentScene, SceneArrangement, SpatialRequest, SpatialScene, welded};
 use coface::arrange::boolean::InsideRule;
 use coface::arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
@@ -50,17 +51,22 @@ fn bonded_rooms_are_one_cell_each_by_congruence() {
         assert!(answer.products_zero && answer.voids == 0 && answer.holes == 0);
         assert_eq!((answer.dangling_faces, answer.components), (0, 1));
         assert!(answer.inside.iter().all(|inputs| inputs == &[0]));
+        if degrees == 0.0 {
+            assert!(answer.rounding.valid && answer.joined.unwrap().classes.is_empty());
+        }
         let done = answer.congruence.unwrap();
+        // Each room has a wall to the next one in its row.
+        assert_eq!(done.glued_f_vector[2], 24 + 49);
         assert!(done.largest_class_diameter < 1e-12, "{}", done.largest_class_diameter);
         // The cells are input again, and the mesh encloses them.
-        let mesh = found.to_mesh(true).unwrap();
+        let mesh = found.to_mesh(false, true).unwrap();
         assert_eq!(mesh.groups().len(), 32);
         assert!(found.to_chains().unwrap().remarks().is_empty());
     }
 }
 
 #[test]
-fn a_hole_in_a_face_is_counted_and_no_mesh_has_it() {
+fn a_hole_in_a_face_is_counted_and_cut_in_meshes() {
     let [outer, inner] = [[0.0, 4.0], [1.0, 2.0]].map(|[low, high]| {
         let low_corner = [low, low, if low == 0.0 { 0.0 } else { 4.0 }];
         model(&cuboid(low_corner, [high, high, low_corner[2] + high - low], |p| p))
@@ -69,8 +75,15 @@ fn a_hole_in_a_face_is_counted_and_no_mesh_has_it() {
     let answer = found.answer(InsideRule::Nonzero).unwrap();
     assert_eq!((&answer.f_vector[..], answer.holes), (&[16, 24, 12, 2][..], 1));
     assert_eq!(answer.inside, [[0], [1]]);
-    assert!(found.to_mesh(false).unwrap_err().to_string().contains("has a hole"));
+    let mesh = found.to_mesh(false, false).unwrap();
+    assert_eq!(mesh.polygons().len(), 11 + 8);
+    assert_eq!(found.to_mesh(true, false).unwrap().polygons().len(), 22 + 8);
     assert_eq!(found.to_chains().unwrap().remarks().len(), 1);
+    // Without a tolerance one is taken from the extent, with a remark.
+    let named = [("a", &outer), ("b", &inner)];
+    let assumed = CongruentScene::of_scene(SpatialScene::of(named, true).unwrap(), None).unwrap();
+    let again = assumed.answer(InsideRule::Nonzero).unwrap();
+    assert_eq!((again.f_vector, again.remarks[0].code), (answer.f_vector, RemarkCode::ToleranceAssumed));
     // A tolerance that is none, and a polygon that is not flat, by its number in its own file.
     let scene = || SpatialScene::of([("a", &outer), ("b", &inner)], true).unwrap();
     assert!(CongruentScene::of_scene(scene(), -1.0).is_err());

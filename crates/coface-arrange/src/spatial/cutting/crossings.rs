@@ -41,12 +41,25 @@ pub(in crate::spatial) fn crossings(
     let alone = meetings.places.iter().filter(|place| ends.binary_search(place).is_err());
     let crossing = alone.clone().map(|place| place.point(&sheets).rounded());
     let common = meetings.cuts.iter().map(|cut| cut.ends[0].point(&sheets).rounded());
-    let overlapping =
-        meetings.overlapping.iter().map(|&sheet| sheets.point(sheets.corners[sheet as usize][0]));
-    if std::env::var_os("DBGX").is_some() { eprintln!("deg {} touch {} alone {} cuts {} over {}", degenerate.len(), touching.len(), alone.clone().count(), common.len(), overlapping.len()); for c in meetings.cuts.iter().take(2) { eprintln!("{:?} {:?}", c, c.sheets.map(|s| sheets.corners[s as usize].map(|v| sheets.point(v)))); } }
+    let overlapping = overlapping_sheets(&sheets, &meetings);
+    let overlapping = overlapping.iter().map(|&sheet| sheets.point(sheets.corners[sheet as usize][0]));
     let count = degenerate.len() + touching.len() + alone.count() + common.len() + overlapping.len();
     let all = degenerate.chain(touching).chain(crossing).chain(common).chain(overlapping);
     Ok(Crossings { count, places: all.take(most_listed).collect() })
+}
+
+/// The sheets that have an area in common with another one in their plane, rising: then an edge of one runs inside of the other.
+/// Those that [`Meetings`] lists may touch in a corner alone, with edges on one line.
+fn overlapping_sheets(sheets: &Sheets, meetings: &Meetings) -> Vec<u32> {
+    let mut edges: Vec<u32> = meetings.runs.iter().map(|run| run.edge).collect();
+    edges.sort_unstable();
+    let mut own: Vec<u32> = meetings.runs.iter().map(|run| run.sheet).collect();
+    own.sort_unstable();
+    let is_found = |&sheet: &u32| {
+        own.binary_search(&sheet).is_ok()
+            || sheets.edges_of[sheet as usize].iter().any(|edge| edges.binary_search(edge).is_ok())
+    };
+    meetings.overlapping.iter().copied().filter(is_found).collect()
 }
 
 /// The triangles at which [`crossings`] finds something, rising.
@@ -73,7 +86,7 @@ pub(in crate::spatial) fn crossing_triangles(
     };
     meetings.places.iter().for_each(&mut find);
     let pairs = meetings.cuts.iter().flat_map(|cut| cut.sheets);
-    pairs.chain(meetings.overlapping.iter().copied()).for_each(|sheet| is_found[sheet as usize] = true);
+    pairs.chain(overlapping_sheets(&sheets, &meetings)).for_each(|sheet| is_found[sheet as usize] = true);
     let mut found = sheets.degenerate.clone();
     for (sheet, sources) in sheets.sources.iter().enumerate() {
         if is_found[sheet]
