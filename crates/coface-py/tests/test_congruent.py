@@ -26,7 +26,7 @@ def test_congruence_has_the_cells_of_the_exact_method() -> None:
     assert f"{found.f_vector[2]} faces" in repr(found.model())
     assumed = coface.arrange(models, method="congruence")
     assert assumed.f_vector == found.f_vector and 0 < assumed.congruence["tolerance"] < 1e-8
-    assert "tolerance-assumed" in [remark["code"] for remark in assumed.remarks]
+    assert "tolerance-assumed" in [remark["code"] for remark in assumed.to_dict()["remarks"]]
     assert found.joined["classes"] == [] and found.congruence["glued_f_vector"][2] == 0
     with pytest.raises(coface.InvalidInputError, match="leave method out"):
         found.graph()
@@ -43,7 +43,7 @@ def test_drawings_that_meet_nearly_are_glued() -> None:
     assert union.f_vector == [6, 6, 1] and union.measure == pytest.approx(8)
     assert coface.arrange(a, b).congruence is None
     apart = coface.boolean("union", a, b, method="congruence")
-    assert "tolerance-assumed" in [remark["code"] for remark in apart.remarks]
+    assert "tolerance-assumed" in [remark["code"] for remark in apart.to_dict()["remarks"]]
     with pytest.raises(coface.InvalidInputError, match="smaller tolerance"):
         coface.arrange(a, method="congruence", tolerance=10.0)
 

@@ -4045,7 +4045,7 @@ def arrange(models: Any, *, dimension: int | None = None, rule: str | None = Non
         Before anything else, vertices of each model that are at most so far apart are merged; none moves farther.
     method : {"exact", "congruence"}, optional
         How cells are found: ``"congruence"`` cuts each segment, in space each polygon in its own plane, for itself, in rounded numbers,
-        and pieces that are within ``tolerance`` of each other become one.
+        and pieces that are within ``tolerance`` of each other become one; without it within 1e-9 of the extent, with a warning.
     max_cells : int, optional
         More cells than this are refused.
     split : bool

@@ -55,8 +55,9 @@ fn bonded_rooms_are_one_cell_each_by_congruence() {
             assert!(answer.rounding.valid && answer.joined.unwrap().classes.is_empty());
         }
         let done = answer.congruence.unwrap();
-        // Each room has a wall to the next one in its row.
-        assert_eq!(done.glued_f_vector[2], 24 + 49);
+        // Faces between two rooms are of both.
+        let sides = found.complex().boundary_matrix(3).unwrap().entry_count();
+        assert_eq!(done.glued_f_vector[2], sides - found.complex().cell_count(2));
         assert!(done.largest_class_diameter < 1e-12, "{}", done.largest_class_diameter);
         // The cells are input again, and the mesh encloses them.
         let mesh = found.to_mesh(false, true).unwrap();
