@@ -1,18 +1,18 @@
 //! A scene arranged by congruence, within a tolerance.
 
+use super::boolean::{EXTERIOR, sides_of_faces};
 use super::facts::{
     component_count, dangling_face_count, input_answers, products_are_zero, remarks_of_inputs,
 };
 use super::inputs::{Inputs, Membership};
 use super::models::{NO_CELL, group_names};
 use super::scene::closed_walks;
-use super::boolean::{EXTERIOR, sides_of_faces};
 use super::{OpenInputs, SpatialScene};
-use crate::near::assumed_tolerance;
 use crate::answer::{
     CongruentPieces, DegeneratePolygons, JoinedFeatures, Place, Remark, RemarkCode, SpatialArrangementAnswer,
     SpatialArrangementProvenance, SpatialInput, SpatialRounding, SplitPolygons,
 };
+use crate::near::assumed_tolerance;
 use crate::text;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, EdgeId, Error, ErrorKind, FaceId, VertexId};
@@ -260,7 +260,9 @@ impl CongruentScene {
         SpatialArrangementProvenance {
             files: self.scene.names().to_vec(),
             faces: (0..self.complex.cell_count(2)).map(sources).collect(),
-            vertices: Some(self.sources_of_low(0, |vertex| self.arranged.polygons_of_vertex(VertexId::new(vertex)))),
+            vertices: Some(
+                self.sources_of_low(0, |vertex| self.arranged.polygons_of_vertex(VertexId::new(vertex))),
+            ),
             edges: Some(self.sources_of_low(1, |edge| self.arranged.polygons_of_edge(EdgeId::new(edge)))),
         }
     }

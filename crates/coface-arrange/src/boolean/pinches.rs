@@ -96,12 +96,7 @@ const BOTH: u8 = 0b11;
 ///
 /// A fan is walked around its vertex from edge to edge. Where that is not possible, since an edge has not two facets or
 /// a facet more than two edges at the vertex, fans are put together by union-find.
-fn split_vertices(
-    around: &RaggedArray,
-    pairs: &Pairs,
-    ends: &SparseMatrix,
-    points: &[u32],
-) -> Vec<usize> {
+fn split_vertices(around: &RaggedArray, pairs: &Pairs, ends: &SparseMatrix, points: &[u32]) -> Vec<usize> {
     let mut facet_of_slot = Vec::with_capacity(around.item_count());
     for facet in 0..around.len() {
         facet_of_slot.resize(around.start(facet + 1), facet as u32);

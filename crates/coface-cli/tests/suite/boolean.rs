@@ -291,8 +291,7 @@ fn pinches_inside_of_a_face_are_told_and_split() {
     }
     let again = coface(&["info", argument(&folder.path("roof.off")), "--json"]).json();
     assert_eq!((&again["manifold"]["verdict"], &again["components"]), (&json!("yes"), &json!(2)));
-    let pyramid =
-        format!("{base}v 1 1 2\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+    let pyramid = format!("{base}v 1 1 2\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
     let pyramid = folder.text("pyramid.obj", &pyramid);
     let out = folder.path("pyramid.json");
     let object = combined("difference", &[&cube, &pyramid], &["-o", argument(&out)]);

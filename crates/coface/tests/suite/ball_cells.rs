@@ -231,7 +231,11 @@ fn voids_that_touch_a_face_from_within() {
                 let balls = arrangement.ball_complex_of(&parts, rules).unwrap();
                 assert_eq!(balls.parts_left(), [0u32; 0], "{touches_along} {has_shaft} {triangles}");
                 let expected = if has_shaft { vec![1] } else { vec![1, 0, 1] };
-                assert_eq!(groups(balls.complex()), (expected, false), "{touches_along} {has_shaft} {triangles}");
+                assert_eq!(
+                    groups(balls.complex()),
+                    (expected, false),
+                    "{touches_along} {has_shaft} {triangles}"
+                );
             }
         }
     }

@@ -230,7 +230,12 @@ impl Pieces {
                         characteristic[shell] += 2;
                         let vertex = complex.edges()[(side >> 1) as usize][end];
                         let part = corners.around_vertex.find(corner >> 1);
-                        touching.push(Touch { vertex, part, region: kept.region_at(arrangement, half), half });
+                        touching.push(Touch {
+                            vertex,
+                            part,
+                            region: kept.region_at(arrangement, half),
+                            half,
+                        });
                     }
                 }
             }

@@ -77,7 +77,9 @@ impl<P: SpatialPredicates> Around<'_, P> {
     fn fine_vertices(&self, face: u32) -> impl Iterator<Item = u32> {
         let complex = self.arrangement.complex();
         let list = complex.packed_sides().list(face as usize).iter();
-        list.map(|&side| self.arrangement.fine_vertex(VertexId::from_u32(complex.side_ends(side)[0])).to_u32())
+        list.map(|&side| {
+            self.arrangement.fine_vertex(VertexId::from_u32(complex.side_ends(side)[0])).to_u32()
+        })
     }
 
     /// [`facing_halves`] of a face that the vertex is inside of, and of other faces at the vertex, which are on one side of
@@ -90,7 +92,8 @@ impl<P: SpatialPredicates> Around<'_, P> {
         for own in &corners {
             let from = own.beside[0];
             let is_free = |&&to: &&u32| {
-                self.off(from, to).is_some() && corners.iter().all(|corner| self.lets_pass(corner, [from, to]))
+                self.off(from, to).is_some()
+                    && corners.iter().all(|corner| self.lets_pass(corner, [from, to]))
             };
             let Some(&to) = circle.iter().find(is_free) else { continue };
             let (turn, &next) = circle
