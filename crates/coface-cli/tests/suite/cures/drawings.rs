@@ -190,6 +190,10 @@ pub(super) const CASES: &[Case] = &[
         .files(CRACK)
         .refused("coface boolean union crack.off")
         .cured(&[&["coface boolean union crack.off --open close"]]),
+    Case::new("answers/src/near.rs", "what rounding explains, since no --tolerance is given")
+        .files(CRACK)
+        .answered("coface arrange crack.off --method congruence --json")
+        .cured(&[&["coface arrange crack.off --method congruence --tolerance 1e-9 --json"]]),
     Case::new("answers/src/near.rs", "--tolerance {needed:.0e} puts together what is so near")
         .files(SLIVER)
         .answered("coface arrange sliver.off --json")
