@@ -1,7 +1,7 @@
 //! Points, derivatives, directions and curvature along a curve.
 
-use super::Curve;
 use super::bernstein::{self, Piece};
+use super::{Curve, distance};
 
 impl Curve<'_> {
     /// The piece to which a parameter belongs, and the parameter on it, in [0, 1] within the knots. A knot belongs to the piece that
@@ -67,6 +67,15 @@ impl Curve<'_> {
         bernstein::value(&vectors, s).map(|x| (0..degree).fold(x, |x, _| x / length))
     }
 
+    /// Whether the velocity is the same on both sides of each knot that is no kink, but for rounding.
+    pub(crate) fn has_smooth_parameter(&self, is_kink: impl Fn(usize) -> bool) -> bool {
+        let count = self.piece_count();
+        (usize::from(!self.is_closed())..count).filter(|&knot| !is_kink(knot)).all(|knot| {
+            let before = if knot == 0 { count - 1 } else { knot - 1 };
+            is_one_velocity(self.derivative_at(before, 1.0, 1), self.derivative_at(knot, 0.0, 1))
+        })
+    }
+
     /// The direction in which the curve goes, of length one; `None` where the derivative is zero.
     ///
     /// # Examples
@@ -104,4 +113,10 @@ impl Curve<'_> {
         let [tx, ty] = first.map(|x| x / speed);
         (speed > 0.0).then(|| (tx * second[1] - ty * second[0]) / speed / speed)
     }
+}
+
+/// Whether two velocities are the same but for rounding.
+pub(crate) fn is_one_velocity(a: [f64; 2], b: [f64; 2]) -> bool {
+    const ROUNDING: f64 = 1e-3;
+    distance(a, b) <= ROUNDING * distance([0.0; 2], a).max(distance([0.0; 2], b))
 }

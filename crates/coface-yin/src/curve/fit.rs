@@ -41,11 +41,50 @@ impl Curve<'static> {
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn fit(points: &[[f64; 2]], order: Order, ends: &EndCondition) -> Result<Self, Error> {
-        Self::fit_at(points, checked_chord_lengths(points)?, order, ends)
+        Self::fit_to(points, checked_chord_lengths(points)?, order, ends)
     }
 
-    /// The same with these parameters of the points, which rise.
-    pub(super) fn fit_at(
+    /// The same with these parameters of the points instead of their cumulated distance: where points are values of a smooth function of
+    /// a parameter that is known, the spline is within the power of its order, however uneven their distances are.
+    ///
+    /// # Errors
+    /// As [`Self::fit`]; and for parameters that are not one for each point, not finite, or do not rise.
+    ///
+    /// # Examples
+    /// Eight points of $(t, t^2)$, which is of order 4.
+    /// ```
+    /// use coface_yin::{Curve, EndCondition, Order};
+    /// let parameters: Vec<f64> = (0..8).map(|i| f64::from(i * i)).collect();
+    /// let points: Vec<[f64; 2]> = parameters.iter().map(|t| [*t, t * t]).collect();
+    /// let curve = Curve::fit_at(&points, &parameters, Order::CUBIC, &EndCondition::NotAKnot)?;
+    /// let [x, y] = curve.point(20.0);
+    /// assert!((x - 20.0).abs() < 1e-11 && (y - 400.0).abs() < 1e-9);
+    /// assert!(Curve::fit_at(&points, &[0.0; 8], Order::CUBIC, &EndCondition::NotAKnot).is_err());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn fit_at(
+        points: &[[f64; 2]],
+        parameters: &[f64],
+        order: Order,
+        ends: &EndCondition,
+    ) -> Result<Self, Error> {
+        checked_chord_lengths(points)?;
+        let first = parameters.first().copied().unwrap_or_default();
+        let knots: Vec<f64> = parameters.iter().map(|parameter| parameter - first).collect();
+        let rises = |pair: &[f64]| pair[0] < pair[1] && pair[1].is_finite();
+        if knots.len() != points.len() || !knots.windows(2).all(rises) {
+            return Err(Error::invalid(format!(
+                "{} parameters are not finite, do not rise, or are not one for each of {} points",
+                parameters.len(),
+                points.len()
+            ))
+            .with_cure("give a parameter for each point, each above the one before"));
+        }
+        Self::fit_to(points, knots, order, ends)
+    }
+
+    /// The same with knots that are known to rise from 0.
+    pub(super) fn fit_to(
         points: &[[f64; 2]],
         knots: Vec<f64>,
         order: Order,

@@ -38,7 +38,7 @@ impl Curve<'static> {
         let mut spline = Self::fit(points, order, ends)?;
         for _ in 4..=order.value() / 2 + 1 {
             let Some(knots) = spline.lengths_to_knots() else { break };
-            spline = Self::fit_at(points, knots, order, ends)?;
+            spline = Self::fit_to(points, knots, order, ends)?;
         }
         Ok(spline)
     }

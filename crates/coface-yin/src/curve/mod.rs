@@ -25,6 +25,7 @@ pub use carrier::Carrier;
 pub(crate) use carrier::on_grid;
 pub(crate) use distance::{distance_to, nearest_on};
 pub use end_condition::EndCondition;
+pub(crate) use evaluation::is_one_velocity;
 pub(crate) use extent::monotone_breaks;
 pub use location::Location;
 pub(crate) use location::piece_crossings;

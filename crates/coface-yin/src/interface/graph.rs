@@ -101,7 +101,7 @@ impl InterfaceGraph {
         let ends = edges.iter().map(|edge| edge.ends).collect();
         let phases = edges.iter().map(|edge| edge.phases).collect();
         let (vertices, smooth_pairs) = (vertices.to_vec(), smooth_pairs.to_vec());
-        Self::with_points(Arcs { vertices, ends, phases, smooth_pairs }, &points, order, None)
+        Self::with_points(Arcs { vertices, ends, phases, smooth_pairs }, &points, &[], order, None)
     }
 
     /// The graph with these vertices, and edges that are these curves; nothing is fitted. `ends` and `phases` (on the left and on the right)
@@ -165,16 +165,17 @@ impl InterfaceGraph {
         Self::of_fitted(Arcs { vertices, ends, phases, smooth_pairs }, trails, curves, order, None)
     }
 
-    /// The graph whose edges run through these points, the ends among them. The edges that leave each vertex, counterclockwise, may be
+    /// The graph whose edges run through these points, the ends among them, with these parameters where they are given. The edges that leave each vertex, counterclockwise, may be
     /// known; else their directions tell.
     pub(crate) fn with_points(
         arcs: Arcs,
         points: &[Vec<[f64; 2]>],
+        parameters: &[Option<Vec<f64>>],
         order: Order,
         around: Option<Vec<Vec<DirectedEdge>>>,
     ) -> Result<Self, Error> {
         let trails = trails_of(&arcs.ends, &arcs.smooth_pairs)?;
-        let curves = fitted_edges(points, &trails, order)?;
+        let curves = fitted_edges(points, parameters, &trails, order)?;
         Self::of_fitted(arcs, trails, curves, order, around)
     }
 

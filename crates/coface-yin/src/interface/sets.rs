@@ -131,7 +131,7 @@ impl InterfaceGraph {
         if order == own_order && order != Order::LINEAR {
             return Self::with_curves(arcs, graph.curves, order, graph.around);
         }
-        let fitted = Self::with_points(arcs, &points, order, Some(graph.around))?;
+        let fitted = Self::with_points(arcs, &points, &[], order, Some(graph.around))?;
         match fitted.fault()? {
             None => Ok(fitted),
             Some(fault) => {

@@ -166,9 +166,11 @@ pub(super) fn trails_of(ends: &[[u32; 2]], pairs: &[[DirectedEdge; 2]]) -> Resul
     Ok(trails)
 }
 
-/// The curves of all edges: parts of the splines of trails.
+/// The curves of all edges: parts of the splines of trails. Where parameters of the points of all edges of a trail are given they are those of
+/// the spline, else it is fitted by length.
 pub(super) fn fitted_edges(
     points: &[Vec<[f64; 2]>],
+    parameters: &[Option<Vec<f64>>],
     trails: &[Trail],
     order: Order,
 ) -> Result<Vec<Curve<'static>>, Error> {
@@ -194,7 +196,11 @@ pub(super) fn fitted_edges(
                 None => said,
             }
         };
-        let spline = Curve::fit_by_length(&way, order, &ends).map_err(named)?;
+        let spline = match trail_parameters(trail, parameters) {
+            Some(known) => Curve::fit_at(&way, &known, order, &ends),
+            None => Curve::fit_by_length(&way, order, &ends),
+        };
+        let spline = spline.map_err(named)?;
         let mut from = 0;
         for edge in &trail.edges {
             let to = from + points[edge.edge.index()].len() - 1;
@@ -207,4 +213,20 @@ pub(super) fn fitted_edges(
         }
     }
     Ok(curves.into_iter().map(|curve| curve.expect("each edge is in a trail")).collect())
+}
+
+/// The parameters of the points of a trail, from those of its edges one after the other, if they are given and rise.
+fn trail_parameters(trail: &Trail, parameters: &[Option<Vec<f64>>]) -> Option<Vec<f64>> {
+    let mut known = vec![0.0];
+    for edge in &trail.edges {
+        let own = parameters.get(edge.edge.index())?.as_deref()?;
+        let (start, end) = (known[known.len() - 1], (own[0], own[own.len() - 1]));
+        match edge.sign {
+            Sign::Plus => known.extend(own[1..].iter().map(|parameter| start + (parameter - end.0))),
+            Sign::Minus => {
+                known.extend(own.iter().rev().skip(1).map(|parameter| start + (end.1 - parameter)))
+            }
+        }
+    }
+    known.windows(2).all(|pair| pair[0] < pair[1]).then_some(known)
 }

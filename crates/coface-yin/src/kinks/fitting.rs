@@ -62,13 +62,61 @@ impl Curve<'static> {
     ) -> Result<Self, Error> {
         closed_spline(points, kinks, order, ends, Parameters::Lengths)
     }
+
+    /// The same by [`Curve::fit_at`], with the parameters of the points and of the first one again at the end.
+    ///
+    /// # Errors
+    /// As [`Self::fit_closed`] and [`Self::fit_at`].
+    ///
+    /// # Examples
+    /// An ellipse, 3 times as long as it is wide, by 24 points that lie three times as near together at its ends.
+    /// ```
+    /// use coface_yin::{Curve, EndCondition, Order};
+    /// use std::f64::consts::{PI, TAU};
+    /// let parameters: Vec<f64> = (0..=24).map(|i| f64::from(i) * TAU / 24.0).collect();
+    /// let points: Vec<[f64; 2]> = parameters[..24].iter().map(|t| [3.0 * t.cos(), t.sin()]).collect();
+    /// let (order, ends) = (Order::new(8)?, EndCondition::NotAKnot);
+    /// let miss = |curve: Curve<'_>| (curve.signed_area() - 3.0 * PI).abs();
+    /// assert!(miss(Curve::fit_closed_at(&points, &parameters, &[], order, &ends)?) < 1e-5);
+    /// assert!(miss(Curve::fit_closed_by_length(&points, &[], order, &ends)?) > 1e-4);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn fit_closed_at(
+        points: &[[f64; 2]],
+        parameters: &[f64],
+        kinks: &[u32],
+        order: Order,
+        ends: &EndCondition,
+    ) -> Result<Self, Error> {
+        if parameters.len() != points.len() + 1 {
+            return Err(Error::invalid(format!(
+                "{} parameters are given for {} points of a closed curve",
+                parameters.len(),
+                points.len()
+            ))
+            .with_cure("give a parameter for each point, and one for the first point again at the end"));
+        }
+        closed_spline(points, kinks, order, ends, Parameters::Given(parameters))
+    }
 }
 
 /// What the parameters of splines are.
 #[derive(Clone, Copy, PartialEq)]
-enum Parameters {
+enum Parameters<'a> {
     Chords,
     Lengths,
+    Given(&'a [f64]),
+}
+
+impl Parameters<'_> {
+    /// The parameters of so many points from one on around a closed curve, where they are given.
+    fn around(self, first: usize, length: usize) -> Vec<f64> {
+        let Self::Given(given) = self else { return Vec::new() };
+        let count = given.len() - 1;
+        let turn = given[count] - given[0];
+        let at = |knot: usize| given[knot % count] + if knot < count { 0.0 } else { turn };
+        (first..=first + length).map(at).collect()
+    }
 }
 
 /// The closed curve of the splines through the points from kink to kink.
@@ -77,11 +125,14 @@ fn closed_spline(
     kinks: &[u32],
     order: Order,
     ends: &EndCondition,
-    parameters: Parameters,
+    parameters: Parameters<'_>,
 ) -> Result<Curve<'static>, Error> {
-    let fit = match parameters {
-        Parameters::Chords => Curve::fit,
-        Parameters::Lengths => Curve::fit_by_length,
+    let fit = |points: &[[f64; 2]], first: usize, ends: &EndCondition| match parameters {
+        Parameters::Chords => Curve::fit(points, order, ends),
+        Parameters::Lengths => Curve::fit_by_length(points, order, ends),
+        Parameters::Given(_) => {
+            Curve::fit_at(points, &parameters.around(first, points.len() - 1), order, ends)
+        }
     };
     check_points(points)?;
     let kinks = sorted_kinks(kinks, points.len())?;
@@ -89,11 +140,14 @@ fn closed_spline(
     closed.extend_from_slice(points);
     closed.push(points[0]);
     if order == Order::LINEAR {
-        let knots = chord_lengths(&closed);
+        let knots = match parameters {
+            Parameters::Given(given) => given.to_vec(),
+            _ => chord_lengths(&closed),
+        };
         return Curve::from_controls(order, closed, knots);
     }
     if kinks.is_empty() {
-        return fit(&closed, order, &EndCondition::Periodic);
+        return fit(&closed, 0, &EndCondition::Periodic);
     }
     match ends {
         EndCondition::Periodic => {
@@ -118,7 +172,7 @@ fn closed_spline(
         let length = piece_length(first, kinks[(at + 1) % kinks.len()] as usize, count);
         own.clear();
         own.extend((first..=first + length).map(|knot| points[knot % count]));
-        let found = fit(&own, order, ends).map_err(|error| {
+        let found = fit(&own, first, ends).map_err(|error| {
             let last = (first + length) % count;
             renamed(&error, &format!("the smooth piece from point {first} to point {last}"))
         })?;
@@ -132,6 +186,7 @@ fn closed_spline(
     controls[count * degree] = controls[0];
     let knots = match parameters {
         Parameters::Chords => chord_lengths(&closed),
+        Parameters::Given(given) => given.to_vec(),
         Parameters::Lengths => {
             let sums = lengths.iter().scan(0.0, |sum, length| {
                 *sum += length;

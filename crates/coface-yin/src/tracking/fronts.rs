@@ -110,7 +110,10 @@ impl Fronts {
             let name = |knot: u32| front.kink_name(moved.origins[knot as usize]?).map(|name| (knot, name));
             front.kinks = (0..ring.len() as u32).filter_map(name).collect();
             let kinks: Vec<u32> = front.kinks.iter().map(|&(knot, _)| knot).collect();
-            front.curve = Curve::fit_closed_by_length(ring, &kinks, self.order, &self.ends)?;
+            front.curve = match &moved.parameters {
+                Some(kept) => Curve::fit_closed_at(ring, kept, &kinks, self.order, &self.ends)?,
+                None => Curve::fit_closed_by_length(ring, &kinks, self.order, &self.ends)?,
+            };
         }
         vanished.sort_by_key(|gone| gone.origin);
         if !vanished.is_empty() {

@@ -1,14 +1,15 @@
 //! Interfaces that move.
 
 use super::graph_events::{GraphOnTheWay, InterfaceEvent};
-use super::markers::{MarkerRange, MovedMarkers, moved_markers, polyline_length};
+use super::markers::{MarkerRange, moved_markers, polyline_length};
 use super::sets::in_step;
 use super::{TrackingCounts, TrackingOptions};
+use crate::curve::is_one_velocity;
 use crate::interface::Arcs;
 use crate::kinks::are_surely_apart;
 use crate::{Curve, DirectedEdge, InterfaceFault, InterfaceGraph, InterfaceOptions, Overlaps, YinSet};
 use coface_algebra::progress::stage;
-use coface_algebra::{EdgeId, Error, VertexId};
+use coface_algebra::{EdgeId, Error, Sign, VertexId};
 use coface_arrange::boolean::InsideRule;
 
 /// After a repair edges go on smoothly into each other where they turn by at most this angle, in radians: those that did before turn by
@@ -276,11 +277,12 @@ impl InterfaceGraph {
         counts: &mut TrackingCounts,
     ) -> Result<(Self, Vec<bool>), Error> {
         let mut points = Vec::with_capacity(self.edge_count());
+        let mut parameters = Vec::with_capacity(self.edge_count());
         for edge in (0..self.edge_count()).map(EdgeId::new) {
             let own_range = range_of(self, edge, range);
-            let MovedMarkers { points: own, .. } =
-                moved_markers(self.curve(edge), |_| false, map, own_range, counts)?;
-            points.push(own);
+            let moved = moved_markers(self.curve(edge), |_| false, map, own_range, counts)?;
+            points.push(moved.points);
+            parameters.push(moved.parameters);
         }
         let mut vertices = map(self.vertices());
         vertices.resize(self.vertices().len(), [f64::NAN; 2]);
@@ -295,7 +297,23 @@ impl InterfaceGraph {
                 && (points[edge].len() < 4 || polyline_length(&points[edge]) < 3.0 * least)
         };
         let stays: Vec<bool> = (0..self.edge_count()).map(|edge| !is_gone(edge)).collect();
-        Ok((self.moved(vertices, &points, &stays)?, stays))
+        for pair in self.smooth_pairs().iter().filter(|pair| !self.is_one_velocity_at(pair)) {
+            pair.iter().for_each(|edge| parameters[edge.edge.index()] = None);
+        }
+        Ok((self.moved(vertices, &points, &parameters, &stays)?, stays))
+    }
+
+    /// Whether two edges have one velocity where the first goes on into the second.
+    fn is_one_velocity_at(&self, [from, to]: &[DirectedEdge; 2]) -> bool {
+        // From where an edge begins, or backward along it.
+        let velocity = |edge: DirectedEdge| {
+            let curve = self.curve(edge.edge);
+            match edge.sign {
+                Sign::Plus => curve.derivative_at(0, 0.0, 1),
+                Sign::Minus => curve.derivative_at(curve.piece_count() - 1, 1.0, 1).map(|x| -x),
+            }
+        };
+        is_one_velocity(velocity(from.reversed()).map(|x| -x), velocity(*to))
     }
 
     /// Whether edges have come to meet; that they are surely apart is enough unless it is looked thoroughly.
@@ -333,11 +351,12 @@ impl InterfaceGraph {
         Ok(graph)
     }
 
-    /// The same graph with vertices and the points of edges elsewhere, and only the edges that stay.
+    /// The same graph with vertices and the points of edges elsewhere, at these parameters, and only the edges that stay.
     fn moved(
         &self,
         vertices: Vec<[f64; 2]>,
         points: &[Vec<[f64; 2]>],
+        parameters: &[Option<Vec<f64>>],
         stays: &[bool],
     ) -> Result<Self, Error> {
         let mut count = 0;
@@ -361,10 +380,11 @@ impl InterfaceGraph {
             kept((0..stays.len()).map(|edge| self.ends(EdgeId::new(edge)).map(VertexId::to_u32)), stays);
         let phases = kept((0..stays.len()).map(|edge| self.phases_of(EdgeId::new(edge))), stays);
         let points: Vec<Vec<[f64; 2]>> = kept(points.iter().cloned(), stays);
+        let parameters = kept(parameters.iter().cloned(), stays);
         let pairs = self.smooth_pairs().iter();
         let pairs = pairs.filter_map(|&[from, to]| Some([renumbered(from)?, renumbered(to)?])).collect();
         // The flow is a homeomorphism: edges leave vertices in the order in which they did.
         let arcs = Arcs { vertices, ends, phases, smooth_pairs: pairs };
-        Self::with_points(arcs, &points, self.order(), Some(around))
+        Self::with_points(arcs, &points, &parameters, self.order(), Some(around))
     }
 }

@@ -1,7 +1,7 @@
 //! Markers of one curve, mapped and with their distances kept in range.
 
-use crate::Curve;
 use crate::curve::{bernstein, distance};
+use crate::{Curve, Order};
 use coface_algebra::Error;
 
 /// What tracking did to markers.
@@ -64,6 +64,8 @@ pub(super) struct MovedMarkers {
     pub(super) points: Vec<[f64; 2]>,
     /// The knot of the old curve that each one was, if it was one.
     pub(super) origins: Vec<Option<u32>>,
+    /// What each one was at on the old curve; nothing where splines through the markers had better have other parameters.
+    pub(super) parameters: Option<Vec<f64>>,
 }
 
 /// So often gaps are filled again before the map is given up.
@@ -169,7 +171,33 @@ pub(super) fn moved_markers(
     Ok(MovedMarkers {
         points: kept.iter().map(|&at| points[at]).collect(),
         origins: kept.iter().map(|&at| knot(&places[at])).collect(),
+        parameters: kept_parameters(curve, kept.iter().map(|&at| places[at]), fixed),
     })
+}
+
+/// The parameters of places on a curve, which their images keep: the images of the points of a smooth curve are a smooth function of its
+/// parameter, and splines of it are within the power of their order whatever the flow does to the distances of markers. Their own length
+/// is less smooth a parameter by far where the flow folds the curve, and it is known as exactly as the fit is only.
+///
+/// Splines of order 4 or less have their chords as parameters, as those of a new curve have. None for them, and where the curve turns
+/// to another speed at a knot that is not fixed, as curves do that were pasted.
+fn kept_parameters(
+    curve: &Curve<'_>,
+    places: impl Iterator<Item = (u32, f64)>,
+    fixed: impl Fn(usize) -> bool,
+) -> Option<Vec<f64>> {
+    if curve.order() <= Order::CUBIC || !curve.has_smooth_parameter(fixed) {
+        return None;
+    }
+    let knots = curve.knots();
+    let parameters: Vec<f64> = places
+        .map(|(piece, s)| match s {
+            0.0 => knots[piece as usize],
+            s => knots[piece as usize] + s * (knots[piece as usize + 1] - knots[piece as usize]),
+        })
+        .collect();
+    // Some are equal where there is no number between.
+    parameters.windows(2).all(|pair| pair[0] < pair[1]).then_some(parameters)
 }
 
 /// For each point whether there is to be another one before it, because the polyline turns much at one end of the gap, and there is room.

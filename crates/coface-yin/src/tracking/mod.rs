@@ -4,6 +4,9 @@
 //! * **Markers** are the knots of a boundary. A step maps them by a Runge-Kutta scheme; where two neighbors come to lie farther apart
 //!   than the **spacing** h, points of the old boundary between them are mapped too, and where they come closer than r h markers
 //!   are left out. Kinks and junctions stay.
+//! * In orders 6 and 8 markers keep their **parameter**, and added ones have that of the point of the old boundary: the images of a smooth
+//!   curve are a smooth function of it, which a spline approximates with the power of its order. In orders 2 and 4 the parameter is the
+//!   distance of neighbors, as in the method of the reference.
 //! * The flow of a velocity field is a homeomorphism: curves keep their places in the Hasse forest. Curves that become too short to
 //!   have a shape at the spacing vanish, which is reported.
 //! * **Contacts** are places where boundaries come nearer to each other than a distance; there the topology may be changed. **Events** are

@@ -1,5 +1,9 @@
 //! Benchmarks of interface tracking: flows that come back, measured by the area of what is in the wrong place.
-#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a helper of a test that cannot go on is the test failing"
+)]
 
 use coface_yin::{Curve, Flow, Order, RungeKutta, TrackingOptions, Verification, YinSet};
 use std::f64::consts::TAU;
@@ -82,6 +86,61 @@ fn the_vortex_with_period_eight_converges_at_order_four() {
     let misses = [0.02, 0.01, 0.005].map(|h| there_and_back(flow, 8.0, [0.5, 0.75], 0.04, h));
     check_order(&misses);
     assert!(misses[2].geometric < 3e-6);
+}
+
+/// The area between a disk with a radius of 0.15 and what a flow there and back has made of it, by the distances of its points from the
+/// circle: eight of each piece.
+fn miss_of_order(order: usize, flow: Flow, period: f64, center: [f64; 2], count: usize) -> f64 {
+    let disk =
+        YinSet::new(&[Curve::circle(center, 0.15, count, Order::new(order).unwrap()).unwrap()]).unwrap();
+    // Time is fine enough not to be seen.
+    let options = TrackingOptions::new(period, period / 200.0, 1.05 * TAU * 0.15 / count as f64)
+        .scheme(RungeKutta::CooperVerner)
+        .verification(Verification::End);
+    let back = disk.advected(|p, t| flow.velocity(p, t), &options).unwrap();
+    let curve = back.set().curve(0).into_owned();
+    let points = (0..curve.piece_count()).flat_map(|piece| {
+        let [from, to] = [curve.knots()[piece], curve.knots()[piece + 1]];
+        (0..8).map(move |i| from + (to - from) * f64::from(i) / 8.0)
+    });
+    let points: Vec<[f64; 2]> = points.map(|parameter| curve.point(parameter)).collect();
+    let far = |at: usize| {
+        let [x, y] = points[at % points.len()];
+        (x - center[0]).hypot(y - center[1]) - 0.15
+    };
+    let strip = |at: usize| {
+        let [[x, y], [u, v]] = [points[at], points[(at + 1) % points.len()]];
+        0.5 * (far(at).abs() + far(at + 1).abs()) * (u - x).hypot(v - y)
+    };
+    (0..points.len()).map(strip).sum()
+}
+
+/// Markers keep their parameters in orders 6 and 8: the orders are seen down to rounding, and higher ones are better with as many markers.
+#[test]
+fn each_order_is_seen_in_flows_there_and_back() {
+    let cases = [
+        (Flow::Vortex { period: 4.0 }, 4.0, [0.5, 0.75], [40, 80]),
+        (Flow::Vortex { period: 8.0 }, 8.0, [0.5, 0.75], [60, 120]),
+        (Flow::Deformation { period: 2.0, vortices: 4 }, 2.0, [0.5, 0.5], [100, 200]),
+    ];
+    for (flow, period, center, counts) in cases {
+        let misses = [4, 6, 8].map(|order| {
+            let [coarse, fine] = counts.map(|count| miss_of_order(order, flow, period, center, count));
+            println!("{flow:?} {order}: {coarse:e} {fine:e} {}", (coarse / fine).log2());
+            [coarse, fine]
+        });
+        let rates = misses.map(|[coarse, fine]| (coarse / fine).log2());
+        let floor = 1e-12;
+        for (rate, [misses, least]) in
+            rates.into_iter().zip(misses.into_iter().zip([3.7, 5.5, 7.0]).map(|x| [x.0[1], x.1]))
+        {
+            assert!(rate > least || misses < floor, "{flow:?}: {rates:?}");
+        }
+        for at in 0..2 {
+            assert!(misses[0][at] > misses[1][at], "{flow:?}: {misses:?}");
+            assert!(misses[1][at] > misses[2][at] || misses[1][at] < floor, "{flow:?}: {misses:?}");
+        }
+    }
 }
 
 #[test]

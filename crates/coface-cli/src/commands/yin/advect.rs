@@ -60,7 +60,7 @@ pub(super) struct Advect {
     /// The greatest distance of neighboring knots [default: a hundredth of the box around the set]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     spacing: Option<f64>,
-    /// The least distance of neighboring knots as a part of --spacing, up to 1/3; orders 6 and 8 want it large
+    /// The least distance of neighboring knots as a part of --spacing, up to 1/3; a small one is more exact
     #[arg(long, value_name = "RATIO", default_value = "0.1", allow_hyphen_values = true)]
     least_ratio: f64,
     /// Add knots where the polygon through them turns by more degrees, as far as the least distance allows
