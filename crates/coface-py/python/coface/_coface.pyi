@@ -10,16 +10,12 @@ from scipy.sparse import csc_array, csr_array
 
 from coface._buildings import CellGraph
 from coface._types import (
-    BoundarySamples,
     CellCounts,
     ComparedWalk,
     CupTable,
-    CurveBend,
     CycleClass,
-    EdgeBend,
-    EdgeSamples,
-    ExactSequence,
     Exactness,
+    ExactSequence,
     GroupMap,
     IntersectionForm,
     Json,
@@ -1462,11 +1458,6 @@ class Interface:
             ``piece`` and ``parameter``.
         """
         ...
-    def sample(
-        self, *, per_piece: int | None = ..., count: int | None = ..., spacing: float | None = ...
-    ) -> EdgeSamples: ...
-    def curvature(self) -> list[EdgeBend]: ...
-    def transformed(self, matrix: ArrayLike, offset: tuple[float, float] = ...) -> Interface: ...
     def compare(self, other: Interface) -> dict[str, Json]:
         """How far the phases are from those of another interface; namesakes are compared with each other.
 
@@ -3779,11 +3770,6 @@ class YinSet:
     def symmetric_difference(self, other: YinSet) -> YinSet:
         """What lies in exactly one of the two; also ``^``."""
         ...
-    def sample(
-        self, *, per_piece: int | None = ..., count: int | None = ..., spacing: float | None = ...
-    ) -> BoundarySamples: ...
-    def curvature(self) -> list[CurveBend]: ...
-    def transformed(self, matrix: ArrayLike, offset: tuple[float, float] = ...) -> YinSet: ...
     def compare(self, other: YinSet) -> SetComparison:
         """How far another set is from this one: ``area_xor`` (the area of the symmetric difference; ``None`` if it is infinite) and
         ``area_xor_error`` (an estimate from above, about 1e-14 of the box), ``area_signed``, ``area_signed_error``, ``hausdorff`` (of the

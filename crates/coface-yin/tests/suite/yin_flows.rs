@@ -94,7 +94,7 @@ fn miss_of_order(order: usize, flow: Flow, period: f64, center: [f64; 2], count:
     let disk =
         YinSet::new(&[Curve::circle(center, 0.15, count, Order::new(order).unwrap()).unwrap()]).unwrap();
     // Time is fine enough not to be seen.
-    let options = TrackingOptions::new(period, period / 200.0, 1.05 * TAU * 0.15 / count as f64)
+    let options = TrackingOptions::new(period, 0.01, 1.05 * TAU * 0.15 / count as f64)
         .scheme(RungeKutta::CooperVerner)
         .least_ratio(0.01)
         .verification(Verification::End);
