@@ -71,14 +71,18 @@ impl Curve<'static> {
         checked_chord_lengths(points)?;
         let first = parameters.first().copied().unwrap_or_default();
         let knots: Vec<f64> = parameters.iter().map(|parameter| parameter - first).collect();
-        let rises = |pair: &[f64]| pair[0] < pair[1] && pair[1].is_finite();
-        if knots.len() != points.len() || !knots.windows(2).all(rises) {
+        if knots.len() != points.len() {
             return Err(Error::invalid(format!(
-                "{} parameters are not finite, do not rise, or are not one for each of {} points",
-                parameters.len(),
+                "{} parameters are given for {} points",
+                knots.len(),
                 points.len()
             ))
-            .with_cure("give a parameter for each point, each above the one before"));
+            .with_cure("give one for each point"));
+        }
+        let rises = |pair: &[f64]| pair[0] < pair[1] && pair[1].is_finite();
+        if let Some(at) = knots.windows(2).position(|pair| !rises(pair)) {
+            return Err(Error::invalid(format!("parameter {} is not above parameter {at}", at + 1))
+                .with_cure("give finite parameters that rise"));
         }
         Self::fit_to(points, knots, order, ends)
     }
