@@ -132,3 +132,66 @@ def test_events_have_times_and_phases() -> None:
     # The edge has the length exp(-t), and points are 0.05 apart at least.
     assert events[0]["time"] == pytest.approx(np.log(20), abs=1e-3) and events[0]["before"] is None
     assert pair.advected("translation", 1.0, spacing=3.0)[1]["events"] is None
+
+
+def test_points_along_edges_bends_and_images() -> None:
+    found = coface.interface({"left": _square(0, 0), "right": _square(1, 0)})
+    samples = found.sample(count=4)
+    assert samples["point"].shape == samples["tangent"].shape == (len(samples["edge"]), 2)
+    # Each edge gives its end too, and the phases beside it.
+    assert len(samples["edge"]) == 5 * len(found.edges)
+    for number, edge in enumerate(found.edges):
+        own = samples["edge"] == number
+        left, right = (-1 if edge[side] is None else edge[side] for side in ("left", "right"))
+        assert set(samples["left"][own]) == {left} and set(samples["right"][own]) == {right}
+        assert samples["length"][own][-1] == pytest.approx(edge["length"])
+    # Within the length of each edge, at distances that fit.
+    fine = found.sample(spacing=0.1)
+    steps = np.hypot(*np.diff(fine["point"], axis=0).T)[np.diff(fine["edge"]) == 0]
+    assert steps.max() <= 0.1 + 1e-12
+    assert len(found.sample()["edge"]) > len(found.edges)
+    with pytest.raises(coface.Error, match="more than one way"):
+        found.sample(count=4, spacing=0.1)
+    bends = found.curvature()
+    assert [bend["edge"] for bend in bends] == list(range(len(found.edges)))
+    assert {abs(bend["sharpest"]["value"]) for bend in bends if bend["sharpest"]} == {90.0}
+    image = found.transformed([[0, 2], [1, 0]], (5, -1))
+    assert image.areas == [2.0, 2.0] and image.names == found.names
+    expected = np.array(found.vertices) @ np.array([[0, 1], [2, 0]]) + [5, -1]
+    assert np.array(image.vertices) == pytest.approx(expected)
+    for matrix in ([[1, 2], [2, 4]], [[1, 0, 0], [0, 1, 0]], [1, 2]):
+        with pytest.raises(coface.Error):
+            found.transformed(matrix)
+
+
+def test_points_along_a_boundary_bends_and_images() -> None:
+    angles = np.arange(64) * 2 * np.pi / 64
+    ring = [[3 + 2 * np.cos(angle), 2 * np.sin(angle)] for angle in angles]
+    disk = coface.YinSet.from_rings([ring], order=4)
+    samples = disk.sample(spacing=0.25)
+    assert set(samples["curve"]) == {0}
+    assert np.hypot(samples["point"][:, 0] - 3, samples["point"][:, 1]) == pytest.approx(2, abs=1e-5)
+    assert samples["curvature"] == pytest.approx(0.5, abs=1e-2)
+    assert np.hypot(*samples["tangent"].T) == pytest.approx(1)
+    (bend,) = disk.curvature()
+    assert 0.49 < bend["least"]["value"] <= bend["greatest"]["value"] < 0.51
+    ellipse = disk.transformed([[2, 0], [0, 0.5]])
+    assert ellipse.area == pytest.approx(disk.area)
+    assert disk.transformed(np.eye(2), (1, 1)).area == pytest.approx(disk.area)
+    (bend,) = ellipse.curvature()
+    # Half axes 4 and 1.
+    assert bend["greatest"]["value"] == pytest.approx(4, rel=1e-2)
+    assert bend["least"]["value"] == pytest.approx(1 / 16, rel=1e-1)
+
+
+def test_kept_parameters_are_nearer() -> None:
+    angles = np.arange(80) * 2 * np.pi / 80
+    ring = [[0.5 + 0.15 * np.cos(angle), 0.75 + 0.15 * np.sin(angle)] for angle in angles]
+    disk = coface.YinSet.from_rings([ring], order=4)
+    off = {}
+    for parameters in ("lengths", "kept"):
+        moved, _ = disk.advected("vortex", spacing=0.0125, step=0.02, parameters=parameters)
+        off[parameters] = moved.compare(disk)["area_xor"]
+    assert off["kept"] is not None and off["lengths"] is not None and 100 * off["kept"] < off["lengths"]
+    with pytest.raises(coface.Error, match="parameters"):
+        disk.advected("vortex", parameters="chords")

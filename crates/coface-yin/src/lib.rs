@@ -35,7 +35,7 @@ pub use set::{
     Sampling, SetLocation, YinFault, YinSet,
 };
 pub use tracking::{
-    EventKind, Flow, InterfaceEvent, InterfaceEventKind, InterfaceRepair, OnContact, Repair, RungeKutta,
-    TopologyEvent, TrackedGraph, TrackedSet, TrackingCounts, TrackingOptions, VanishedCurve,
-    VelocityExpression, Verification,
+    EventKind, Flow, InterfaceEvent, InterfaceEventKind, InterfaceRepair, MarkerParameters, OnContact,
+    Repair, RungeKutta, TopologyEvent, TrackedGraph, TrackedSet, TrackingCounts, TrackingOptions,
+    VanishedCurve, VelocityExpression, Verification,
 };

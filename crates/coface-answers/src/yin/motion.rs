@@ -8,7 +8,7 @@ use crate::answer::{
 use crate::text;
 use coface_algebra::Error;
 use coface_arrange::boolean::InsideRule;
-use coface_yin::{OnContact, RungeKutta, TrackingOptions, Verification};
+use coface_yin::{MarkerParameters, OnContact, RungeKutta, TrackingOptions, Verification};
 
 /// How a set moves.
 ///
@@ -30,6 +30,8 @@ pub struct MotionRequest {
     pub least_ratio: f64,
     /// Knots are added where the polygon through them turns by more than this angle, in radians.
     pub most_turn: Option<f64>,
+    /// What the parameters of splines through knots are; the usual ones of the order of the set if nothing is said.
+    pub parameters: Option<MarkerParameters>,
     /// The scheme that moves knots; that of the order of the set if none is given.
     pub scheme: Option<RungeKutta>,
     /// When the boundary is tested against itself.
@@ -65,6 +67,7 @@ impl MotionRequest {
             spacing: None,
             least_ratio: 0.1,
             most_turn: None,
+            parameters: None,
             scheme: None,
             verification: Verification::EachStep,
             repair: None,
@@ -126,6 +129,19 @@ impl MotionRequest {
     #[must_use]
     pub fn most_turn(mut self, angle: Option<f64>) -> Self {
         self.most_turn = angle;
+        self
+    }
+
+    /// The same with these parameters of splines.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::MotionRequest;
+    /// assert_eq!(MotionRequest::until(2.0).parameters(None).parameters, None);
+    /// ```
+    #[must_use]
+    pub fn parameters(mut self, parameters: Option<MarkerParameters>) -> Self {
+        self.parameters = parameters;
         self
     }
 
@@ -252,6 +268,7 @@ impl MotionRequest {
     pub(super) fn tracking(&self, [start, end]: [f64; 2], step: f64, spacing: f64) -> TrackingOptions {
         TrackingOptions::new(end, step, spacing)
             .start(start)
+            .parameters(self.parameters)
             .scheme(self.scheme)
             .least_ratio(self.least_ratio)
             .most_turn(self.most_turn)

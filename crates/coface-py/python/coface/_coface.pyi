@@ -10,12 +10,16 @@ from scipy.sparse import csc_array, csr_array
 
 from coface._buildings import CellGraph
 from coface._types import (
+    BoundarySamples,
     CellCounts,
     ComparedWalk,
     CupTable,
+    CurveBend,
     CycleClass,
-    Exactness,
+    EdgeBend,
+    EdgeSamples,
     ExactSequence,
+    Exactness,
     GroupMap,
     IntersectionForm,
     Json,
@@ -1458,6 +1462,11 @@ class Interface:
             ``piece`` and ``parameter``.
         """
         ...
+    def sample(
+        self, *, per_piece: int | None = ..., count: int | None = ..., spacing: float | None = ...
+    ) -> EdgeSamples: ...
+    def curvature(self) -> list[EdgeBend]: ...
+    def transformed(self, matrix: ArrayLike, offset: tuple[float, float] = ...) -> Interface: ...
     def compare(self, other: Interface) -> dict[str, Json]:
         """How far the phases are from those of another interface; namesakes are compared with each other.
 
@@ -1482,7 +1491,7 @@ class Interface:
             They give the same interface again.
         """
         ...
-    def advected(self, flow: str | Callable[..., Any], end: float | None = None, *, step: float | None = None, spacing: float | None = None, period: float = 4.0, vortices: int = 4, velocity: Sequence[float] = ..., center: Sequence[float] = ..., speed: float = 1.0, verify: str = "each-step", repair: str | None = None, scheme: str | None = None, least_ratio: float = 0.1, turn: float | None = None, keep_small: bool = False, events: bool = False, event_tolerance: float | None = None, progress: _Progress = ...) -> tuple[Interface, dict[str, Json]]:
+    def advected(self, flow: str | Callable[..., Any], end: float | None = None, *, step: float | None = None, spacing: float | None = None, period: float = 4.0, vortices: int = 4, velocity: Sequence[float] = ..., center: Sequence[float] = ..., speed: float = 1.0, verify: str = "each-step", repair: str | None = None, scheme: str | None = None, parameters: str | None = None, least_ratio: float = 0.1, turn: float | None = None, keep_small: bool = False, events: bool = False, event_tolerance: float | None = None, progress: _Progress = ...) -> tuple[Interface, dict[str, Json]]:
         """The interface after it moved with a flow: phases keep their common arcs, and junctions stay junctions.
 
         Parameters
@@ -3770,6 +3779,11 @@ class YinSet:
     def symmetric_difference(self, other: YinSet) -> YinSet:
         """What lies in exactly one of the two; also ``^``."""
         ...
+    def sample(
+        self, *, per_piece: int | None = ..., count: int | None = ..., spacing: float | None = ...
+    ) -> BoundarySamples: ...
+    def curvature(self) -> list[CurveBend]: ...
+    def transformed(self, matrix: ArrayLike, offset: tuple[float, float] = ...) -> YinSet: ...
     def compare(self, other: YinSet) -> SetComparison:
         """How far another set is from this one: ``area_xor`` (the area of the symmetric difference; ``None`` if it is infinite) and
         ``area_xor_error`` (an estimate from above, about 1e-14 of the box), ``area_signed``, ``area_signed_error``, ``hausdorff`` (of the
@@ -3919,7 +3933,7 @@ class YinSet:
             The part of each cell that the set covers.
         """
         ...
-    def advected(self, flow: str | Callable[..., Any], end: float | None = None, *, step: float | None = None, spacing: float | None = None, period: float = 4.0, vortices: int = 4, velocity: Sequence[float] = ..., center: Sequence[float] = ..., speed: float = 1.0, verify: str = "each-step", repair: str | None = None, scheme: str | None = None, least_ratio: float = 0.1, turn: float | None = None, keep_small: bool = False, events: bool = False, event_tolerance: float | None = None, on_contact: str | None = None, contact_distance: float | None = None, progress: _Progress = ...) -> tuple[YinSet, dict[str, Json]]:
+    def advected(self, flow: str | Callable[..., Any], end: float | None = None, *, step: float | None = None, spacing: float | None = None, period: float = 4.0, vortices: int = 4, velocity: Sequence[float] = ..., center: Sequence[float] = ..., speed: float = 1.0, verify: str = "each-step", repair: str | None = None, scheme: str | None = None, parameters: str | None = None, least_ratio: float = 0.1, turn: float | None = None, keep_small: bool = False, events: bool = False, event_tolerance: float | None = None, on_contact: str | None = None, contact_distance: float | None = None, progress: _Progress = ...) -> tuple[YinSet, dict[str, Json]]:
         """The set after it moved with a flow.
 
         Parameters

@@ -170,6 +170,62 @@ class SetComparison(TypedDict):
     remarks: list[Remark]
 
 
+class BoundarySamples(TypedDict):
+    """Points along the boundary of a set, as columns."""
+
+    curve: NDArray[np.int64]
+    piece: NDArray[np.int64]
+    parameter: NDArray[np.float64]
+    length: NDArray[np.float64]
+    point: NDArray[np.float64]
+    tangent: NDArray[np.float64]
+    curvature: NDArray[np.float64]
+
+
+class EdgeSamples(TypedDict):
+    """Points along the edges of an interface, as columns."""
+
+    edge: NDArray[np.int64]
+    left: NDArray[np.int64]
+    right: NDArray[np.int64]
+    piece: NDArray[np.int64]
+    parameter: NDArray[np.float64]
+    length: NDArray[np.float64]
+    point: NDArray[np.float64]
+    tangent: NDArray[np.float64]
+    curvature: NDArray[np.float64]
+
+
+class BendPlace(TypedDict):
+    """A place on a curve, and a curvature or an angle in degrees there."""
+
+    piece: int
+    parameter: float
+    point: list[float]
+    value: float
+
+
+class CurveBend(TypedDict):
+    """How a curve of a boundary bends."""
+
+    curve: int
+    least: BendPlace
+    greatest: BendPlace
+    sharpest: BendPlace
+    roughest: BendPlace | None
+
+
+class EdgeBend(TypedDict):
+    """How an edge of an interface bends."""
+
+    edge: int
+    left: int | None
+    right: int | None
+    least: BendPlace
+    greatest: BendPlace
+    sharpest: BendPlace | None
+
+
 class CellCounts(TypedDict):
     """How many cells of a grid a set leaves empty, cuts and fills."""
 

@@ -1,6 +1,6 @@
 //! Interfaces: sets as phases that share the arcs between them.
 
-use super::motion::{GivenFlow, scheme_of, tracking_options, verification_of};
+use super::motion::{GivenFlow, parameters_of, scheme_of, tracking_options, verification_of};
 use super::{YinSet, points_of};
 use crate::answer::answer;
 use crate::arrangement::rule_of;
@@ -247,6 +247,9 @@ answer! { Interface {
     ///     The rule by which edges that cross are cut and pasted, instead of refused.
     /// scheme : {"midpoint", "classical", "verner", "cooper-verner"}, optional
     ///     The Runge-Kutta scheme, of order 2, 4, 6 or 8; that of the order of the edges if left out.
+    /// parameters : {"lengths", "kept"}, optional
+    ///     What the parameters of splines are: the distances of neighbors, as in cubic MARS, or those that knots had at the beginning, which are
+    ///     more exact by far unless the velocity jumps along the boundary. Lengths in orders 2 and 4, kept in orders 6 and 8, if left out.
     /// least_ratio : float
     ///     The least distance of points along edges as a part of ``spacing``, up to 1/3.
     /// turn : float, optional
@@ -275,7 +278,7 @@ answer! { Interface {
     /// >>> moved, facts = rooms.advected("translation", 1.0, velocity=(2.0, 0.0), spacing=3.0)
     /// >>> len(moved.junctions), [round(area, 9) for area in moved.areas]
     /// (2, [4.0, 2.0])
-    #[pyo3(signature = (flow, end=None, *, step=None, spacing=None, period=4.0, vortices=4, velocity=[1.0, 0.0], center=[0.0, 0.0], speed=1.0, verify="each-step", repair=None, scheme=None, least_ratio=0.1, turn=None, keep_small=false, events=false, event_tolerance=None, progress=None))]
+    #[pyo3(signature = (flow, end=None, *, step=None, spacing=None, period=4.0, vortices=4, velocity=[1.0, 0.0], center=[0.0, 0.0], speed=1.0, verify="each-step", repair=None, scheme=None, parameters=None, least_ratio=0.1, turn=None, keep_small=false, events=false, event_tolerance=None, progress=None))]
     #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
     fn advected<'py>(
         &self,
@@ -292,6 +295,7 @@ answer! { Interface {
         verify: &str,
         repair: Option<&str>,
         scheme: Option<&str>,
+        parameters: Option<&str>,
         least_ratio: f64,
         turn: Option<f64>,
         keep_small: bool,
@@ -304,7 +308,7 @@ answer! { Interface {
         let extent = Some([[0.0; 2], [self.interface.extent(); 2]]);
         let mut options = tracking_options(end.unwrap_or(usual), step, spacing, extent);
         options = options.verification(verification_of(py, verify)?).repair(rule_of(py, repair)?);
-        options = options.scheme(scheme_of(py, scheme)?);
+        options = options.scheme(scheme_of(py, scheme)?).parameters(parameters_of(py, parameters)?);
         options = options.least_ratio(least_ratio).most_turn(turn.map(f64::to_radians)).keep_small(keep_small);
         options = options.events(events).event_tolerance(event_tolerance);
         let moved = flow.moved(

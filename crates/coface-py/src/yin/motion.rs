@@ -5,7 +5,7 @@ use crate::congruence::choice;
 use crate::errors::{OrRaise, invalid};
 use crate::work::run;
 use coface::Error;
-use coface::yin::{Flow, RungeKutta, TrackingOptions, VelocityExpression, Verification};
+use coface::yin::{Flow, MarkerParameters, RungeKutta, TrackingOptions, VelocityExpression, Verification};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
@@ -104,4 +104,9 @@ pub(super) fn scheme_of(py: Python<'_>, word: Option<&str>) -> PyResult<Option<R
         ("cooper-verner", RungeKutta::CooperVerner),
     ];
     word.map(|word| choice(py, "scheme", word, &schemes)).transpose()
+}
+
+pub(super) fn parameters_of(py: Python<'_>, word: Option<&str>) -> PyResult<Option<MarkerParameters>> {
+    let all = [("lengths", MarkerParameters::Lengths), ("kept", MarkerParameters::Kept)];
+    word.map(|word| choice(py, "parameters", word, &all)).transpose()
 }

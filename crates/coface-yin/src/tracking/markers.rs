@@ -1,5 +1,6 @@
 //! Markers of one curve, mapped and with their distances kept in range.
 
+use super::MarkerParameters;
 use crate::curve::{bernstein, distance};
 use crate::{Curve, Order};
 use coface_algebra::Error;
@@ -39,9 +40,21 @@ pub(super) struct MarkerRange {
     pub(super) turn: f64,
     /// Whether curves that are short beside these distances have markers nearer together, so that they do not vanish.
     pub(super) keeps_small: bool,
+    /// What the parameters of splines through the markers are; none for the usual ones.
+    pub(super) parameters: Option<MarkerParameters>,
 }
 
 impl MarkerRange {
+    /// Whether markers keep their parameters. Those of a polyline are lengths, and so are those of a cubic spline unless it is asked for:
+    /// that is the method of the references.
+    fn keeps_parameters(self, order: Order) -> bool {
+        match self.parameters {
+            _ if order == Order::LINEAR => false,
+            Some(parameters) => parameters == MarkerParameters::Kept,
+            None => order > Order::CUBIC,
+        }
+    }
+
     /// The distances of markers of a closed curve.
     pub(super) fn for_curve(self, curve: &Curve<'_>) -> Self {
         /// Curves that are kept have so many markers at least.
@@ -171,7 +184,10 @@ pub(super) fn moved_markers(
     Ok(MovedMarkers {
         points: kept.iter().map(|&at| points[at]).collect(),
         origins: kept.iter().map(|&at| knot(&places[at])).collect(),
-        parameters: kept_parameters(curve, kept.iter().map(|&at| places[at]), fixed),
+        parameters: range
+            .keeps_parameters(curve.order())
+            .then(|| kept_parameters(curve, kept.iter().map(|&at| places[at]), fixed))
+            .flatten(),
     })
 }
 
@@ -179,14 +195,13 @@ pub(super) fn moved_markers(
 /// parameter, and splines of it are within the power of their order whatever the flow does to the distances of markers. Their own length
 /// is less smooth a parameter by far where the flow folds the curve, and it is known as exactly as the fit is only.
 ///
-/// Splines of order 4 or less have their chords as parameters, as those of a new curve have. None for them, and where the curve turns
-/// to another speed at a knot that is not fixed, as curves do that were pasted.
+/// None where the curve turns to another speed at a knot that is not fixed, as polylines do, and curves that were pasted.
 fn kept_parameters(
     curve: &Curve<'_>,
     places: impl Iterator<Item = (u32, f64)>,
     fixed: impl Fn(usize) -> bool,
 ) -> Option<Vec<f64>> {
-    if curve.order() <= Order::CUBIC || !curve.has_smooth_parameter(fixed) {
+    if !curve.has_smooth_parameter(fixed) {
         return None;
     }
     let knots = curve.knots();

@@ -6,7 +6,7 @@
 //!   are left out. Kinks and junctions stay.
 //! * In orders 6 and 8 markers keep their **parameter**, and added ones have that of the point of the old boundary: the images of a smooth
 //!   curve are a smooth function of it, which a spline approximates with the power of its order. In orders 2 and 4 the parameter is the
-//!   distance of neighbors, as in the method of the reference.
+//!   distance of neighbors, as in the method of the references, unless [`MarkerParameters`] say something else.
 //! * The flow of a velocity field is a homeomorphism: curves keep their places in the Hasse forest. Curves that become too short to
 //!   have a shape at the spacing vanish, which is reported.
 //! * **Contacts** are places where boundaries come nearer to each other than a distance; there the topology may be changed. **Events** are
@@ -35,6 +35,6 @@ pub use flow::Flow;
 pub use graph_events::{InterfaceEvent, InterfaceEventKind};
 pub use graphs::{InterfaceRepair, TrackedGraph};
 pub use markers::TrackingCounts;
-pub use options::{TrackingOptions, Verification};
+pub use options::{MarkerParameters, TrackingOptions, Verification};
 pub use runge_kutta::RungeKutta;
 pub use sets::{Repair, TrackedSet, VanishedCurve};

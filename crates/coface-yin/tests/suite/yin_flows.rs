@@ -5,7 +5,7 @@
     reason = "a helper of a test that cannot go on is the test failing"
 )]
 
-use coface_yin::{Curve, Flow, Order, RungeKutta, TrackingOptions, Verification, YinSet};
+use coface_yin::{Curve, Flow, MarkerParameters, Order, RungeKutta, TrackingOptions, Verification, YinSet};
 use std::f64::consts::TAU;
 
 /// How far a disk is from itself after a flow there and back.
@@ -138,6 +138,22 @@ fn each_order_is_seen_in_flows_there_and_back() {
         }
         assert!(eighth[2] < 1e-12, "{flow:?}");
     }
+}
+
+/// Cubic splines whose markers keep their parameters are nearer by far than those of the published method, and go on where these cross.
+#[test]
+fn cubic_splines_that_keep_their_parameters() {
+    let flow = Flow::Vortex { period: 8.0 };
+    let disk = YinSet::new(&[Curve::circle([0.5, 0.75], 0.15, 77, Order::CUBIC).unwrap()]).unwrap();
+    let options =
+        TrackingOptions::new(8.0, 0.03125, 0.0125).least_ratio(0.01).verification(Verification::End);
+    let moved = |parameters| {
+        let options = options.scheme(RungeKutta::CooperVerner).parameters(parameters);
+        disk.advected(|p, t| flow.velocity(p, t), &options)
+    };
+    assert!(moved(MarkerParameters::Lengths).is_err());
+    let found = moved(MarkerParameters::Kept).unwrap().set().comparison(&disk).unwrap();
+    assert!(found.area_xor() < 1e-6, "{found:?}");
 }
 
 #[test]

@@ -12,7 +12,7 @@ use crate::progress::Progress;
 use clap::{Args, ValueEnum};
 use coface::answers::{MotionRequest, PlanarSet};
 use coface::io::StagedFiles;
-use coface::yin::{Flow, OnContact, RungeKutta, VelocityExpression, Verification};
+use coface::yin::{Flow, MarkerParameters, OnContact, RungeKutta, VelocityExpression, Verification};
 use std::path::{Path, PathBuf};
 
 /// Move a set, or an interface of several phases, with a velocity field: its knots are mapped, and splines fitted anew (MARS).
@@ -82,6 +82,9 @@ pub(super) struct Advect {
     /// The speed of a rotation in radians per time, counterclockwise
     #[arg(long, value_name = "SPEED", default_value = "1", allow_hyphen_values = true)]
     speed: f64,
+    /// What the parameters of splines through knots are [default: lengths in orders 2 and 4, kept in orders 6 and 8]
+    #[arg(long, value_name = "WHAT")]
+    parameters: Option<Parameters>,
     /// The Runge-Kutta scheme that moves knots [default: that of the order of the set]
     #[arg(long, value_name = "SCHEME")]
     scheme: Option<Scheme>,
@@ -122,6 +125,14 @@ enum Field {
     Rotation,
     /// All points move alike
     Translation,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Parameters {
+    /// The distances of neighbors, as in cubic MARS; in orders 6 and 8 the lengths of curves between them
+    Lengths,
+    /// Those that knots had at the beginning: nearer to the exact boundary by far, unless the velocity jumps along it
+    Kept,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -217,6 +228,10 @@ impl Advect {
             .spacing(self.spacing)
             .least_ratio(self.least_ratio)
             .most_turn(self.turn.map(f64::to_radians))
+            .parameters(self.parameters.map(|what| match what {
+                Parameters::Lengths => MarkerParameters::Lengths,
+                Parameters::Kept => MarkerParameters::Kept,
+            }))
             .scheme(self.scheme())
             .verification(match self.verify {
                 When::EachStep => Verification::EachStep,
