@@ -38,6 +38,26 @@ fn number(value: &Value, key: &str) -> f64 {
     value[key].as_f64().unwrap()
 }
 
+/// A vortex there and back: kept parameters are nearer, and are the usual ones in order 6.
+#[test]
+fn parameters_of_splines() {
+    let folder = tempfile::tempdir().unwrap();
+    let off = |order: usize, parameters: &[&str]| {
+        let points = ring([0.5, 0.75], 0.15, 80);
+        let path = file(&folder, "round.json", &json!({"order": order, "curves": [{"points": points}]}));
+        let back = folder.path().join("back.json");
+        let common = ["advect", argument(&path), "--flow", "vortex", "--spacing", "0.0125", "--step", "0.02"];
+        yin(&[&common, parameters, &["-o", argument(&back)]].concat());
+        number(&yin(&["compare", argument(&back), argument(&path)]), "area_xor")
+    };
+    let [usual, lengths, kept] =
+        [&[][..], &["--parameters", "lengths"], &["--parameters", "kept"]].map(|words| off(4, words));
+    assert!(usual == lengths && 100.0 * kept < lengths, "{usual:e} {lengths:e} {kept:e}");
+    let [usual, lengths, kept] =
+        [&[][..], &["--parameters", "lengths"], &["--parameters", "kept"]].map(|words| off(6, words));
+    assert!(usual == kept && 1000.0 * kept < lengths, "{usual:e} {lengths:e} {kept:e}");
+}
+
 #[test]
 fn schemes_have_their_orders() {
     let folder = tempfile::tempdir().unwrap();
