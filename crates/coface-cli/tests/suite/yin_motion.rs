@@ -52,7 +52,7 @@ fn parameters_of_splines() {
     };
     let [usual, lengths, kept] =
         [&[][..], &["--parameters", "lengths"], &["--parameters", "kept"]].map(|words| off(4, words));
-    assert!(usual == lengths && 100.0 * kept < lengths, "{usual:e} {lengths:e} {kept:e}");
+    assert!(usual == lengths && 50.0 * kept < lengths, "{usual:e} {lengths:e} {kept:e}");
     let [usual, lengths, kept] =
         [&[][..], &["--parameters", "lengths"], &["--parameters", "kept"]].map(|words| off(6, words));
     assert!(usual == kept && 1000.0 * kept < lengths, "{usual:e} {lengths:e} {kept:e}");

@@ -1465,8 +1465,32 @@ class Interface:
     def sample(
         self, *, per_piece: int | None = ..., count: int | None = ..., spacing: float | None = ...
     ) -> EdgeSamples: ...
-    def curvature(self) -> list[EdgeBend]: ...
-    def transformed(self, matrix: ArrayLike, offset: tuple[float, float] = ...) -> Interface: ...
+    def curvature(self) -> list[EdgeBend]:
+        """How the edges bend: the least and the greatest curvature of each, and where it turns most at a knot between its ends.
+
+        Returns
+        -------
+        list of dict
+            For each edge ``edge``, the phases on its ``left`` and ``right``, ``least`` and ``greatest`` (curvatures, positive where the edge turns
+            left) and ``sharpest`` (in degrees; ``None`` without a knot between its ends), each with ``piece``, ``parameter``, ``point`` and ``value``.
+        """
+        ...
+    def transformed(self, matrix: ArrayLike, offset: tuple[float, float] = ...) -> Interface:
+        """The image under an affine map of the plane: each edge once, so that phases keep their common arcs.
+
+        Parameters
+        ----------
+        matrix : array_like of shape (2, 2)
+            The matrix of the map, by rows. It has an inverse.
+        offset : (float, float)
+            Where the origin goes.
+
+        Returns
+        -------
+        Interface
+            The phases of all ``matrix @ point + offset``, with their names.
+        """
+        ...
     def compare(self, other: Interface) -> dict[str, Json]:
         """How far the phases are from those of another interface; namesakes are compared with each other.
 
@@ -1520,6 +1544,9 @@ class Interface:
             The rule by which edges that cross are cut and pasted, instead of refused.
         scheme : {"midpoint", "classical", "verner", "cooper-verner"}, optional
             The Runge-Kutta scheme, of order 2, 4, 6 or 8; that of the order of the edges if left out.
+        parameters : {"lengths", "kept"}, optional
+            What the parameters of splines are: the distances of neighbors, as in cubic MARS, or those that knots had at the beginning, which are
+            more exact by far unless the velocity jumps along the boundary. Lengths in orders 2 and 4, kept in orders 6 and 8, if left out.
         least_ratio : float
             The least distance of points along edges as a part of ``spacing``, up to 1/3.
         turn : float, optional
@@ -3782,8 +3809,33 @@ class YinSet:
     def sample(
         self, *, per_piece: int | None = ..., count: int | None = ..., spacing: float | None = ...
     ) -> BoundarySamples: ...
-    def curvature(self) -> list[CurveBend]: ...
-    def transformed(self, matrix: ArrayLike, offset: tuple[float, float] = ...) -> YinSet: ...
+    def curvature(self) -> list[CurveBend]:
+        """How the curves bend: the least and the greatest curvature of each, and where it turns most at a knot.
+
+        Returns
+        -------
+        list of dict
+            For each curve ``curve``, ``least`` and ``greatest`` (curvatures, positive where the curve turns left, with the set on its left),
+            ``sharpest`` (the knot at which it turns most, in degrees) and ``roughest`` (the same among knots that are no kinks; ``None`` if all
+            are), each with ``piece``, ``parameter``, ``point`` and ``value``.
+        """
+        ...
+    def transformed(self, matrix: ArrayLike, offset: tuple[float, float] = ...) -> YinSet:
+        """The image under an affine map of the plane; curves and kinks keep their names.
+
+        Parameters
+        ----------
+        matrix : array_like of shape (2, 2)
+            The matrix of the map, by rows. It has an inverse.
+        offset : (float, float)
+            Where the origin goes.
+
+        Returns
+        -------
+        YinSet
+            The set of all ``matrix @ point + offset``.
+        """
+        ...
     def compare(self, other: YinSet) -> SetComparison:
         """How far another set is from this one: ``area_xor`` (the area of the symmetric difference; ``None`` if it is infinite) and
         ``area_xor_error`` (an estimate from above, about 1e-14 of the box), ``area_signed``, ``area_signed_error``, ``hausdorff`` (of the
@@ -3964,6 +4016,9 @@ class YinSet:
             The rule by which curves that cross are cut and pasted, instead of refused.
         scheme : {"midpoint", "classical", "verner", "cooper-verner"}, optional
             The Runge-Kutta scheme, of order 2, 4, 6 or 8; that of the order of the set if left out.
+        parameters : {"lengths", "kept"}, optional
+            What the parameters of splines are: the distances of neighbors, as in cubic MARS, or those that knots had at the beginning, which are
+            more exact by far unless the velocity jumps along the boundary. Lengths in orders 2 and 4, kept in orders 6 and 8, if left out.
         least_ratio : float
             The least distance of points along curves as a part of ``spacing``, up to 1/3.
         turn : float, optional

@@ -29,7 +29,7 @@ use std::path::PathBuf;
 /// Made by :func:`interface`.
 #[pyclass(frozen, dict, module = "coface", name = "Interface")]
 pub(crate) struct Interface {
-    interface: PlanarInterface,
+    pub(super) interface: PlanarInterface,
     answer: YinInterfaceAnswer,
 }
 
@@ -388,7 +388,7 @@ struct RepairedEdges {
 }
 
 impl Interface {
-    fn of(interface: PlanarInterface) -> Result<Self, Error> {
+    pub(super) fn of(interface: PlanarInterface) -> Result<Self, Error> {
         let answer = interface.answer(&[], true)?;
         Ok(Self { interface, answer })
     }

@@ -75,7 +75,7 @@ impl Columns {
         self.curvatures.push(curvature.unwrap_or(f64::NAN));
     }
 
-    fn into_python(self, py: Python<'_>, first: Vec<(&str, Vec<i64>)>) -> PyResult<Bound<'_, PyDict>> {
+    fn into_python<'py>(self, py: Python<'py>, first: Vec<(&str, Vec<i64>)>) -> PyResult<Bound<'py, PyDict>> {
         let table = PyDict::new(py);
         for (name, numbers) in first {
             table.set_item(name, PyArray1::from_vec(py, numbers))?;

@@ -186,7 +186,7 @@ impl TrackingOptions {
     ///     let moved = disk.advected(|point, time| flow.velocity(point, time), &options)?;
     ///     Ok(moved.set().comparison(&disk)?.area_xor())
     /// };
-    /// assert!(100.0 * off(MarkerParameters::Kept)? < off(MarkerParameters::Lengths)?);
+    /// assert!(50.0 * off(MarkerParameters::Kept)? < off(MarkerParameters::Lengths)?);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     #[must_use]
