@@ -224,7 +224,7 @@ fn trail_parameters(trail: &Trail, parameters: &[Option<Vec<f64>>]) -> Option<Ve
         match edge.sign {
             Sign::Plus => known.extend(own[1..].iter().map(|parameter| start + (parameter - end.0))),
             Sign::Minus => {
-                known.extend(own.iter().rev().skip(1).map(|parameter| start + (end.1 - parameter)))
+                known.extend(own.iter().rev().skip(1).map(|parameter| start + (end.1 - parameter)));
             }
         }
     }
