@@ -116,7 +116,7 @@ impl YinSet {
     /// >>> import coface
     /// >>> square = coface.YinSet.from_rings([[[0, 0], [2, 0], [2, 2], [0, 2]]])
     /// >>> found = square.sample(count=8)
-    /// >>> found["point"][3].tolist(), found["length"][3], found["tangent"][3].tolist()
+    /// >>> found["point"][3].tolist(), found["length"].tolist()[3], found["tangent"][3].tolist()
     /// ([2.0, 1.0], 3.0, [0.0, 1.0])
     #[pyo3(signature = (*, per_piece=None, count=None, spacing=None))]
     fn sample<'py>(
