@@ -124,7 +124,7 @@ fn surfaces_without_their_holes_are_cut_with_nothing() {
 #[test]
 fn shells_are_named_by_their_codes() {
     type Shells = fn(&mut City) -> Vec<Vec<Value>>;
-    let cases: [(&str, Shells, &[i64]); 12] = [
+    let cases: [(&str, Shells, &[i64]); 14] = [
         ("a void", |city| vec![city.shell([0; 3], [10; 3], true), city.shell([3; 3], [6; 3], false)], &[]),
         (
             "a void that looks outward",
@@ -147,6 +147,23 @@ fn shells_are_named_by_their_codes() {
                 let void = city.shell([3; 3], [6; 3], false);
                 vec![city.shell([0; 3], [10; 3], true), void.clone(), void]
             },
+            &[402],
+        ),
+        (
+            "equal voids, one with other first corners",
+            |city| {
+                let void = city.shell([3; 3], [6; 3], false);
+                let mut other = void.clone();
+                for face in &mut other {
+                    face[0].as_array_mut().unwrap().rotate_left(1);
+                }
+                vec![city.shell([0; 3], [10; 3], true), void, other]
+            },
+            &[402],
+        ),
+        (
+            "a void that is all of the solid",
+            |city| vec![city.shell([0; 3], [10; 3], true), city.shell([0; 3], [10; 3], false)],
             &[402],
         ),
         (

@@ -127,21 +127,29 @@ impl Solids<'_> {
         faults.add(code, FaultScope::Surface, place);
     }
 
-    /// Whether two shells have the same triangles.
+    /// Whether two shells have the same faces: each with sides between the same points, whichever way they run and wherever they begin.
     fn are_same(&self, shells: [u32; 2]) -> bool {
         let [first, second] = shells.map(|shell| {
-            let own = self.triangles_of_shell.list(shell as usize).iter();
-            let mut corners: Vec<[u32; 3]> = own
-                .map(|&triangle| {
-                    let mut corners = self.triangles.corners[triangle as usize];
-                    corners.sort_unstable();
-                    corners
-                })
-                .collect();
-            corners.sort_unstable();
-            corners
+            let own = self.shells.shells[shell as usize].faces.iter();
+            let mut faces: Vec<Vec<[u32; 2]>> = own.map(|&face| self.sides_of_face(face as usize)).collect();
+            faces.sort_unstable();
+            faces
         });
         first == second
+    }
+
+    /// The sides of all rings of a face as pairs of places, the lower one first, rising.
+    fn sides_of_face(&self, face: usize) -> Vec<[u32; 2]> {
+        let mut sides = Vec::new();
+        for ring in self.faces.rings_of_face(face) {
+            let ring = self.faces.rings().list(ring);
+            for (i, &from) in ring.iter().enumerate() {
+                let [a, b] = [from, ring[(i + 1) % ring.len()]].map(|vertex| self.points.place[vertex as usize]);
+                sides.push([a.min(b), a.max(b)]);
+            }
+        }
+        sides.sort_unstable();
+        sides
     }
 
     /// The groups of sound shells that touch, and how many shells are in groups that are too large.
