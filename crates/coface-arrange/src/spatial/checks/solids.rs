@@ -144,7 +144,8 @@ impl Solids<'_> {
         for ring in self.faces.rings_of_face(face) {
             let ring = self.faces.rings().list(ring);
             for (i, &from) in ring.iter().enumerate() {
-                let [a, b] = [from, ring[(i + 1) % ring.len()]].map(|vertex| self.points.place[vertex as usize]);
+                let [a, b] =
+                    [from, ring[(i + 1) % ring.len()]].map(|vertex| self.points.place[vertex as usize]);
                 sides.push([a.min(b), a.max(b)]);
             }
         }
