@@ -64,7 +64,7 @@ pub(crate) struct Common {
 /// Which voxels of a volume are set.
 #[derive(Args, Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct VoxelArguments {
-    /// Of a volume (.npy, NRRD, NIfTI, MetaImage, PGM) take the voxels of T and above, instead of all that are not 0; of points and graphs (--rips, --cech, --flag) the simplices
+    /// Of a volume (.npy, NRRD, NIfTI, MetaImage, PGM, PNG) take the voxels of T and above, instead of all that are not 0; of points and graphs (--rips, --cech, --flag) the simplices
     /// up to the diameter, radius or value T
     #[arg(long, value_name = "T", global = true, help_heading = "Volumes", allow_negative_numbers = true,
           value_parser = number, conflicts_with_all = ["below", "between", "value"])]

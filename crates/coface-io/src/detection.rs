@@ -96,6 +96,7 @@ impl Format {
             Self::Nifti => certain_if(volume::is_nifti(start)),
             Self::MetaImage => certain_if(volume::is_metaimage(start)),
             Self::Pgm => certain_if(volume::is_pgm(start)),
+            Self::Png => certain_if(start.starts_with(volume::PNG_MAGIC)),
             Self::VtkGrid | Self::VtkPolygons => match vtk_xml_kind(start) {
                 Some(b"PolyData") => certain_if(self == Self::VtkPolygons),
                 Some(b"UnstructuredGrid") => certain_if(self == Self::VtkGrid),

@@ -15,7 +15,7 @@ pub(crate) fn without_xml(format: &str) -> Error {
 }
 
 /// The error about a file of a format that needs a feature.
-#[cfg(not(all(feature = "gltf", feature = "archives")))]
+#[cfg(not(all(feature = "gltf", feature = "archives", feature = "images")))]
 pub(crate) fn without_feature(format: &str, feature: &str) -> Error {
     use coface_algebra::ErrorKind;
     Error::new(ErrorKind::UnsupportedFormat, format!("this build of coface does not read {format}"))

@@ -57,6 +57,8 @@ pub enum Format {
     MetaImage,
     /// Grey images of Netpbm: arrays of pixels, read only.
     Pgm,
+    /// Images as PNG: arrays of pixels, read only.
+    Png,
     /// glTF and GLB: placed meshes, read only.
     Gltf,
     /// 3MF: placed meshes, read only.
@@ -75,7 +77,7 @@ pub enum Format {
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 31] = [
+    pub const ALL: [Self; 32] = [
         Self::Off,
         Self::Obj,
         Self::Ply,
@@ -100,6 +102,7 @@ impl Format {
         Self::Nifti,
         Self::MetaImage,
         Self::Pgm,
+        Self::Png,
         Self::Gltf,
         Self::ThreeMf,
         Self::Collada,
@@ -172,6 +175,7 @@ impl Format {
             Self::Nifti => &["nii", "nii.gz", "hdr", "img"],
             Self::MetaImage => &["mha", "mhd"],
             Self::Pgm => &["pgm"],
+            Self::Png => &["png"],
             Self::Gltf => &["gltf", "glb"],
             Self::ThreeMf => &["3mf"],
             Self::Collada => &["dae"],
@@ -215,6 +219,7 @@ impl Format {
             Self::Nifti => "NIfTI",
             Self::MetaImage => "MetaImage",
             Self::Pgm => "PGM image",
+            Self::Png => "PNG image",
             Self::Gltf => "glTF",
             Self::ThreeMf => "3MF",
             Self::Collada => "COLLADA",
@@ -320,7 +325,7 @@ impl Format {
     /// assert!(Format::Nifti.is_volume() && !Format::Vtk.is_volume());
     /// ```
     pub const fn is_volume(self) -> bool {
-        matches!(self, Self::Npy | Self::Nrrd | Self::Nifti | Self::MetaImage | Self::Pgm)
+        matches!(self, Self::Npy | Self::Nrrd | Self::Nifti | Self::MetaImage | Self::Pgm | Self::Png)
     }
 
     /// Whether models are only read in this format, not written.
@@ -344,6 +349,7 @@ impl Format {
                 | Self::Nifti
                 | Self::MetaImage
                 | Self::Pgm
+                | Self::Png
         )
     }
 

@@ -8,6 +8,7 @@
 //! * `xml` (default): SVG, VTK XML and COLLADA are read. The first two are written without it.
 //! * `compression` (default): compressed files of all formats and compressed arrays of VTK XML are read.
 //! * `gltf` (default): glTF and GLB are read.
+//! * `images` (default): images as PNG are read.
 //! * `archives` (default): 3MF is read.
 //!
 //! A reader that a build leaves out refuses its files and names the feature.

@@ -700,7 +700,7 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
             )
             .with_cure("write a mesh format or JSON")),
         },
-        Format::Nrrd | Format::Nifti | Format::MetaImage | Format::Pgm => {
+        Format::Nrrd | Format::Nifti | Format::MetaImage | Format::Pgm | Format::Png => {
             Err(Error::new(ErrorKind::UnsupportedFormat, format!("{} is read, not written", format.title()))
                 .with_cure("write a volume as .npy"))
         }
@@ -976,7 +976,12 @@ fn read_mesh(
         Format::TetGen => tetgen::read_beside(input, path, companions.as_ref())?,
         Format::Points => points_text::read(input)?,
         Format::CityJson => cityjson::read_with(input, options)?,
-        Format::Npy | Format::Nrrd | Format::Nifti | Format::MetaImage | Format::Pgm => {
+        Format::Npy
+        | Format::Nrrd
+        | Format::Nifti
+        | Format::MetaImage
+        | Format::Pgm
+        | Format::Png => {
             volume_model(VolumeStream::new(input, format)?, options, format)?
         }
     })

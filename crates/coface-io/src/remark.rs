@@ -291,6 +291,8 @@ pub enum RemarkCode {
     PointsRounded,
     /// Integers that no double is equal to were rounded.
     NumbersRounded,
+    /// Pixels of an image have colors, and were taken as numbers.
+    ColorsAsNumbers,
     /// Features that were nearly one were put together: within the tolerance asked for, or to make rounded coordinates valid.
     FeaturesJoined,
     /// Congruence was asked for without a tolerance; one was taken from the extent of the inputs.

@@ -40,20 +40,18 @@ pub fn read(_input: impl Read) -> Result<Model, Error> {
 mod reading {
     use crate::Model;
     use crate::scene::{LooseMesh, Placement, Scene};
+    use crate::unpacking::most_unpacked;
     use crate::xml_text::{document, numbers};
     use coface_algebra::{Error, ErrorKind};
     use roxmltree::Node;
     use std::collections::BTreeMap;
     use std::io::{Cursor, Read};
 
-    /// Beyond this size all parts together may be `RATIO` times as large as the archive: parts may share their bytes in it.
-    const FREE: u64 = 1 << 26;
-    const RATIO: u64 = 1100;
-
     pub(super) fn read(mut input: impl Read) -> Result<Model, Error> {
         let mut bytes = Vec::new();
         input.read_to_end(&mut bytes)?;
-        let mut left = FREE.max((bytes.len() as u64).saturating_mul(RATIO));
+        // Of all parts together: parts may share their bytes in the archive.
+        let mut left = most_unpacked(bytes.len() as u64);
         let damaged = |error: zip::result::ZipError| {
             Error::parse(format!("the ZIP archive is damaged: {error}")).with_cure("write it again")
         };

@@ -50,6 +50,11 @@ impl Packing {
 const FREE: u64 = 1 << 26;
 const RATIO: u64 = 1100;
 
+/// The most bytes that so many packed ones are taken to hold.
+pub(crate) fn most_unpacked(packed: u64) -> u64 {
+    FREE.max(packed.saturating_mul(RATIO))
+}
+
 /// The bytes of a compressed stream. It fails where they are far more than any model compresses to.
 ///
 /// # Errors
@@ -89,7 +94,7 @@ impl Read for Unpacked<'_> {
             )
         })?;
         self.given += count as u64;
-        if self.given > FREE.max(self.taken.get().saturating_mul(RATIO)) {
+        if self.given > most_unpacked(self.taken.get()) {
             let message =
                 "the file is more than 1,100 times as large as its compressed form; unpack it first";
             return Err(io::Error::new(io::ErrorKind::InvalidData, message));

@@ -141,6 +141,7 @@ fn dense_files() -> Vec<(Format, &'static str, Vec<u8>)> {
     let mha = "NDims = 3\nDimSize = 60 60 60\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
     add(Format::MetaImage, "bytes", [mha.as_bytes(), &vec![1; 216_000]].concat());
     add(Format::Pgm, "bytes", [&b"P5 600 360 255\n"[..], &vec![1; 216_000]].concat());
+    add(Format::Png, "noise", noise_image());
     let inp = format!(
         "*NODE\n{}*ELEMENT, TYPE=S3\n{}",
         (1..=n).map(|i| format!("{i},0,0\n")).collect::<String>(),
@@ -176,7 +177,7 @@ fn dense_files() -> Vec<(Format, &'static str, Vec<u8>)> {
 }
 
 /// The most bytes of memory for each byte of a file, by format. `docs/limits.md` has the same.
-const BOUNDS: [(Format, usize); 22] = [
+const BOUNDS: [(Format, usize); 23] = [
     (Format::Off, 16),
     (Format::Obj, 12),
     (Format::Ply, 20),
@@ -196,6 +197,7 @@ const BOUNDS: [(Format, usize); 22] = [
     (Format::Nrrd, 4),
     (Format::MetaImage, 4),
     (Format::Pgm, 4),
+    (Format::Png, 4),
     (Format::Abaqus, 10),
     (Format::Gltf, 24),
     (Format::Isosig, 4),
@@ -216,6 +218,22 @@ fn readers_take_so_much_a_byte() {
         assert!(read.is_ok(), "{} {what}: {read:?}", format.name());
     }
     assert!(faults.is_empty(), "{faults}");
+}
+
+/// Pixels that cannot be packed.
+fn noise_image() -> Vec<u8> {
+    let mut state = 1u32;
+    let pixels: Vec<u8> = std::iter::repeat_with(|| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 24) as u8
+    })
+    .take(216_000)
+    .collect();
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, 600, 360);
+    encoder.set_color(png::ColorType::Grayscale);
+    encoder.write_header().unwrap().write_image_data(&pixels).unwrap();
+    bytes
 }
 
 /// Files of a few lines that claim to be huge.

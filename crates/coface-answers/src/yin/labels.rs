@@ -3,7 +3,7 @@
 use super::{NamedSet, PlanarSet};
 use coface_algebra::{Error, ErrorKind};
 use coface_arrange::boolean::InsideRule;
-use coface_io::{Format, NumberTable, VolumeStream};
+use coface_io::{Format, NumberTable, Remark, VolumeStream};
 use coface_yin::YinSet;
 use std::collections::BTreeMap;
 
@@ -18,7 +18,8 @@ const MOST_PIXELS: usize = 1 << 28;
 /// Two pixels with the label 7 above one of them with the label 3.
 /// ```
 /// use coface_answers::LabelImage;
-/// let image = LabelImage::read_pgm(b"P2 2 2 9\n7 7\n0 3\n")?;
+/// use coface_io::Format;
+/// let (image, _) = LabelImage::read(b"P2 2 2 9\n7 7\n0 3\n", Format::Pgm)?;
 /// let sets = image.sets()?;
 /// assert_eq!(sets.iter().map(|one| one.name.as_str()).collect::<Vec<_>>(), ["3", "7"]);
 /// assert_eq!(sets[1].set.bounding_box(), Some([[0.0, 1.0], [2.0, 2.0]]));
@@ -51,26 +52,33 @@ impl LabelImage {
         Ok(Self { width, labels })
     }
 
-    /// Reads a gray map of Netpbm, `P2` or `P5`; gray values are labels.
+    /// Reads an image, [`Format::Pgm`] or [`Format::Png`]; its numbers are labels. Gives remarks too: where pixels have colors, what was taken
+    /// as their numbers.
     ///
     /// # Errors
-    /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) for another format, a damaged header and missing numbers.
+    /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) for a damaged header and missing numbers;
+    /// [`ErrorKind::UnsupportedFormat`] for another format; [`ErrorKind::TooLarge`] beyond 2^28 pixels.
     ///
     /// # Complexity
     /// Linear.
     ///
     /// # References
-    /// The Netpbm manual, *PGM format specification*.
+    /// The Netpbm manual, *PGM format specification*; W3C, *Portable Network Graphics (PNG) Specification*.
     ///
     /// # Examples
     /// ```
     /// use coface_answers::LabelImage;
+    /// use coface_io::Format;
     /// let text = b"P5 # three pixels of a byte\n3 1 255\n\x01\x02\x02";
-    /// assert_eq!(LabelImage::read_pgm(text)?, LabelImage::new(3, vec![1, 2, 2])?);
+    /// assert_eq!(LabelImage::read(text, Format::Pgm)?.0, LabelImage::new(3, vec![1, 2, 2])?);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn read_pgm(bytes: &[u8]) -> Result<Self, Error> {
-        let image = VolumeStream::new(bytes, Format::Pgm)?;
+    pub fn read(bytes: &[u8], format: Format) -> Result<(Self, Vec<Remark>), Error> {
+        if !matches!(format, Format::Pgm | Format::Png) {
+            let message = format!("{} is no format of images of labels", format.title());
+            return Err(Error::new(ErrorKind::UnsupportedFormat, message).with_cure("give a .pgm or .png"));
+        }
+        let image = VolumeStream::new(bytes, format)?;
         let width = image.shape()[0] as usize;
         let count = image.shape().iter().map(|&length| length as usize).product::<usize>();
         if count > MOST_PIXELS {
@@ -80,8 +88,8 @@ impl LabelImage {
             )
             .with_cure("give a smaller one"));
         }
-        let (numbers, _) = image.numbers()?;
-        Self::new(width, numbers.into_iter().map(|number| number as u32).collect())
+        let (numbers, remarks) = image.numbers()?;
+        Ok((Self::new(width, numbers.into_iter().map(|number| number as u32).collect())?, remarks))
     }
 
     /// The image of a table of labels, its first row the highest.
@@ -93,7 +101,7 @@ impl LabelImage {
     /// # Examples
     /// ```
     /// use coface_answers::LabelImage;
-    /// use coface_io::{Format, NumberTable, VolumeStream};
+    /// use coface_io::{Format, NumberTable, Remark, VolumeStream};
     /// let table = NumberTable::from_rows([[1.0, 1.0], [0.0, 2.0]]);
     /// assert_eq!(LabelImage::of_table(&table)?, LabelImage::new(2, vec![1, 1, 0, 2])?);
     /// assert!(LabelImage::of_table(&NumberTable::from_rows([[0.5]])).is_err());

@@ -33,7 +33,7 @@ use std::path::{Path, PathBuf};
 ///
 /// The model grows by sublevel sets of a function on vertices (each cell enters with its highest vertex), or by values
 /// given for cells; points, with --rips, --alpha or
-/// --cech, as balls around them meet; a weighted graph, with --flag, by its edges; a volume (.npy, NRRD, NIfTI, MetaImage, PGM) by its grey values: each class has the
+/// --cech, as balls around them meet; a weighted graph, with --flag, by its edges; a volume (.npy, NRRD, NIfTI, MetaImage, PGM, PNG) by its grey values: each class has the
 /// voxels whose values its birth and death are. A volume whose voxels are chosen (--threshold, --below, --between, --value), or that
 /// has a --function, is the model of its set voxels. Without --function the function is the last coordinate, the height; without positions it is the
 /// vertex number. Pairs of persistence 0 are left out unless --min-persistence says otherwise.
@@ -187,7 +187,7 @@ impl Persistence {
         }
         if let Some(option) = self.image.given() {
             return Err(Failure::new(format!(
-                "{}: {option} is for the values of a volume; give a volume (.npy, NRRD, NIfTI, MetaImage, PGM) without a function and without a choice of voxels",
+                "{}: {option} is for the values of a volume; give a volume (.npy, NRRD, NIfTI, MetaImage, PGM, PNG) without a function and without a choice of voxels",
                 input::name(&self.input)
             )));
         }

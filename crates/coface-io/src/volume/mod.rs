@@ -1,4 +1,4 @@
-//! Arrays of numbers whose voxels are set by a rule: NumPy `.npy`, NRRD, NIfTI-1 and -2, MetaImage, and grey images as PGM.
+//! Arrays of numbers whose voxels are set by a rule: NumPy `.npy`, NRRD, NIfTI-1 and -2, MetaImage, and images as PGM and PNG.
 //!
 //! # Words
 //! * A **volume file** is a header and numbers of one type, raw, compressed or as text. Its **axes** are numbered as the file does: those of a
@@ -14,6 +14,8 @@ mod npy;
 mod nrrd;
 mod numbers;
 mod pgm;
+#[cfg(feature = "images")]
+mod png;
 mod rule;
 mod stream;
 #[cfg(test)]
@@ -25,6 +27,8 @@ pub use npy::write as write_npy;
 pub(super) use npy::{MAGIC as NPY_MAGIC, write_header as write_npy_header};
 pub(super) use nrrd::MAGIC as NRRD_MAGIC;
 pub(super) use pgm::is_pgm;
+/// The first bytes of an image as PNG.
+pub(super) const PNG_MAGIC: &[u8] = b"\x89PNG\r\n\x1a\n";
 pub use rule::{VolumeReading, VoxelRule};
 pub use stream::VolumeStream;
 pub(super) use stream::header_path;

@@ -44,6 +44,8 @@ pub struct VolumeStream<'r> {
     /// The file of the numbers.
     name: Option<String>,
     files: Vec<PathBuf>,
+    /// What was assumed of the numbers.
+    remarks: Vec<Remark>,
 }
 
 impl std::fmt::Debug for VolumeStream<'_> {
@@ -83,10 +85,10 @@ impl VolumeStream<'static> {
         let file = open(path)?;
         let size = file.metadata().ok().filter(|metadata| metadata.is_file()).map(|metadata| metadata.len());
         let file = reading(&name_of(path), file, size.unwrap_or(0));
-        let (header, input, first_byte) = begin(Box::new(BufReader::with_capacity(1 << 18, file)), format)?;
-        let Some(data_file) = header.data_file.clone() else {
-            let left = first_byte.and_then(|first| size?.checked_sub(first));
-            return Self::positioned(header, input, left, first_byte, None);
+        let begun = begin(Box::new(BufReader::with_capacity(1 << 18, file)), format)?;
+        let Some(data_file) = begun.header.data_file.clone() else {
+            let left = begun.first_byte.and_then(|first| size?.checked_sub(first));
+            return Self::positioned(begun, left, None);
         };
         let data_file = match format {
             Format::Nifti => image_path(path).file_name().map(PathBuf::from).unwrap_or_default(),
@@ -104,11 +106,13 @@ impl VolumeStream<'static> {
         let input = BufReader::with_capacity(1 << 18, std::io::Cursor::new(start).chain(file));
         if is_packed {
             let unpacked = Box::new(BufReader::with_capacity(1 << 18, gunzipped(input)?));
-            let mut stream = Self::positioned(header, unpacked, None, None, Some(name))?;
+            let begun = Begun { input: unpacked, first_byte: None, ..begun };
+            let mut stream = Self::positioned(begun, None, Some(name))?;
             stream.files.push(data_path);
             return Ok(stream);
         }
-        let mut stream = Self::positioned(header, Box::new(input), size, Some(0), Some(name))?;
+        let begun = Begun { input: Box::new(input), first_byte: Some(0), ..begun };
+        let mut stream = Self::positioned(begun, size, Some(name))?;
         stream.files.push(data_path);
         Ok(stream)
     }
@@ -129,8 +133,8 @@ impl<'r> VolumeStream<'r> {
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn new(input: impl Read + 'r, format: Format) -> Result<Self, Error> {
-        let (header, input, first_byte) = begin(Box::new(input), format)?;
-        if let Some(file) = &header.data_file {
+        let begun = begin(Box::new(input), format)?;
+        if let Some(file) = &begun.header.data_file {
             let what = if file.as_os_str().is_empty() {
                 "an .img file".to_owned()
             } else {
@@ -139,17 +143,16 @@ impl<'r> VolumeStream<'r> {
             return Err(Error::invalid(format!("the numbers are in {what}, not behind the header"))
                 .with_cure("give the path of the header, beside which the other file lies"));
         }
-        Self::positioned(header, input, None, first_byte, None)
+        Self::positioned(begun, None, None)
     }
 
     /// The same, once what comes before the numbers is skipped.
     fn positioned(
-        header: VolumeHeader,
-        mut input: Box<dyn Read + 'r>,
+        begun: Begun<'r>,
         mut size: Option<u64>,
-        mut first_byte: Option<u64>,
         name: Option<String>,
     ) -> Result<Self, Error> {
+        let Begun { header, mut input, mut first_byte, remarks } = begun;
         let in_data = |error: Error| match &name {
             Some(name) => error.in_file(name.clone()),
             None => error,
@@ -197,7 +200,7 @@ impl<'r> VolumeStream<'r> {
                 .with_cure("the file is cut short or its header damaged: copy or write it again"),
             ));
         }
-        Ok(Self { header, input, first_byte, name, files: Vec::new() })
+        Ok(Self { header, input, first_byte, name, files: Vec::new(), remarks })
     }
 
     /// The number of voxels along each axis of the file.
@@ -381,12 +384,12 @@ impl<'r> VolumeStream<'r> {
                 break;
             }
         }
-        Ok(if numbers.goes_on()? {
+        let mut remarks = self.remarks;
+        if numbers.goes_on()? {
             let message = format!("the file goes on behind the {total} numbers of shape {shape:?}");
-            vec![Remark::new(RemarkCode::TrailingContent, message)]
-        } else {
-            Vec::new()
-        })
+            remarks.push(Remark::new(RemarkCode::TrailingContent, message));
+        }
+        Ok(remarks)
     }
 
     /// Reads the whole volume: its axes are those of the file. Gives remarks too.
@@ -609,12 +612,18 @@ impl Numbers<'_> {
     }
 }
 
-/// Reads the header; gives what comes behind it, and at which byte of the file that is.
-#[expect(clippy::type_complexity, reason = "used twice here")]
-fn begin<'r>(
-    mut input: Box<dyn Read + 'r>,
-    format: Format,
-) -> Result<(VolumeHeader, Box<dyn Read + 'r>, Option<u64>), Error> {
+/// A file whose header has been read.
+struct Begun<'r> {
+    header: VolumeHeader,
+    /// What comes behind it.
+    input: Box<dyn Read + 'r>,
+    /// At which byte of the file that is; `None` for what is unpacked.
+    first_byte: Option<u64>,
+    remarks: Vec<Remark>,
+}
+
+/// Reads the header.
+fn begin<'r>(mut input: Box<dyn Read + 'r>, format: Format) -> Result<Begun<'r>, Error> {
     let mut is_packed = false;
     if format == Format::Nifti {
         let start = up_to(&mut input, 2)?;
@@ -629,6 +638,7 @@ fn begin<'r>(
         Format::Nrrd => nrrd::read_header(&mut input)?,
         Format::MetaImage => metaimage::read_header(&mut input)?,
         Format::Pgm => pgm::read_header(&mut input)?,
+        Format::Png => return begin_png(&mut input),
         Format::Nifti => {
             let (mut header, is_single) = nifti::read_header(&mut input)?;
             if !is_single {
@@ -641,11 +651,22 @@ fn begin<'r>(
                 ErrorKind::UnsupportedFormat,
                 format!("{} holds no volume", format.title()),
             )
-            .with_cure("give a volume as .npy, NRRD, NIfTI, MetaImage or PGM"));
+            .with_cure("give a volume as .npy, NRRD, NIfTI, MetaImage, PGM or PNG"));
         }
     };
     let first_byte = (!is_packed).then_some(header.length);
-    Ok((header, input, first_byte))
+    Ok(Begun { header, input, first_byte, remarks: Vec::new() })
+}
+
+#[cfg(feature = "images")]
+fn begin_png<'r>(input: &mut impl Read) -> Result<Begun<'r>, Error> {
+    let image = super::png::read(input)?;
+    Ok(Begun { header: image.header, input: Box::new(image.numbers), first_byte: None, remarks: image.remarks })
+}
+
+#[cfg(not(feature = "images"))]
+fn begin_png<'r>(_input: &mut impl Read) -> Result<Begun<'r>, Error> {
+    Err(crate::features::without_feature("PNG", "images"))
 }
 
 fn skip_lines(input: &mut impl Read, lines: u64) -> Result<u64, Error> {

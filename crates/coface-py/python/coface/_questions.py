@@ -1651,7 +1651,7 @@ def cubical(
     Parameters
     ----------
     x
-        An array of numbers with one to four axes, or a file: ``.npy``, NRRD, NIfTI, MetaImage or PGM. A voxel that is NaN never enters, and neither does one at
+        An array of numbers with one to four axes, or a file: ``.npy``, NRRD, NIfTI, MetaImage, PGM or PNG. A voxel that is NaN never enters, and neither does one at
         infinity.
     construction
         ``"t"``: voxels are top cells, as ``top_dimensional_cells`` of gudhi and ``tcripser``; ``"v"``: voxels are vertices, as ``vertices`` of gudhi
@@ -1691,7 +1691,7 @@ def cubical(
     if isinstance(x, (str, os.PathLike)):
         values = _coface._values_of_volume(x)
         if values is None:
-            raise_invalid(f"{os.fspath(x)!r} is no volume", "give an array, or a file of the format .npy, NRRD, NIfTI, MetaImage or PGM")
+            raise_invalid(f"{os.fspath(x)!r} is no volume", "give an array, or a file of the format .npy, NRRD, NIfTI, MetaImage, PGM or PNG")
         x = values
     x = np.asarray(plain(x))
     if x.dtype != np.float32:

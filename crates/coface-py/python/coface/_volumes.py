@@ -31,7 +31,7 @@ def volume(
     Parameters
     ----------
     x : array_like or path
-        An array of numbers or truth values with 1 to 8 axes; or a file: ``.npy``, NRRD, NIfTI, MetaImage or PGM.
+        An array of numbers or truth values with 1 to 8 axes; or a file: ``.npy``, NRRD, NIfTI, MetaImage, PGM or PNG.
     threshold : float, optional
         Set voxels of this number and above. Without any rule those not 0 are set; NaN never is.
     below : float, optional

@@ -58,7 +58,7 @@ impl ImageArguments {
             let mask = input::read(path, common.reading(), progress)?;
             let Some(Structure::Volume(volume)) = mask.model.structure() else {
                 return Err(Failure::new(format!(
-                    "{mask_name}: is no volume of voxels; give a mask as .npy, NRRD, NIfTI, MetaImage or PGM"
+                    "{mask_name}: is no volume of voxels; give a mask as .npy, NRRD, NIfTI, MetaImage, PGM or PNG"
                 )));
             };
             image = image.mask(volume).map_err(|error| error.in_file(mask_name))?;

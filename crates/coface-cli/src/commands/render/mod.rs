@@ -410,7 +410,7 @@ impl Render {
     }
 
     /// The grey values of an image, if the input is a volume of two axes: of an array the first axis goes down and the second to the right, of other
-    /// formats the first to the right and the second up, in PGM down.
+    /// formats the first to the right and the second up, in PGM and PNG down.
     fn image(
         &self,
         source: &Source<'_>,
@@ -423,7 +423,7 @@ impl Render {
         let shape = [first as usize, second as usize];
         let is_first_fastest = stream.fastest_axis() == 0;
         let format = format_of(source, common);
-        let (is_array, goes_down) = (format == Some(Format::Npy), format == Some(Format::Pgm));
+        let (is_array, goes_down) = (format == Some(Format::Npy), matches!(format, Some(Format::Pgm | Format::Png)));
         let (numbers, said) = stream.numbers().map_err(|error| error.in_file(name.clone()))?;
         take(&name, &said);
         let at =

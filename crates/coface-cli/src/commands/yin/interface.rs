@@ -22,7 +22,7 @@ const LISTED: usize = 20;
 /// The interface of sets that lie side by side: its arcs, junctions and phases, with areas, lengths and neighbors.
 ///
 /// Each file is a phase; a single file of polygons (GeoJSON, WKT, ..) gives one for each feature, and an image
-/// of labels (.pgm, or .npy of two axes) one for each value but 0, its pixels as unit squares from the lower left corner. The .json that this
+/// of labels (.pgm, .png, or .npy of two axes) one for each value but 0, its pixels as unit squares from the lower left corner. The .json that this
 /// verb or `coface yin advect` has written gives its phases again. What is in no set is in no phase. Sets may
 /// have different knots where they meet, but their common arcs must be the same: what two sets have in common is an error, unless
 /// --overlaps gives it to one of them.
@@ -167,11 +167,15 @@ fn ends_in(path: &Path, word: &str) -> bool {
     path.extension().is_some_and(|own| own.eq_ignore_ascii_case(word))
 }
 
+/// Whether a file is an image of labels.
+fn is_label_image(path: &Path) -> bool {
+    ["pgm", "png", "npy"].iter().any(|word| ends_in(path, word))
+}
+
 impl PhaseOptions {
     /// Whether files are an interface, and not one set.
     pub(super) fn are_phases(&self, inputs: &[PathBuf]) -> Result<bool, Failure> {
-        let is_image = |path: &PathBuf| ends_in(path, "pgm") || ends_in(path, "npy");
-        if inputs.len() > 1 || self.is_asked() || inputs.iter().any(is_image) {
+        if inputs.len() > 1 || self.is_asked() || inputs.iter().any(|path| is_label_image(path)) {
             return Ok(true);
         }
         Ok(given::interface_answer(&inputs[0])?.is_some())
@@ -228,13 +232,18 @@ impl PhaseOptions {
         let mut sets = Vec::new();
         for path in inputs {
             let name = input::name(path);
-            if ends_in(path, "pgm") || ends_in(path, "npy") {
+            if is_label_image(path) {
                 progress.stage(format!("reading {name}"));
                 let image = match ends_in(path, "npy") {
                     true => NumberTable::read_path(path).and_then(|table| LabelImage::of_table(&table)),
-                    false => std::fs::read(path)
-                        .map_err(coface::Error::from)
-                        .and_then(|bytes| LabelImage::read_pgm(&bytes)),
+                    false => {
+                        let format = if ends_in(path, "png") { Format::Png } else { Format::Pgm };
+                        let read = std::fs::read(path).map_err(coface::Error::from);
+                        read.and_then(|bytes| LabelImage::read(&bytes, format)).map(|(image, said)| {
+                            take(&name, &said);
+                            image
+                        })
+                    }
                 };
                 let found = image.and_then(|image| image.sets());
                 sets.extend(found.map_err(|error| error.in_file(name.clone()))?);
