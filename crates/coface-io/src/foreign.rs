@@ -7,7 +7,7 @@ const UNPACK: &str = "unpack it first";
 type Known = (&'static str, &'static str);
 
 /// Beginnings of files.
-const MARKS: [(&[u8], &str, &str); 47] = [
+const MARKS: [(&[u8], &str, &str); 46] = [
     (b"\x1f\x8b", "compressed by gzip", UNPACK),
     (b"PK\x03\x04", "a ZIP archive", UNPACK),
     (b"BZh", "compressed by bzip2", UNPACK),
@@ -46,7 +46,6 @@ const MARKS: [(&[u8], &str, &str); 47] = [
     (b"SQLite format 3", "SQLite, as GeoPackage files are", "convert it to GeoJSON first"),
     (b"fgb\x03", "FlatGeobuf", "convert it to GeoJSON first"),
     (b"\0\0\x27\x0a", "an ESRI shapefile", "convert it to GeoJSON first"),
-    (b"\x89PNG", "a PNG picture", CONVERT),
     (b"\xff\xd8\xff", "a JPEG picture", CONVERT),
     (b"GIF8", "a GIF picture", CONVERT),
     (b"II*\0", "a TIFF picture", CONVERT),

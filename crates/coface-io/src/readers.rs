@@ -700,7 +700,11 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
             )
             .with_cure("write a mesh format or JSON")),
         },
-        Format::Nrrd | Format::Nifti | Format::MetaImage | Format::Pgm | Format::Png => {
+        Format::Png => {
+            Err(Error::new(ErrorKind::UnsupportedFormat, "a PNG image is read as a volume, and not written")
+                .with_cure("draw the model by coface render INPUT -o OUT.png; a volume is written as .npy"))
+        }
+        Format::Nrrd | Format::Nifti | Format::MetaImage | Format::Pgm => {
             Err(Error::new(ErrorKind::UnsupportedFormat, format!("{} is read, not written", format.title()))
                 .with_cure("write a volume as .npy"))
         }
@@ -976,12 +980,7 @@ fn read_mesh(
         Format::TetGen => tetgen::read_beside(input, path, companions.as_ref())?,
         Format::Points => points_text::read(input)?,
         Format::CityJson => cityjson::read_with(input, options)?,
-        Format::Npy
-        | Format::Nrrd
-        | Format::Nifti
-        | Format::MetaImage
-        | Format::Pgm
-        | Format::Png => {
+        Format::Npy | Format::Nrrd | Format::Nifti | Format::MetaImage | Format::Pgm | Format::Png => {
             volume_model(VolumeStream::new(input, format)?, options, format)?
         }
     })

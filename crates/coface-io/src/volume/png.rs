@@ -5,7 +5,7 @@ use super::numbers::NumberType;
 use crate::unpacking::most_unpacked;
 use crate::{Remark, RemarkCode};
 use coface_algebra::Error;
-use png::{BitDepth, ColorType, DecodingError, Reader, Transformations};
+use png::{BitDepth, ColorType, DecodingError, Limits, Reader, Transformations};
 use std::io::{Cursor, Read};
 
 /// An image whose header has been read: what it says, its numbers row by row from the highest, and remarks.
@@ -33,14 +33,17 @@ pub(super) fn read(input: &mut impl Read) -> Result<Image, Error> {
     decoder.set_transformations(Transformations::IDENTITY);
     decoder.set_ignore_text_chunk(true);
     decoder.set_ignore_iccp_chunk(true);
-    let reader = decoder.read_info().map_err(|error| damaged(&error))?;
-    let info = reader.info();
-    let shape = shape_of(&[info.width.into(), info.height.into()])?;
-    let size = reader.output_buffer_size().filter(|&size| size as u64 <= most);
-    if size.is_none() {
-        let message = format!("the image says {} by {} pixels, more than its bytes can hold", shape[0], shape[1]);
+    let info = decoder.read_header_info().map_err(|error| damaged(&error))?;
+    let (width, height) = (u64::from(info.width), u64::from(info.height));
+    let row = (u128::from(width) * (info.color_type.samples() * info.bit_depth as usize) as u128).div_ceil(8);
+    if row * u128::from(height) > most.into() {
+        let message = format!("the image says {width} by {height} pixels, more than its bytes can hold");
         return Err(Error::parse(message).with_cure(CURE));
     }
+    decoder.set_limits(Limits { bytes: most as usize });
+    let reader = decoder.read_info().map_err(|error| damaged(&error))?;
+    let info = reader.info();
+    let shape = shape_of(&[width, height])?;
     let palette: Option<&[u8]> = info.palette.as_deref();
     let greys = palette.and_then(grey_palette);
     let remarks = remarks(info.color_type, greys.is_some());
@@ -67,9 +70,9 @@ fn remarks(color: ColorType, is_grey: bool) -> Vec<Remark> {
         ColorType::Rgb | ColorType::Rgba => {
             Some("the image has colors: a pixel is its brightness, 0.299 R + 0.587 G + 0.114 B")
         }
-        ColorType::Indexed if !is_grey => {
-            Some("the image has a palette of colors: a pixel is the place of its color in the palette, from 0")
-        }
+        ColorType::Indexed if !is_grey => Some(
+            "the image has a palette of colors: a pixel is the place of its color in the palette, from 0",
+        ),
         _ => None,
     };
     if let Some(message) = assumed {
@@ -105,7 +108,8 @@ struct Pixel {
 impl Pixel {
     /// Makes one number of each pixel of a row.
     fn numbers(&self, row: &[u8], out: &mut Vec<u8>) {
-        let of_color = |color: &[u32]| (19595 * color[0] + 38470 * color[1] + 7471 * color[2] + (1 << 15)) >> 16;
+        let of_color =
+            |color: &[u32]| (19595 * color[0] + 38470 * color[1] + 7471 * color[2] + (1 << 15)) >> 16;
         let parts = self.color.samples();
         match self.depth {
             BitDepth::Sixteen => {
@@ -201,7 +205,13 @@ mod tests {
     use std::io::Write;
 
     /// An image, as the encoder of the crate writes it.
-    fn image(shape: [u32; 2], color: ColorType, depth: BitDepth, palette: Option<&[u8]>, rows: &[u8]) -> Vec<u8> {
+    fn image(
+        shape: [u32; 2],
+        color: ColorType,
+        depth: BitDepth,
+        palette: Option<&[u8]>,
+        rows: &[u8],
+    ) -> Vec<u8> {
         let mut bytes = Vec::new();
         let mut encoder = png::Encoder::new(&mut bytes, shape[0], shape[1]);
         encoder.set_color(color);
@@ -261,17 +271,29 @@ mod tests {
 
     fn crc(bytes: &[u8]) -> u32 {
         !bytes.iter().fold(u32::MAX, |crc, &byte| {
-            (0..8).fold(crc ^ u32::from(byte), |crc, _| if crc & 1 == 1 { crc >> 1 ^ 0xedb8_8320 } else { crc >> 1 })
+            (0..8).fold(
+                crc ^ u32::from(byte),
+                |crc, _| if crc & 1 == 1 { crc >> 1 ^ 0xedb8_8320 } else { crc >> 1 },
+            )
         })
     }
 
     /// An interlaced image of bytes, by the table of passes in the specification.
     fn interlaced(width: usize, height: usize, values: &[u8]) -> Vec<u8> {
-        let passes = [(0, 0, 8, 8), (4, 0, 8, 8), (0, 4, 4, 8), (2, 0, 4, 4), (0, 2, 2, 4), (1, 0, 2, 2), (0, 1, 1, 2)];
+        let passes = [
+            (0, 0, 8, 8),
+            (4, 0, 8, 8),
+            (0, 4, 4, 8),
+            (2, 0, 4, 4),
+            (0, 2, 2, 4),
+            (1, 0, 2, 2),
+            (0, 1, 1, 2),
+        ];
         let mut packed = ZlibEncoder::new(Vec::new(), flate2::Compression::default());
         for (x, y, dx, dy) in passes {
             for row in (y..height).step_by(dy) {
-                let pixels: Vec<u8> = (x..width).step_by(dx).map(|column| values[row * width + column]).collect();
+                let pixels: Vec<u8> =
+                    (x..width).step_by(dx).map(|column| values[row * width + column]).collect();
                 if !pixels.is_empty() {
                     packed.write_all(&[0]).unwrap();
                     packed.write_all(&pixels).unwrap();

@@ -147,11 +147,7 @@ impl<'r> VolumeStream<'r> {
     }
 
     /// The same, once what comes before the numbers is skipped.
-    fn positioned(
-        begun: Begun<'r>,
-        mut size: Option<u64>,
-        name: Option<String>,
-    ) -> Result<Self, Error> {
+    fn positioned(begun: Begun<'r>, mut size: Option<u64>, name: Option<String>) -> Result<Self, Error> {
         let Begun { header, mut input, mut first_byte, remarks } = begun;
         let in_data = |error: Error| match &name {
             Some(name) => error.in_file(name.clone()),
@@ -661,7 +657,12 @@ fn begin<'r>(mut input: Box<dyn Read + 'r>, format: Format) -> Result<Begun<'r>,
 #[cfg(feature = "images")]
 fn begin_png<'r>(input: &mut impl Read) -> Result<Begun<'r>, Error> {
     let image = super::png::read(input)?;
-    Ok(Begun { header: image.header, input: Box::new(image.numbers), first_byte: None, remarks: image.remarks })
+    Ok(Begun {
+        header: image.header,
+        input: Box::new(image.numbers),
+        first_byte: None,
+        remarks: image.remarks,
+    })
 }
 
 #[cfg(not(feature = "images"))]

@@ -423,7 +423,8 @@ impl Render {
         let shape = [first as usize, second as usize];
         let is_first_fastest = stream.fastest_axis() == 0;
         let format = format_of(source, common);
-        let (is_array, goes_down) = (format == Some(Format::Npy), matches!(format, Some(Format::Pgm | Format::Png)));
+        let (is_array, goes_down) =
+            (format == Some(Format::Npy), matches!(format, Some(Format::Pgm | Format::Png)));
         let (numbers, said) = stream.numbers().map_err(|error| error.in_file(name.clone()))?;
         take(&name, &said);
         let at =

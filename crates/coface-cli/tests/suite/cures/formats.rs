@@ -62,6 +62,10 @@ pub(super) const CASES: &[Case] = &[
         &["coface boolean union square.wkt -o union.wkt"],
         &["coface boolean union square.wkt -o union.wkt", "coface yin info union.wkt -o union.dat"],
     ]),
+    Case::new("io/src/readers.rs", "draw the model by coface render INPUT -o OUT.png")
+        .files(&[("square.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n")])
+        .refused("coface convert square.off -o square.png")
+        .cured(&[&["coface render square.off -o square.png"]]),
     Case::new("commands/generate/mod.rs", "or the surface of it with --boundary")
         .refused("coface generate box -o box.off")
         .cured(&[&["coface generate box --boundary -o box.off"], &["coface generate box -o box.mesh"]]),
