@@ -1,7 +1,8 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 41] = [
+const PHRASES: [(&str, &str); 42] = [
+    ("draw the model by coface render INPUT -o OUT.png", "draw it by coface.render(model, \"png\")"),
     ("read it as an interface", "read it as an interface: coface.Interface.read(path)"),
     ("coface persistence POINTS --rips", "coface.rips(points)"),
     ("leave out --radii, or --weighted", "leave out radii, or weights"),
