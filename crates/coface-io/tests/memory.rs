@@ -232,7 +232,7 @@ fn noise_image() -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, 600, 360);
     encoder.set_color(png::ColorType::Grayscale);
-    encoder.write_header().unwrap().write_image_data(&pixels).unwrap();
+    encoder.write_header().expect("a header").write_image_data(&pixels).expect("all pixels");
     bytes
 }
 
