@@ -94,13 +94,14 @@ PAGE = DOCS / "python.md"
 SNIPPETS = [
     (f"{page.name}-{i}", snippet)
     for page in sorted((DOCS / "book" / "src").glob("*.md"))
-    for i, snippet in enumerate(re.findall(r"^```python\n(.*?)^```$", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE))
+    for i, snippet in enumerate(re.findall(r"^```python(?:,data)?\n(.*?)^```$", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE))
 ]
 
 
 @pytest.mark.parametrize("snippet", [text for _, text in SNIPPETS], ids=[name for name, _ in SNIPPETS])
 def test_the_book_has_python_that_runs(snippet: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
+    (tmp_path / "data").symlink_to(DOCS.parent / "data", target_is_directory=True)
     exec(compile(snippet, "<book>", "exec"), {})
 
 

@@ -186,7 +186,7 @@ fn split(command: &str) -> Vec<String> {
 fn excerpt(said: &str, shown: Option<&str>) -> String {
     let lines: Vec<&str> = said.lines().map(str::trim_end).collect();
     let Some(shown) = shown else { return lines.iter().map(|line| format!("{line}\n")).collect() };
-    if shown == "0" {
+    if shown == "0" || lines.is_empty() {
         return String::new();
     }
     let mut text = String::new();

@@ -32,10 +32,10 @@ fn check_euler(graph: &InterfaceGraph, sets: &[YinSet]) {
     class.sort_unstable();
     class.dedup();
     let phases: usize =
-        graph.phases().iter().map(|&phase| graph.phase_set(phase).unwrap().component_count()).sum();
+        graph.phases().iter().map(|&phase| graph.phase_set(phase).unwrap().component_count().unwrap()).sum();
     let all: Vec<&YinSet> = sets.iter().collect();
     let outside = YinSet::join_all(&all).unwrap().complement().unwrap();
-    let faces = phases + outside.component_count();
+    let faces = phases + outside.component_count().unwrap();
     assert_eq!(count + faces, graph.edge_count() + 1 + class.len());
     // Each end of an edge is at one place around one vertex.
     let ends: usize = (0..count).map(|vertex| graph.edges_at(VertexId::new(vertex)).len()).sum();

@@ -121,7 +121,13 @@ impl YinSet {
         [positive + usize::from(!self.is_bounded()), self.curve_count() - positive]
     }
 
-    /// The number of connected components of the set.
+    /// The number of connected components of the set: parts that touch in points only are different ones.
+    ///
+    /// # Errors
+    /// If the curves cannot be laid over each other.
+    ///
+    /// # Complexity
+    /// That of an overlay of the curves.
     ///
     /// # Examples
     /// A square of side 4 with a square hole of side 1.
@@ -130,15 +136,18 @@ impl YinSet {
     /// let outer = Curve::polyline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]])?;
     /// let hole = Curve::polyline(&[[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0], [1.0, 1.0]])?;
     /// let ring = YinSet::new(&[outer, hole])?;
-    /// assert_eq!(ring.component_count(), 1);
+    /// assert_eq!(ring.component_count()?, 1);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn component_count(&self) -> usize {
-        self.curve_counts()[0]
+    pub fn component_count(&self) -> Result<usize, Error> {
+        Ok(self.betti_open()?[0])
     }
 
     /// Whether the set is connected; the empty set is not.
     ///
+    /// # Errors
+    /// If the curves cannot be laid over each other.
+    ///
     /// # Examples
     /// A square of side 4 with a square hole of side 1.
     /// ```
@@ -146,18 +155,18 @@ impl YinSet {
     /// let outer = Curve::polyline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]])?;
     /// let hole = Curve::polyline(&[[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0], [1.0, 1.0]])?;
     /// let ring = YinSet::new(&[outer, hole])?;
-    /// assert!(ring.is_connected());
+    /// assert!(ring.is_connected()?);
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
-    pub fn is_connected(&self) -> bool {
-        self.component_count() == 1
+    pub fn is_connected(&self) -> Result<bool, Error> {
+        Ok(self.component_count()? == 1)
     }
 
     /// The Betti numbers of degree 0 and 1 of the set, which is open.
     ///
-    /// Let curves of one atom be joined where they touch. Curves that are joined enclose nothing together that they do not enclose
-    /// one by one, so an atom with an outer curve has one independent cycle less than its curves fall into joined classes, and one
-    /// without has as many.
+    /// Let curves of one atom be joined where they touch. What lies outside of an atom is then, up to homotopy, the graph of its curves and
+    /// of the points in which they touch. By Alexander duality an atom with an outer curve has one independent cycle less than the graph has
+    /// components, and one without has as many; and the atom falls into one part more than the graph has independent cycles.
     ///
     /// # Errors
     /// If the curves cannot be laid over each other.
@@ -179,19 +188,21 @@ impl YinSet {
     pub fn betti_open(&self) -> Result<[usize; 2], Error> {
         let atoms = self.atom_of_curves();
         let mut classes = UnionFind::new(self.curve_count());
+        let mut circle_count = 0;
         for curves in self.touching_curves()?.iter() {
             // Curves of several atoms may touch in one point.
             for (at, &curve) in curves.iter().enumerate() {
                 let other =
                     curves[..at].iter().find(|&&other| atoms[other as usize] == atoms[curve as usize]);
                 if let Some(&other) = other {
-                    classes.unite(curve, other);
+                    // Curves that are joined already close a circle in this point.
+                    circle_count += usize::from(!classes.unite(curve, other));
                 }
             }
         }
-        let [components, negative] = self.curve_counts();
+        let [atom_count, negative] = self.curve_counts();
         // Each class but that of an outer curve has an independent cycle.
-        Ok([components, negative + classes.class_count() - self.curve_count()])
+        Ok([atom_count + circle_count, negative + classes.class_count() - self.curve_count()])
     }
 
     /// The Betti numbers of degree 0 and 1 of the closure of the set.
@@ -203,7 +214,7 @@ impl YinSet {
     /// If the curves cannot be laid over each other.
     ///
     /// # Complexity
-    /// That of two overlays of the curves.
+    /// That of some overlays of the curves.
     ///
     /// # Examples
     /// A square of side 4 with a square hole of side 1.
@@ -216,16 +227,16 @@ impl YinSet {
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn betti_closed(&self) -> Result<[usize; 2], Error> {
-        let [components, _] = self.curve_counts();
+        let [atom_count, _] = self.curve_counts();
         let atoms = self.atom_of_curves();
-        let mut classes = UnionFind::new(components);
+        let mut classes = UnionFind::new(atom_count);
         for curves in self.touching_curves()?.iter() {
             curves.windows(2).for_each(|pair| {
                 classes.unite(atoms[pair[0] as usize], atoms[pair[1] as usize]);
             });
         }
         let outside = self.complement()?;
-        let bounded = outside.component_count() - usize::from(!outside.is_bounded());
+        let bounded = outside.component_count()? - usize::from(!outside.is_bounded());
         Ok([classes.class_count(), bounded])
     }
 

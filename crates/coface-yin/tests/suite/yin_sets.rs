@@ -145,6 +145,18 @@ fn betti_numbers_where_curves_touch() {
     // A diamond hole around a square that touches its sides.
     let set = spadjor(2);
     assert_eq!((set.betti_open().unwrap(), set.betti_closed().unwrap()), ([2, 2], [1, 5]));
+    // A diamond whose square hole touches each side: four triangles in a ring.
+    let ring = |points: &[[f64; 2]]| Curve::polyline(&[points, &points[..1]].concat()).unwrap();
+    let diamond = ring(&[[0.0, 2.0], [4.0, -2.0], [8.0, 2.0], [4.0, 6.0]]);
+    let square = ring(&[[2.0, 0.0], [2.0, 4.0], [6.0, 4.0], [6.0, 0.0]]);
+    let set = YinSet::new(&[diamond, square]).unwrap();
+    assert_eq!((set.betti_open().unwrap(), set.betti_closed().unwrap()), ([4, 0], [1, 1]));
+    assert!(!set.is_connected().unwrap());
+    // Four square holes that touch in a ring cut out the square between them.
+    let at = |x: f64, y: f64| ring(&[[x, y], [x, y + 1.0], [x + 1.0, y + 1.0], [x + 1.0, y]]);
+    let around = ring(&[[-9.0, -9.0], [9.0, -9.0], [9.0, 9.0], [-9.0, 9.0]]);
+    let set = YinSet::new(&[around, at(0.0, 0.0), at(1.0, 1.0), at(2.0, 0.0), at(1.0, -1.0)]).unwrap();
+    assert_eq!((set.betti_open().unwrap(), set.betti_closed().unwrap()), ([2, 1], [1, 4]));
     for (set, betti) in [(YinSet::empty(Order::LINEAR), [0, 0]), (YinSet::plane(Order::LINEAR), [1, 0])] {
         assert_eq!((set.betti_open().unwrap(), set.betti_closed().unwrap()), (betti, betti));
         assert_eq!(set.curve_counts(), betti);
@@ -159,7 +171,7 @@ fn atoms_and_depths() {
     assert_eq!(kinds, [(AtomKind::Minus, 2), (AtomKind::Plus, 0)]);
     let own: Vec<Vec<usize>> = atoms.iter().map(|atom| atom.curves().collect()).collect();
     assert_eq!(own, [vec![0, 2], vec![1]]);
-    assert!(!set.is_connected() && spadjor(3).is_connected());
+    assert!(!set.is_connected().unwrap() && spadjor(3).is_connected().unwrap());
     assert!(spadjor(11).forest().parent(1) == Some(0) && spadjor(11).forest().depth(1) == 1);
 }
 
