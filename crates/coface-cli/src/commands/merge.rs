@@ -17,7 +17,7 @@ use std::path::PathBuf;
 
 /// Merge reduced shards, level after level, to the homology of the whole.
 ///
-/// Levels that are merged already, from what stands there, are left as they are. What neighbors found in their common walls is compared. The JSON is
+/// Levels that are merged already, from what stands there, are left as they are. What neighbors found in the cells that they share is compared. The JSON is
 /// that of `coface homology`, with the key "parts" for levels, strata, critical cells and bytes.
 #[derive(Args)]
 pub(crate) struct Merge {

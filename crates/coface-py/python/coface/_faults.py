@@ -49,7 +49,10 @@ def in_words(function: Function) -> Function:
             elif isinstance(fault, OverflowError):
                 kind = OutOfRangeError
             name = function.__qualname__
-            message, cure = f"{name}: {fault}", f"help(coface.{name}) says what it takes"
+            # What modules with a leading underscore define is found in the package itself.
+            is_private = any(part.startswith("_") for part in function.__module__.split("."))
+            module = "coface" if is_private else function.__module__
+            message, cure = f"{name}: {fault}", f"help({module}.{name}) says what it takes"
             raise kind(f"{message}; {cure}", fault=message, cure=cure) from fault
 
     return asked  # type: ignore[return-value]

@@ -31,7 +31,7 @@ pub(super) struct SolidOptions {
     /// What becomes of surfaces that are open: refused with their rim, or their mouths closed with patches of least area
     #[arg(long, value_name = "WHAT", default_value = "refuse")]
     open: Open,
-    /// What becomes of vertices and edges where the result is pinched: told, or split so that what touches comes apart
+    /// What becomes of vertices and edges where the result is pinched: counted, or split so that what touches comes apart
     /// [default: split in files of meshes that keep no cells apart]
     #[arg(long, value_name = "WHAT")]
     pinches: Option<Pinches>,

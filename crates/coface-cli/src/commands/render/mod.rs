@@ -253,7 +253,7 @@ impl Render {
                 None => match self.scene(&source, common, &progress, &mut answer.remarks)? {
                     Drawn::Pane(picture) => self.bytes_of(picture, format)?,
                     Drawn::Scene(scene) => {
-                        let style = self.style(&scene);
+                        let style = self.style(&scene, format_of(&source, common));
                         if let Some((frames, output)) = &spin {
                             answer.bytes = output.write(&scene, &style, *frames)?;
                             return done(answer, common, progress);
@@ -551,7 +551,7 @@ impl Render {
         Ok(format.bytes(&picture, self.size)?)
     }
 
-    fn style(&self, scene: &Scene) -> PictureStyle {
+    fn style(&self, scene: &Scene, format: Option<Format>) -> PictureStyle {
         let mut style = PictureStyle::default();
         style.size = self.size.unwrap_or(SIZE);
         style.is_dark = self.dark;
@@ -564,15 +564,29 @@ impl Render {
             (_, true) => Some(false),
             _ => None,
         };
+        let image = format.filter(|_| scene.dimension() == 2).and_then(image_camera);
         if self.from.is_some() || self.up.is_some() || self.perspective.is_some() {
             let mut camera = if scene.dimension() == 2 { Camera::above() } else { Camera::default() };
             camera.from = self.from.unwrap_or(camera.from);
             camera.up = self.up.unwrap_or(camera.up);
             camera.field_of_view = self.perspective;
             style.camera = Some(camera);
+        } else {
+            style.camera = image;
         }
         style
     }
+}
+
+/// From where the pixels of an image lie as its grey values are drawn: of an array the first axis goes down, of PGM and PNG the second.
+fn image_camera(format: Format) -> Option<Camera> {
+    let mut camera = Camera::above();
+    match format {
+        Format::Npy => camera.up = [-1.0, 0.0, 0.0],
+        Format::Pgm | Format::Png => (camera.from, camera.up) = ([0.0, 0.0, -1.0], [0.0, -1.0, 0.0]),
+        _ => return None,
+    }
+    Some(camera)
 }
 
 /// The first pane whose name has these words.
