@@ -17,7 +17,7 @@ use std::fmt;
 
 /// What one object describes.
 pub(super) enum Content {
-    Facets(RaggedArray),
+    Facets(RaggedArray, Option<PointList>),
     Halfedges {
         next: Vec<u32>,
         twin: Option<Vec<Option<u32>>>,
@@ -118,7 +118,7 @@ impl<'de> Visitor<'de> for Root<'_> {
             choice.add(name, content);
         }
         match (facets.is_empty(), choice.names.is_empty()) {
-            (_, true) => Ok(Document::One(None, Content::Facets(facets))),
+            (_, true) => Ok(Document::One(None, Content::Facets(facets, None))),
             (true, false) => Ok(Document::List(choice)),
             (false, false) => {
                 Err(self
@@ -152,7 +152,7 @@ impl<'de> Visitor<'de> for Element<'_> {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Self::Value, A::Error> {
-        Ok(self.facet.or_list(list)?.map(|facets| (None, Content::Facets(facets))))
+        Ok(self.facet.or_list(list)?.map(|facets| (None, Content::Facets(facets, None))))
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
@@ -209,7 +209,7 @@ fn visit_object<'de, A: MapAccess<'de>>(
     let has_curves = curves.is_some();
     let content = match (facets, next, boundaries, gluings, coboundaries.is_empty()) {
         _ if has_curves => return Err(several(faults)),
-        (Some(facets), None, None, None, true) => Content::Facets(facets),
+        (Some(facets), None, None, None, true) => Content::Facets(facets, points),
         (None, Some(next), None, None, true) => Content::Halfedges { next, twin, outer, points },
         (None, None, Some(matrices), None, true) => Content::Boundaries { matrices, points, pieces, exact },
         (None, None, None, Some(table), true) => Content::Gluings(table),

@@ -20,7 +20,7 @@
 //! * several of these: a list of such objects and lists of facets, or one after the other, such as one a line (JSON lines). [`read`]
 //!   takes the first, and [`read_entry`] the one of a `"name"` or at a place.
 //!
-//! Points under `"vertices"` can stand beside `"boundaries"` too, and beside `"next"`: vertices are the orbits of "twin, then
+//! Points under `"vertices"` can stand beside `"facets"` of up to four vertices, which make a mesh then, beside `"boundaries"`, and beside `"next"`: vertices are the orbits of "twin, then
 //! next", numbered by their smallest halfedges. All matrices together have at
 //! most 2^20 rows and columns, and 16 more for each entry: an index that a file merely names takes no memory.
 //!

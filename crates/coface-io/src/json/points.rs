@@ -25,6 +25,12 @@ impl PointList {
         }
     }
 
+    /// The points as positions; none where the key has another meaning.
+    pub(super) fn into_list(self) -> Option<Positions> {
+        let positions = self.into_positions().ok()?;
+        (!positions.is_empty()).then_some(positions)
+    }
+
     fn fault(&mut self, message: impl FnOnce() -> String) {
         self.fault.get_or_insert_with(|| Error::new(ErrorKind::InvalidInput, message()));
     }

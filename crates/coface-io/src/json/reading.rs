@@ -8,7 +8,8 @@ use crate::yin::{BoundaryDrawing, model_of_drawing};
 use crate::{Model, Remark, RemarkCode, Structure};
 use coface_algebra::SparseMatrix;
 use coface_algebra::chains::{ChainComplex, ChainRefinement};
-use coface_algebra::{Error, ErrorKind};
+use coface_algebra::{Error, ErrorKind, VertexId};
+use coface_complexes::cell_mesh::CellShape;
 use coface_complexes::surface::HalfedgePermutations;
 use coface_geometry::Positions;
 use serde::de::DeserializeSeed;
@@ -81,7 +82,7 @@ pub(crate) fn read_boundary(input: impl Read, name: Option<&str>) -> Result<Boun
     };
     let what = match content {
         Content::Boundary(drawing) => return Ok(drawing),
-        Content::Facets(_) => "a list of facets",
+        Content::Facets(..) => "a list of facets",
         Content::Halfedges { .. } => "permutations of halfedges",
         Content::Boundaries { .. } | Content::Coboundaries { .. } => "a chain complex",
         Content::Gluings(_) => "a gluing table",
@@ -130,7 +131,7 @@ pub fn read_entry(input: impl Read, name: &str) -> Result<Model, Error> {
 fn chosen(document: Document, wanted: &str) -> Result<Content, Error> {
     let choice = match document {
         Document::List(choice) => choice,
-        Document::One(None, Content::Facets(_)) if wanted != "1" => {
+        Document::One(None, Content::Facets(..)) if wanted != "1" => {
             return Err(Error::invalid(format!("there is no entry {wanted}: the file is a list of facets"))
                 .with_cure("leave the entry out"));
         }
@@ -210,7 +211,10 @@ fn located(error: serde_json::Error, fault: Option<Error>) -> Error {
 
 fn to_model(content: Content, tolerance: Option<f64>) -> Result<Model, Error> {
     let structure = match content {
-        Content::Facets(facets) => Structure::Facets(facets),
+        Content::Facets(facets, points) => match points.and_then(PointList::into_list) {
+            Some(positions) => return facets_at(facets, positions),
+            None => Structure::Facets(facets),
+        },
         Content::Halfedges { next, twin, outer, points } => {
             return halfedges(next, twin, outer, positions(points)?);
         }
@@ -293,6 +297,33 @@ fn halfedges(
 
 fn positions(points: Option<PointList>) -> Result<Option<Positions>, Error> {
     points.map(PointList::into_positions).transpose()
+}
+
+/// The mesh of facets on these points, where all have at most four vertices, four in space only; otherwise the points are left out.
+fn facets_at(facets: RaggedArray, positions: Positions) -> Result<Model, Error> {
+    let (count, largest) = (positions.len(), if positions.dimension() == 3 { 4 } else { 3 });
+    let mut of_length: [RaggedArray; 5] = std::array::from_fn(|_| RaggedArray::new());
+    for (place, facet) in facets.iter().enumerate() {
+        if let Some(vertex) = facet.iter().find(|&&vertex| vertex as usize >= count) {
+            let message =
+                format!("facet {place} has the vertex {vertex}, and there are {count} vertices, from 0");
+            return Err(Error::invalid(message).with_cure("give a point for each, or leave the points out"));
+        }
+        if facet.len() > largest {
+            let message = format!(
+                "the positions of {count} vertices are left out: they go with facets of up to {largest} vertices here, and facet {place} has {}",
+                facet.len()
+            );
+            let mut model = Model::from_structure(Structure::Facets(facets));
+            model.remarks.push(Remark::new(RemarkCode::DataLeftOut, message));
+            return Ok(model);
+        }
+        of_length[facet.len()].push(facet);
+    }
+    let [_, points, lines, triangles, tetrahedra] = of_length;
+    let points = points.items().iter().map(|&vertex| VertexId::from_u32(vertex)).collect();
+    let shapes = vec![CellShape::Tetrahedron; tetrahedra.len()];
+    Model::from_parts(count, positions, triangles, (shapes, tetrahedra), lines, points)
 }
 
 /// A chain complex, on positions if there are some.

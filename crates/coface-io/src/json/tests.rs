@@ -1,5 +1,5 @@
 use super::{read, write};
-use crate::{Model, Structure};
+use crate::{Model, RemarkCode, Structure};
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::ChainComplex;
 use coface_complexes::cell_mesh::CellShape;
@@ -32,6 +32,25 @@ fn coboundaries_are_transposed_boundaries() {
     let bare = read(bare.as_bytes()).unwrap();
     assert_eq!(complex(&bare), complex(&model));
     assert_eq!((bare.vertex_count(), bare.positions().dimension()), (0, 0));
+}
+
+#[test]
+fn points_beside_facets_make_a_mesh() {
+    let text =
+        br#"{"facets": [[0, 1, 2], [2, 3], [4]], "vertices": [[0, 0], [1, 0], [0, 1], [3, 1.5], [9, 9]]}"#;
+    let model = read(&text[..]).unwrap();
+    assert_eq!((model.polygons().len(), model.lines().len(), model.points().len()), (1, 1, 1));
+    assert_eq!((model.vertex_count(), model.positions().as_flat()[7], model.remarks().len()), (5, 1.5, 0));
+    let solid = br#"{"vertices": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], "facets": [[0,1,2,3]]}"#;
+    assert_eq!(read(&solid[..]).unwrap().cells().len(), 1);
+    // A tetrahedron in the plane is none; and a count is no list of points.
+    let flat = read(&br#"{"vertices": [[0,0],[1,0],[0,1],[1,1]], "facets": [[0,1,2,3]]}"#[..]).unwrap();
+    assert_eq!(flat.remarks()[0].code, RemarkCode::DataLeftOut);
+    assert!(matches!(flat.structure(), Some(Structure::Facets(_))));
+    let count = read(&br#"{"vertices": 4, "facets": [[0,1,2,9]]}"#[..]).unwrap();
+    assert!(count.remarks().is_empty() && matches!(count.structure(), Some(Structure::Facets(_))));
+    let error = read(&br#"{"vertices": [[0,0],[1,0],[0,1]], "facets": [[0,1,2],[0,1,3]]}"#[..]).unwrap_err();
+    assert!(error.to_string().contains("facet 1 has the vertex 3, and there are 3 vertices"), "{error}");
 }
 
 #[test]
