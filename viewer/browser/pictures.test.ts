@@ -19,7 +19,7 @@ beforeAll(async () => {
   mkdirSync(file("data"), { recursive: true });
   mkdirSync(file("docs/pictures"), { recursive: true });
   copyFileSync(join(root, "data/spot.obj"), file("data/spot.obj"));
-  copyFileSync(kept("islands.wkt"), file("docs/pictures/islands.wkt"));
+  for (const name of ["islands.wkt", "plan.wkt"]) copyFileSync(kept(name), file(`docs/pictures/${name}`));
   for (const words of commands) if (words[0] !== "render") coface(...words);
   await start();
 });

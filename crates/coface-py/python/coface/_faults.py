@@ -49,9 +49,10 @@ def in_words(function: Function) -> Function:
             elif isinstance(fault, OverflowError):
                 kind = OutOfRangeError
             name = function.__qualname__
-            # What modules with a leading underscore define is found in the package itself.
-            is_private = any(part.startswith("_") for part in function.__module__.split("."))
-            module = "coface" if is_private else function.__module__
+            # What modules with a leading underscore define is found in the package itself; compiled methods name no module.
+            module = getattr(function, "__module__", None) or "coface"
+            if any(part.startswith("_") for part in module.split(".")):
+                module = "coface"
             message, cure = f"{name}: {fault}", f"help({module}.{name}) says what it takes"
             raise kind(f"{message}; {cure}", fault=message, cure=cure) from fault
 
