@@ -8,7 +8,7 @@ use crate::yin::{BoundaryDrawing, model_of_drawing};
 use crate::{Model, Remark, RemarkCode, Structure};
 use coface_algebra::SparseMatrix;
 use coface_algebra::chains::{ChainComplex, ChainRefinement};
-use coface_algebra::{Error, ErrorKind, VertexId};
+use coface_algebra::{Error, ErrorKind, RaggedArray, VertexId};
 use coface_complexes::cell_mesh::CellShape;
 use coface_complexes::surface::HalfedgePermutations;
 use coface_geometry::Positions;
@@ -302,24 +302,26 @@ fn positions(points: Option<PointList>) -> Result<Option<Positions>, Error> {
 /// The mesh of facets on these points, where all have at most four vertices, four in space only; otherwise the points are left out.
 fn facets_at(facets: RaggedArray, positions: Positions) -> Result<Model, Error> {
     let (count, largest) = (positions.len(), if positions.dimension() == 3 { 4 } else { 3 });
-    let mut of_length: [RaggedArray; 5] = std::array::from_fn(|_| RaggedArray::new());
-    for (place, facet) in facets.iter().enumerate() {
-        if let Some(vertex) = facet.iter().find(|&&vertex| vertex as usize >= count) {
-            let message =
-                format!("facet {place} has the vertex {vertex}, and there are {count} vertices, from 0");
-            return Err(Error::invalid(message).with_cure("give a point for each, or leave the points out"));
-        }
-        if facet.len() > largest {
-            let message = format!(
-                "the positions of {count} vertices are left out: they go with facets of up to {largest} vertices here, and facet {place} has {}",
-                facet.len()
-            );
-            let mut model = Model::from_structure(Structure::Facets(facets));
-            model.remarks.push(Remark::new(RemarkCode::DataLeftOut, message));
-            return Ok(model);
-        }
-        of_length[facet.len()].push(facet);
+    let beyond = |facet: &[u32]| facet.iter().copied().find(|&vertex| vertex as usize >= count);
+    if let Some((place, vertex)) =
+        facets.iter().enumerate().find_map(|(place, facet)| Some((place, beyond(facet)?)))
+    {
+        let message =
+            format!("facet {place} has the vertex {vertex}, and there are {count} vertices, from 0");
+        return Err(Error::invalid(message).with_cure("give a point for each, or leave the points out"));
     }
+    let large = facets.iter().position(|facet| facet.len() > largest);
+    if let Some(place) = large {
+        let message = format!(
+            "the positions of {count} vertices are left out: here they go with facets of up to {largest} vertices, and facet {place} has {}",
+            facets.list(place).len()
+        );
+        let mut model = Model::from_structure(Structure::Facets(facets));
+        model.remarks.push(Remark::new(RemarkCode::DataLeftOut, message));
+        return Ok(model);
+    }
+    let mut of_length: [RaggedArray; 5] = std::array::from_fn(|_| RaggedArray::new());
+    facets.iter().for_each(|facet| of_length[facet.len()].push(facet));
     let [_, points, lines, triangles, tetrahedra] = of_length;
     let points = points.items().iter().map(|&vertex| VertexId::from_u32(vertex)).collect();
     let shapes = vec![CellShape::Tetrahedron; tetrahedra.len()];
