@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import pickle
+import struct
+import zlib
 from pathlib import Path
 from typing import Any
 
@@ -44,6 +46,31 @@ def test_rules_and_files_agree(tmp_path: Path) -> None:
             assert np.array_equal(of_array.voxels[0], of_file.voxels[0])
             assert not of_array.voxels[0][2, 3, 4]
     assert np.array_equal(coface.as_model(array > 0).voxels[0], array > 0)  # type: ignore[index]
+
+
+def _png(pixels: np.ndarray) -> bytes:
+    """An image of bytes, by the specification."""
+
+    def chunk(name: bytes, content: bytes) -> bytes:
+        return struct.pack(">I", len(content)) + name + content + struct.pack(">I", zlib.crc32(name + content))
+
+    rows = b"".join(b"\0" + row.tobytes() for row in pixels)
+    header = struct.pack(">IIBBBBB", pixels.shape[1], pixels.shape[0], 8, 0, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
+
+
+def test_images_are_volumes_and_diagrams_do_not_depend_on_their_format(tmp_path: Path) -> None:
+    pixels = RNG.integers(0, 256, (9, 13)).astype(np.uint8)
+    (tmp_path / "x.png").write_bytes(_png(pixels))
+    voxels = coface.volume(tmp_path / "x.png", threshold=100).voxels
+    # Axis 0 of an image goes along its rows.
+    assert voxels is not None and np.array_equal(voxels[0], pixels.T >= 100)
+    of_array, of_file = coface.cubical(pixels), coface.cubical(tmp_path / "x.png")
+    for degree in range(2):
+        assert sorted(map(tuple, of_array.diagram(degree))) == sorted(map(tuple, of_file.diagram(degree)))
+    (tmp_path / "cut.png").write_bytes(_png(pixels)[:60])
+    with pytest.raises(coface.Error, match="cut short"):
+        coface.volume(tmp_path / "cut.png")
 
 
 def test_integers_and_short_numbers_are_compared_exactly(tmp_path: Path) -> None:

@@ -256,6 +256,20 @@ fn images_of_two_axes_are_drawn_by_their_grey_values() {
         assert_eq!(run.status, 0, "{}", run.stderr);
         assert!(has_header(&place.join(name)));
     }
+    // Those that are set lie where their grey values do.
+    for name in ["a.npy", "a.pgm"] {
+        let set = drawn(name, &["--threshold", "100", "--no-edges"]);
+        let is_set = |place: usize| set[3 * place] < 255;
+        let (columns, rows): (Vec<usize>, Vec<usize>) =
+            (0..set.len() / 3).filter(|&place| is_set(place)).map(|place| (place % 780, place / 780)).unzip();
+        let within = |all: &[usize], part: usize, count: usize| {
+            let (least, most) = (all.iter().min().unwrap(), all.iter().max().unwrap());
+            least + (most - least) * (2 * part + 1) / (2 * count)
+        };
+        let found: Vec<bool> =
+            (0..6).map(|i| is_set(780 * within(&rows, i / 3, 2) + within(&columns, i % 3, 3))).collect();
+        assert_eq!(found, [false, false, true, true, true, true], "{name}");
+    }
     // Pixels that are set are squares.
     let set = coface_in(place, &["render", "a.npy", "--threshold", "100", "-o", "set.svg"]);
     assert!(set.status == 0 && set.stderr.contains("the 4 pixels"), "{}", set.stderr);

@@ -59,7 +59,7 @@ pub(super) fn read(input: &mut impl Read) -> Result<Image, Error> {
         length: 0,
     };
     let pixel = Pixel { color: info.color_type, depth: info.bit_depth, width: info.width as usize, greys };
-    let numbers = Numbers { reader, pixel, frame: None, row: Vec::new(), place: 0 };
+    let numbers = Numbers { reader, pixel, frame: Vec::new(), row: Vec::new(), place: 0, done: 0 };
     Ok(Image { header, numbers, remarks })
 }
 
@@ -153,8 +153,10 @@ impl Pixel {
 pub(super) struct Numbers {
     reader: Reader<Cursor<Vec<u8>>>,
     pixel: Pixel,
-    /// All rows of an interlaced image that are left, the last one first.
-    frame: Option<Vec<Vec<u8>>>,
+    /// All rows of an interlaced image, which are known at its end only.
+    frame: Vec<u8>,
+    /// So many bytes of the frame are done.
+    done: usize,
     row: Vec<u8>,
     place: usize,
 }
@@ -169,14 +171,15 @@ impl Numbers {
             }
             return Ok(());
         }
-        if self.frame.is_none() {
+        if self.frame.is_empty() {
             // The size was compared with what the bytes of the file can unpack to.
-            let mut bytes = vec![0; self.reader.output_buffer_size().unwrap_or(0)];
-            let length = self.reader.next_frame(&mut bytes)?.line_size;
-            self.frame = Some(bytes.chunks_exact(length.max(1)).rev().map(<[u8]>::to_vec).collect());
+            self.frame.resize(self.reader.output_buffer_size().unwrap_or(0), 0);
+            self.reader.next_frame(&mut self.frame)?;
         }
-        if let Some(row) = self.frame.as_mut().and_then(Vec::pop) {
-            self.pixel.numbers(&row, &mut self.row);
+        let length = self.reader.output_line_size(self.reader.info().width).unwrap_or(0);
+        if let Some(row) = self.frame.get(self.done..self.done + length) {
+            self.pixel.numbers(row, &mut self.row);
+            self.done += length;
         }
         Ok(())
     }

@@ -170,10 +170,9 @@ class SetComparison(TypedDict):
     remarks: list[Remark]
 
 
-class BoundarySamples(TypedDict):
-    """Points along the boundary of a set, as columns."""
+class CurveSamples(TypedDict):
+    """Points along curves, as columns."""
 
-    curve: NDArray[np.int64]
     piece: NDArray[np.int64]
     parameter: NDArray[np.float64]
     length: NDArray[np.float64]
@@ -182,18 +181,18 @@ class BoundarySamples(TypedDict):
     curvature: NDArray[np.float64]
 
 
-class EdgeSamples(TypedDict):
+class BoundarySamples(CurveSamples):
+    """Points along the boundary of a set, as columns."""
+
+    curve: NDArray[np.int64]
+
+
+class EdgeSamples(CurveSamples):
     """Points along the edges of an interface, as columns."""
 
     edge: NDArray[np.int64]
     left: NDArray[np.int64]
     right: NDArray[np.int64]
-    piece: NDArray[np.int64]
-    parameter: NDArray[np.float64]
-    length: NDArray[np.float64]
-    point: NDArray[np.float64]
-    tangent: NDArray[np.float64]
-    curvature: NDArray[np.float64]
 
 
 class BendPlace(TypedDict):

@@ -167,15 +167,15 @@ fn ends_in(path: &Path, word: &str) -> bool {
     path.extension().is_some_and(|own| own.eq_ignore_ascii_case(word))
 }
 
-/// Whether a file is an image of labels.
-fn is_label_image(path: &Path) -> bool {
-    ["pgm", "png", "npy"].iter().any(|word| ends_in(path, word))
+/// The format of an image of labels, by the name of the file.
+fn label_format(path: &Path) -> Option<Format> {
+    Format::from_path(path).filter(|format| matches!(format, Format::Npy | Format::Pgm | Format::Png))
 }
 
 impl PhaseOptions {
     /// Whether files are an interface, and not one set.
     pub(super) fn are_phases(&self, inputs: &[PathBuf]) -> Result<bool, Failure> {
-        if inputs.len() > 1 || self.is_asked() || inputs.iter().any(|path| is_label_image(path)) {
+        if inputs.len() > 1 || self.is_asked() || inputs.iter().any(|path| label_format(path).is_some()) {
             return Ok(true);
         }
         Ok(given::interface_answer(&inputs[0])?.is_some())
@@ -232,12 +232,13 @@ impl PhaseOptions {
         let mut sets = Vec::new();
         for path in inputs {
             let name = input::name(path);
-            if is_label_image(path) {
+            if let Some(format) = label_format(path) {
                 progress.stage(format!("reading {name}"));
-                let image = match ends_in(path, "npy") {
-                    true => NumberTable::read_path(path).and_then(|table| LabelImage::of_table(&table)),
-                    false => {
-                        let format = if ends_in(path, "png") { Format::Png } else { Format::Pgm };
+                let image = match format {
+                    Format::Npy => {
+                        NumberTable::read_path(path).and_then(|table| LabelImage::of_table(&table))
+                    }
+                    _ => {
                         let read = std::fs::read(path).map_err(coface::Error::from);
                         read.and_then(|bytes| LabelImage::read(&bytes, format)).map(|(image, said)| {
                             take(&name, &said);
