@@ -101,7 +101,7 @@ impl LabelImage {
     /// # Examples
     /// ```
     /// use coface_answers::LabelImage;
-    /// use coface_io::{Format, NumberTable, Remark, VolumeStream};
+    /// use coface_io::{Format, NumberTable, VolumeStream};
     /// let table = NumberTable::from_rows([[1.0, 1.0], [0.0, 2.0]]);
     /// assert_eq!(LabelImage::of_table(&table)?, LabelImage::new(2, vec![1, 1, 0, 2])?);
     /// assert!(LabelImage::of_table(&NumberTable::from_rows([[0.5]])).is_err());

@@ -45,7 +45,8 @@ impl Curve<'static> {
     }
 
     /// The same with these parameters of the points instead of their cumulated distance: where points are values of a smooth function of
-    /// a parameter that is known, the spline is within the power of its order, however uneven their distances are.
+    /// a parameter that is known, the spline is within the power of its order, however uneven their distances are. The parameters of the curve
+    /// are counted from the first.
     ///
     /// # Errors
     /// As [`Self::fit`]; and for parameters that are not one for each point, not finite, or do not rise.

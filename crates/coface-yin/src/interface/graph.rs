@@ -165,8 +165,8 @@ impl InterfaceGraph {
         Self::of_fitted(Arcs { vertices, ends, phases, smooth_pairs }, trails, curves, order, None)
     }
 
-    /// The graph whose edges run through these points, the ends among them, with these parameters where they are given. The edges that leave each vertex, counterclockwise, may be
-    /// known; else their directions tell.
+    /// The graph whose edges run through these points, the ends among them, with these parameters where they are given. The edges that leave
+    /// each vertex, counterclockwise, may be known; else their directions tell.
     pub(crate) fn with_points(
         arcs: Arcs,
         points: &[Vec<[f64; 2]>],

@@ -63,7 +63,8 @@ impl Curve<'static> {
         closed_spline(points, kinks, order, ends, Parameters::Lengths)
     }
 
-    /// The same by [`Curve::fit_at`], with the parameters of the points and of the first one again at the end.
+    /// The same by [`Curve::fit_at`], with the parameters of the points and of the first one again at the end. Those of the curve are counted
+    /// from the first.
     ///
     /// # Errors
     /// As [`Self::fit_closed`] and [`Self::fit_at`].
@@ -96,7 +97,8 @@ impl Curve<'static> {
             ))
             .with_cure("give a parameter for each point, and one for the first point again at the end"));
         }
-        closed_spline(points, kinks, order, ends, Parameters::Given(parameters))
+        let knots: Vec<f64> = parameters.iter().map(|parameter| parameter - parameters[0]).collect();
+        closed_spline(points, kinks, order, ends, Parameters::Given(&knots))
     }
 }
 
