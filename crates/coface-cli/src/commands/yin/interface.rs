@@ -163,10 +163,6 @@ fn title(inputs: &[PathBuf]) -> String {
     format!("interface of {}", names.join(", "))
 }
 
-fn ends_in(path: &Path, word: &str) -> bool {
-    path.extension().is_some_and(|own| own.eq_ignore_ascii_case(word))
-}
-
 /// The format of an image of labels, by the name of the file.
 fn label_format(path: &Path) -> Option<Format> {
     Format::from_path(path).filter(|format| matches!(format, Format::Npy | Format::Pgm | Format::Png))
