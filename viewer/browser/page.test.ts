@@ -51,6 +51,20 @@ describe("a surface of genus 2 with its generators", () => {
     await close(opened);
   });
 
+  it("says to the page that it stands in which cells are selected", async () => {
+    file("frame.html", `<!doctype html><title>frame</title><iframe src="two.html" width="900" height="600"></iframe><pre id="told"></pre>
+      <script>window.addEventListener("message", (event) => { document.querySelector("#told").textContent = JSON.stringify(event.data); })</script>`);
+    const opened = await open("frame.html", "", {}, false);
+    const { page } = opened;
+    const inner = page.frameLocator("iframe");
+    await inner.getByRole("button", { name: "vertex", exact: true }).click();
+    await inner.getByLabel("its number").fill("7");
+    await inner.getByLabel("its number").press("Enter");
+    await page.locator("#told:not(:empty)").waitFor();
+    expect(await page.locator("#told").textContent()).toBe('{"coface":"selection","cells":[{"dimension":0,"vertices":[7]}]}');
+    await close(opened);
+  });
+
   it("tells the link of a vertex as the program does", async () => {
     const opened = await open("two.html");
     const { page } = opened;

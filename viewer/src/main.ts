@@ -217,6 +217,15 @@ class Page {
     }
     this.selection = CellSet.of(cells);
     this.drawNeighborhood();
+    this.report();
+  }
+
+  /** Says to the page that this one stands in, such as a notebook, which cells are selected: their vertices by the numbers of the model. */
+  private report(): void {
+    if (window.parent === window) return;
+    const number = (vertex: number) => this.model.vertexNumbers[vertex] ?? vertex;
+    const cells = this.selection.list().map(({ dimension, vertices }) => ({ dimension, vertices: vertices.map(number) }));
+    window.parent.postMessage({ coface: "selection", cells }, "*");
   }
 
   /** Selects a cell that was found by its number, and looks at it. */

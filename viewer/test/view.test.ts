@@ -4,6 +4,7 @@ import type { Scene } from "../src/scene/document";
 import { coarseTriangles } from "../src/view/coarse";
 import { loneEdges, sideEdges } from "../src/view/edges";
 import { offsetsOf, Parts } from "../src/view/parts";
+import { colorOf, PALETTE } from "../src/view/palette";
 import { TrianglePicker } from "../src/view/picker";
 
 /** A square of n by n squares in the plane z = 0, of two triangles each, and an edge on a side of it that goes beyond. */
@@ -80,5 +81,13 @@ describe("what is drawn", () => {
     expect(down(20.5, 3.2)).toBeNull();
     expect(down(-1, 3)).toBeNull();
     expect(picker.pick(new THREE.Ray(new THREE.Vector3(1, 1, -5), new THREE.Vector3(0, 0, -1)))).toBeNull();
+  });
+});
+
+describe("colors", () => {
+  it("are places in the palette, or stand for themselves", () => {
+    expect(colorOf(PALETTE.length + 1)).toBe(PALETTE[1]);
+    expect(colorOf(0x100ff80)).toBe("#00ff80");
+    expect(colorOf(0x1000000)).toBe("#000000");
   });
 });

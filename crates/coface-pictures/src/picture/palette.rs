@@ -54,8 +54,11 @@ pub(super) fn color_of_bytes(bytes: [u8; 3]) -> Color {
     bytes.map(|byte| f32::from(byte) / 255.0)
 }
 
-/// The color of a place in the palette.
+/// The color of a place in the palette, or of a number of [`Layer::rgb`](crate::Layer::rgb).
 pub(super) fn color(place: usize) -> Color {
+    if place >> 24 == 1 {
+        return of((place & 0xff_ffff) as u32);
+    }
     of(PALETTE[place % PALETTE.len()])
 }
 

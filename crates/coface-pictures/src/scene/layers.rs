@@ -14,7 +14,7 @@ pub struct Layer {
     pub detail: String,
     /// Whether it is shown at first.
     pub is_on: bool,
-    /// A place in the palette, for layers that belong together; none for the next free one.
+    /// A place in the palette, for layers that belong together, or a color of its own by [`Layer::rgb`]; none for the next free one.
     pub color: Option<u32>,
     /// Whether lines have arrowheads: they run from their first point to their last.
     pub has_arrows: bool,
@@ -44,6 +44,19 @@ impl Layer {
     /// ```
     pub fn new(group: &str, name: impl Into<String>) -> Self {
         Self { name: name.into(), group: group.to_owned(), ..Self::default() }
+    }
+
+    /// The number of a color that is in no palette, from its red, green and blue.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_pictures::Layer;
+    /// let mut layer = Layer::new("notes", "a triangle");
+    /// layer.color = Some(Layer::rgb([255, 128, 0]));
+    /// assert_eq!(layer.color, Some(0x1ff8000));
+    /// ```
+    pub fn rgb([red, green, blue]: [u8; 3]) -> u32 {
+        u32::from_be_bytes([1, red, green, blue])
     }
 
     /// Adds a cell of dimension 0, 1 or 2 by its vertices; of higher dimension its triangles.

@@ -21,6 +21,7 @@ mod interfaces;
 mod labels;
 mod layers;
 mod layout;
+mod members;
 mod model;
 mod neighborhood;
 mod numbering;
