@@ -15,6 +15,9 @@ const REQUIREMENTS: &str = "tests/requirements.txt";
 /// What tests use where it can be installed, and are skipped without.
 const RAY: &str = "tests/requirements-ray.txt";
 
+/// The same for notebooks and widgets.
+const NOTEBOOKS: &str = "tests/requirements-notebooks.txt";
+
 /// Runs the checks of the Python package alone, and closes with the counts.
 pub(crate) fn run() -> ExitCode {
     let mut tally = Tally::default();
@@ -120,6 +123,9 @@ fn prepare() -> Result<(), String> {
         .map_err(|_| "pip cannot install what its tests need".to_owned())?;
     if install(RAY, "requirements-ray.txt").is_err() {
         println!("== python: pip cannot install Ray; its tests are skipped");
+    }
+    if install(NOTEBOOKS, "requirements-notebooks.txt").is_err() {
+        println!("== python: pip cannot install nbclient and anywidget; the notebooks are not executed");
     }
     Ok(())
 }
