@@ -1,9 +1,9 @@
 """coface beside gudhi, gmsh, trimesh, shapely and manifold3d on the same inputs.
 
 Each tool answers each question in a process of its own; processes of both sides take turns, so that a busy minute hits both. Reported are the
-least time of each, their ratio, and the peak of resident memory over that of the process before the question. Making the input of a tool from
-arrays counts as part of its work: that is what a user waits for. Answers are compared; questions are not always the same, and the column
-"beside" says where they differ.
+least time of each, their ratio, and the peak of resident memory over that of the process before the question. From arrays to arrays: making the input
+of a tool from arrays, and arrays from its result, counts as part of its work, for all of them, since that is what a user waits for. Answers are compared by
+the same code, outside of the time; questions are not always the same, and the column "beside" says where they differ.
 
     python compare.py                 all that is installed
     python compare.py --case solids   one question
@@ -29,12 +29,14 @@ import numpy as np
 
 #: Seconds after which a tool has one run.
 SLOW = 30.0
-#: Question -> what it is, and tool -> function of the input that gives the answer.
-CASES: dict[str, tuple[str, dict[str, Callable[[Any], Any]], Callable[[float], Any]]] = {}
+#: Question -> what it is, tool -> function of the input that gives the answer, what makes the input, and what is compared of an answer.
+CASES: dict[str, tuple[str, dict[str, Callable[[Any], Any]], Callable[[float], Any], Callable[[Any], Any]]] = {}
 
 
-def case(name: str, words: str, make: Callable[[float], Any], **tools: Callable[[Any], Any]) -> None:
-    CASES[name] = (words, tools, make)
+def case(
+    name: str, words: str, make: Callable[[float], Any], compared: Callable[[Any], Any] = lambda answer: answer, **tools: Callable[[Any], Any]
+) -> None:
+    CASES[name] = (words, tools, make, compared)
 
 
 # Betti numbers of triangulated surfaces.
@@ -174,7 +176,16 @@ def persistence_coface(mesh: Any) -> Any:
 
     values = heights(mesh)
     found = coface.persistence(coface.Model.from_arrays(*mesh), values)
-    return [len(np.asarray(found.diagram(degree))) for degree in range(3)]
+    return [np.asarray(found.diagram(degree)) for degree in range(3)]
+
+
+def lengths(tables: Any) -> Any:
+    """How many classes diagrams have, and how long they live together."""
+    found = []
+    for table in tables:
+        lives = abs(np.diff(np.asarray(table, float).reshape(-1, 2), axis=1).ravel())
+        found += [int((lives > 0).sum()), round(float(lives[np.isfinite(lives)].sum()), 3)]
+    return found
 
 
 def heights(mesh: Any) -> np.ndarray:
@@ -193,83 +204,183 @@ def persistence_gudhi(mesh: Any) -> Any:
     tree.insert_batch(np.ascontiguousarray(edges.T).astype(np.int32), values[edges].max(axis=1))
     tree.insert_batch(np.ascontiguousarray(faces.T).astype(np.int32), values[faces].max(axis=1))
     tree.compute_persistence(homology_coeff_field=2, min_persistence=0, persistence_dim_max=True)
-    return [len(tree.persistence_intervals_in_dimension(degree)) for degree in range(3)]
+    return [tree.persistence_intervals_in_dimension(degree) for degree in range(3)]
 
 
-case("persistence", "persistence of a function on a torus, 180,000 triangles", torus, coface=persistence_coface, gudhi=persistence_gudhi)
+case("persistence", "persistence of a function on a torus, 180,000 triangles", torus, lengths, coface=persistence_coface, gudhi=persistence_gudhi)
+
+
+# Volumes.
+
+
+def field(size: float) -> np.ndarray:
+    """A sum of waves with noise, n^3 voxels."""
+    n = int(64 * size ** (1 / 3))
+    x, y, z = np.meshgrid(*[np.linspace(0, 4 * np.pi, n)] * 3, indexing="ij")
+    noise = np.random.default_rng(11).normal(scale=0.05, size=(n, n, n))
+    return np.sin(x) * np.cos(y) + np.sin(y) * np.cos(z) + np.sin(z) * np.cos(x) + noise
+
+
+def volume_coface(values: Any) -> Any:
+    import coface
+
+    found = coface.cubical(values, construction="v")
+    return [np.asarray(found.diagram(degree)) for degree in range(3)]
+
+
+def volume_cripser(values: Any) -> Any:
+    import cripser
+
+    rows = cripser.computePH(values, maxdim=2)
+    tables = [rows[rows[:, 0] == degree][:, 1:3] for degree in range(3)]
+    return [np.where(table > 1e300, np.inf, table) for table in tables]
+
+
+def volume_gudhi(values: Any) -> Any:
+    import gudhi
+
+    complex = gudhi.CubicalComplex(vertices=values)
+    complex.compute_persistence(homology_coeff_field=2)
+    return [complex.persistence_intervals_in_dimension(degree) for degree in range(3)]
+
+
+case("volume", "persistence of an image of 64^3 voxels", field, lengths, coface=volume_coface, cripser=volume_cripser, gudhi=volume_gudhi)
+
+
+def mask(size: float) -> np.ndarray:
+    """What lies above a level of such an image."""
+    return field(8 * size) > 0.3
+
+
+def voxels_coface(values: Any) -> Any:
+    import coface
+
+    return list(coface.homology(coface.volume(values)).betti_numbers)[:3]
+
+
+def voxels_gudhi(values: Any) -> Any:
+    import gudhi
+
+    complex = gudhi.CubicalComplex(top_dimensional_cells=np.where(values, 0.0, np.inf))
+    complex.compute_persistence(homology_coeff_field=2)
+    return complex.persistent_betti_numbers(0.0, 1.0)[:3]
+
+
+case("voxels", "Betti numbers of a mask of 128^3 voxels", mask, coface=voxels_coface, gudhi=voxels_gudhi)
 
 
 # Regions of the plane.
 
 
-def stars(size: float) -> list[np.ndarray]:
+def stars(size: float, usual: int = 200) -> list[np.ndarray]:
+    """So many rings of 60 corners in a square of side 10."""
     random = np.random.default_rng(3)
+    count = int(usual * size)
     found = []
-    for center in random.uniform(0, 10, size=(int(200 * size), 2)):
+    for center in random.uniform(0, 10, size=(count, 2)):
         angles = np.linspace(0, 2 * np.pi, 60, endpoint=False)
         radii = random.uniform(0.3, 1.2, size=60)
         found.append(center + radii[:, None] * np.column_stack([np.cos(angles), np.sin(angles)]))
     return found
 
 
+def dense(size: float) -> list[np.ndarray]:
+    """Ten times as many stars in the same square."""
+    return stars(size, 2000)
+
+
 def union_coface(rings: Any) -> Any:
     import coface
 
-    return round(coface.boolean("union", *[coface.polygon(ring) for ring in rings]).measure, 6)
+    found = coface.boolean("union", *[coface.polygon(ring) for ring in rings])
+    points = found.vertices
+    return [points[ring] for polygon in found.polygons for ring in polygon]
 
 
 def union_shapely(rings: Any) -> Any:
     import shapely
 
-    return round(float(shapely.union_all([shapely.Polygon(ring) for ring in rings]).area), 6)
+    found = shapely.union_all([shapely.Polygon(ring) for ring in rings])
+    parts = getattr(found, "geoms", [found])
+    return [shapely.get_coordinates(ring)[:-1] for part in parts for ring in (part.exterior, *part.interiors)]
 
 
-case("regions", "the union of 200 stars of 60 corners", stars, coface=union_coface, shapely=union_shapely)
+def area(rings: Any) -> Any:
+    """How many rings there are, and the area within them without their holes."""
+    found = []
+    for ring in rings:
+        x, y = np.asarray(ring, float).T
+        found.append((x * np.roll(y, -1) - np.roll(x, -1) * y).sum() / 2)
+    # Outer rings and holes run in opposite directions in both tools.
+    return [len(found), round(float(abs(np.sum(found))), 6)]
+
+
+case("regions", "the union of 200 stars of 60 corners", stars, area, coface=union_coface, shapely=union_shapely)
+case("dense", "the union of 2,000 stars of 60 corners in the same square", dense, area, coface=union_coface, shapely=union_shapely)
 
 
 # Solids in space.
 
 
-def spheres(size: float) -> list[tuple[np.ndarray, np.ndarray]]:
-    n = int(60 * size**0.5)
-    found = []
-    for shift in [0.0, 0.37]:
-        theta, phi = np.linspace(0, np.pi, n + 1)[1:-1], np.linspace(0, 2 * np.pi, 2 * n, endpoint=False)
-        t, p = (axis.reshape(-1) for axis in np.meshgrid(theta, phi, indexing="ij"))
-        points = np.column_stack([np.sin(t) * np.cos(p), np.sin(t) * np.sin(p), np.cos(t)])
-        points = np.concatenate([points, [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]]]) + [shift, 0.81 * shift, 0.4 * shift]
-        m, top, bottom = 2 * n, len(points) - 2, len(points) - 1
-        faces = []
-        for j in range(m):
-            k = (j + 1) % m
-            faces.append([top, j, k])
-            faces.append([bottom, (n - 2) * m + k, (n - 2) * m + j])
-            for i in range(n - 2):
-                a, b, c, d = i * m + j, (i + 1) * m + j, (i + 1) * m + k, i * m + k
-                faces += [[a, b, c], [a, c, d]]
-        found.append((points, np.array(faces)))
-    return found
+def sphere(levels: int) -> tuple[np.ndarray, np.ndarray]:
+    """A sphere of 20 * 4^levels triangles, from an icosahedron."""
+    golden = (1 + 5**0.5) / 2
+    points = np.array([[s, t * golden, 0.0] for s in (-1, 1) for t in (-1, 1)])
+    points = np.concatenate([points, points[:, [2, 0, 1]], points[:, [1, 2, 0]]])
+    points /= np.linalg.norm(points, axis=1)[:, None]
+    near = ((points[:, None] - points[None]) ** 2).sum(axis=2) < 1.2
+    faces = np.array([[a, b, c] for a in range(12) for b in range(a) for c in range(b) if near[a, b] and near[b, c] and near[a, c]])
+    inward = np.einsum("ij,ij->i", points[faces[:, 0]], np.cross(points[faces[:, 1]], points[faces[:, 2]])) < 0
+    faces[inward] = faces[inward][:, ::-1]
+    for _ in range(levels):
+        sides = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+        edges, number = np.unique(sides, axis=0, return_inverse=True)
+        middle = points[edges].sum(axis=1)
+        middle /= np.linalg.norm(middle, axis=1)[:, None]
+        ab, bc, ca = (number.reshape(3, -1) + len(points))
+        a, b, c = faces.T
+        points = np.concatenate([points, middle])
+        faces = np.concatenate([np.column_stack(rows) for rows in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))])
+    return points, faces
+
+
+def two_spheres(levels: int) -> list[tuple[np.ndarray, np.ndarray]]:
+    points, faces = sphere(levels)
+    return [(points, faces), (points + [0.37, 0.2997, 0.148], faces)]
 
 
 def solids_coface(meshes: Any) -> Any:
     import coface
 
-    return round(coface.boolean("difference", *[coface.Model.from_arrays(*mesh) for mesh in meshes]).measure, 6)
+    found = coface.boolean("difference", *[coface.Model.from_arrays(*mesh) for mesh in meshes], triangles=True).model
+    return found.vertices, found.faces
 
 
 def solids_manifold3d(meshes: Any) -> Any:
     import manifold3d
 
+    has_doubles = hasattr(manifold3d, "Mesh64")
     a, b = (
         manifold3d.Manifold(manifold3d.Mesh64(points, faces.astype(np.uint64)))
-        if hasattr(manifold3d, "Mesh64")
+        if has_doubles
         else manifold3d.Manifold(manifold3d.Mesh(points.astype(np.float32), faces.astype(np.uint32)))
         for points, faces in meshes
     )
-    return round((a - b).volume(), 6)
+    found = (a - b).to_mesh64() if has_doubles else (a - b).to_mesh()
+    return found.vert_properties[:, :3], found.tri_verts
 
 
-case("solids", "the difference of two spheres, 14,000 triangles each", spheres, coface=solids_coface, manifold3d=solids_manifold3d)
+def enclosed(mesh: Any) -> Any:
+    """The volume of a closed mesh, and whether each edge has two triangles."""
+    points, faces = np.asarray(mesh[0], float), np.asarray(mesh[1], np.int64)
+    a, b, c = (points[faces[:, corner]] for corner in range(3))
+    sides = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    counts = np.unique(sides, axis=0, return_counts=True)[1]
+    return [round(float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6), 6), bool((counts % 2 == 0).all())]
+
+
+case("solids", "the difference of two spheres, 82,000 triangles each", lambda size: two_spheres(6), enclosed, coface=solids_coface, manifold3d=solids_manifold3d)
+case("large", "the difference of two spheres, 1.3 million triangles each", lambda size: two_spheres(8), enclosed, coface=solids_coface, manifold3d=solids_manifold3d)
 
 BESIDE = {
     ("surface", "gudhi"): "over the field with 2 elements; coface over the integers",
@@ -278,12 +389,15 @@ BESIDE = {
     ("solid", "gmsh"): "over the integers, with generators",
     ("report", "trimesh"): "Euler characteristic, components, closed, volume; coface also manifold, orientable, name, homology",
     ("regions", "shapely"): "floating point with snapping; coface exact",
+    ("dense", "shapely"): "floating point with snapping; coface exact",
     ("solids", "manifold3d"): "floating point with perturbation; coface exact",
+    ("large", "manifold3d"): "floating point with perturbation; coface exact",
+    ("voxels", "gudhi"): "over the field with 2 elements; coface over the integers",
 }
 
 
 def child(name: str, tool: str, size: float) -> None:
-    _, tools, make = CASES[name]
+    _, tools, make, compared = CASES[name]
     data = make(size)
     importlib.import_module(tool)
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
@@ -291,7 +405,7 @@ def child(name: str, tool: str, size: float) -> None:
     answer = tools[tool](data)
     taken = time.perf_counter() - begin
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before
-    print(json.dumps({"seconds": taken, "answer": answer, "megabytes": peak / 1024}))
+    print(json.dumps({"seconds": taken, "answer": compared(answer), "megabytes": peak / 1024}))
 
 
 def measure(name: str, tool: str, size: float) -> dict[str, Any] | str:
@@ -332,7 +446,7 @@ def main() -> int:
     if options.child:
         child(*options.child, options.size)
         return 0
-    tools = sorted({tool for _, tools, _ in CASES.values() for tool in tools})
+    tools = sorted({tool for _, tools, _, _ in CASES.values() for tool in tools})
     found = {tool: importlib.util.find_spec(tool) is not None for tool in tools}
     print(f"{datetime.date.today()}, {machine()}; {options.rounds} rounds, size {options.size:g}; "
           + ", ".join(f"{tool} {version(tool)}" for tool in tools if found[tool]))  # fmt: skip
@@ -344,7 +458,7 @@ def main() -> int:
     print("|---|---|---|---|---|---|")
     status = 0
     for name in options.case or CASES:
-        words, tools_of_case, _ = CASES[name]
+        words, tools_of_case, _, _ = CASES[name]
         present = [tool for tool in tools_of_case if found[tool]]
         runs: dict[str, list[Any]] = {tool: [] for tool in present}
         for _ in range(options.rounds):

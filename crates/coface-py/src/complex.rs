@@ -2,7 +2,7 @@
 
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
-use crate::errors::{OrRaise, invalid, whole};
+use crate::errors::{OrRaise, invalid, whole, wrong_type};
 use crate::memory::owned_matrix;
 use crate::model::Model;
 use crate::source::{Names, Naming};
@@ -89,7 +89,14 @@ pub(crate) fn simplex_set(py: Python<'_>, value: &Bound<'_, PyAny>) -> PyResult<
     if value.hasattr("__index__")? && !value.hasattr("__len__")? {
         return Ok(SimplexSet::from(Simplex::from([arrays::id(value, "simplices")?])));
     }
-    let is_one = match value.try_iter()?.next() {
+    let wrong = |_| {
+        wrong_type(
+            py,
+            format!("simplices is {value}"),
+            "give vertices, [0, 1], or lists of them, [[0, 1], [3]]",
+        )
+    };
+    let is_one = match value.try_iter().map_err(wrong)?.next() {
         None => return Ok(SimplexSet::new()),
         Some(first) => {
             let first = first?;
@@ -929,5 +936,21 @@ impl PyVerdict {
         dict.set_item("cells", &self.cells)?;
         dict.set_item("closed", self.closed)?;
         Ok(dict)
+    }
+
+    /// The verdict that :meth:`to_dict` wrote.
+    #[staticmethod]
+    fn from_dict(verdict: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let py = verdict.py();
+        let wrong =
+            |_| wrong_type(py, format!("{verdict} is no verdict"), "give what Verdict.to_dict() gave");
+        let part = |name: &str| verdict.get_item(name).map_err(wrong);
+        Ok(Self {
+            answer: part("answer")?.extract().map_err(wrong)?,
+            kind: part("kind")?.extract().map_err(wrong)?,
+            message: part("message")?.extract().map_err(wrong)?,
+            cells: part("cells")?.extract().map_err(wrong)?,
+            closed: part("closed")?.extract().map_err(wrong)?,
+        })
     }
 }

@@ -148,6 +148,14 @@ pub(crate) fn whole_or_none(value: &Bound<'_, PyAny>) -> PyResult<Option<usize>>
     if value.is_none() { Ok(None) } else { whole(value).map(Some) }
 }
 
+/// True or false as Python or numpy gives it; what is neither is refused in words.
+pub(crate) fn truth(value: &Bound<'_, PyAny>) -> PyResult<bool> {
+    value.extract().map_err(|_| {
+        let name = value.get_type().name().map_or_else(|_| String::new(), |name| name.to_string());
+        wrong_type(value.py(), format!("a {name} is neither true nor false"), "give True or False")
+    })
+}
+
 /// A message of the program in the words of Python, for tests.
 #[pyfunction]
 pub(crate) fn _in_python(message: &str) -> String {

@@ -46,10 +46,28 @@ fn value_of(
     })
 }
 
+/// The parameter `cuboids`, whose cells have names of their own in each dimension.
+const CUBOIDS: &str = "cuboids";
+
+/// The name of a parameter in the table of families: `quadrangles` and `hexahedra` are `cuboids` there.
+fn known_name(py: Python<'_>, family: &Family, name: &str, given: &Given<'_>) -> PyResult<String> {
+    let has_cuboids = family.parameters().iter().any(|parameter| parameter.name() == CUBOIDS);
+    let is_alias = |name: &str| has_cuboids && matches!(name, CUBOIDS | "quadrangles" | "hexahedra");
+    if !is_alias(name) {
+        return Ok(name.to_owned());
+    }
+    if let Some((other, _)) = given.iter().find(|(other, _)| other != name && is_alias(other)) {
+        let message = format!("{}: {name} and {other} are one parameter", family.name());
+        return Err(invalid(py, message, "give one of them"));
+    }
+    Ok(CUBOIDS.to_owned())
+}
+
 /// The rule of a family with these values.
 fn member(py: Python<'_>, family: &'static Family, given: &Given<'_>) -> PyResult<Rule> {
     let mut values = Vec::with_capacity(given.len());
     for (name, value) in given {
+        let name = &known_name(py, family, name, given)?;
         let parameter = family.parameters().iter().find(|parameter| parameter.name() == name);
         // What the family does not have is named by it, whatever its value.
         let value =
@@ -135,7 +153,8 @@ fn model_of(made: FamilyModel) -> Result<io::Model, Error> {
 /// progress : bool or callable, optional
 ///     ``True`` shows a bar; a function is called with (stage, done, total).
 /// **parameters
-///     Those of ``coface generate FAMILY``, with ``_`` for ``-``: ``major_radius=3.0``, ``columns=64``, ``shape=(2, 3)``, ``cuboids=True``.
+///     Those of ``coface generate FAMILY``, with ``_`` for ``-``: ``major_radius=3.0``, ``columns=64``, ``shape=(2, 3)``, ``cuboids=True``, which
+///     is also called ``quadrangles`` and ``hexahedra``.
 ///
 /// Returns
 /// -------

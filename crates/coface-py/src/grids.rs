@@ -2,7 +2,7 @@
 
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
-use crate::errors::{OrRaise, invalid, whole};
+use crate::errors::{OrRaise, invalid, whole, wrong_type};
 use crate::given::source_of;
 use crate::model::Model;
 use crate::work::run;
@@ -62,8 +62,14 @@ impl CuboidGrid {
     fn new(
         py: Python<'_>,
         shape: Option<&Bound<'_, PyAny>>,
-        lengths: Option<Vec<Vec<f64>>>,
+        lengths: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
+        let wrong = |lengths| {
+            let cure = "give a list of lengths for each axis: lengths=[[1.0, 2.0], [1.0]]";
+            wrong_type(py, format!("lengths is {lengths}"), cure)
+        };
+        let lengths: Option<Vec<Vec<f64>>> =
+            lengths.map(|lengths| lengths.extract().map_err(|_| wrong(lengths))).transpose()?;
         let grid = match (shape, lengths) {
             (Some(shape), None) => Grid::new(&arrays::ids(shape, "the shape")?),
             (None, Some(lengths)) => Grid::with_lengths(&lengths),

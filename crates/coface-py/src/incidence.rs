@@ -2,7 +2,7 @@
 
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
-use crate::errors::{OrRaise, invalid, whole, whole_or_none};
+use crate::errors::{OrRaise, invalid, whole, whole_or_none, wrong_type};
 use crate::given::source_of;
 use crate::memory::owned_matrix;
 use crate::work::run;
@@ -70,7 +70,11 @@ impl LarModel {
             });
         }
         let mut levels = Vec::new();
-        for lists in cells.try_iter()? {
+        let wrong = |_| {
+            let cure = "give a model, or for each degree from 1 on the vertices of its cells";
+            wrong_type(py, format!("cells is {cells}, which is no list of cells"), cure)
+        };
+        for lists in cells.try_iter().map_err(wrong)? {
             levels.push(arrays::lists(&lists?, "cells")?);
         }
         let highest = levels.iter().flat_map(|lists| lists.items().iter()).max();

@@ -165,6 +165,7 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(shards::_reduce, module)?)?;
     module.add_function(wrap_pyfunction!(shards::_merge, module)?)?;
     module.add_function(wrap_pyfunction!(shards::_summary, module)?)?;
+    module.add_function(wrap_pyfunction!(shards::_shard_checksum, module)?)?;
     module.add_function(wrap_pyfunction!(shards::_root_homology, module)?)?;
     module.add_function(wrap_pyfunction!(shards::_folder_homology, module)?)?;
     // What is public is for the package to say.

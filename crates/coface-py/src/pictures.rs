@@ -5,6 +5,7 @@ use crate::complex::simplex_set;
 use crate::errors::invalid;
 use crate::given::source_of;
 use crate::json::from_python;
+use crate::view::{Member, add_members};
 use crate::work::run;
 use coface::Error;
 use coface::answers::{GeometryCheck, Neighborhood, Report, ReportRequest};
@@ -55,6 +56,8 @@ const POINTS: f64 = 0.75;
 ///     Whether what is wrong is marked.
 /// title : str
 ///     What it is called.
+/// members : sequence of (str, int, int, (int, int, int) or None)
+///     Of several models that stand in one: the name of each, its first vertex, the one behind its last, its color as red, green and blue.
 /// progress : bool or callable, optional
 ///     ``True`` shows a bar; a function is called with (stage, done, total).
 ///
@@ -63,7 +66,7 @@ const POINTS: f64 = 0.75;
 /// bytes
 ///     The content of the file.
 #[pyfunction]
-#[pyo3(signature = (model, format="svg", *, results=Vec::new(), size=(1200, 900), camera=None, up=None, perspective=None, edges=None, dark=false, transparent=false, line_width=None, edge_width=None, label=Vec::new(), star=None, closure=None, link=None, legend=false, spin=None, witness=false, title="model", progress=None))]
+#[pyo3(signature = (model, format="svg", *, results=Vec::new(), size=(1200, 900), camera=None, up=None, perspective=None, edges=None, dark=false, transparent=false, line_width=None, edge_width=None, label=Vec::new(), star=None, closure=None, link=None, legend=false, spin=None, witness=false, title="model", members=Vec::new(), progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn render<'py>(
     py: Python<'py>,
@@ -87,6 +90,7 @@ pub(crate) fn render<'py>(
     spin: Option<u32>,
     witness: bool,
     title: &str,
+    members: Vec<Member>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyBytes>> {
     match spin {
@@ -123,6 +127,7 @@ pub(crate) fn render<'py>(
     let results = results.iter().map(from_python).collect::<PyResult<Vec<_>>>()?;
     let bytes = run(py, progress, || {
         let mut scene = Scene::of(title, &source.model)?;
+        add_members(&mut scene, &members);
         for result in &results {
             scene.add_result("the answer", result)?;
         }

@@ -4,12 +4,14 @@ use crate::errors::OrRaise;
 use crate::given::source_of;
 use crate::homology::Homology;
 use crate::work::run;
+use coface::io::container::checksum_of_header;
 use coface::scale::shards;
-use coface::scale::shards::{FolderLevel, ShardFolder, ShardPlace, ShardRequest};
+use coface::scale::shards::{FolderLevel, ReducedStep, ShardFolder, ShardPlace, ShardRequest};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 /// Cuts a model into shards in a folder: the number of shards.
 #[pyfunction]
@@ -84,6 +86,12 @@ pub(crate) fn _summary<'py>(py: Python<'py>, reduced: &[u8]) -> PyResult<Bound<'
     Ok(dict)
 }
 
+/// The checksum that a shard says it has, from its first bytes and its length.
+#[pyfunction]
+pub(crate) fn _shard_checksum(py: Python<'_>, start: &[u8], length: u64) -> PyResult<u64> {
+    checksum_of_header(start, length).or_raise(py).map(|(_, checksum)| checksum)
+}
+
 /// The homology that a root has.
 #[pyfunction]
 pub(crate) fn _root_homology(py: Python<'_>, root: &[u8]) -> PyResult<Homology> {
@@ -91,7 +99,7 @@ pub(crate) fn _root_homology(py: Python<'_>, root: &[u8]) -> PyResult<Homology> 
     Ok(Homology::of_groups(homology.groups(), false))
 }
 
-/// Reduces the shards of a folder and merges them, unless that is done: homology, cells and levels.
+/// Reduces the shards of a folder and merges them, unless that is done: homology, cells, levels, and how many reduced shards were made now.
 #[pyfunction]
 #[pyo3(signature = (folder, replace, progress=None))]
 pub(crate) fn _folder_homology<'py>(
@@ -99,16 +107,22 @@ pub(crate) fn _folder_homology<'py>(
     folder: PathBuf,
     replace: bool,
     progress: Option<&Bound<'py, PyAny>>,
-) -> PyResult<(Homology, Vec<u64>, Vec<Bound<'py, PyDict>>)> {
+) -> PyResult<(Homology, Vec<u64>, Vec<Bound<'py, PyDict>>, u32)> {
+    let made = AtomicU32::new(0);
+    let counted = |step: ReducedStep| {
+        made.fetch_add(u32::from(step.is_new()), Ordering::Relaxed);
+        step
+    };
     let summary = run(py, progress, || {
         let folder = ShardFolder::open(&folder)?;
         for number in 0..folder.manifest().part_count {
-            folder.reduce(number, replace)?;
+            counted(folder.reduce(number, replace)?);
         }
-        folder.merge_all(replace)
+        folder.merge_all_by(|level, number| folder.merge(level, number, replace).map(&counted))
     })?;
     let levels = summary.levels().iter().map(|level| level_to_python(py, level)).collect::<PyResult<_>>()?;
-    Ok((Homology::of_groups(summary.homology().groups(), false), summary.cells().to_vec(), levels))
+    let groups = Homology::of_groups(summary.homology().groups(), false);
+    Ok((groups, summary.cells().to_vec(), levels, made.into_inner()))
 }
 
 fn level_to_python<'py>(py: Python<'py>, level: &FolderLevel) -> PyResult<Bound<'py, PyDict>> {

@@ -5,7 +5,7 @@ mod opened;
 pub(crate) use opened::{Cocycles, Cover, Domain};
 
 use crate::arrays;
-use crate::errors::{OrRaise, invalid, whole, whole_or_none};
+use crate::errors::{OrRaise, invalid, truth, whole, whole_or_none};
 use crate::homology::Chain;
 use crate::memory::shared_ids;
 use crate::model::Model;
@@ -189,7 +189,7 @@ impl Surface {
     fn new(
         py: Python<'_>,
         model: &Bound<'_, PyAny>,
-        boundary: bool,
+        #[pyo3(from_py_with = truth)] boundary: bool,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         surface_of(py, &crate::given::source_of(model)?, boundary, progress)

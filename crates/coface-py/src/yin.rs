@@ -20,7 +20,7 @@ use crate::answer::answer;
 use crate::arrangement::{formula, named_format, rule_of};
 use crate::arrays;
 use crate::congruence::choice;
-use crate::errors::{self, OrRaise, invalid, wrong_type};
+use crate::errors::{self, OrRaise, invalid, truth, wrong_type};
 use crate::model::{Model, read_options};
 use crate::objects::to_python;
 use crate::pictures::flat_file;
@@ -242,7 +242,11 @@ answer! { YinSet {
 
     #[new]
     #[pyo3(signature = (curves, *, orient=false))]
-    fn new(py: Python<'_>, curves: &Bound<'_, PyAny>, orient: bool) -> PyResult<Self> {
+    fn new(
+        py: Python<'_>,
+        curves: &Bound<'_, PyAny>,
+        #[pyo3(from_py_with = truth)] orient: bool,
+    ) -> PyResult<Self> {
         let cure = "give curves: coface.YinSet([coface.Curve(points)]), or points to coface.YinSet.from_rings(rings)";
         let wrong = |name: String| wrong_type(py, format!("a {name} is no Curve"), cure);
         let listed = curves.try_iter().map_err(|_| wrong(type_name(curves)))?;
@@ -252,11 +256,8 @@ answer! { YinSet {
             let found = curve.cast::<Curve>().map_err(|_| wrong(type_name(&curve)))?;
             given.push(found.get().curve.clone());
         }
-        let curves = given;
-        let set = run(py, None, || {
-            let set = if orient { yin::YinSet::oriented(&curves) } else { yin::YinSet::new(&curves) };
-            Self::of(PlanarSet::from_set(set?))
-        })?;
+        let made = || if orient { yin::YinSet::oriented(&given) } else { yin::YinSet::new(&given) };
+        let set = run(py, None, || Self::of(PlanarSet::from_set(made()?)))?;
         set.warned(py, "the inside of curves of any direction needs orient=True")
     }
 

@@ -141,6 +141,22 @@ def test_voxels_are_set_as_asked(tmp_path: Path) -> None:
         coface.batch(tmp_path / "x.npy", voxels={"threshold": 1, "below": 2})
 
 
+@pytest.mark.parametrize("rule", [{"threshold": 20}, {"below": 5}, {"between": (4, 9)}, {"value": 13}, {"threshold": 25, "periodic": [2]}])
+def test_rules_for_voxels_are_parameters_too(rule, tmp_path: Path) -> None:
+    array = np.arange(27, dtype=np.int16).reshape(3, 3, 3)
+    np.save(tmp_path / "x.npy", array)
+    (row,) = coface.batch(tmp_path / "x.npy", timings=False, **rule)
+    assert row["f_vector"] == list(coface.volume(array, **rule).report().f_vector)
+    assert row == coface.batch(tmp_path / "x.npy", timings=False, voxels=rule)[0]
+    said = coface.batch(tmp_path / "x.npy", tmp_path / "rows.jsonl", timings=False, **rule)
+    assert said["files"] == 1 and json.loads((tmp_path / "rows.jsonl").read_text())["f_vector"] == row["f_vector"]
+    with pytest.raises(coface.InvalidInputError, match="given together"):
+        coface.batch(tmp_path / "x.npy", voxels={}, **rule)
+    for wrong in ({"threshold": "otsu"}, {"between": 3}, {"periodic": True}):
+        with pytest.raises(coface.InvalidInputError):
+            coface.batch(tmp_path / "x.npy", **wrong)
+
+
 def test_lists_of_signatures_are_streams(tmp_path: Path) -> None:
     census = tmp_path / "census.txt"
     census.write_text("# closed\ncMcabbjak L(3,1)\nL(8,3)\tcMcabbjqs\ncPcbbbiht\nxyz\n")

@@ -188,6 +188,8 @@ def test_cells_go_to_topologicpy_and_come_back():
 
 
 def test_topologicpy_is_asked_for_by_name(monkeypatch):
+    for name in [name for name in sys.modules if name.startswith("topologicpy.")]:
+        monkeypatch.delitem(sys.modules, name)
     monkeypatch.setitem(sys.modules, "topologicpy", None)
     with pytest.raises(ImportError, match="pip install topologicpy"):
         coface.to_topologic(coface.generate("box", boundary=True))

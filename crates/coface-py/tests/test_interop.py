@@ -314,3 +314,87 @@ def test_labelled_arrays_of_xarray_are_taken() -> None:
     assert str(coface.homology(xarray.DataArray(ring, dims=("y", "x")))) == "Homology(Z, Z)"
     heights = xarray.DataArray(np.where(ring, 2.0, 0.0), dims=("y", "x"))
     assert coface.volume(heights, threshold=1.0) == coface.volume(ring)
+    assert coface.volume(xarray.Dataset({"height": heights}), threshold=1.0) == coface.volume(ring)
+    with pytest.raises(coface.InvalidInputError, match="'a', 'b'"):
+        coface.volume(xarray.Dataset({"a": heights, "b": heights}))
+
+
+WITH_DATA = POLYGONS.with_data("heat", [1.5, 2.0, 3.0, 4.0, 5.0]).with_data("part", [7, 8], "faces").with_data("flow", np.arange(15.0).reshape(5, 3))
+
+
+def data_of(model: coface.Model) -> dict[tuple[str, str], list]:
+    return {(name, on): np.asarray(values).tolist() for name, on, values in model.data}
+
+
+def test_meshio_and_pyvista_take_data_with_them() -> None:
+    meshio = pytest.importorskip("meshio")
+    again = coface.as_model(coface.to_meshio(WITH_DATA))
+    assert data_of(again) == data_of(WITH_DATA) and len(again.data) == 3
+    mixed = meshio.Mesh(SQUARE, [("line", [[0, 1]]), ("triangle", [[0, 1, 2]])], point_data={"a": np.arange(4), "text": np.array(list("abcd"))}, cell_data={"b": [[1], [2]]})
+    assert data_of(coface.as_model(mixed)) == {("a", "vertices"): [0, 1, 2, 3]}
+    pyvista = pytest.importorskip("pyvista")
+    for grid in (False, True):
+        made = coface.to_pyvista(WITH_DATA, grid=grid)
+        assert made.cell_data["part"].tolist() == [7, 8]
+        assert data_of(coface.as_model(made)) == data_of(WITH_DATA)
+    blocks = pyvista.MultiBlock([pyvista.Sphere(), pyvista.Cube().translate((5, 0, 0))])
+    assert coface.homology(blocks).betti_numbers == (2, 0, 2)
+
+
+def test_overlays_are_tables_with_the_attributes_of_all_layers() -> None:
+    geopandas = pytest.importorskip("geopandas")
+    shapely = pytest.importorskip("shapely")
+    land = geopandas.GeoDataFrame({"name": ["wood", "field"], "n": [1, 2]}, geometry=[shapely.box(0, 0, 4, 6), shapely.box(4, 0, 10, 6)], crs="EPSG:25832")
+    zones = geopandas.GeoDataFrame({"zone": ["wet"]}, geometry=[shapely.box(2, 2, 8, 4)], crs="EPSG:25832")
+    rain = geopandas.GeoDataFrame({"mm": [3.5, 4.5]}, geometry=[shapely.box(0, 0, 10, 3), shapely.box(0, 3, 10, 6)], crs="EPSG:25832")
+    frame = coface.to_geopandas(coface.arrange(land, zones, rain))
+    assert frame.crs == land.crs and len(frame) == 8
+    frame["zone"] = frame["zone"].fillna("")
+    found = {(row["name"], row["zone"], row["mm"]): area for (_, row), area in zip(frame.iterrows(), frame.area)}
+    expected = land.overlay(zones, how="union").overlay(rain, how="union")
+    for (_, row), area in zip(expected.iterrows(), expected.area):
+        zone = row["zone"] if isinstance(row["zone"], str) else ""
+        assert found[(row["name"], zone, row["mm"])] == pytest.approx(area)
+    # One layer goes through whole.
+    again = coface.to_geopandas(coface.as_model(land))
+    assert again["name"].tolist() == ["wood", "field"] and again["n"].tolist() == [1, 2]
+    assert all(a.equals(b) for a, b in zip(again.geometry, land.geometry)) and again.crs == land.crs
+
+
+def test_cells_of_topologicpy_look_outward() -> None:
+    cells = pytest.importorskip("topologicpy.Cell").Cell
+    for cell, volume in ((cells.Prism(), 1.0), (cells.Dodecahedron(), None), (cells.Torus(), None)):
+        report = coface.as_model(cell).report()
+        assert report.coherently_oriented and report.signed_volume > 0
+        assert volume is None or report.signed_volume == pytest.approx(volume)
+    complexes = pytest.importorskip("topologicpy.CellComplex").CellComplex
+    parts = coface.from_topologic(complexes.Prism(uSides=2, vSides=1, wSides=2))
+    assert [coface.boolean("union", part).measure for part in parts.values()] == pytest.approx([0.25] * 4)
+
+
+def test_walls_of_ifcopenshell_stand_where_they_do() -> None:
+    api = pytest.importorskip("ifcopenshell.api")
+    geom = pytest.importorskip("ifcopenshell.geom")
+    for part in ("root", "unit", "context", "project", "geometry"):
+        pytest.importorskip(f"ifcopenshell.api.{part}")
+    file = api.project.create_file()
+    api.root.create_entity(file, ifc_class="IfcProject", name="house")
+    api.unit.assign_unit(file, length={"is_metric": True, "raw": "METERS"})
+    whole = api.context.add_context(file, context_type="Model")
+    body = api.context.add_context(file, context_type="Model", context_identifier="Body", target_view="MODEL_VIEW", parent=whole)
+    walls = []
+    for number in range(2):
+        wall = api.root.create_entity(file, ifc_class="IfcWall", name=f"wall {number}")
+        shape = api.geometry.add_wall_representation(file, context=body, length=5, height=3, thickness=0.2)
+        api.geometry.assign_representation(file, product=wall, representation=shape)
+        place = np.eye(4)
+        place[:2, 3] = 10 * number, 3
+        api.geometry.edit_object_placement(file, product=wall, matrix=place)
+        walls.append(wall)
+    settings = geom.settings()
+    models = coface.from_ifcopenshell([geom.create_shape(settings, wall) for wall in walls])
+    assert list(models) == ["wall 0", "wall 1"]
+    assert [model.report().signed_volume for model in models.values()] == pytest.approx([3.0, 3.0])
+    assert models["wall 1"].vertices.min(axis=0) == pytest.approx([10.0, 3.0, 0.0])
+    iterated = coface.from_ifcopenshell(geom.iterator(settings, file, 1))
+    assert {name: len(model) for name, model in iterated.items()} == {"wall 0": 12, "wall 1": 12}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -14,6 +15,7 @@ import coface
 ray = pytest.importorskip("ray", reason="Ray is not installed")
 pytest.importorskip("ray.data", reason="Ray Data is not installed")
 
+import coface._journal  # noqa: E402
 import coface.ray  # noqa: E402
 import coface.shards  # noqa: E402
 
@@ -97,3 +99,92 @@ def test_a_worker_that_is_killed_leaves_the_same_bytes(task: str, tmp_path: Path
     coface.ray.homology(shards(tmp_path / "ray"))
     assert marker.exists()
     assert files(tmp_path / "ray") == files(tmp_path / "alone")
+
+
+def test_a_batch_that_was_cut_short_goes_on_where_it_was(models: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (models / "endless.off").unlink()
+    out, journal = tmp_path / "rows.csv", tmp_path / ".rows.csv.ray-journal"
+    marks, allowed, examine = tmp_path / "marks", tmp_path / "allowed", coface.ray._examine
+    marks.mkdir()
+
+    def dying(files, options):
+        names = [Path(path).name for path in files["path"]]
+        if "sphere.off" in names and not allowed.exists():
+            # Not before a row has come back.
+            for _ in range(600):
+                if journal.exists() and journal.read_bytes().count(b"\n") >= 2:
+                    break
+                time.sleep(0.05)
+            raise ValueError("the cluster went away")
+        if allowed.exists():
+            for name in names:
+                (marks / name).touch()
+        return examine(files, options)
+
+    monkeypatch.setattr(coface.ray, "_examine", dying)
+    with pytest.raises(Exception, match="went away"):
+        coface.ray.batch(models, out, timings=False, files_per_task=1)
+    assert journal.is_file() and not out.exists()
+    # What was still at work comes to its end.
+    time.sleep(1.0)
+    allowed.touch()
+    # What has changed is looked at again.
+    (models / "bad.off").write_bytes((models / "klein.off").read_bytes())
+    said = coface.ray.batch(models, out, timings=False, files_per_task=1)
+    assert said["files"] == 5 and not journal.exists()
+    again = {path.name for path in marks.iterdir()}
+    assert {"bad.off", "sphere.off", "torus.off"} <= again and len(again) == 5 - said["resumed"]
+    coface.batch(models, tmp_path / "alone.csv", timings=False)
+    assert out.read_bytes() == (tmp_path / "alone.csv").read_bytes()
+    # All of it once more, and with nothing left to do.
+    with coface._journal.Journal(out, {}, False) as empty:
+        assert empty.rows([str(models / "bad.off")]) == {}
+        empty.remove()
+
+
+def test_journals_of_other_options_are_not_taken(tmp_path: Path) -> None:
+    from coface._journal import Journal
+
+    file = str(tmp_path / "a.off")
+    Path(file).write_text("OFF")
+    with Journal(tmp_path / "rows.csv", {"strict": True}, False) as journal:
+        journal.add(file, '{"error":null}')
+        journal.add(file + "#none", '{"error":{"kind":"killed"}}')
+        with pytest.raises(coface.FileError, match="another run"):
+            Journal(tmp_path / "rows.csv", {}, False).__enter__()
+    whole = (tmp_path / ".rows.csv.ray-journal").read_bytes()
+    with Journal(tmp_path / "rows.csv", {"strict": True}, False) as journal:
+        assert journal.rows([file, file + "#none"]) == {file: '{"error":null}'}
+    # A line that was cut short, or changed, is no line.
+    for damaged in (whole[:-2], whole.replace(b"a.off", b"b.off")):
+        (tmp_path / ".rows.csv.ray-journal").write_bytes(damaged)
+        with Journal(tmp_path / "rows.csv", {"strict": True}, False) as journal:
+            assert set(journal.rows([file, str(tmp_path / "b.off")])) <= {file}
+    for options, restart in (({}, False), ({"strict": True}, True)):
+        (tmp_path / ".rows.csv.ray-journal").write_bytes(whole)
+        with Journal(tmp_path / "rows.csv", options, restart) as journal:
+            assert journal.rows([file]) == {}
+    with pytest.raises(coface.FileError, match="folder"):
+        coface.ray.batch(file, tmp_path / "none" / "rows.csv")
+
+
+def test_finished_shards_are_kept(tmp_path: Path) -> None:
+    shards(tmp_path / "ray")
+    first = coface.ray.homology(tmp_path / "ray")
+    before = {path.name: path.stat().st_mtime_ns for path in (tmp_path / "ray").iterdir()}
+    again = coface.ray.homology(tmp_path / "ray")
+    assert (first.made, again.made) == (sum(level.parts for level in first.levels), 0) and again.levels == first.levels
+    assert {path.name: path.stat().st_mtime_ns for path in (tmp_path / "ray").iterdir()} == before
+    (tmp_path / "ray" / "part-000002.reduced").write_bytes(b"no shard")
+    (tmp_path / "ray" / "part-000003.reduced").unlink()
+    mended = coface.ray.homology(tmp_path / "ray")
+    assert mended.made == 2 and files(tmp_path / "ray") == files(shards_reduced(tmp_path / "alone"))
+    assert coface.ray.homology(tmp_path / "ray", replace=True).made == first.made
+    # Of what the machine made alone, the cluster makes nothing again.
+    assert coface.ray.homology(tmp_path / "alone").made == 0
+
+
+def shards_reduced(folder: Path) -> Path:
+    """The same shards, reduced on this machine."""
+    coface.shards.homology(shards(folder))
+    return folder

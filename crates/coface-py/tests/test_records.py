@@ -56,13 +56,60 @@ def _answers() -> dict[str, Any]:
         "chains": coface.arrange(squares).chain_complex().model(),
         "cells": coface.boolean("union", cube, coface.Model(cube.vertices * 0.5 + 0.25, cube.faces)).cells,
         "Surface": torus.surface(),
+        "Simplices": coface.Complex([[0, 1, 2], [2, 9]]).star([2]),
+        "Verdict": coface.Complex([[0, 1, 2], [0, 1, 3], [0, 1, 4]]).is_manifold(),
+        "Verdict yes": coface.Complex([[0, 1, 2]]).is_manifold(),
+        "Kinks": (sets[0] - sets[1]).kinks,
+        "LarModel": coface.LarModel([[[0, 1], [1, 2], [0, 2]], [[0, 1, 2]]]),
+        "SimplicialGrid": coface.SimplicialGrid((2, 1)),
+        "CuboidGrid": coface.CuboidGrid((2, 1)),
+        "CuboidGrid of lengths": coface.CuboidGrid(lengths=[[0.5, 0.25], [2.0]]),
+        "CuboidGrid with a gap": coface.CuboidGrid(lengths=[[1.0, -0.5, 2.0], [1.0]]),
+        "CellGraph": coface.arrange({"a": cube, "b": coface.Model(cube.vertices + 0.5, cube.faces)}).graph(),
+        "Report": None,
         "Complex": coface.Complex([[0, 1, 2], [2, 9]]),
         "ChainComplex": torus.chain_complex(),
         "pair": torus.chain_complex(coface.Model.from_facets([[0, 1]])),
     }
 
 
-ANSWERS = _answers()
+ANSWERS = {name: answer for name, answer in _answers().items() if answer is not None}
+
+#: Rows of tables and the parts of a graph are dictionaries and tuples themselves.
+RECORDS = {"BatchRow", "BatchSummary", "CellEdge", "CellNode", "Verified"}
+
+
+def test_every_class_is_asked() -> None:
+    classes = {name: getattr(coface, name) for name in coface.__all__ if isinstance(getattr(coface, name), type)}
+    classes = {name: found for name, found in classes.items() if not issubclass(found, Exception) and name not in RECORDS}
+    # The report has its model on request: a test of its own.
+    assert set(classes) - {type(answer).__name__ for answer in ANSWERS.values()} == {"Report"}
+    missing = [
+        f"{name}.{member}"
+        for name, found in classes.items()
+        for member in ("to_dict", "from_dict", "_repr_html_", "__eq__", "__hash__", "__repr__", "__reduce__")
+        if getattr(found, member, None) in (None, getattr(object, member, None)) and (name, member) != ("CellGraph", "__reduce__")
+    ]
+    assert missing == []
+
+
+@pytest.mark.parametrize("name", sorted(ANSWERS))
+def test_answers_are_compared_with_anything(name: str) -> None:
+    answer = ANSWERS[name]
+    for other in (None, 0, "x", [], object(), np.zeros(3), float("nan"), *ANSWERS.values()):
+        is_equal = answer == other
+        assert isinstance(is_equal, (bool, np.ndarray))
+        if isinstance(is_equal, bool):
+            assert (answer != other) is not is_equal
+            if is_equal:
+                assert hash(answer) == hash(other) and type(other) is type(answer)
+
+
+@pytest.mark.parametrize("name", sorted(ANSWERS))
+def test_answers_show_and_name_themselves(name: str) -> None:
+    text = ANSWERS[name]._repr_html_()
+    assert text.startswith("<div>") and len(text) <= 60_000 and "<script" not in text
+    assert type(ANSWERS[name]).__name__ in repr(ANSWERS[name]) or repr(ANSWERS[name]).startswith(("H_", "H^", "Cohomology", "Z", "F"))
 
 
 @pytest.mark.parametrize("name", sorted(ANSWERS))

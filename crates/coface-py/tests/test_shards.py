@@ -41,6 +41,25 @@ def test_finished_shards_are_kept(tmp_path: Path) -> None:
     again = coface.shards.homology(tmp_path)
     assert (str(again.homology), again.levels) == (str(first.homology), first.levels)
     assert {path.name: path.stat().st_mtime_ns for path in tmp_path.iterdir()} == times
+    assert (first.made, again.made) == (3 + 1, 0)
+    # A part that is missing, and one that is damaged: they and what lies above are made again, if its bytes change; here they do not.
+    (tmp_path / "part-000001.reduced").unlink()
+    damaged = tmp_path / "part-000002.reduced"
+    whole = damaged.read_bytes()
+    damaged.write_bytes(whole[:-3])
+    assert coface.shards.homology(tmp_path).made == 2 and damaged.read_bytes() == whole
+    assert coface.shards.homology(tmp_path, replace=True).made == 4
+
+
+def test_checksums_are_those_that_reduced_shards_name(tmp_path: Path) -> None:
+    coface.shards.shard(coface.generate("torus"), tmp_path, 3)
+    shard = (tmp_path / "part-000001.shard").read_bytes()
+    known = coface.shards.checksum(shard[:64], len(shard))
+    assert coface.shards.summary(coface.shards.reduce(shard))["sources"] == [known]
+    with pytest.raises(coface.ParseError):
+        coface.shards.checksum(shard[:64], len(shard) - 1)
+    with pytest.raises(coface.Error):
+        coface.shards.checksum(b"", 0)
 
 
 def test_what_cannot_be_is_refused(tmp_path: Path) -> None:

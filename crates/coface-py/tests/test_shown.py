@@ -115,8 +115,8 @@ def test_answers_stand_beside_their_model_in_a_list() -> None:
     assert len(coface.plot(answers).collections) > len(coface.plot(torus).collections)
     # Dictionaries of the program are answers too.
     assert layers(coface.page(torus, {"loops": [[0, 1, 0]]}, report=False)) == ["loop 1"]
-    with pytest.raises(coface.InvalidInputError, match="two models"):
-        coface.page([torus, coface.generate("klein"), coface.pi1(torus)])
+    two = layers(coface.page([torus, coface.generate("klein"), coface.pi1(torus)], report=False))
+    assert two == ["model 1", "model 2", "loop 1", "loop 2"]
     with pytest.raises(coface.InvalidInputError, match="each of 90 edges"):
         coface.page([torus, np.zeros((2, 7))])
 

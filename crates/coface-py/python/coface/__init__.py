@@ -130,6 +130,7 @@ from coface import _faults, _records, maps
 from coface._notebook import repr_html as _repr_html
 from coface._view import page, render, view
 from coface._volumes import volume
+from coface._widget import widget
 
 # The adapters import the names above.
 from coface._buildings import (  # isort: skip
@@ -301,6 +302,7 @@ __all__ = [
     "view",
     "volume",
     "wasserstein",
+    "widget",
     "vineyard",
     "witness",
     "witness_complex",
@@ -317,6 +319,8 @@ for _shown in (
     Complex,
     Congruence,
     Cover,
+    CuboidGrid,
+    Curve,
     CutCells,
     Domain,
     FundamentalGroup,
@@ -324,20 +328,24 @@ for _shown in (
     Homology,
     HomologyGroup,
     Interface,
+    Kinks,
+    LarModel,
     Model,
     Persistence,
     PlanarArrangement,
     PlanarBoolean,
     Report,
     Simplices,
+    SimplicialGrid,
     SolidBoolean,
     SpatialArrangement,
     Surface,
     Verdict,
     YinSet,
+    CellGraph,
 ):
     setattr(_shown, "_repr_html_", _repr_html)
-    if _shown not in (Report, Verdict):
+    if _shown not in (CellGraph, CuboidGrid, Curve, Kinks, LarModel, Report, SimplicialGrid, Verdict):
         setattr(_shown, "plot", _plot_method)
 del _shown
 setattr(Model, "__geo_interface__", property(_geo_interface))

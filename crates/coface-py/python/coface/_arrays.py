@@ -193,6 +193,15 @@ def plain(value: Any) -> Any:
     """
     if isinstance(value, (set, frozenset)):
         return sorted(tuple(sorted(one)) if isinstance(one, frozenset) else one for one in value)
+    if hasattr(value, "data_vars") and hasattr(value, "to_dataarray"):
+        # A data set of xarray.
+        names = list(value.data_vars)
+        if len(names) != 1:
+            raise_invalid(
+                f"a data set has the variables {', '.join(map(repr, names)) or 'none'}, and one is wanted",
+                f"choose one: dataset[{(names or ['name'])[0]!r}]",
+            )
+        return value[names[0]].to_numpy()
     if hasattr(value, "to_numpy"):
         return value.to_numpy()
     if hasattr(value, "__next__") or isinstance(value, (KeysView, ValuesView)):
@@ -222,3 +231,19 @@ def raise_invalid(message: str, cure: str, cells: Sequence[Sequence[int]] = ()) 
     from coface._coface import InvalidInputError
 
     raise InvalidInputError(f"{message}; {cure}", fault=message, cure=cure, cells=cells)
+
+
+def with_numbers(model: Model, values: Any, on: str, count: int) -> Model:
+    """The model with the arrays of a mapping as data on its vertices or faces: those of numbers, a row for each."""
+    for name, given in dict(values).items():
+        array = np.asarray(given)
+        is_plain = array.dtype.kind in "biuf" and array.ndim in (1, 2) and len(array) == count
+        if is_plain and np.isfinite(array.astype(np.float64)).all() and array.size:
+            array = array.astype(np.float64 if array.dtype.kind == "f" else np.int64)
+            model = model.with_data(str(name), array, on)
+    return model
+
+
+def numbers_on(model: Model, on: str) -> dict[str, Any]:
+    """The data of a model on its vertices or faces, by name."""
+    return {name: np.asarray(values) for name, place, values in model.data if place == on}

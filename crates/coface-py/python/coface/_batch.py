@@ -6,7 +6,7 @@ import json
 import os
 import sys
 import tempfile
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Literal, TypedDict, overload
 
@@ -80,6 +80,11 @@ def batch(
     strict: bool = ...,
     partial: bool = ...,
     allow_outside: bool = ...,
+    threshold: float | None = ...,
+    below: float | None = ...,
+    between: tuple[float, float] | None = ...,
+    value: float | None = ...,
+    periodic: Sequence[int] = ...,
     voxels: Mapping[str, Any] | None = ...,
     all_places: bool = ...,
     timings: bool = ...,
@@ -101,6 +106,11 @@ def batch(
     strict: bool = ...,
     partial: bool = ...,
     allow_outside: bool = ...,
+    threshold: float | None = ...,
+    below: float | None = ...,
+    between: tuple[float, float] | None = ...,
+    value: float | None = ...,
+    periodic: Sequence[int] = ...,
     voxels: Mapping[str, Any] | None = ...,
     all_places: bool = ...,
     timings: bool = ...,
@@ -122,6 +132,11 @@ def batch(
     strict: bool = ...,
     partial: bool = ...,
     allow_outside: bool = ...,
+    threshold: float | None = ...,
+    below: float | None = ...,
+    between: tuple[float, float] | None = ...,
+    value: float | None = ...,
+    periodic: Sequence[int] = ...,
     voxels: Mapping[str, Any] | None = ...,
     all_places: bool = ...,
     timings: bool = ...,
@@ -143,6 +158,11 @@ def batch(
     strict: bool = False,
     partial: bool = False,
     allow_outside: bool = False,
+    threshold: float | None = None,
+    below: float | None = None,
+    between: tuple[float, float] | None = None,
+    value: float | None = None,
+    periodic: Sequence[int] = (),
     voxels: Mapping[str, Any] | None = None,
     all_places: bool = False,
     timings: bool = True,
@@ -174,8 +194,10 @@ def batch(
         The seconds and bytes that one file may take; ``None`` is any.
     format, flatten, strict, partial, allow_outside
         As those of :func:`read`.
+    threshold, below, between, value, periodic
+        Which voxels of files of volumes are set, and which axes close up, as in :func:`volume`. Other files are not concerned.
     voxels
-        Which voxels of volumes are set, by the words of :func:`volume`: ``{"threshold": 0.5, "periodic": [0]}``.
+        The same as a dictionary: ``{"threshold": 0.5, "periodic": [0]}``.
     all_places
         Whether every place of every problem is listed, not the first hundred alone.
     timings
@@ -201,7 +223,8 @@ def batch(
     """
     options = worker_options(
         jobs=jobs, timeout=timeout, memory=memory, format=format, flatten=flatten, strict=strict,
-        partial=partial, allow_outside=allow_outside, voxels=voxels,
+        partial=partial, allow_outside=allow_outside,
+        voxels=words_of_voxels(voxels, threshold=threshold, below=below, between=between, value=value, periodic=periodic),
         all_places=all_places, timings=timings, restart=restart,
     )  # fmt: skip
     files = find_files(paths, recursive)
@@ -282,6 +305,21 @@ def signatures(
     if out is not None:
         return _summary(_coface._signatures_write(files, out, groups, pseudomanifold, jobs, progress))
     return map(json.loads, _coface._SignatureRows(files, groups, pseudomanifold, jobs))
+
+
+def words_of_voxels(voxels: Mapping[str, Any] | None, **given: Any) -> dict[str, Any]:
+    """Which voxels are set, in the words of :func:`volume`, from a dictionary or from parameters.
+
+    Examples
+    --------
+    >>> words_of_voxels(None, threshold=0.5, below=None, periodic=())
+    {'threshold': 0.5}
+    """
+    named = {name: value for name, value in given.items() if value is not None and not (name == "periodic" and len(value) == 0)}
+    if voxels is not None and named:
+        message, cure = f"voxels and {next(iter(named))} are given together", f"write it in voxels: {{{next(iter(named))!r}: ...}}"
+        raise InvalidInputError(f"{message}; {cure}", fault=message, cure=cure)
+    return named if voxels is None else dict(voxels)
 
 
 def worker_options(*, voxels: Mapping[str, Any] | None, **options: Any) -> dict[str, Any]:

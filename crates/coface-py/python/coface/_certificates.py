@@ -152,7 +152,11 @@ def check(certificate: str | bytes | os.PathLike[str], *inputs: _Path, progress:
     elif isinstance(certificate, str) and certificate.lstrip().startswith("{"):
         text = certificate.encode()
     else:
-        with open(certificate, "rb") as file:
-            text = file.read()
+        try:
+            with open(certificate, "rb") as file:
+                text = file.read()
+        except OSError as fault:
+            message, cure = f"the certificate cannot be read: {fault.strerror}", "give its text, or the path of its file"
+            raise _coface.FileError(f"{certificate!r}: {message}; {cure}", fault=message, cure=cure, file=str(certificate)) from fault
     files, proved, unchecked = _coface._check(text, list(inputs), progress)
     return {"files": files, "proved": proved, "unchecked": unchecked}

@@ -4,10 +4,17 @@ from __future__ import annotations
 
 from typing import Any
 
-from coface._coface import Complex, Model, YinSet
+from coface._coface import Complex, Model, PlanarArrangement, YinSet
 from coface._models import as_complex, as_model
+from coface._arrays import raise_invalid
 from coface.interop import geopandas, gudhi, meshio, networkx, open3d, pymeshlab, pyvista, shapely, trimesh
 from coface._faults import in_words
+
+
+def _like(x: Any, what: str, *attributes: str) -> None:
+    """Refuses what has not the attributes of an object of another library."""
+    if not all(hasattr(x, name) for name in attributes):
+        raise_invalid(f"a {type(x).__name__} is no {what}", f"give a {what}; coface.as_model takes objects of any library")
 
 
 @in_words
@@ -43,6 +50,7 @@ def to_trimesh(x: Any, **options: Any) -> Any:
 @in_words
 def from_meshio(mesh: Any) -> Model:
     """A ``meshio.Mesh`` as a model; :func:`as_model` does it too."""
+    _like(mesh, "meshio.Mesh", "points", "cells")
     return meshio.to_model(mesh)
 
 
@@ -55,6 +63,8 @@ def to_meshio(x: Any, **options: Any) -> Any:
 @in_words
 def from_pyvista(mesh: Any) -> Model:
     """A data set of pyvista, or of VTK, as a model; :func:`as_model` does it too."""
+    if pyvista.is_other(mesh):
+        raise_invalid(f"a {type(mesh).__name__} is no data set of pyvista or VTK", "give one; coface.as_model takes objects of any library")
     return pyvista.to_model(mesh)
 
 
@@ -77,6 +87,8 @@ def to_pyvista(x: Any, *, grid: bool = False, **options: Any) -> Any:
 @in_words
 def from_pymeshlab(mesh: Any) -> Model:
     """A ``pymeshlab.Mesh``, or the current mesh of a ``MeshSet``, as a model; :func:`as_model` does it too."""
+    if not hasattr(mesh, "current_mesh"):
+        _like(mesh, "pymeshlab.Mesh", "vertex_matrix", "face_matrix")
     return pymeshlab.to_model(mesh)
 
 
@@ -101,6 +113,7 @@ def to_open3d(x: Any) -> Any:
 @in_words
 def from_networkx(graph: Any) -> Model:
     """A graph as a model of lines: vertex i is the i-th node; positions from the attribute ``pos`` if all nodes have it."""
+    _like(graph, "networkx.Graph", "nodes", "edges", "is_multigraph")
     return networkx.to_model(graph)
 
 
@@ -113,6 +126,7 @@ def to_networkx(x: Any) -> Any:
 @in_words
 def from_gudhi(tree: Any) -> Complex:
     """A ``gudhi.SimplexTree`` as a complex, whatever its filtration values."""
+    _like(tree, "gudhi.SimplexTree", "get_simplices")
     return gudhi.to_model(tree).complex()
 
 
@@ -133,6 +147,8 @@ def to_gudhi(x: Any, values: Any = None) -> Any:
 @in_words
 def from_shapely(geometry: Any) -> Model:
     """A geometry of shapely, or a list of them, as a model of lines; rings know their polygon."""
+    for one in geometry if isinstance(geometry, (list, tuple)) else [geometry]:
+        _like(one, "geometry of shapely", "geom_type")
     return shapely.to_model(geometry)
 
 
@@ -144,8 +160,25 @@ def to_shapely(x: Any) -> Any:
 
 @in_words
 def to_geopandas(x: Any) -> Any:
-    """A planar model as ``geopandas.GeoDataFrame``: a row for each feature, its attributes as columns, with its reference system."""
-    return geopandas.from_model(as_model(x))
+    """A planar model as ``geopandas.GeoDataFrame``: a row for each feature, its attributes as columns, with its reference system.
+
+    Parameters
+    ----------
+    x
+        Anything that :func:`as_model` understands and that lies in the plane. A :class:`PlanarArrangement` is an overlay: a row for each face that an input contains, with the
+        attributes of all features that contain it, ``None`` where no feature of an input does.
+
+    Returns
+    -------
+    geopandas.GeoDataFrame
+
+    Examples
+    --------
+    >>> import coface
+    >>> frame = coface.to_geopandas(coface.arrange(land, zones))    # doctest: +SKIP
+    >>> frame[["use", "zone", "geometry"]]                          # doctest: +SKIP
+    """
+    return geopandas.from_model(x.attributes() if isinstance(x, PlanarArrangement) else as_model(x))
 
 
 def set_from_shapely(geometry: Any, *, order: int = 2, kinks: Any = None, progress: Any = None) -> YinSet:

@@ -16,7 +16,13 @@ from coface._coface import Error, InvalidInputError, InvalidTypeError, OutOfRang
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 _OWN = os.path.dirname(os.path.abspath(__file__)) + os.sep
-_NUMPY = os.path.dirname(os.path.abspath(np.__file__)) + os.sep
+#: What is called with arguments as they were given: numpy, scipy beside it, and the modules of Python for paths and texts.
+_ALLOWED = (
+    _OWN,
+    *(os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(np.__file__))), name) + os.sep for name in ("numpy", "scipy")),
+    os.path.splitext(os.path.abspath(os.__file__))[0],
+    *(os.path.join(os.path.dirname(os.path.abspath(os.__file__)), name) for name in ("pathlib", "json", "re", "dataclasses.py", "functools.py")),
+)
 
 
 def in_words(function: Function) -> Function:
@@ -40,11 +46,11 @@ def in_words(function: Function) -> Function:
             return function(*arguments, **options)
         except Error:
             raise
-        except (TypeError, ValueError, OverflowError) as fault:
+        except (TypeError, ValueError, OverflowError, LookupError, AttributeError) as fault:
             if not _is_own(fault.__traceback__):
                 raise
             kind = InvalidInputError
-            if isinstance(fault, TypeError):
+            if isinstance(fault, (TypeError, AttributeError)):
                 kind = InvalidTypeError
             elif isinstance(fault, OverflowError):
                 kind = OutOfRangeError
@@ -60,13 +66,14 @@ def in_words(function: Function) -> Function:
 
 
 def _is_own(place: TracebackType | None) -> bool:
-    """Whether the last function of Python that was called is one of this package or of numpy."""
-    if place is None:
-        return True
-    while place.tb_next is not None:
+    """Whether all functions of Python that were called are of this package, or of what it computes with: none is one of the user."""
+    while place is not None:
+        name = place.tb_frame.f_code.co_filename
+        # Some functions of Python itself have no file.
+        if not name.startswith("<") and not os.path.abspath(name).startswith(_ALLOWED):
+            return False
         place = place.tb_next
-    name = os.path.abspath(place.tb_frame.f_code.co_filename)
-    return name.startswith((_OWN, _NUMPY))
+    return True
 
 
 def compiled_in_words(names: dict[str, Any]) -> None:
@@ -76,7 +83,20 @@ def compiled_in_words(names: dict[str, Any]) -> None:
             names[name] = asked = in_words(thing)
             # Where pickles look for it.
             asked.__module__ = "coface"
-        elif inspect.isclass(thing) and thing.__module__ == "coface" and not issubclass(thing, BaseException):
+        elif inspect.isclass(thing) and thing.__module__.partition(".")[0] == "coface" and not issubclass(thing, (BaseException, dict)):
             for member, value in list(vars(thing).items()):
-                if inspect.ismethoddescriptor(value) and not member.startswith("_") and hasattr(value, "__objclass__"):
+                if member.startswith("_"):
+                    continue
+                if isinstance(value, (staticmethod, classmethod)):
+                    setattr(thing, member, type(value)(_named(in_words(value.__func__), thing, member)))
+                elif inspect.isbuiltin(value):
+                    # A compiled function of a class that takes none of its objects.
+                    setattr(thing, member, staticmethod(_named(in_words(value), thing, member)))
+                elif inspect.isfunction(value) or inspect.ismethoddescriptor(value) and hasattr(value, "__objclass__"):
                     setattr(thing, member, in_words(value))
+
+
+def _named(function: Function, owner: type, member: str) -> Function:
+    """The function with the place where pickles look for it."""
+    function.__module__, function.__qualname__ = owner.__module__, f"{owner.__name__}.{member}"
+    return function

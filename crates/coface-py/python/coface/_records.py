@@ -27,6 +27,7 @@ from coface._coface import (
     CutCells,
     Domain,
     FundamentalGroup,
+    Kinks,
     LarModel,
     Interface,
     Model,
@@ -34,10 +35,12 @@ from coface._coface import (
     PlanarArrangement,
     PlanarBoolean,
     Report,
+    Simplices,
     SimplicialGrid,
     SolidBoolean,
     SpatialArrangement,
     Surface,
+    Verdict,
     YinSet,
 )
 from coface._faults import in_words
@@ -50,6 +53,12 @@ MAKERS: dict[str, Callable[..., Any]] = {
     "ChainComplex.of_points": ChainComplex.of_points,
     "Complex": Complex,
     "FundamentalGroup": FundamentalGroup,
+    "CuboidGrid": CuboidGrid,
+    "CuboidGrid.of_lengths": lambda lengths: CuboidGrid(lengths=lengths),
+    "Kinks.of": lambda region: region.kinks,
+    "LarModel": LarModel,
+    "SimplicialGrid": SimplicialGrid,
+    "Simplices": Simplices,
     "Surface.cocycles": Surface.cocycles,
     "Surface.cover": Surface.cover,
     "Surface.cut": Surface.cut,
@@ -58,6 +67,8 @@ MAKERS: dict[str, Callable[..., Any]] = {
     **{name: getattr(_coface, name) for name in ("_chains", "_curve", "_group", "_model", "_report", "_surface", "_yin_set")},
     **{name: getattr(_coface, name) for name in ("alpha", "arrange", "boolean", "cech", "congruence", "cubical", "flag", "persistence", "rips", "witness")},
 }
+#: Functions of pickles that have other names in dictionaries.
+_NAMES: dict[Any, str] = {}
 #: Classes whose answers are asked for again.
 ASKED = (
     Cocycles,
@@ -73,7 +84,7 @@ ASKED = (
     SpatialArrangement,
 )
 #: Classes that are made again of their parts.
-MADE = (ChainComplex, Complex, Curve, FundamentalGroup, Model, Report, Surface, YinSet)
+MADE = (ChainComplex, Complex, CuboidGrid, Curve, FundamentalGroup, Kinks, LarModel, Model, Report, SimplicialGrid, Simplices, Surface, YinSet)
 
 
 def asked(name: str, *arguments: Any, **options: Any) -> Any:
@@ -138,7 +149,7 @@ def written(value: Any) -> Any:
         if maker is _again:
             name, arguments, options = arguments
         else:
-            name, options = getattr(maker, "__qualname__", maker.__name__), {}
+            name, options = _NAMES.get(maker, getattr(maker, "__qualname__", maker.__name__)), {}
         return {"made_by": name, "arguments": [written(item) for item in arguments], "options": {k: written(v) for k, v in options.items()}}
     raise_invalid(f"a {type(value).__name__} cannot be written to a dictionary", "give arrays, lists and models")
 
@@ -275,17 +286,78 @@ def _reduce_simplicial(self: SimplicialGrid) -> tuple[Any, ...]:
 
 
 def _reduce_cuboids(self: CuboidGrid) -> tuple[Any, ...]:
-    # Corners tell the shape, and where lengths are not 1 or places are left out, they are not those of a grid of that shape.
+    # Corners tell the shape, and where lengths are not 1 or places are left out, the lengths of all intervals.
     corners = self.vertices
     shape = [int(last) for last in corners.max(axis=0)] if corners.size else []
     plain = CuboidGrid(shape) if np.prod([last + 1.0 for last in shape]) == len(corners) else None
-    if plain is None or plain.f_vector != self.f_vector or not np.array_equal(plain.vertices, corners):
-        raise_invalid("a CuboidGrid with lengths of its own does not know them any more", "pickle its model: grid.model()")
-    return CuboidGrid, (shape,)
+    if plain is not None and _are_equal_cells(plain, self):
+        return CuboidGrid, (shape,)
+    lengths = _lengths(self)
+    made = CuboidGrid(lengths=lengths) if lengths else None
+    if made is None or not _are_equal_cells(made, self):
+        raise_invalid("the lengths of this CuboidGrid cannot be told from its corners", "pickle its model: grid.model()")
+    return _cuboids_of_lengths, (lengths,)
+
+
+def _cuboids_of_lengths(lengths: list[list[float]]) -> CuboidGrid:
+    """The grid that has these lengths."""
+    return CuboidGrid(lengths=lengths)
+
+
+def _lengths(grid: CuboidGrid) -> list[list[float]]:
+    """The lengths of the intervals of each axis, those of gaps negative."""
+    dimension, found = grid.dimension, []
+    if dimension is None:
+        return []
+    corners = np.array([grid.cell(dimension, cell)[1] for cell in range(grid.f_vector[dimension])])
+    for axis in range(dimension):
+        places = np.unique(grid.vertices[:, axis])
+        is_full = np.isin(np.arange(len(places) - 1), corners[:, axis])
+        found.append([float(length) for length in np.where(is_full, 1, -1) * np.diff(places)])
+    return found
+
+
+def _are_equal_cells(a: CuboidGrid, b: CuboidGrid) -> bool:
+    top = a.dimension
+    return a.f_vector == b.f_vector and np.array_equal(a.vertices, b.vertices) and (top is None or np.array_equal(a.cells(top), b.cells(top)))
+
+
+def _equal_cells(self: Any, other: object) -> Any:
+    if not isinstance(other, type(self)):
+        return NotImplemented
+    if isinstance(self, CuboidGrid) and isinstance(other, CuboidGrid):
+        return _are_equal_cells(self, other)
+    return bool(self.__reduce__()[0] is other.__reduce__()[0] and written(self) == written(other))
+
+
+def _kinks_of(region: YinSet) -> Kinks:
+    """The kinks of a set."""
+    return region.kinks
+
+
+def _reduce_kinks(self: Kinks) -> tuple[Any, ...]:
+    return _kinks_of, (self.set,)
+
+
+def _kinks_facts(self: Kinks) -> dict[str, Any]:
+    """The kinks as a dictionary: ``kinks`` with a name, a curve, a knot and a point each, and ``recipe``, which ``from_dict`` reads."""
+    rows = zip(self.vertices.tolist(), self.knots.tolist(), self.points.tolist(), strict=True)
+    return {"kinks": [{"vertex": vertex, "curve": at[0], "knot": at[1], "point": point} for vertex, at, point in rows], **_recipe_of(self)}
+
+
+def _simplices_facts(self: Simplices) -> dict[str, Any]:
+    """The simplices in the words of the program's JSON, and ``recipe``, which ``from_dict`` reads."""
+    cells = self.__reduce__()[1][0]
+    return {"f_vector": list(self.f_vector), "is_complex": self.is_complex, **_recipe_of(self), "simplices": cells}
+
+
+def _reduce_verdict(self: Verdict) -> tuple[Any, ...]:
+    return Verdict.from_dict, (self.to_dict(),)
 
 
 def install() -> None:
     """Gives the classes their methods; the compiled part knows nothing of recipes."""
+    _NAMES.update({_cuboids_of_lengths: "CuboidGrid.of_lengths", _kinks_of: "Kinks.of"})
     for name, compiled in _TOLD.items():
 
         def method(self: Any, *arguments: Any, __name: str = name, **options: Any) -> Any:
@@ -305,10 +377,17 @@ def install() -> None:
         setattr(cls, "__hash__", _hash)
     for made in MADE:
         setattr(made, "from_dict", classmethod(from_dict))
-        if made not in (Report, YinSet):
+        if made not in (Kinks, Report, Simplices, YinSet):
             setattr(made, "to_dict", _recipe_of)
-    for grid, reduce in ((LarModel, _reduce_lar), (SimplicialGrid, _reduce_simplicial), (CuboidGrid, _reduce_cuboids)):
+    for grid, reduce in ((LarModel, _reduce_lar), (SimplicialGrid, _reduce_simplicial), (CuboidGrid, _reduce_cuboids), (Kinks, _reduce_kinks)):
         setattr(grid, "__reduce__", reduce)
+        setattr(grid, "__eq__", _equal_cells)
+        setattr(grid, "__hash__", _hash)
+    setattr(Kinks, "to_dict", _kinks_facts)
+    setattr(Simplices, "to_dict", _simplices_facts)
+    setattr(Verdict, "__reduce__", _reduce_verdict)
+    setattr(Verdict, "__eq__", _equal)
+    setattr(Verdict, "__hash__", _hash)
     setattr(Surface, "__eq__", _equal_surfaces)
     setattr(Surface, "__hash__", _hash)
     yin_facts, report_facts = YinSet.to_dict, Report.to_dict

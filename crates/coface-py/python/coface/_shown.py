@@ -35,11 +35,15 @@ Facts = dict[str, Any]
 
 
 class Shown:
-    """A model, and facts to show over it; the model is ``None`` where nothing says which it is."""
+    """A model, and facts to show over it; the model is ``None`` where nothing says which it is.
+
+    Several models that are shown together are one model here, and members say where the vertices of each begin and end.
+    """
 
     def __init__(self, model: Model | None = None, facts: Iterable[Facts] = ()) -> None:
         self.model = model
         self.facts = list(facts)
+        self.members: list[tuple[str, int, int]] = []
 
     def scene(self) -> Model:
         """The model as something that can be drawn."""
@@ -65,6 +69,11 @@ def is_model(x: Any) -> bool:
     return isinstance(x, (Model, Complex, Surface, ChainComplex))
 
 
+def is_space(x: Any) -> bool:
+    """Whether this is a space itself, of this package or of another library."""
+    return is_model(x) or not is_answer(x) and not isinstance(x, (dict, np.ndarray))
+
+
 def shown(x: Any, results: Any = None) -> Shown:
     """What is shown of a model, an answer, or a list of a model and answers, with more answers.
 
@@ -76,12 +85,15 @@ def shown(x: Any, results: Any = None) -> Shown:
     >>> together.model, len(together.facts[0]["generators"][1])
     (Model(7 vertices, 14 faces), 2)
     """
+    from coface import _scenes
+
+    several = _scenes.several(x)
+    if several is not None:
+        return _scenes.together(several, [] if results is None else _flat(results))
     listed = isinstance(x, (list, tuple)) and any(is_answer(one) for one in _flat(x))
     parts = [_one(one) for one in (_flat(x) if listed else [x])]
     extra = [] if results is None else [_result(one) for one in _flat(results)]
-    given = [one for one in (_flat(x) if listed else [x]) if is_model(one) or not is_answer(one) and not isinstance(one, (dict, np.ndarray))]
-    if len(given) > 1:
-        raise_invalid("there are two models", "give one model, and answers about it")
+    given = [one for one in (_flat(x) if listed else [x]) if is_space(one)]
     models = [part.model for part in parts + extra if part.model is not None]
     own = as_model(given[0]) if given and not isinstance(given[0], ChainComplex) else None
     model = own if own is not None else next(iter(models), None)

@@ -13,11 +13,14 @@ from coface import _coface
 from coface._arrays import raise_invalid
 from coface._coface import ChainComplex, Interface, Persistence, YinSet
 from coface._faults import in_words
+from coface._scenes import colored
 from coface._shown import is_answer, shown
 
 
 @in_words
-def page(x: Any, results: Any = None, *, title: str | None = None, report: bool = True, progress: Any = False) -> str:
+def page(
+    x: Any, results: Any = None, *, title: str | None = None, report: bool = True, colors: Any = None, progress: Any = False
+) -> str:
     """The page that ``coface view`` writes: one text, without a network.
 
     Parameters
@@ -25,13 +28,17 @@ def page(x: Any, results: Any = None, *, title: str | None = None, report: bool 
     x
         Anything that :func:`as_model` understands; an answer, which is shown over its model: homology with generators, one of its groups or
         generators, fundamental groups, a cover, cocycles, a cut, persistence, an arrangement, a Boolean, a :class:`YinSet`; or a list of a
-        model and answers about it, harmonic forms among them.
+        model and answers about it, harmonic forms among them. Several models are shown where they stand, each as a layer with a name and a color: a
+        list of models and answers about them, or a dictionary of names to models, or to lists of a model and answers about it.
     results
         More answers to show over the model, or dictionaries in the words of the program's ``--json``, or lists of those.
     title
         What the model is called.
     report
         Whether the report is shown beside it, which takes most of the time on large models.
+    colors
+        The colors of several models: one for each, or a dictionary by their names. A color is ``"#ff8000"``, a name such as ``"orange"``, or three
+        numbers from 0 to 1; ``None`` is the next one of the palette.
     progress
         ``True`` shows a bar; a function is called with (stage, done, total).
 
@@ -49,14 +56,19 @@ def page(x: Any, results: Any = None, *, title: str | None = None, report: bool 
     >>> text = coface.page([torus, coface.homology(torus, generators=True), coface.pi1(torus)], report=False)
     >>> "H1 generator 1" in text, "loop 1" in text
     (True, True)
+    >>> sphere = coface.generate("sphere")
+    >>> text = coface.page({"ring": torus, "ball": sphere}, colors={"ring": "orange"}, report=False)
+    >>> '"name":"ring"' in text, '"name":"ball"' in text
+    (True, True)
     """
     together = shown(x, results)
+    members = colored(together.members, colors)
     if together.model is None and not together.facts and is_answer(x):
         body = getattr(x, "_repr_html_", lambda: f"<pre>{html.escape(repr(x))}</pre>")()
         name = html.escape(title or type(x).__name__)
         return f"<!doctype html><html><head><meta charset=\"utf-8\"><title>{name}</title></head><body><h1>{name}</h1>{body}</body></html>"
     texts = [json.dumps(fact) for fact in together.facts]
-    return _coface._page(together.scene(), title or "model", texts, report, progress)
+    return _coface._page(together.scene(), title or "model", texts, report, members, progress)
 
 
 @in_words
@@ -67,6 +79,7 @@ def view(
     *,
     title: str | None = None,
     report: bool = True,
+    colors: Any = None,
     progress: Any = False,
 ) -> Path:
     """Write a page that shows a model and answers: opens from disk in any browser, to turn, cut and take apart.
@@ -74,10 +87,10 @@ def view(
     Parameters
     ----------
     x
-        A model, an answer, or a list of a model and answers, as in :func:`page`.
+        A model, an answer, a list of a model and answers, or several models, as in :func:`page`.
     path
         The file to write.
-    results, title, report, progress
+    results, title, report, colors, progress
         As in :func:`page`.
 
     Returns
@@ -93,7 +106,7 @@ def view(
     ('torus.html', True)
     """
     target = Path(path)
-    text = page(x, results, title=title or target.stem, report=report, progress=progress)
+    text = page(x, results, title=title or target.stem, report=report, colors=colors, progress=progress)
     _coface._replace_file(target, text.encode())
     return target
 
@@ -121,6 +134,7 @@ def render(
     spin: int | None = None,
     witness: bool = False,
     title: str = "model",
+    colors: Any = None,
     progress: Any = False,
 ) -> bytes:
     """A still picture of a model, of an answer over its model, or of several together; hidden lines are removed.
@@ -128,7 +142,7 @@ def render(
     Parameters
     ----------
     x
-        A model, an answer, or a list of a model and answers, as in :func:`page`. Persistence alone is a diagram, an interface its phases, a
+        A model, an answer, a list of a model and answers, or several models, as in :func:`page`. Persistence alone is a diagram, an interface its phases, a
         chain complex without a model its matrices.
     format
         ``"svg"``, ``"png"`` or ``"pdf"``; PDF has vectors, a pixel is 0.75 points. With ``spin`` ``"gif"`` or ``"png"``.
@@ -162,6 +176,8 @@ def render(
         Whether what is wrong is marked.
     title
         What it is called.
+    colors
+        The colors of several models, as in :func:`page`.
     progress
         As for :func:`homology`.
 
@@ -213,5 +229,6 @@ def render(
         spin=spin,
         witness=witness,
         title=title,
+        members=colored(together.members, colors),
         progress=progress,
     )

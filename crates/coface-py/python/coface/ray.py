@@ -10,15 +10,30 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
 from typing import Any, Literal, overload
 
 import ray
 
+import coface
 from coface import _coface
-from coface._batch import BatchRow, BatchSummary, MEMORY, _Path, _Progress, find_files, row_of, worker_options, write_lines
+from coface._batch import (
+    MEMORY,
+    BatchRow,
+    BatchSummary,
+    _Path,
+    _Progress,
+    find_files,
+    row_of,
+    words_of_voxels,
+    worker_options,
+    write_lines,
+)
+from coface._faults import in_words
+from coface._journal import Journal
 from coface._progress import Bar
-from coface.shards import Level, ShardHomology, Tree, merge, reduce, root_homology, summary
+from coface.shards import Level, ShardHomology, Tree, checksum, merge, reduce, root_homology, summary
 
 __all__ = ["batch", "homology", "start"]
 
@@ -48,9 +63,15 @@ def batch(
     strict: bool = ...,
     partial: bool = ...,
     allow_outside: bool = ...,
+    threshold: float | None = ...,
+    below: float | None = ...,
+    between: tuple[float, float] | None = ...,
+    value: float | None = ...,
+    periodic: Sequence[int] = ...,
     voxels: Mapping[str, Any] | None = ...,
     all_places: bool = ...,
     timings: bool = ...,
+    restart: bool = ...,
     files_per_task: int = ...,
     progress: bool = ...,
 ) -> list[BatchRow]: ...
@@ -68,9 +89,15 @@ def batch(
     strict: bool = ...,
     partial: bool = ...,
     allow_outside: bool = ...,
+    threshold: float | None = ...,
+    below: float | None = ...,
+    between: tuple[float, float] | None = ...,
+    value: float | None = ...,
+    periodic: Sequence[int] = ...,
     voxels: Mapping[str, Any] | None = ...,
     all_places: bool = ...,
     timings: bool = ...,
+    restart: bool = ...,
     files_per_task: int = ...,
     progress: bool = ...,
 ) -> list[dict[str, Any]]: ...
@@ -88,12 +115,19 @@ def batch(
     strict: bool = ...,
     partial: bool = ...,
     allow_outside: bool = ...,
+    threshold: float | None = ...,
+    below: float | None = ...,
+    between: tuple[float, float] | None = ...,
+    value: float | None = ...,
+    periodic: Sequence[int] = ...,
     voxels: Mapping[str, Any] | None = ...,
     all_places: bool = ...,
     timings: bool = ...,
+    restart: bool = ...,
     files_per_task: int = ...,
     progress: bool = ...,
 ) -> BatchSummary: ...
+@in_words
 def batch(
     paths: _Path | Iterable[_Path],
     out: _Path | None = None,
@@ -107,9 +141,15 @@ def batch(
     strict: bool = False,
     partial: bool = False,
     allow_outside: bool = False,
+    threshold: float | None = None,
+    below: float | None = None,
+    between: tuple[float, float] | None = None,
+    value: float | None = None,
+    periodic: Sequence[int] = (),
     voxels: Mapping[str, Any] | None = None,
     all_places: bool = False,
     timings: bool = True,
+    restart: bool = False,
     files_per_task: int = 64,
     progress: bool = False,
 ) -> list[BatchRow] | list[dict[str, Any]] | BatchSummary:
@@ -120,11 +160,14 @@ def batch(
 
     Parameters
     ----------
-    paths, flat, recursive, timeout, memory, format, flatten, strict, partial, allow_outside, voxels, all_places,
-    timings
+    paths, flat, recursive, timeout, memory, format, flatten, strict, partial, allow_outside, threshold, below, between, value, periodic, voxels,
+    all_places, timings
         As those of :func:`coface.batch`; folders and patterns are looked up here.
     out
-        A file to write the rows to instead: ``.jsonl``, ``.csv`` or ``.parquet``. It appears whole at the end.
+        A file to write the rows to instead: ``.jsonl``, ``.csv`` or ``.parquet``. It appears whole at the end. Until then finished rows stand in a journal
+        beside it, ``.NAME.ray-journal``: a call that was cut short goes on where it was, and rows whose files have changed are made again.
+    restart
+        Whether rows that an earlier call finished are done again.
     files_per_task
         How many files one task reads.
     progress
@@ -135,15 +178,44 @@ def batch(
     list of dict, or BatchSummary
         As :func:`coface.batch`: the same rows in the same order.
     """
-    import ray.data
-
     start()
     files = find_files(paths, recursive)
-    options = {
+    options: dict[str, Any] = {
         "timeout": timeout, "memory": memory, "format": format, "flatten": flatten,
-        "strict": strict, "partial": partial, "allow_outside": allow_outside, "voxels": voxels,
+        "strict": strict, "partial": partial, "allow_outside": allow_outside,
+        "voxels": words_of_voxels(voxels, threshold=threshold, below=below, between=between, value=value, periodic=periodic),
         "all_places": all_places, "timings": timings,
     }  # fmt: skip
+    # A fault in the options is one of this call, not of each task.
+    worker_options(jobs=1, restart=False, **options)
+    if out is None:
+        return [row_of(line, flat, timings) for line in _lines(files, options, files_per_task, progress)]
+    target = Path(out)
+    with Journal(target, options, restart) as journal:
+        finished = journal.rows(files)
+        left = [file for file in files if file not in finished]
+        made = iter(_lines(left, options, files_per_task, progress))
+
+        def lines() -> Iterator[str]:
+            for file in files:
+                if file in finished:
+                    yield finished[file]
+                else:
+                    line = next(made)
+                    journal.add(file, line)
+                    yield line
+
+        said = write_lines(lines(), target, timings)
+        journal.remove()
+    return {**said, "resumed": len(finished)}
+
+
+def _lines(files: list[str], options: dict[str, Any], files_per_task: int, progress: bool) -> Iterator[str]:
+    """The rows of files as lines of JSON, in their order, as they come."""
+    import ray.data
+
+    if not files:
+        return
     # A data set keeps the context it was made in.
     context = ray.data.DataContext.get_current()
     before = context.execution_options.preserve_order, context.enable_progress_bars
@@ -154,10 +226,8 @@ def batch(
         rows = rows.map_batches(_examine, batch_size=files_per_task, fn_kwargs={"options": options}, num_cpus=1)
     finally:
         context.execution_options.preserve_order, context.enable_progress_bars = before
-    lines = (row["line"] for row in rows.iter_rows())
-    if out is not None:
-        return write_lines(lines, out, timings)
-    return [row_of(line, flat, timings) for line in lines]
+    for row in rows.iter_rows():
+        yield row["line"]
 
 
 def _examine(files: dict[str, Any], options: dict[str, Any]) -> dict[str, list[str]]:
@@ -167,16 +237,19 @@ def _examine(files: dict[str, Any], options: dict[str, Any]) -> dict[str, list[s
     return {"line": _coface._batch_lines(paths, options_of_workers)}
 
 
+@in_words
 def homology(
     folder: _Path,
     *,
     write: bool = True,
+    replace: bool = False,
     retries: int = 3,
     progress: _Progress = False,
 ) -> ShardHomology:
     """The integral homology of shards in a folder: a task of Ray for each shard, and one for each merge of the tree.
 
-    What is left of shards goes from task to task as objects of Ray. A task whose worker died is done again by Ray; the bytes are the same.
+    What is left of shards goes from task to task as objects of Ray. A task whose worker died is done again by Ray; the bytes are the same. A reduced shard
+    that stands in the folder, whole and made of the shards that are there, is read and not made again, so that a call that was cut short goes on where it was.
 
     Parameters
     ----------
@@ -184,6 +257,8 @@ def homology(
         A folder that all machines share, or a URL of fsspec, with the shards that ``coface shard`` or :func:`coface.shards.shard` made.
     write
         Whether reduced shards are written to the folder too, with the names and bytes that ``coface merge`` gives them.
+    replace
+        Whether finished reduced shards are made again.
     retries
         How often Ray does a task again whose worker died.
     progress
@@ -192,7 +267,7 @@ def homology(
     Returns
     -------
     ShardHomology
-        Homology, cells, and for each level its strata, critical cells and bytes.
+        Homology, cells, and for each level its strata, critical cells and bytes; ``made`` counts the reduced shards that were made now.
     """
     import fsspec
 
@@ -204,38 +279,66 @@ def homology(
     reduce_task = ray.remote(_reduce_task).options(**options)
     merge_task = ray.remote(_merge_task).options(**options)
     with _Told(progress) as told:
-        found = [reduce_task.remote(root, number, write) for number in range(tree.parts)]
+        found = [reduce_task.remote(root, number, write, replace) for number in range(tree.parts)]
         told("reducing parts", [said for _, said in found])
         levels = [[said for _, said in found]]
         while len(found) > 1 or not ray.get(found[0][1])["is_root"]:
             level = len(levels)
             found = [
-                merge_task.remote(root, tree, level, number, write, *(found[child][0] for child in tree.children(level, number)))
+                merge_task.remote(root, tree, level, number, write, replace, *(found[child][0] for child in tree.children(level, number)))
                 for number in range(tree.width(level))
             ]
             told(f"merging parts to level {level}", [said for _, said in found])
             levels.append([said for _, said in found])
-    counts = [_level(ray.get(level)) for level in levels]
-    return ShardHomology(root_homology(ray.get(found[0][0])), ray.get(found[0][1])["cells"], counts)
+    said = [ray.get(level) for level in levels]
+    made = sum(part["is_new"] for level in said for part in level)
+    return ShardHomology(root_homology(ray.get(found[0][0])), ray.get(found[0][1])["cells"], [_level(level) for level in said], made)
 
 
-def _reduce_task(folder: str, number: int, write: bool) -> tuple[bytes, dict[str, Any]]:
+def _reduce_task(folder: str, number: int, write: bool, replace: bool) -> tuple[bytes, dict[str, Any]]:
     """What is left of a shard, and its counts."""
     import fsspec
 
-    with fsspec.open(f"{folder}/part-{number:06}.shard", "rb") as file:
-        reduced = reduce(file.read())
+    source, target = f"{folder}/part-{number:06}.shard", f"{folder}/part-{number:06}.reduced"
+    system, path = fsspec.core.url_to_fs(source)
+    if not replace:
+        found = _finished(target, [checksum(system.cat_file(path, end=64), system.size(path))])
+        if found is not None:
+            return found
+    reduced = reduce(system.cat_file(path))
     if write:
-        _put(f"{folder}/part-{number:06}.reduced", reduced)
-    return reduced, summary(reduced)
+        _put(target, reduced)
+    return reduced, {**summary(reduced), "is_new": True}
 
 
-def _merge_task(folder: str, tree: Tree, level: int, number: int, write: bool, *children: bytes) -> tuple[bytes, dict[str, Any]]:
+def _merge_task(folder: str, tree: Tree, level: int, number: int, write: bool, replace: bool, *children: bytes) -> tuple[bytes, dict[str, Any]]:
     """What is left of some neighbors together, and its counts."""
+    target = f"{folder}/level-{level}-{number:06}.reduced"
+    if not replace:
+        found = _finished(target, [summary(child)["checksum"] for child in children])
+        if found is not None:
+            return found
     reduced = merge(children, tree, level, number)
     if write:
-        _put(f"{folder}/level-{level}-{number:06}.reduced", reduced)
-    return reduced, summary(reduced)
+        _put(target, reduced)
+    return reduced, {**summary(reduced), "is_new": True}
+
+
+def _finished(url: str, sources: list[int]) -> tuple[bytes, dict[str, Any]] | None:
+    """A reduced shard that is there, whole and made of these sources, and its counts."""
+    import fsspec
+
+    system, path = fsspec.core.url_to_fs(url)
+    try:
+        reduced = system.cat_file(path)
+    except FileNotFoundError:
+        return None
+    try:
+        counts = summary(reduced)
+    except coface.Error:
+        # Damaged, or of another version: it is made again.
+        return None
+    return (reduced, {**counts, "is_new": False}) if list(counts["sources"]) == sources else None
 
 
 def _put(url: str, content: bytes) -> None:

@@ -26,9 +26,10 @@ from typing import Any
 
 from coface import _coface
 from coface._coface import Homology
+from coface._faults import in_words
 from coface._models import as_model
 
-__all__ = ["Level", "ShardHomology", "Tree", "homology", "merge", "reduce", "root_homology", "shard", "summary"]
+__all__ = ["Level", "ShardHomology", "Tree", "checksum", "homology", "merge", "reduce", "root_homology", "shard", "summary"]
 
 _Path = str | os.PathLike[str]
 _Progress = bool | Callable[[str, int, int], object] | None
@@ -104,6 +105,8 @@ class ShardHomology:
     cells: list[int]
     #: The levels, from the shards on.
     levels: list[Level]
+    #: How many reduced shards this call made; the others were finished before.
+    made: int = 0
 
     @property
     def bytes_sent(self) -> int:
@@ -111,6 +114,7 @@ class ShardHomology:
         return sum(level.bytes for level in self.levels[:-1])
 
 
+@in_words
 def shard(
     model: Any,
     folder: _Path,
@@ -151,30 +155,64 @@ def shard(
     return _coface._shard(as_model(model), folder, parts, memory, fan_in, name, replace, progress)
 
 
+@in_words
 def reduce(shard: bytes, *, progress: _Progress = False) -> bytes:
     """What is left of a shard."""
     return _coface._reduce(shard, progress)
 
 
+@in_words
 def merge(children: Iterable[bytes], tree: Tree, level: int, number: int, *, progress: _Progress = False) -> bytes:
     """The reduced shard of a place, from those of ``tree.children(level, number)`` in their order."""
     return _coface._merge(list(children), tree.complex, tree.parts, tree.fan_in, level, number, progress)
 
 
+@in_words
 def summary(reduced: bytes) -> dict[str, Any]:
     """The counts of a reduced shard: ``level``, ``number``, ``cells``, ``strata``, ``critical``, ``bytes``, ``is_root``, ``checksum``, ``sources``."""
     return _coface._summary(reduced)
 
 
+@in_words
+def checksum(start: bytes, length: int) -> int:
+    """The checksum that a shard, or a reduced one, says it has.
+
+    Parameters
+    ----------
+    start
+        Its first 64 bytes at least.
+    length
+        The bytes of all of it.
+    """
+    return _coface._shard_checksum(start, length)
+
+
+@in_words
 def root_homology(root: bytes) -> Homology:
     """The homology of the whole, from the reduced shard that is the root."""
     return _coface._root_homology(root)
 
 
+@in_words
 def homology(folder: _Path, *, replace: bool = False, progress: _Progress = False) -> ShardHomology:
     """Reduce the shards of a folder one by one and merge them.
 
-    What is finished, and made from what is there, is not made again unless `replace` is set.
+    What is finished, and made from what is there, is not made again unless `replace` is set, so that a call that was cut short goes on where it
+    was. The reduced shards in the folder are its journal: each says of which shards it was made, and files appear whole or not at all.
+
+    Parameters
+    ----------
+    folder
+        The folder that :func:`shard` or ``coface shard`` made.
+    replace
+        Whether finished reduced shards are made again.
+    progress
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    ShardHomology
+        Homology, cells and levels; ``made`` counts what was made by this call.
     """
-    found, cells, levels = _coface._folder_homology(folder, replace, progress)
-    return ShardHomology(found, cells, [Level(**level) for level in levels])
+    found, cells, levels, made = _coface._folder_homology(folder, replace, progress)
+    return ShardHomology(found, cells, [Level(**level) for level in levels], made)

@@ -2,7 +2,7 @@
 
 use super::{ends_of, order_of, point_array, points_of};
 use crate::arrays;
-use crate::errors::{OrRaise, whole};
+use crate::errors::{OrRaise, whole, wrong_type};
 use crate::work::run;
 use coface::geometry::Angle;
 use coface::io;
@@ -21,7 +21,7 @@ use pyo3::types::PyTuple;
 /// order : {2, 4, 6, 8}
 ///     2 for polylines, 4 for cubic splines, ..
 /// ends : {"not-a-knot", "natural", "periodic"}
-///     What holds at the ends.
+///     What holds at the ends; ``"not-a-knot"`` if it is left out.
 ///
 /// Examples
 /// --------
@@ -37,15 +37,21 @@ pub(crate) struct Curve {
 #[pymethods]
 impl Curve {
     #[new]
-    #[pyo3(signature = (points, order=2, ends="not-a-knot"))]
+    #[pyo3(signature = (points, order=2, ends=None))]
     fn new(
         py: Python<'_>,
         points: &Bound<'_, PyAny>,
         #[pyo3(from_py_with = whole)] order: usize,
-        ends: &str,
+        ends: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         let points = points_of(points, "points")?;
-        let (order, ends) = (order_of(py, order)?, ends_of(py, ends)?);
+        let ends: String = match ends {
+            None => "not-a-knot".to_owned(),
+            Some(ends) => ends.extract().map_err(|_| {
+                wrong_type(py, format!("ends is {ends}"), "give ends=\"not-a-knot\" or another name")
+            })?,
+        };
+        let (order, ends) = (order_of(py, order)?, ends_of(py, &ends)?);
         let curve = run(py, None, || match order {
             Order::LINEAR => yin::Curve::polyline(&points),
             order => yin::Curve::fit(&points, order, &ends),

@@ -25,6 +25,12 @@ impl Kinks {
 
 #[pymethods]
 impl Kinks {
+    /// The set that they are of.
+    #[getter]
+    fn set(&self, py: Python<'_>) -> Py<YinSet> {
+        self.set.clone_ref(py)
+    }
+
     /// The names, in the order of curves and knots.
     #[getter]
     fn vertices<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {

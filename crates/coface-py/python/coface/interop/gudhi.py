@@ -45,6 +45,9 @@ def from_complex(complex: Complex, values: Any = None) -> Any:
     library = needed("gudhi", "to_gudhi")
     tree = library.SimplexTree()
     levels = None if values is None else np.asarray(values, np.float64)
+    last = int(np.asarray(complex.vertices).max(initial=-1))
+    if levels is not None and (levels.ndim != 1 or len(levels) <= last):
+        raise_invalid(f"values have the shape {levels.shape}", f"give a number for each vertex, indexed by its id: an array of shape ({last + 1},)")
     for dimension in range((-1 if complex.dimension is None else complex.dimension) + 1):
         rows = np.asarray(complex.simplices(dimension))
         at = np.zeros(len(rows)) if levels is None else levels[rows].max(axis=1)

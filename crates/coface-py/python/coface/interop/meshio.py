@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from coface._coface import Model
-from coface._arrays import CORNERS, blocks, polygons, positions, ragged, raise_invalid, steps
+from coface._arrays import CORNERS, blocks, numbers_on, polygons, positions, ragged, raise_invalid, steps, with_numbers
 from coface.interop import needed
 
 FACES = ("triangle", "quad", "polygon")
@@ -16,7 +16,7 @@ MANY = 256
 
 
 def to_model(value: Any) -> Model:
-    """A :class:`meshio.Mesh` as a model. Blocks of one kind are put together in their order.
+    """A :class:`meshio.Mesh` as a model. Blocks of one kind are put together in their order. Numbers on points go over, and those on cells where all are faces.
 
     Raises
     ------
@@ -34,7 +34,12 @@ def to_model(value: Any) -> Model:
         data = block.data if kind == "polygon" else np.asarray(block.data).reshape(-1, CORNERS[kind])
         found.setdefault("polygon" if kind in FACES else kind, []).append(data)
     cells = {kind: _joined(data) if kind == "polygon" else np.concatenate(data) for kind, data in found.items()}
-    return Model.from_arrays(np.asarray(value.points), cells=cells)
+    model = Model.from_arrays(np.asarray(value.points), cells=cells)
+    model = with_numbers(model, value.point_data, "vertices", len(value.points))
+    if set(cells) == {"polygon"}:
+        joined = {name: np.concatenate([np.asarray(part) for part in parts]) for name, parts in value.cell_data.items()}
+        model = with_numbers(model, joined, "faces", len(ragged(model.faces)[1]) - 1)
+    return model
 
 
 def _joined(blocks_of_faces: list[Any]) -> tuple[Any, Any]:
@@ -46,7 +51,8 @@ def _joined(blocks_of_faces: list[Any]) -> tuple[Any, Any]:
 
 
 def from_model(model: Model, **options: Any) -> Any:
-    """A model as :class:`meshio.Mesh`: blocks of cells of one kind. Faces keep their order unless that would take very many blocks.
+    """A model as :class:`meshio.Mesh`: blocks of cells of one kind. Faces keep their order unless that would take very many blocks. Data on vertices go
+    over, and those on faces where there is nothing else.
 
     Parameters
     ----------
@@ -68,4 +74,8 @@ def from_model(model: Model, **options: Any) -> Any:
         faces = [(int(sizes[b]), flat[offsets[b] : offsets[e]].reshape(-1, sizes[b])) for b, e in zip(begins, ends)]
     found.extend(({3: "triangle", 4: "quad"}.get(length, "polygon"), block) for length, block in faces)
     found.extend((kind, np.asarray(cells)) for kind, cells in model.cells.items())
+    options = {"point_data": numbers_on(model, "vertices"), **options}
+    if len(pairs) == 0 and not model.cells and 0 < len(begins) <= MANY and "cell_data" not in options:
+        cuts = np.cumsum([len(block) for _, block in found])[:-1]
+        options["cell_data"] = {name: np.split(values, cuts) for name, values in numbers_on(model, "faces").items()}
     return library.Mesh(positions(model, "to_meshio"), found, **options)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from coface._coface import Model
-from coface._arrays import SOLID, lists, padded, polygons, positions, ragged, raise_invalid, unpadded
+from coface._arrays import SOLID, lists, numbers_on, padded, polygons, positions, ragged, raise_invalid, unpadded, with_numbers
 from coface.interop import needed
 
 #: The numbers that VTK has for kinds of cells.
@@ -21,6 +21,12 @@ NUMBERS = {
 LINE, POLYLINE, PIXEL, VOXEL = 3, 4, 8, 11
 #: Triangles, polygons, pixels and quadrilaterals.
 FACES = (5, 7, PIXEL, 9)
+
+
+def is_other(value: Any) -> bool:
+    """Whether this is no data set of pyvista or VTK."""
+    is_here = type(value).__module__.partition(".")[0] == "coface"
+    return is_here or not (hasattr(value, "points") or hasattr(value, "GetPoints") or hasattr(value, "cast_to_unstructured_grid"))
 
 
 def to_model(value: Any) -> Model:
@@ -39,10 +45,13 @@ def to_model(value: Any) -> Model:
             cells["polygon"] = unpadded(value.faces)
         if len(value.lines):
             cells["line"] = _steps(*unpadded(value.lines))
-        return Model.from_arrays(np.asarray(value.points, np.float64), cells=cells)
+        return _with_data(Model.from_arrays(np.asarray(value.points, np.float64), cells=cells), value, set(cells) == {"polygon"} and not len(value.verts))
     if not hasattr(value, "celltypes"):
         library = needed("pyvista", "as_model")
         grid = library.wrap(value) if not hasattr(value, "cast_to_unstructured_grid") else value
+        if hasattr(grid, "combine") and hasattr(grid, "n_blocks"):
+            # Blocks side by side.
+            grid = grid.combine()
         if hasattr(grid, "faces") and hasattr(grid, "strips"):
             return to_model(grid)
         value = grid.cast_to_unstructured_grid()
@@ -74,7 +83,22 @@ def to_model(value: Any) -> Model:
                 f"cells of the kind {number} of VTK have no counterpart",
                 "make them linear: grid.linear_copy(), or grid.triangulate()",
             )
-    return Model.from_arrays(np.asarray(value.points, np.float64), cells=cells)
+    return _with_data(Model.from_arrays(np.asarray(value.points, np.float64), cells=cells), value, bool(is_face.all()))
+
+
+def _with_data(model: Model, value: Any, has_faces_alone: bool) -> Model:
+    """The model with the numbers on points, and with those on cells where all are faces."""
+    model = with_numbers(model, value.point_data, "vertices", len(value.points))
+    return with_numbers(model, value.cell_data, "faces", len(ragged(model.faces)[1]) - 1) if has_faces_alone else model
+
+
+def _data_of(mesh: Any, model: Model, has_faces_alone: bool) -> Any:
+    """The data set with the data of the model."""
+    for name, values in numbers_on(model, "vertices").items():
+        mesh.point_data[name] = values
+    for name, values in numbers_on(model, "faces").items() if has_faces_alone else ():
+        mesh.cell_data[name] = values
+    return mesh
 
 
 def _steps(flat: Any, offsets: Any) -> Any:
@@ -101,7 +125,8 @@ def from_model(model: Model, *, grid: bool = False, **options: Any) -> Any:
             np.where(corners == 3, 5, np.where(corners == 4, 9, 7)),
             *(np.full(len(cells), numbers[kind]) for kind, cells in solids.items()),
         ]
-        return library.UnstructuredGrid(np.concatenate(parts), np.concatenate(kinds).astype(np.uint8), points, **options)
+        made = library.UnstructuredGrid(np.concatenate(parts), np.concatenate(kinds).astype(np.uint8), points, **options)
+        return _data_of(made, model, not solids and not len(walks[0]))
     mesh = library.PolyData(points, **options)
     if len(faces[0]):
         mesh.faces = padded(*faces)
@@ -109,4 +134,4 @@ def from_model(model: Model, *, grid: bool = False, **options: Any) -> Any:
         mesh.lines = padded(*walks)
     if len(faces[0]) or len(walks[0]):
         mesh.verts = np.zeros(0, np.int64)
-    return mesh
+    return _data_of(mesh, model, len(faces[0]) > 0 and not len(walks[0]))

@@ -2,28 +2,48 @@
 
 from __future__ import annotations
 
+from inspect import signature
 from typing import Any
 
 import numpy as np
 
-from coface._arrays import raise_invalid
-from coface._coface import Model, SpatialArrangement
+from coface._arrays import ragged, raise_invalid
+from coface._coface import Error, Model, SpatialArrangement
 from coface.interop import needed
 
 
 def to_model(value: Any) -> Model:
-    """The faces of a topology as a model."""
+    """The faces of a topology as a model; they run coherently if they can, as those of a cell do, which topologicpy does not see to."""
     geometry = _module("Topology").Topology.Geometry(value, mantissa=15)
     vertices, faces = geometry["vertices"], geometry["faces"]
     if not faces:
         raise_invalid("the topology has no faces", "give a Cell, a CellComplex, a Shell or a Face")
-    return Model(np.asarray(vertices, np.float64).reshape(-1, 3), [list(map(int, face)) for face in faces])
+    model = Model(np.asarray(vertices, np.float64).reshape(-1, 3), [list(map(int, face)) for face in faces])
+    try:
+        oriented, _ = model.repaired(orient=True, keep_repeated=True)
+    except Error:
+        # Faces of a cluster or of a complex of cells meet in threes.
+        return model
+    if len(ragged(oriented.faces)[1]) != len(ragged(model.faces)[1]):
+        return model
+    return Model(oriented.vertices, [face[::-1] for face in _polygons(oriented)]) if _volume(oriented) < 0 else oriented
+
+
+def _volume(model: Model) -> float:
+    """Six times the volume that faces enclose: positive where they look outward."""
+    points = np.asarray(model.vertices, np.float64)
+    points = points - points.mean(axis=0)
+    corners = [(face[0], b, c) for face in _polygons(model) for b, c in zip(face[1:], face[2:])]
+    a, b, c = (points[list(each)] for each in zip(*corners))
+    return float(np.einsum("ij,ij->", a, np.cross(b, c)))
 
 
 def to_models(topology: Any) -> dict[str, Model]:
     """Cells as models by name; see :func:`coface.from_topologic`."""
     functions, dictionaries = _module("Topology").Topology, _module("Dictionary").Dictionary
-    cells = functions.Cells(topology) or []
+    # Of a single cell topologicpy says that it is one.
+    cells = functions.Cells(topology, silent=True) if "silent" in signature(functions.Cells).parameters else functions.Cells(topology)
+    cells = cells or []
     if not cells:
         return {"topology": to_model(topology)}
     models: dict[str, Model] = {}
