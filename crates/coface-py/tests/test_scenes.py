@@ -33,7 +33,12 @@ def test_each_model_is_a_layer_with_its_name_and_color(tmp_path) -> None:
     sphere = coface.generate("sphere", subdivisions=1)
     found = layers(coface.page({"ring": placed(0), "ball": sphere}, colors={"ring": "#ff8000"}, report=False))
     assert list(found) == ["ring", "ball"]
-    assert found["ring"]["color"] == 0x1FF8000 and found["ball"].get("color") is None
+    assert found["ring"]["color"] == 0x1FF8000 and found["ball"]["color"] == 0x10072B2
+    # What has no color gets one that the others have not.
+    blue = layers(coface.page({"ring": placed(0), "ball": sphere}, colors={"ring": "blue"}, report=False))
+    assert (blue["ring"]["color"], blue["ball"]["color"]) == (0x10072B2, 0x1D55E00)
+    plain = layers(coface.page([placed(0), sphere], report=False))
+    assert [layer.get("color") for layer in plain.values()] == [None, None]
     assert found["ring"]["detail"] == "30 vertices" and all(layer["group"] == "models" for layer in found.values())
     assert list(layers(coface.page([placed(0), sphere], report=False))) == ["model 1", "model 2"]
     path = coface.view([placed(0), placed(9)], tmp_path / "two.html", colors=["red", None])
@@ -102,3 +107,14 @@ def test_what_cannot_be_is_refused() -> None:
     for color in ("crimson!", (2, 0, 0), 3, "#12"):
         with pytest.raises(coface.InvalidInputError, match="is no color"):
             rgb(color)
+
+
+def test_scenes_are_plotted_and_in_widgets() -> None:
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    axes = coface.plot([placed(0), placed(9)])
+    low, high = axes.get_xlim()
+    assert low < 0 < 9 < high
+    pyplot.close("all")

@@ -16,6 +16,9 @@ from coface.interop import adapter_of
 #: What a model of a scene is called, and the model or the answer.
 Named = tuple[str, Any]
 
+#: The colors of pictures, which can be told apart with any sort of color vision.
+PALETTE = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
+
 #: Colors by name: those of the palette of pictures, and some that everybody knows.
 NAMES = {
     "blue": "#0072b2",
@@ -255,7 +258,19 @@ def colored(members: Sequence[tuple[str, int, int]], colors: Any) -> list[tuple[
         unknown = [name for name in colors if name not in names]
         if unknown:
             raise_invalid(f"colors has {unknown[0]!r}, and no model is called so", f"the models are called {', '.join(names)}")
-        return [(*member, rgb(colors[member[0]]) if member[0] in colors else None) for member in members]
+        return _filled(members, [colors.get(name) for name in names])
     if isinstance(colors, str) or len(colors) != len(members):
         raise_invalid(f"colors is {colors!r}, and there are {len(members)} models", "give a color for each, or a dictionary by their names")
-    return [(*member, None if color is None else rgb(color)) for member, color in zip(members, colors)]
+    return _filled(members, list(colors))
+
+
+def _filled(members: Sequence[tuple[str, int, int]], colors: list[Any]) -> list[tuple[str, int, int, tuple[int, int, int] | None]]:
+    """Members with these colors; where there is none, with the next one of the palette that no other has."""
+    given = [None if color is None else rgb(color) for color in colors]
+    free = [color for color in map(rgb, PALETTE) if color not in given] or list(map(rgb, PALETTE))
+    found: list[tuple[str, int, int, tuple[int, int, int] | None]] = []
+    place = 0
+    for member, color in zip(members, given, strict=True):
+        found.append((*member, free[place % len(free)] if color is None else color))
+        place += color is None
+    return found
