@@ -27,7 +27,8 @@ pub use boolean::{Assumption, Combination, Normalized, PieceSource, UncertifiedD
 pub use curve::{Carrier, Curve, EndCondition, Location, Order};
 pub use cut_cells::{CartesianGrid, Coverage, CutArc, CutCell, CutCells, WalkStep};
 pub use interface::{
-    DirectedEdge, EdgeBend, InterfaceEdge, InterfaceFault, InterfaceGraph, InterfaceOptions, Overlaps, Trail,
+    DirectedEdge, EdgeBend, InterfaceEdge, InterfaceFault, InterfaceGraph, InterfaceOptions,
+    NormalizedInterface, Overlaps, Trail,
 };
 pub use kinks::{Kinks, KnotIndex, turning_kinks};
 pub use set::{

@@ -301,6 +301,14 @@ impl<'a> CutCells<'a> {
         &self.arcs[first as usize..end as usize]
     }
 
+    /// The curve, the piece and the length of each arc in the grid.
+    #[doc(hidden)]
+    pub fn arc_lengths(&self) -> Vec<(usize, usize, f64)> {
+        let integrals = Integrals::new(self.set.order().degree());
+        let arcs = self.cells.iter().flat_map(|cell| self.arcs(cell));
+        arcs.map(|arc| (arc.curve(), arc.piece(), integrals.length(&arc.controls(self.set)))).collect()
+    }
+
     /// The area of what of the set is in a cell.
     ///
     /// # Panics

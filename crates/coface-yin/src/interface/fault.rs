@@ -5,6 +5,7 @@ use crate::boolean::first_covering;
 use crate::set::CurveArena;
 use crate::{Curve, YinSet};
 use coface_algebra::Error;
+use coface_geometry::Sum;
 use std::fmt;
 
 /// Edges of an interface that meet otherwise than at their ends, by what that makes of the phases.
@@ -113,10 +114,19 @@ impl InterfaceGraph {
 
     /// A phase as a set, without a look at how its curves lie. It is unbounded if they enclose a negative area.
     pub(crate) fn unchecked_set(&self, phase: u32) -> Result<YinSet, Error> {
-        let curves: Vec<Curve<'static>> = self.phase_curves(phase)?;
+        self.unchecked_region(Some(phase))
+    }
+
+    /// The same, also of what is in no phase.
+    pub(crate) fn unchecked_region(&self, phase: Option<u32>) -> Result<YinSet, Error> {
         let mut arena = CurveArena::new(self.order());
-        curves.iter().for_each(|curve| arena.push(curve));
-        let parents = vec![None; curves.len()];
-        Ok(YinSet::from_parts(arena, self.phase_area(phase)? < 0.0, parents, Vec::new()))
+        let mut area = Sum::default();
+        for walk in self.walks_of(phase) {
+            let curve: Curve<'static> = self.walk_curve(&walk)?;
+            area.add(curve.signed_area());
+            arena.push(&curve);
+        }
+        let parents = vec![None; arena.len()];
+        Ok(YinSet::from_parts(arena, area.value() < 0.0, parents, Vec::new()))
     }
 }

@@ -175,7 +175,10 @@ impl InterfaceGraph {
         around: Option<Vec<Vec<DirectedEdge>>>,
     ) -> Result<Self, Error> {
         let trails = trails_of(&arcs.ends, &arcs.smooth_pairs)?;
-        let curves = fitted_edges(points, parameters, &trails, order)?;
+        // Each edge is in one trail.
+        let mut curves = fitted_edges(points, parameters, &trails, order)?;
+        curves.sort_unstable_by_key(|&(edge, _)| edge);
+        let curves = curves.into_iter().map(|(_, curve)| curve).collect();
         Self::of_fitted(arcs, trails, curves, order, around)
     }
 
@@ -446,7 +449,7 @@ impl InterfaceGraph {
     }
 
     /// The phase on the left of a directed edge.
-    pub(super) fn left(&self, edge: DirectedEdge) -> Option<u32> {
+    pub(crate) fn left(&self, edge: DirectedEdge) -> Option<u32> {
         self.phases[edge.edge.index()][usize::from(edge.sign == Sign::Minus)]
     }
 }

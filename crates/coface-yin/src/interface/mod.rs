@@ -7,6 +7,7 @@
 //! * **Smooth pairs** say which edges go on smoothly through a vertex. Maximal chains of such edges are **trails**, fitted by one
 //!   spline that is not-a-knot at its ends, or **circuits**, which are closed and periodic.
 
+mod edits;
 mod fault;
 mod graph;
 mod overlaid;
@@ -15,6 +16,7 @@ mod phases;
 mod places;
 mod sets;
 mod trails;
+mod unique;
 
 pub use fault::InterfaceFault;
 pub(crate) use graph::Arcs;
@@ -23,3 +25,4 @@ pub use partition::Overlaps;
 pub use places::EdgeBend;
 pub use sets::InterfaceOptions;
 pub use trails::{DirectedEdge, Trail};
+pub use unique::NormalizedInterface;

@@ -36,12 +36,15 @@ pub(super) struct Partition {
 }
 
 impl Partition {
+    /// The partition in which each set is the phase with this number, or none.
+    ///
     /// # Errors
     /// For sets that overlap, unless it is said to which of them their common points go; if the boundaries cannot be laid over each other.
-    pub(super) fn new(sets: &[&YinSet], overlaps: Overlaps) -> Result<Self, Error> {
+    pub(super) fn new(sets: &[&YinSet], names: &[Option<u32>], overlaps: Overlaps) -> Result<Self, Error> {
         let overlaid = Overlaid::new(sets)?;
         let cells = overlaid.cells();
-        let Some(phases) = phases_of_faces(cells, sets, overlaps) else { return Err(overlap(sets)?) };
+        let Some(owners) = phases_of_faces(cells, sets, overlaps) else { return Err(overlap(sets)?) };
+        let phases: Vec<Option<u32>> = owners.into_iter().map(|set| names[set? as usize]).collect();
         let face_count = phases.len() - 1;
         let phase = |halfedge: u32| phases[(cells.face(halfedge) as usize).min(face_count)];
         let is_kept = |halfedge: u32| phase(halfedge) != phase(halfedge ^ 1);
@@ -201,7 +204,7 @@ impl Partition {
     }
 }
 
-/// The phase of each face, the unbounded one last; none if sets overlap and must not.
+/// The set that each face is in, the unbounded one last; none if sets overlap and must not.
 fn phases_of_faces(cells: &RingCells, sets: &[&YinSet], overlaps: Overlaps) -> Option<Vec<Option<u32>>> {
     let unbounded = unbounded(sets);
     let face_count = cells.face_count() as u32;

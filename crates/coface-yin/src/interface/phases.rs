@@ -15,6 +15,7 @@ impl InterfaceGraph {
     /// The edges that leave each vertex, counterclockwise by their directions there.
     pub(super) fn edges_around(&self) -> Result<Vec<Vec<DirectedEdge>>, Error> {
         let mut around: Vec<Vec<(DirectedEdge, [[f64; 2]; 2])>> = vec![Vec::new(); self.vertices.len()];
+        let bend = |edge: DirectedEdge| self.bend_at_tail(edge).unwrap_or_default();
         for at in 0..2 * self.edge_count() {
             let edge = DirectedEdge::at(at);
             let controls = self.curves[edge.edge.index()].controls();
@@ -35,9 +36,14 @@ impl InterfaceGraph {
             let order = |s: [[f64; 2]; 2], t: [[f64; 2]; 2]| {
                 is_lower(s).cmp(&is_lower(t)).then_with(|| direction_turn(s, t).reverse())
             };
-            leaving.sort_by(|a, b| order(a.1, b.1));
+            // Of edges that leave in one direction the one that bends more to the left comes later.
+            leaving.sort_by(|a, b| order(a.1, b.1).then_with(|| bend(a.0)[0].total_cmp(&bend(b.0)[0])));
             for pair in leaving.windows(2) {
-                if order(pair[0].1, pair[1].1) == Ordering::Equal {
+                let are_apart = || {
+                    let bends = [pair[0].0, pair[1].0].map(|edge| self.bend_at_tail(edge));
+                    matches!(bends, [Some([a, near]), Some([b, far])] if b - a > near + far)
+                };
+                if order(pair[0].1, pair[1].1) == Ordering::Equal && !are_apart() {
                     return Err(Error::invalid(format!(
                         "edges {} and {} leave vertex {vertex} in the same direction",
                         pair[0].0.edge.index(),
@@ -49,6 +55,29 @@ impl InterfaceGraph {
             found.push(leaving.into_iter().map(|(edge, _)| edge).collect());
         }
         Ok(found)
+    }
+
+    /// The curvature with which an edge leaves its vertex, positive to the left, and how far it may be off; none without a direction there.
+    fn bend_at_tail(&self, edge: DirectedEdge) -> Option<[f64; 2]> {
+        let curve = &self.curves[edge.edge.index()];
+        let degree = curve.order().degree();
+        let mut controls = match edge.sign {
+            Sign::Plus => curve.piece(0).to_vec(),
+            Sign::Minus => curve.piece(curve.piece_count() - 1).to_vec(),
+        };
+        if edge.sign == Sign::Minus {
+            controls.reverse();
+        }
+        let difference = |at: usize| [0, 1].map(|axis| controls[at + 1][axis] - controls[at][axis]);
+        let [x, y] = difference(0);
+        let length = x.hypot(y);
+        if length == 0.0 {
+            return None;
+        }
+        let [u, v] = if degree > 1 { difference(1) } else { [x, y] };
+        let part = (degree - 1) as f64 / degree as f64;
+        let bend = part * ((x / length) * (v / length) - (y / length) * (u / length)) / length;
+        Some([bend, 1e-12 * ((1.0 + u.hypot(v) / length) / length + bend.abs())])
     }
 
     /// Whether the edges around each vertex agree on the phases between them: there is neither a gap nor an overlap.
@@ -92,6 +121,11 @@ impl InterfaceGraph {
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn phase_walks(&self, phase: u32) -> Vec<Vec<DirectedEdge>> {
+        self.walks_of(Some(phase))
+    }
+
+    /// The same, also of what is in no phase.
+    pub(crate) fn walks_of(&self, phase: Option<u32>) -> Vec<Vec<DirectedEdge>> {
         let mut place = vec![0u32; 2 * self.edge_count()];
         for leaving in &self.around {
             for (at, edge) in leaving.iter().enumerate() {
@@ -104,7 +138,7 @@ impl InterfaceGraph {
         let mut walks = Vec::new();
         for first in 0..2 * self.edge_count() {
             let mut edge = DirectedEdge::at(first);
-            if self.left(edge) != Some(phase) {
+            if self.left(edge) != phase {
                 continue;
             }
             let mut walk: Vec<DirectedEdge> = Vec::new();
@@ -154,7 +188,7 @@ impl InterfaceGraph {
     }
 
     /// The closed curve along a walk.
-    fn walk_curve(&self, walk: &[DirectedEdge]) -> Result<Curve<'static>, Error> {
+    pub(crate) fn walk_curve(&self, walk: &[DirectedEdge]) -> Result<Curve<'static>, Error> {
         let (mut controls, mut knots) = (Vec::<[f64; 2]>::new(), vec![0.0]);
         for edge in walk {
             let curve = &self.curves[edge.edge.index()];

@@ -121,9 +121,18 @@ impl InterfaceGraph {
     /// # Ok(()) }
     /// ```
     pub fn of_sets_with(sets: &[YinSet], options: &InterfaceOptions) -> Result<Self, Error> {
+        let names: Vec<Option<u32>> = (0..sets.len() as u32).map(Some).collect();
+        Self::of_named_sets(&sets.iter().collect::<Vec<_>>(), &names, options)
+    }
+
+    /// The same with the number of the phase that each set is, or none. Several sets may be one phase.
+    pub(crate) fn of_named_sets(
+        sets: &[&YinSet],
+        names: &[Option<u32>],
+        options: &InterfaceOptions,
+    ) -> Result<Self, Error> {
         let InterfaceOptions { order, smooth_angle, overlaps } = *options;
-        let sets: Vec<&YinSet> = sets.iter().collect();
-        let partition = Partition::new(&sets, overlaps)?;
+        let partition = Partition::new(sets, names, overlaps)?;
         let points = partition.points();
         let Partition { arcs, curves, around, is_kink, order: own_order } = partition;
         let graph = Self::with_curves(arcs.clone(), curves, own_order, around)?;

@@ -166,15 +166,15 @@ pub(super) fn trails_of(ends: &[[u32; 2]], pairs: &[[DirectedEdge; 2]]) -> Resul
     Ok(trails)
 }
 
-/// The curves of all edges: parts of the splines of trails. Where parameters of the points of all edges of a trail are given they are those of
+/// The curves of the edges of trails: parts of the splines of these. Where parameters of the points of all edges of a trail are given they are those of
 /// the spline, else it is fitted by length.
 pub(super) fn fitted_edges(
     points: &[Vec<[f64; 2]>],
     parameters: &[Option<Vec<f64>>],
     trails: &[Trail],
     order: Order,
-) -> Result<Vec<Curve<'static>>, Error> {
-    let mut curves: Vec<Option<Curve<'static>>> = vec![None; points.len()];
+) -> Result<Vec<(EdgeId, Curve<'static>)>, Error> {
+    let mut curves = Vec::new();
     for trail in trails {
         let mut way: Vec<[f64; 2]> = Vec::new();
         for edge in &trail.edges {
@@ -208,11 +208,11 @@ pub(super) fn fitted_edges(
             let controls = spline.controls()[from * degree..=to * degree].to_vec();
             let knots = spline.knots()[from..=to].iter().map(|knot| knot - spline.knots()[from]).collect();
             let part = Curve::from_controls(order, controls, knots)?;
-            curves[edge.edge.index()] = Some(if edge.sign == Sign::Plus { part } else { part.reversed() });
+            curves.push((edge.edge, if edge.sign == Sign::Plus { part } else { part.reversed() }));
             from = to;
         }
     }
-    Ok(curves.into_iter().map(|curve| curve.expect("each edge is in a trail")).collect())
+    Ok(curves)
 }
 
 /// The parameters of the points of a trail, from those of its edges one after the other, if they are given and rise.

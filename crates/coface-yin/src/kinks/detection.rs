@@ -32,6 +32,12 @@ pub fn turning_kinks(points: &[[f64; 2]], angle: f64) -> Result<Vec<u32>, Error>
         .collect())
 }
 
+/// Whether a polygon turns at a point by more than an angle, in radians.
+pub(crate) fn turning_at(before: [f64; 2], at: [f64; 2], after: [f64; 2], angle: f64) -> Result<bool, Error> {
+    check_angle(angle)?;
+    Ok(turn(difference(at, before), difference(after, at)) > angle)
+}
+
 impl YinSet {
     /// The knots at which the polygon through the knots of a curve turns by more than an angle, in radians, rising.
     ///

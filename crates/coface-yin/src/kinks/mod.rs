@@ -19,6 +19,7 @@ mod smooth_pieces;
 mod table;
 
 pub(crate) use apart_curves::are_surely_apart;
+pub(crate) use detection::turning_at;
 pub use detection::turning_kinks;
 pub(crate) use smooth_pieces::SmoothPieces;
 pub use table::{Kinks, KnotIndex};

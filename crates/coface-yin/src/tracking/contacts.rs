@@ -18,11 +18,13 @@ const WAY: f64 = 3.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Contact {
     pub(super) curves: [usize; 2],
+    /// The pieces of these curves.
+    pub(super) pieces: [usize; 2],
     pub(super) points: [[f64; 2]; 2],
 }
 
 impl Contact {
-    fn distance(&self) -> f64 {
+    pub(super) fn distance(&self) -> f64 {
         distance(self.points[0], self.points[1])
     }
 
@@ -177,7 +179,9 @@ pub(super) fn contacts(curves: &[&Curve<'static>], within: f64) -> Vec<Contact> 
         let (pair, least) = least;
         let is_apart = least.distance > 1e-9 * within && pieces.are_apart(pair, &least);
         if !is_thread && is_apart && pieces.are_in_sight(&tree, pair, least.points) {
-            found.push(Contact { curves: pair.map(|piece| pieces.curve_of(piece)), points: least.points });
+            let curves = pair.map(|piece| pieces.curve_of(piece));
+            let own = [0, 1].map(|end| pair[end] as usize - pieces.first[curves[end]]);
+            found.push(Contact { curves, pieces: own, points: least.points });
         }
     }
     found.sort_by(|a: &Contact, b| a.distance().total_cmp(&b.distance()));

@@ -25,6 +25,8 @@ struct Front {
     /// Its number at the beginning.
     origin: u32,
     parent: Option<u32>,
+    /// Whether it was made of parts of curves when they were last cut and pasted.
+    is_pasted: bool,
 }
 
 impl Front {
@@ -64,6 +66,7 @@ impl Fronts {
                 kinks: Vec::new(),
                 origin: curve as u32,
                 parent: set.forest().parent(curve).map(|parent| parent as u32),
+                is_pasted: false,
             })
             .collect();
         for (at, name) in set.kinks().iter() {
@@ -218,6 +221,16 @@ impl Fronts {
     /// narrower than the distance of contacts is in contact, and the mean width of a curve is twice its area by its length, half its width for
     /// a disk.
     pub(super) fn close_slivers(&mut self, within: f64) -> Vec<Gone> {
+        self.close_slivers_where(within, |_| true)
+    }
+
+    /// The same for curves that were made of parts of others when they were last cut and pasted: where boundaries that run side by side cross by the error of
+    /// tracking, that leaves slivers between their crossings.
+    pub(super) fn close_pasted_slivers(&mut self, within: f64) -> Vec<Gone> {
+        self.close_slivers_where(within, |front| front.is_pasted)
+    }
+
+    fn close_slivers_where(&mut self, within: f64, is_asked: impl Fn(&Front) -> bool) -> Vec<Gone> {
         let (inner_counts, is_positive) = (self.inner_counts(), self.are_positive());
         let mut stays = vec![true; self.fronts.len()];
         let mut slivers = Vec::new();
@@ -225,7 +238,10 @@ impl Fronts {
             let knots: Vec<[f64; 2]> =
                 (0..=front.curve.piece_count()).map(|knot| front.curve.knot_point(knot)).collect();
             let length = polyline_length(&knots);
-            if inner_counts[number] > 0 || 2.0 * front.curve.signed_area().abs() >= 0.5 * within * length {
+            if !is_asked(front)
+                || inner_counts[number] > 0
+                || 2.0 * front.curve.signed_area().abs() >= 0.5 * within * length
+            {
                 continue;
             }
             stays[number] = false;
@@ -352,12 +368,19 @@ impl Fronts {
                 });
                 kinks.push((knot, known));
             }
-            fronts.push((curve, kinks, origin.unwrap_or_default(), set.forest().parent(number)));
+            let first_front = own.first().and_then(&front_of);
+            let is_whole = first_front.is_some_and(|front| {
+                own.len() == self.fronts[front].curve.piece_count()
+                    && own.iter().all(|source| {
+                        front_of(source) == Some(front) && [[0.0, 1.0], [1.0, 0.0]].contains(&source.range)
+                    })
+            });
+            fronts.push((curve, kinks, origin.unwrap_or_default(), set.forest().parent(number), !is_whole));
         }
         let mut used: BTreeSet<u32> = BTreeSet::new();
         self.fronts = fronts
             .into_iter()
-            .map(|(curve, kinks, origin, parent)| {
+            .map(|(curve, kinks, origin, parent, is_pasted)| {
                 let mut named = |known: Option<u32>| {
                     // Where curves touch in a kink only one of them keeps its name.
                     known.filter(|&name| used.insert(name)).unwrap_or_else(|| {
@@ -366,7 +389,7 @@ impl Fronts {
                     })
                 };
                 let kinks = kinks.into_iter().map(|(knot, known)| (knot, named(known))).collect();
-                Front { curve, kinks, origin, parent: parent.map(|parent| parent as u32) }
+                Front { curve, kinks, origin, parent: parent.map(|parent| parent as u32), is_pasted }
             })
             .collect();
         self.is_unbounded = !set.is_bounded();
@@ -391,7 +414,7 @@ impl Fronts {
 
 /// A rectangle over the gap between two points: twice as wide as `size`, so that its sides are not in contact, and half of that longer at
 /// both ends. All its corners are kinks.
-fn patch([p, q]: [[f64; 2]; 2], size: f64, order: Order) -> Result<YinSet, Error> {
+pub(super) fn patch([p, q]: [[f64; 2]; 2], size: f64, order: Order) -> Result<YinSet, Error> {
     let far = distance(p, q);
     let along = [0, 1].map(|axis| (q[axis] - p[axis]) / far * 0.5 * size);
     let across = [-2.0 * along[1], 2.0 * along[0]];

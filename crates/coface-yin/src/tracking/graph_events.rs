@@ -1,14 +1,20 @@
 //! Changes of the topology of interfaces that move, with their times narrowed.
 
+use super::graph_contacts::EdgeContact;
 use super::graphs::{InterfaceRepair, TrackedGraph};
-use super::{TrackingCounts, TrackingOptions};
+use super::{OnContact, TrackingCounts, TrackingOptions};
+use crate::curve::distance;
 use crate::{InterfaceFault, InterfaceGraph};
 use coface_algebra::{EdgeId, Error};
+use coface_arrange::boolean::InsideRule;
 use std::collections::BTreeMap;
 use std::fmt;
 
 /// So often a step is halted; what comes after that in it has the time of its end.
 const HALTS: usize = 64;
+
+/// So often a step is halted at contacts that change no topology: edges that are pressed together close a gap bit by bit.
+const IDLE_HALTS: usize = 3;
 
 /// A kind of change of an interface.
 ///
@@ -27,14 +33,18 @@ pub enum InterfaceEventKind {
     HoleVanishes,
     /// The junctions at the ends of an edge meet.
     JunctionsMeet,
-    /// Components of a phase become fewer where edges are cut and pasted.
+    /// Components of a phase become fewer where edges are cut and pasted, or in contact.
     PhaseMerges,
-    /// Components of a phase become more where edges are cut and pasted.
+    /// Components of a phase become more where edges are cut and pasted, or in contact.
     PhaseSplits,
-    /// Holes of a phase become more where edges are cut and pasted.
+    /// Holes of a phase become more where edges are cut and pasted, or in contact.
     HoleForms,
-    /// Holes of a phase become fewer where edges are cut and pasted.
+    /// Holes of a phase become fewer where edges are cut and pasted, or in contact.
     HoleOpens,
+    /// Two phases come together where what was between them has become too narrow: they get an edge in common.
+    PhasesMeet,
+    /// Edges come into contact and stay as they are.
+    Contact,
 }
 
 impl fmt::Display for InterfaceEventKind {
@@ -48,6 +58,8 @@ impl fmt::Display for InterfaceEventKind {
             Self::PhaseSplits => "a phase splits",
             Self::HoleForms => "a hole forms in a phase",
             Self::HoleOpens => "a hole of a phase opens",
+            Self::PhasesMeet => "phases come together",
+            Self::Contact => "edges come into contact",
         })
     }
 }
@@ -76,18 +88,20 @@ impl InterfaceEvent {
         self.kind
     }
 
-    /// Where: the mean of the knots of an edge that vanishes, the middle of the ends of one whose junctions meet, or the place at which edges
-    /// came to meet.
+    /// Where: the mean of the knots of an edge that vanishes, the middle of the ends of one whose junctions meet, the place at which edges
+    /// came to meet, or the middle of the gap between them.
     pub fn place(&self) -> [f64; 2] {
         self.place
     }
 
-    /// The phase that changed; of junctions that meet all phases around them.
+    /// The phase that changed; of junctions that meet all phases around them, of phases that come together these, and of a contact those beyond the
+    /// edges and between them.
     pub fn phases(&self) -> &[u32] {
         &self.phases
     }
 
-    /// The numbers of components and holes of the phase just before and just after; none for junctions that meet.
+    /// The numbers of components and holes of the phase just before and just after; none for junctions and phases that meet,
+    /// and for contacts.
     pub fn counts(&self) -> Option<[[usize; 2]; 2]> {
         self.counts
     }
@@ -101,7 +115,13 @@ struct Trial {
     stays: Vec<bool>,
     /// Which edges that are left are too short for their junctions to be told apart.
     is_short: Vec<bool>,
-    fault: Option<InterfaceFault>,
+    /// All contacts, and those of them that were not there before the part.
+    contacts: Vec<EdgeContact>,
+    fresh: Vec<EdgeContact>,
+    /// Whether there are components that have become narrow all along, which go.
+    has_slivers: bool,
+    /// That edges have come to meet, or that this cannot be decided.
+    fault: Result<Option<InterfaceFault>, Error>,
 }
 
 /// An interface on its way.
@@ -117,12 +137,27 @@ pub(super) struct GraphOnTheWay<'a> {
     numbers: Vec<Option<EdgeId>>,
     /// The edges of which it is known that their junctions meet.
     is_short: Vec<bool>,
+    /// Nearer than this edges are in contact.
+    within: f64,
+    /// The places of contacts that are kept.
+    kept_contacts: Vec<[f64; 2]>,
+    /// Whether edges that are kept as they are cross.
+    is_crossed: bool,
     events: Vec<InterfaceEvent>,
 }
 
 impl<'a> GraphOnTheWay<'a> {
-    pub(super) fn new(graph: &InterfaceGraph, options: &'a TrackingOptions, tolerance: Option<f64>) -> Self {
-        Self {
+    pub(super) fn new(
+        graph: &InterfaceGraph,
+        options: &'a TrackingOptions,
+        tolerance: Option<f64>,
+    ) -> Result<Self, Error> {
+        let within = options.contact_distance.unwrap_or(options.least_ratio * options.spacing);
+        let kept_contacts = match options.on_contact {
+            Some(OnContact::Keep) => graph.contacts(within)?.iter().map(EdgeContact::place).collect(),
+            _ => Vec::new(),
+        };
+        Ok(Self {
             options,
             tolerance,
             graph: graph.clone(),
@@ -131,8 +166,11 @@ impl<'a> GraphOnTheWay<'a> {
             repairs: Vec::new(),
             numbers: (0..graph.edge_count()).map(EdgeId::new).map(Some).collect(),
             is_short: short_edges(graph, options.range().least),
+            within,
+            kept_contacts,
+            is_crossed: false,
             events: Vec::new(),
-        }
+        })
     }
 
     pub(super) fn tracked(self) -> TrackedGraph {
@@ -155,10 +193,12 @@ impl<'a> GraphOnTheWay<'a> {
         [mut from, end]: [f64; 2],
         check: Option<bool>,
     ) -> Result<(), Error> {
+        let mut idle_halts = 0;
         for halt in 0..=HALTS {
             let (mut found, mut until) = (self.trial(map, [from, end], check)?, end);
             if let Some(tolerance) = self.tolerance
                 && halt < HALTS
+                && idle_halts < IDLE_HALTS
                 && !self.is_quiet(&found)
             {
                 let mut quiet = from;
@@ -175,7 +215,9 @@ impl<'a> GraphOnTheWay<'a> {
                     }
                 }
             }
+            let events = self.events.len();
             self.take(found, number, until)?;
+            idle_halts += usize::from(self.events.len() == events);
             if until == end {
                 break;
             }
@@ -198,11 +240,39 @@ impl<'a> GraphOnTheWay<'a> {
             Some(_) => short_edges(&graph, range.least),
             None => vec![false; graph.edge_count()],
         };
-        let fault = match check {
-            Some(is_thorough) => graph.fault_on_the_way(is_thorough)?,
-            None => None,
+        let contacts = match self.options.on_contact {
+            Some(_) => graph.contacts(self.within)?,
+            None => Vec::new(),
         };
-        Ok(Trial { graph, counts, stays, is_short, fault })
+        let fresh = match self.options.on_contact {
+            Some(OnContact::Keep) => {
+                let near = 2.0 * self.options.spacing.max(self.within);
+                let kept = map(&self.kept_contacts);
+                let is_known =
+                    |contact: &EdgeContact| kept.iter().any(|&place| distance(place, contact.place()) < near);
+                contacts.iter().filter(|contact| !is_known(contact)).cloned().collect()
+            }
+            _ => contacts.clone(),
+        };
+        let has_slivers = self.closes_slivers() && !graph.slivers(self.within)?.is_empty();
+        let fault = match check {
+            Some(is_thorough) => graph.fault_on_the_way(is_thorough),
+            None => Ok(None),
+        };
+        Ok(Trial { graph, counts, stays, is_short, contacts, fresh, has_slivers, fault })
+    }
+
+    /// Whether what is narrower than the distance of contacts all along goes.
+    fn closes_slivers(&self) -> bool {
+        self.options.on_contact == Some(OnContact::Merge) && !self.options.keep_small
+    }
+
+    /// The rule by which edges that cross are cut and pasted.
+    fn rule(&self) -> Option<InsideRule> {
+        match self.options.on_contact {
+            Some(OnContact::Merge) => Some(self.options.repair.unwrap_or(InsideRule::Positive)),
+            _ => self.options.repair,
+        }
     }
 
     /// What was known of edges, of those that are left.
@@ -213,12 +283,17 @@ impl<'a> GraphOnTheWay<'a> {
     fn is_quiet(&self, trial: &Trial) -> bool {
         let known = Self::kept(&self.is_short, &trial.stays);
         let is_fresh = trial.is_short.iter().zip(known).any(|(&is, was)| is && !was);
-        trial.fault.is_none() && !is_fresh && trial.stays.iter().all(|&stays| stays)
+        let is_crossed = !matches!(trial.fault, Ok(None));
+        let has_contacts = !trial.fresh.is_empty() || trial.has_slivers;
+        (!is_crossed || self.is_crossed)
+            && !has_contacts
+            && !is_fresh
+            && trial.stays.iter().all(|&stays| stays)
     }
 
     /// Goes on to where a trial has come, after what is done about its events.
     fn take(&mut self, trial: Trial, step: usize, time: f64) -> Result<(), Error> {
-        let Trial { graph, counts, stays, is_short, fault } = trial;
+        let Trial { graph, counts, stays, is_short, contacts, mut fresh, fault, .. } = trial;
         self.counts = counts;
         for edge in (0..stays.len()).filter(|&edge| !stays[edge]) {
             self.vanished.push((time, self.numbers[edge]));
@@ -238,24 +313,142 @@ impl<'a> GraphOnTheWay<'a> {
         let twice = short_edges(&self.graph, 2.0 * self.options.range().least);
         self.is_short =
             is_short.iter().zip(known).zip(twice).map(|((&is, was), twice)| is || (was && twice)).collect();
-        let Some(fault) = fault else { return Ok(()) };
-        let Some(rule) = self.options.repair else {
-            return Err(fault.into_error().with_cure(
-                "take shorter steps or a smaller spacing, or repair the interface by a fill rule",
-            ));
+        if self.options.on_contact == Some(OnContact::Keep) {
+            // What crosses for a while is looked at again at the end.
+            let is_undecided = fault.is_err();
+            if let Ok(Some(fault)) = &fault
+                && !self.is_crossed
+            {
+                let place = fault.point().unwrap_or_default();
+                self.push_contact(time, place, fault.phases().to_vec());
+            }
+            self.is_crossed = is_undecided || matches!(fault, Ok(Some(_)));
+            for contact in &fresh {
+                self.push_contact(time, contact.place(), contact.phases());
+            }
+            self.kept_contacts = contacts.iter().map(EdgeContact::place).collect();
+            return Ok(());
+        }
+        if let Some(fault) = fault? {
+            self.repair(&before, fault, step, time)?;
+            if self.options.on_contact.is_some() {
+                fresh = self.graph.contacts(self.within)?;
+            }
+        }
+        if self.options.on_contact == Some(OnContact::Merge) {
+            if !fresh.is_empty() {
+                self.merge(time)?;
+            }
+            self.close_slivers(time)?;
+        }
+        Ok(())
+    }
+
+    /// Cuts and pastes edges that have come to meet.
+    fn repair(
+        &mut self,
+        before: &InterfaceGraph,
+        fault: InterfaceFault,
+        step: usize,
+        time: f64,
+    ) -> Result<(), Error> {
+        let Some(rule) = self.rule() else {
+            return Err(met(fault));
         };
-        let repaired = self.graph.repaired(rule)?;
+        let mut repaired = self.graph.repaired(rule)?;
+        if !self.options.keep_small && self.options.on_contact.is_none() {
+            repaired = repaired.without_fresh_slivers(&self.graph, self.options.range().least)?;
+        }
         if self.tolerance.is_some() {
             let place =
                 fault.point().unwrap_or_else(|| repaired.vertices().first().copied().unwrap_or_default());
-            let counts = [phase_counts(&before)?, phase_counts(&repaired)?];
+            let counts = [phase_counts(before)?, phase_counts(&repaired)?];
             self.push_differences(&counts, place, time);
         }
-        self.graph = repaired;
-        self.numbers = vec![None; self.graph.edge_count()];
-        self.is_short = short_edges(&self.graph, self.options.range().least);
+        self.replace(repaired);
         self.repairs.push(InterfaceRepair { step, time, fault });
         Ok(())
+    }
+
+    /// Goes on with edges that have no numbers.
+    fn replace(&mut self, graph: InterfaceGraph) {
+        self.graph = graph;
+        self.numbers = vec![None; self.graph.edge_count()];
+        self.is_short = short_edges(&self.graph, self.options.range().least);
+    }
+
+    /// Lets phases come together at contacts, one after the other.
+    fn merge(&mut self, time: f64) -> Result<(), Error> {
+        /// More contacts than these in one place of time come from bridges that are in contact themselves.
+        const MOST: usize = 1000;
+        for _ in 0..MOST {
+            let Some(contact) = self.graph.contacts(self.within)?.first().cloned() else { return Ok(()) };
+            let bridged = self.graph.bridged(&contact, self.within)?;
+            let counts = [phase_counts(&self.graph)?, phase_counts(&bridged)?];
+            let place = contact.place();
+            if let Some(phases) = contact.meeting() {
+                let kind = InterfaceEventKind::PhasesMeet;
+                self.events.push(InterfaceEvent { time, kind, place, phases, counts: None });
+            }
+            self.push_differences(&counts, place, time);
+            self.replace(bridged);
+        }
+        Err(Error::invalid("bridges over contacts are in contact again and again".to_owned())
+            .with_cure("give another distance of contacts, or keep contacts"))
+    }
+
+    /// Takes out what has become narrow all along.
+    fn close_slivers(&mut self, time: f64) -> Result<(), Error> {
+        if !self.closes_slivers() {
+            return Ok(());
+        }
+        for _ in 0..=self.graph.edge_count() {
+            let Some(sliver) = self.graph.slivers(self.within)?.into_iter().next() else { return Ok(()) };
+            let closed = self.graph.without_sliver(&sliver)?;
+            let [before, after] = [phase_counts(&self.graph)?, phase_counts(&closed)?];
+            let of = |counts: &BTreeMap<u32, [usize; 2]>, phase: u32| {
+                counts.get(&phase).copied().unwrap_or_default()
+            };
+            if let Some((phase, kind)) = match (sliver.phase, sliver.heir) {
+                (Some(phase), _) if of(&after, phase)[0] == 0 => {
+                    Some((phase, InterfaceEventKind::PhaseVanishes))
+                }
+                (Some(phase), _) => Some((phase, InterfaceEventKind::ComponentVanishes)),
+                (None, Some(heir)) => Some((heir, InterfaceEventKind::HoleVanishes)),
+                (None, None) => None,
+            } {
+                let counts = Some([of(&before, phase), of(&after, phase)]);
+                self.events.push(InterfaceEvent {
+                    time,
+                    kind,
+                    place: sliver.place,
+                    phases: vec![phase],
+                    counts,
+                });
+            }
+            // As many edges as it had less than before are gone.
+            for _ in closed.edge_count()..self.graph.edge_count() {
+                self.vanished.push((time, None));
+            }
+            self.replace(closed);
+        }
+        Ok(())
+    }
+
+    fn push_contact(&mut self, time: f64, place: [f64; 2], phases: Vec<u32>) {
+        let kind = InterfaceEventKind::Contact;
+        self.events.push(InterfaceEvent { time, kind, place, phases, counts: None });
+    }
+
+    /// Looks thoroughly at edges that were kept as they are, after all steps.
+    pub(super) fn finish(&self) -> Result<(), Error> {
+        if self.options.on_contact != Some(OnContact::Keep) {
+            return Ok(());
+        }
+        match self.graph.fault()? {
+            None => Ok(()),
+            Some(fault) => Err(met(fault)),
+        }
     }
 
     /// What vanishes with closed edges.
@@ -314,6 +507,13 @@ impl<'a> GraphOnTheWay<'a> {
             }
         }
     }
+}
+
+/// That edges have come to meet.
+fn met(fault: InterfaceFault) -> Error {
+    fault
+        .into_error()
+        .with_cure("take shorter steps or a smaller spacing, or repair the interface by a fill rule")
 }
 
 /// That the junctions at the ends of an edge meet.

@@ -126,7 +126,7 @@ impl TrackedGraph {
         &self.repairs
     }
 
-    /// The changes of the topology, by time; nothing without [`TrackingOptions::events`].
+    /// The changes of the topology, by time; nothing without [`TrackingOptions::events`] or [`TrackingOptions::on_contact`].
     ///
     /// # Examples
     /// A disk shrinks to a point, and leaves its phase empty.
@@ -144,7 +144,7 @@ impl TrackedGraph {
         &self.events
     }
 
-    /// For each edge its number at the beginning; after a repair edges have none.
+    /// For each edge its number at the beginning; after a repair, and where phases came together, edges have none.
     ///
     /// # Examples
     /// ```
@@ -180,6 +180,10 @@ impl InterfaceGraph {
     /// Vertices stay vertices and edges stay edges, each fitted anew after each step. Closed edges at vertices of their own vanish when
     /// they are shorter than three times the least distance of markers. Other edges stay, however short. [`TrackingOptions::events`] lists what
     /// changes, with times narrowed down within steps: see [`InterfaceEventKind`](super::InterfaceEventKind) for what is decided.
+    ///
+    /// With [`TrackingOptions::on_contact`] phases come together where what is between them becomes narrower than a distance: a phase with itself, and
+    /// two phases by an edge that they get in common. Components that are narrow all along go to the phase that they have most of their boundary in
+    /// common with.
     ///
     /// Where edges come closer to each other than the error of tracking they may meet: that is an error, or repaired by the rule of
     /// [`TrackingOptions::repair`], which says what is inside of each phase; what then lies in several goes to the lowest.
@@ -252,11 +256,7 @@ impl InterfaceGraph {
         options: &TrackingOptions,
     ) -> Result<TrackedGraph, Error> {
         let (steps, step) = options.steps()?;
-        if options.on_contact.is_some() {
-            return Err(Error::invalid("contacts of an interface are not looked for".to_owned())
-                .with_cure("leave contacts out, or move its phases as sets"));
-        }
-        let mut way = GraphOnTheWay::new(self, options, options.times_within()?);
+        let mut way = GraphOnTheWay::new(self, options, options.times_within()?)?;
         way.counts.steps = steps;
         let steps_done = stage("moving", steps);
         for at in 0..steps {
@@ -266,6 +266,7 @@ impl InterfaceGraph {
             way.step(&map, at + 1, [time, time + step], is_verified.then_some(at + 1 == steps))
                 .map_err(|error| in_step(&error, at + 1, time + step))?;
         }
+        way.finish().map_err(|error| in_step(&error, steps, options.end))?;
         Ok(way.tracked())
     }
 
@@ -327,7 +328,7 @@ impl InterfaceGraph {
     }
 
     /// The interface of what a rule says is inside of each phase; what lies in several goes to the lowest.
-    pub(super) fn repaired(&self, rule: InsideRule) -> Result<Self, Error> {
+    pub(crate) fn repaired(&self, rule: InsideRule) -> Result<Self, Error> {
         let phases = self.phases();
         let sets: Vec<YinSet> = phases
             .iter()

@@ -21,6 +21,7 @@ mod events;
 mod expression;
 mod flow;
 mod fronts;
+mod graph_contacts;
 mod graph_events;
 mod graphs;
 mod markers;

@@ -383,6 +383,13 @@ impl TrackingOptions {
         }
     }
 
+    /// The distance at which boundaries are in contact, and the least distance of markers; none if contacts are not looked for.
+    #[doc(hidden)]
+    pub fn contact_lengths(&self) -> Option<[f64; 2]> {
+        let least = self.least_ratio * self.spacing;
+        self.on_contact.map(|_| [self.contact_distance.unwrap_or(least), least])
+    }
+
     /// The scheme for a boundary of some order.
     pub(super) fn scheme_for(&self, order: Order) -> RungeKutta {
         self.scheme.unwrap_or(RungeKutta::for_curves(order))

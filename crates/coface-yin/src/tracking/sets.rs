@@ -183,7 +183,8 @@ impl YinSet {
     /// The exact flow keeps the topology, and so does the result: its curves are those of the set, with the same kinks, names of kinks
     /// and places in the forest, but for those without curves in them that became shorter than three times the least distance of markers.
     /// Where curves come closer to each other than the error of tracking they may meet: that is an error, or repaired by the rule of
-    /// [`TrackingOptions::repair`]. [`TrackingOptions::verification`] says when it is looked for.
+    /// [`TrackingOptions::repair`]; slivers that come of that, whose mean width (twice the area by the length) is below half of the least distance
+    /// of markers, vanish unless small curves are kept. [`TrackingOptions::verification`] says when it is looked for.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for options without meaning, a velocity that is not finite, a
@@ -279,6 +280,14 @@ impl YinSet {
                 return Err(in_step(met(fault)));
             };
             fronts.repair(rule).map_err(in_step)?;
+            if !options.keep_small {
+                let slivers = fronts.close_pasted_slivers(range.least);
+                vanished.extend(slivers.into_iter().map(|gone| VanishedCurve {
+                    curve: gone.origin,
+                    time: end_time,
+                    length: gone.length,
+                }));
+            }
             repairs.push(Repair { step: at + 1, time: end_time, fault });
         }
         let mut events = Vec::new();

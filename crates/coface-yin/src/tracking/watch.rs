@@ -238,6 +238,11 @@ impl<'a> Watch<'a> {
         let place = place_of(&fault, fronts);
         fronts.repair(rule)?;
         fronts.drop_small(self.options.range());
+        if !self.options.keep_small && self.options.on_contact.is_none() {
+            let slivers = fronts.close_pasted_slivers(self.options.range().least);
+            let gone = |gone: Gone| VanishedCurve { curve: gone.origin, time, length: gone.length };
+            self.vanished.extend(slivers.into_iter().map(gone));
+        }
         self.repairs.push(Repair { step, time, fault });
         self.push_differences(time, place, before, fronts.counts());
         Ok(())

@@ -12,6 +12,7 @@ mod yin_cut_cells;
 mod yin_events;
 mod yin_flows;
 mod yin_homology;
+mod yin_interface_edits;
 mod yin_interface_events;
 mod yin_interfaces;
 mod yin_invariance;

@@ -266,7 +266,8 @@ fn options_without_meaning_are_refused() {
     let markers = vec![[1.0, 0.0], [0.0, 1.0]];
     let edge = InterfaceEdge { ends: [0, 0], markers, phases: [Some(0), None] };
     let graph = InterfaceGraph::new(&[[0.0, 0.0]], &[edge], &[], Order::LINEAR).unwrap();
-    assert!(graph.advected(along_x, &merging(1.0)).unwrap_err().cure().is_some());
+    assert!(graph.advected(along_x, &merging(1.0)).unwrap().events().is_empty());
+    assert!(graph.advected(along_x, &merging(1.0).contact_distance(-1.0)).unwrap_err().cure().is_some());
 }
 
 #[test]
