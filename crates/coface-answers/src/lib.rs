@@ -83,8 +83,8 @@ pub use surface_model::{
     PlacedPolygons, PolygonSchema, SurfaceCover, SurfaceCut, SurfaceModel, edge_lengths,
 };
 pub use yin::{
-    CutCellsRequest, InterfaceMotion, KinkRequest, LabelImage, MotionRequest, NamedSet, PlanarInterface,
-    PlanarMotion, PlanarSet, SetRequest,
+    CutCellsRequest, InterfaceKinksRequest, InterfaceMotion, KinkRequest, LabelImage, MotionRequest,
+    NamedSet, PlanarInterface, PlanarMotion, PlanarSet, SetRequest,
 };
 #[doc(hidden)]
-pub use yin::{SetPiece, set_pieces};
+pub use yin::{SetPiece, contact_below_knots, set_pieces};

@@ -695,6 +695,25 @@ pub fn number(value: f64) -> String {
     }
 }
 
+/// A number to so many digits after the first: as [`number`] where it is neither large nor small, with an exponent else; 0 is 0.
+///
+/// # Examples
+/// ```
+/// use coface_answers::text::rounded;
+/// assert_eq!([rounded(0.0, 1), rounded(1.25, 2), rounded(1.5e-9, 1), rounded(12345.0, 1)], ["0", "1.25", "1.5e-9", "12345"]);
+/// ```
+pub fn rounded(value: f64, digits: usize) -> String {
+    let size = value.abs();
+    if value == 0.0 {
+        "0".to_owned()
+    } else if (1e-3..1e6).contains(&size) {
+        let decimals = (digits as i32 - size.log10().floor() as i32).clamp(0, 12) as usize;
+        format!("{value:.decimals$}")
+    } else {
+        format!("{value:.digits$e}")
+    }
+}
+
 fn problems(page: &mut Page, report: &Report, limit: usize) {
     let faults = report.geometry().map_or(&[][..], GeometryFacts::faults);
     let (of_surface, of_solid): (Vec<&Fault>, Vec<&Fault>) =

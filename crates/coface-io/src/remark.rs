@@ -312,6 +312,8 @@ pub enum RemarkCode {
     CurvesVanished,
     /// Parts of the boundary of a moving region came into contact, and were left as they are.
     ContactsKept,
+    /// The distance of contacts is below the least distance of knots.
+    ContactBelowKnots,
     /// A geometric decision could not be certified at the resolution of the arithmetic.
     DecisionUncertified,
     /// Edges or vertices were split, or faces turned, to make the model a manifold.

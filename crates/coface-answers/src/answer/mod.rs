@@ -44,6 +44,7 @@ mod view;
 mod yin;
 mod yin_events;
 mod yin_interface;
+mod yin_interface_edits;
 mod yin_interface_places;
 mod yin_places;
 mod yin_series;
@@ -132,6 +133,10 @@ pub use yin_events::{
 pub use yin_interface::{
     JunctionKind, VanishedEdgeAnswer, YinEdgeAnswer, YinInterfaceAdvectAnswer, YinInterfaceAnswer,
     YinJunctionAnswer, YinNeighborAnswer, YinPhaseAnswer,
+};
+pub use yin_interface_edits::{
+    InterfaceKink, PhaseCell, PhaseCells, YinInterfaceCutCellsAnswer, YinInterfaceKinksAnswer,
+    YinInterfaceNormalizeAnswer,
 };
 pub use yin_interface_places::{
     EdgeBendAnswer, EdgeSample, InterfacePoint, PhaseComparison, PhasePoints, YinInterfaceComparisonAnswer,

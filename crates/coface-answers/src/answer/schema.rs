@@ -10,7 +10,8 @@ use super::{
     SolidBooleanAnswer, SpatialArrangementAnswer, SubgroupsAnswer, ViewAnswer, VineyardAnswer,
     YinAdvectAnswer, YinCombinationAnswer, YinComparisonAnswer, YinCurvatureAnswer, YinCutCellsAnswer,
     YinInfoAnswer, YinInterfaceAdvectAnswer, YinInterfaceAnswer, YinInterfaceComparisonAnswer,
-    YinInterfaceCurvatureAnswer, YinInterfaceLocateAnswer, YinInterfaceSampleAnswer, YinKinksAnswer,
+    YinInterfaceCurvatureAnswer, YinInterfaceCutCellsAnswer, YinInterfaceKinksAnswer,
+    YinInterfaceLocateAnswer, YinInterfaceNormalizeAnswer, YinInterfaceSampleAnswer, YinKinksAnswer,
     YinLocateAnswer, YinNormalizeAnswer, YinSampleAnswer, YinSeriesAnswer, YinSetAnswer, YinValidationAnswer,
 };
 use schemars::generate::SchemaSettings;
@@ -110,11 +111,13 @@ answers! {
     "yin meet" => YinCombinationAnswer,
     "yin fit" => YinSetAnswer,
     "yin kinks" => YinKinksAnswer,
+    "yin kinks (interface)" => YinInterfaceKinksAnswer,
     "yin compare" => YinComparisonAnswer,
     "yin compare (interface)" => YinInterfaceComparisonAnswer,
     "yin compare --series" => YinSeriesAnswer,
     "yin interface" => YinInterfaceAnswer,
     "yin cut-cells" => YinCutCellsAnswer,
+    "yin cut-cells (interface)" => YinInterfaceCutCellsAnswer,
     "yin advect" => YinAdvectAnswer,
     "yin advect --inputs" => YinInterfaceAdvectAnswer,
     "yin locate" => YinLocateAnswer,
@@ -125,4 +128,5 @@ answers! {
     "yin curvature (interface)" => YinInterfaceCurvatureAnswer,
     "yin validate" => YinValidationAnswer,
     "yin normalize" => YinNormalizeAnswer,
+    "yin normalize (interface)" => YinInterfaceNormalizeAnswer,
 }

@@ -115,14 +115,18 @@ pub enum YinInterfaceEventKind {
     HoleVanishes,
     /// The edge between two junctions becomes shorter than the least distance of knots; it is kept.
     JunctionsMeet,
-    /// Components of a phase become fewer where edges are cut and pasted.
+    /// Components of a phase become fewer where edges are cut and pasted, or in contact.
     PhaseMerges,
-    /// Components of a phase become more where edges are cut and pasted.
+    /// Components of a phase become more where edges are cut and pasted, or in contact.
     PhaseSplits,
-    /// Holes of a phase become more where edges are cut and pasted.
+    /// Holes of a phase become more where edges are cut and pasted, or in contact.
     HoleForms,
-    /// Holes of a phase become fewer where edges are cut and pasted.
+    /// Holes of a phase become fewer where edges are cut and pasted, or in contact.
     HoleOpens,
+    /// Two phases come together where what was between them has become too narrow.
+    PhasesMeet,
+    /// Edges come into contact and stay as they are.
+    Contact,
 }
 
 impl YinInterfaceEventKind {
@@ -135,6 +139,8 @@ impl YinInterfaceEventKind {
             InterfaceEventKind::PhaseSplits => Self::PhaseSplits,
             InterfaceEventKind::HoleForms => Self::HoleForms,
             InterfaceEventKind::HoleOpens => Self::HoleOpens,
+            InterfaceEventKind::PhasesMeet => Self::PhasesMeet,
+            InterfaceEventKind::Contact => Self::Contact,
             _ => Self::JunctionsMeet,
         }
     }
@@ -154,11 +160,12 @@ pub struct YinInterfaceEventAnswer {
     /// Where: the mean of the knots of an edge that vanishes, the middle of the ends of an edge whose junctions meet, or the place at which
     /// edges came to meet.
     pub place: [f64; 2],
-    /// The phase that changed; of junctions that meet all phases around them.
+    /// The phase that changed; of junctions that meet all phases around them, of phases that come together these, and of a contact those beyond the
+    /// edges and between them.
     pub phases: Vec<u32>,
-    /// What there was of the phase just before; null for junctions that meet.
+    /// What there was of the phase just before; null for junctions and phases that meet, and for contacts.
     pub before: Option<YinEventCounts>,
-    /// What there is of the phase just after; null for junctions that meet.
+    /// What there is of the phase just after; null for junctions and phases that meet, and for contacts.
     pub after: Option<YinEventCounts>,
 }
 

@@ -53,6 +53,9 @@ pub struct YinInterfaceAdvectAnswer {
     pub events: Option<Vec<YinInterfaceEventAnswer>>,
     /// How exactly times of events are found; null unless they were asked for.
     pub event_tolerance: Option<f64>,
+    /// The distance at which edges are in contact; null if contacts were not looked for.
+    #[serde(default)]
+    pub contact_distance: Option<f64>,
     /// The areas of the phases at the beginning; null where one is infinite.
     pub areas_before: Vec<Option<f64>>,
     /// The files of the way, in the order of time.

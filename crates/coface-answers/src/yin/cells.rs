@@ -60,6 +60,26 @@ impl CutCellsRequest {
         self.spacing = spacing;
         self
     }
+
+    /// The grid, of a boundary with this box around it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::CutCellsRequest;
+    /// let grid = CutCellsRequest::new([4, 2]).over(Some([[0.0, 0.0], [2.0, 2.0]]));
+    /// assert_eq!((grid.origin, grid.spacing), ([0.0, 0.0], [0.5, 1.0]));
+    /// ```
+    pub fn over(&self, around: Option<[[f64; 2]; 2]>) -> GridAnswer {
+        let [low, high] = around.unwrap_or([[0.0; 2], [1.0; 2]]);
+        let origin = self.origin.unwrap_or(low);
+        let spacing = self.spacing.unwrap_or_else(|| {
+            [0, 1].map(|axis| {
+                let extent = high[axis] - origin[axis];
+                if extent > 0.0 { extent / self.counts[axis] as f64 } else { 1.0 }
+            })
+        });
+        GridAnswer { origin, spacing, counts: self.counts }
+    }
 }
 
 impl PlanarSet {
@@ -80,7 +100,7 @@ impl PlanarSet {
     /// # Ok(()) }
     /// ```
     pub fn cut_cells(&self, file: &str, request: &CutCellsRequest) -> Result<YinCutCellsAnswer, Error> {
-        let grid = self.grid(request);
+        let grid = request.over(self.bounding_box());
         let cells = CutCells::new(self.set(), CartesianGrid::new(grid.origin, grid.spacing, grid.counts)?)
             .map_err(|error| error.in_file(file))?;
         let set = self.answer()?;
@@ -98,23 +118,10 @@ impl PlanarSet {
             remarks: set.remarks,
         })
     }
-
-    /// The grid that a request describes.
-    fn grid(&self, request: &CutCellsRequest) -> GridAnswer {
-        let [low, high] = self.bounding_box().unwrap_or([[0.0; 2], [1.0; 2]]);
-        let origin = request.origin.unwrap_or(low);
-        let spacing = request.spacing.unwrap_or_else(|| {
-            [0, 1].map(|axis| {
-                let extent = high[axis] - origin[axis];
-                if extent > 0.0 { extent / request.counts[axis] as f64 } else { 1.0 }
-            })
-        });
-        GridAnswer { origin, spacing, counts: request.counts }
-    }
 }
 
 /// The cells that have something, row by row.
-fn listed(cells: &CutCells<'_>, [columns, rows]: [usize; 2]) -> Vec<CutCellAnswer> {
+pub(super) fn listed(cells: &CutCells<'_>, [columns, rows]: [usize; 2]) -> Vec<CutCellAnswer> {
     let places = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
     let answer = |(column, row): (usize, usize)| {
         let cell = cells.cell(column, row);

@@ -50,12 +50,26 @@ impl PlanarInterface {
     /// # Ok(()) }
     /// ```
     pub fn of_answer(answer: &YinInterfaceAnswer) -> Result<Self, Error> {
+        let found = Self::unchecked(answer)?;
+        if let Some(fault) = found.graph.fault()? {
+            return Err(Error::invalid(format!("the interface is none: {}", found.fault_words(&fault)))
+                .with_cure(
+                    "repair it with coface yin normalize, or give edges that meet at their ends only",
+                ));
+        }
+        Ok(found)
+    }
+
+    /// The same for edges that may meet elsewhere than at their ends, to be repaired by [`Self::normalized`].
+    ///
+    /// # Errors
+    /// Those of [`Self::of_answer`], but for edges that meet.
+    ///
+    /// # Examples
+    /// See [`Self::of_answer`].
+    pub fn unchecked(answer: &YinInterfaceAnswer) -> Result<Self, Error> {
         let graph = Self::graph_of(answer)?;
         let names: Vec<String> = answer.phases.iter().map(|phase| phase.name.clone()).collect();
-        if let Some(fault) = graph.fault()? {
-            return Err(Error::invalid(format!("the interface is none: {fault}"))
-                .with_cure("give edges that meet at their ends only"));
-        }
         let is_plane =
             |phase: usize| answer.phases[phase].area.is_none() && answer.phases[phase].components > 0;
         let plane = match graph.edge_count() {

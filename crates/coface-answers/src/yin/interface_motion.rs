@@ -1,9 +1,10 @@
 //! An interface that moves with a velocity field.
 
+use super::motion::below_knots;
 use super::{MotionRequest, PlanarInterface};
 use crate::answer::{
     Remark, RemarkCode, VanishedEdgeAnswer, YinInterfaceAdvectAnswer, YinInterfaceEventAnswer,
-    YinRepairAnswer,
+    YinInterfaceEventKind, YinRepairAnswer,
 };
 use crate::text;
 use coface_algebra::{EdgeId, Error};
@@ -20,6 +21,9 @@ pub struct InterfaceMotion {
     repairs: Vec<YinRepairAnswer>,
     events: Option<Vec<YinInterfaceEventAnswer>>,
     event_tolerance: Option<f64>,
+    contact_distance: Option<f64>,
+    /// The least distance of knots.
+    least_distance: f64,
     areas_before: Vec<Option<f64>>,
     /// The number that each edge had at the beginning.
     origins: Vec<Option<u32>>,
@@ -70,8 +74,10 @@ impl PlanarInterface {
             counts: [0; 3],
             vanished: Vec::new(),
             repairs: Vec::new(),
-            events: request.events.then(Vec::new),
+            events: (request.events || request.on_contact.is_some()).then(Vec::new),
             event_tolerance: None,
+            contact_distance: request.contact_distance_for(spacing),
+            least_distance: request.least_ratio * spacing,
             areas_before: self.phases()?.iter().map(|phase| phase.set().area()).collect(),
             origins: (0..self.graph.edge_count() as u32).map(Some).collect(),
         };
@@ -81,7 +87,7 @@ impl PlanarInterface {
             let times = [frame - 1, frame].map(|at| end * at as f64 / count as f64);
             let tracking = request.tracking(times, step, spacing);
             let moved = motion.last.graph.advected(&velocity, &tracking)?;
-            if request.events {
+            if motion.events.is_some() {
                 motion.event_tolerance = tracking.times_within()?;
             }
             motion.go_on(&moved);
@@ -125,16 +131,11 @@ impl PlanarInterface {
     /// # Ok(()) }
     /// ```
     pub fn extent(&self) -> f64 {
-        let boxes =
-            (0..self.graph.edge_count()).map(|edge| self.graph.curve(EdgeId::new(edge)).bounding_box());
-        let around = boxes.reduce(|[low, high], [least, most]| {
-            [[0, 1].map(|axis| low[axis].min(least[axis])), [0, 1].map(|axis| high[axis].max(most[axis]))]
-        });
-        around.map_or(1.0, |[low, high]| f64::max(high[0] - low[0], high[1] - low[1]))
+        self.bounding_box().map_or(1.0, |[low, high]| f64::max(high[0] - low[0], high[1] - low[1]))
     }
 
     /// What was wrong in an interface, with the names of phases.
-    fn fault_words(&self, fault: &InterfaceFault) -> String {
+    pub(super) fn fault_words(&self, fault: &InterfaceFault) -> String {
         let names: Vec<&str> = (fault.phases().iter())
             .filter_map(|&phase| self.names.get(phase as usize).map(String::as_str))
             .collect();
@@ -183,7 +184,7 @@ impl InterfaceMotion {
         &self.last
     }
 
-    /// That edges became too short to be kept, and that edges were cut and pasted, if any were.
+    /// That edges became too short to be kept, that they came into contact, and that they were cut and pasted, if any were.
     ///
     /// # Examples
     /// See [`PlanarInterface::moved`].
@@ -191,17 +192,59 @@ impl InterfaceMotion {
         let mut remarks = Vec::new();
         if let Some(first) = self.vanished.first() {
             let count = self.vanished.len();
+            let narrow = match self.contact_distance {
+                Some(_) => ", or narrower than half of the contact distance,",
+                None => "",
+            };
             let message = format!(
-                "{} became shorter than three times the least distance of knots and left the interface, the first at time {}; \
+                "{} became shorter than three times the least distance of knots{narrow} and left the interface, the first at time {}; \
                  --keep-small keeps such edges",
-                text::count(count, "closed edge"),
+                text::count(count, if self.contact_distance.is_some() { "edge" } else { "closed edge" }),
                 text::number(first.time)
             );
             remarks.push(Remark::new(RemarkCode::CurvesVanished, message).at(count, []));
         }
+        if let Some(distance) = self.contact_distance {
+            remarks.extend(below_knots(distance, self.least_distance));
+        }
+        remarks.extend(self.contacts());
         if !self.repairs.is_empty() {
             let count = self.repairs.len();
             let message = format!("edges were cut and pasted in {}", text::count(count, "step"));
+            remarks.push(Remark::new(RemarkCode::TopologyRepaired, message).at(count, []));
+        }
+        remarks
+    }
+
+    /// What was done where edges came into contact.
+    fn contacts(&self) -> Vec<Remark> {
+        use YinInterfaceEventKind::{Contact, HoleForms, HoleOpens, PhaseMerges, PhaseSplits, PhasesMeet};
+        let place = |event: &YinInterfaceEventAnswer| {
+            let [x, y] = event.place.map(text::number);
+            format!("at time {} near ({x}, {y})", text::number(event.time))
+        };
+        let of = |kinds: &[YinInterfaceEventKind]| {
+            let own = || self.events.iter().flatten().filter(|event| kinds.contains(&event.kind));
+            own().next().map(|first| (own().count(), first.clone()))
+        };
+        let mut remarks = Vec::new();
+        if let Some((count, first)) = of(&[Contact]) {
+            let message = format!(
+                "{} of edges left as they are, the first {}",
+                text::count(count, "contact"),
+                place(&first)
+            );
+            remarks.push(Remark::new(RemarkCode::ContactsKept, message).at(count, []));
+        }
+        let changes = [PhasesMeet, PhaseMerges, PhaseSplits, HoleForms, HoleOpens];
+        if let Some((count, first)) = of(&changes).filter(|_| self.contact_distance.is_some()) {
+            let message = format!(
+                "the topology changed {}: {}, {}{}",
+                if count == 1 { "once".to_owned() } else { text::count(count, "time") },
+                first.words,
+                place(&first),
+                if count == 1 { "" } else { ", is the first change" }
+            );
             remarks.push(Remark::new(RemarkCode::TopologyRepaired, message).at(count, []));
         }
         remarks
@@ -228,6 +271,7 @@ impl InterfaceMotion {
             repairs: self.repairs.clone(),
             events: self.events.clone(),
             event_tolerance: self.event_tolerance,
+            contact_distance: self.contact_distance,
             areas_before: self.areas_before.clone(),
             frames,
             interface,

@@ -1,10 +1,12 @@
 //! From what a file says about a boundary to a set.
 
 use crate::answer::{Remark, RemarkCode};
+use crate::text;
 use coface_algebra::{Error, ErrorKind};
 use coface_arrange::boolean::InsideRule;
 use coface_io::yin::{BoundaryCurve, BoundaryDrawing, Filling, flattened};
 use coface_yin::{Combination, Curve, EndCondition, KnotIndex, Order, YinSet, turning_kinks};
+use std::borrow::Cow;
 
 /// Which knots are kinks.
 #[derive(Clone, Debug, PartialEq)]
@@ -137,6 +139,13 @@ impl PlanarSet {
             return Ok(Self { set, names: Vec::new(), remarks });
         }
         check_curves_of_kinks(drawing.curves().len(), request)?;
+        let mut request = Cow::Borrowed(request);
+        if order == Order::LINEAR && drawing.order() > order && !request.fit && request.flatten.is_none() {
+            let (tolerance, remark) = assumed_flattening(drawing, &request.ends)?;
+            request.to_mut().flatten = Some(tolerance);
+            remarks.push(remark);
+        }
+        let request = &*request;
         let mut made = Vec::with_capacity(drawing.curves().len());
         for (number, curve) in drawing.curves().iter().enumerate() {
             let of_curve = make(number, curve, drawing.order(), order, request);
@@ -367,6 +376,26 @@ impl PlanarSet {
     pub fn remarks(&self) -> &[Remark] {
         &self.remarks
     }
+}
+
+/// How far chords may be from the curves of a drawing where nothing is said, a thousandth of the diagonal of the box around them, and the remark on it.
+fn assumed_flattening(drawing: &BoundaryDrawing, ends: &EndCondition) -> Result<(f64, Remark), Error> {
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for (number, curve) in drawing.curves().iter().enumerate() {
+        let curve = curve.curve(drawing.order(), ends).map_err(|error| named(number, &error))?;
+        let [least, most] = curve.bounding_box();
+        for axis in 0..2 {
+            (low[axis], high[axis]) = (low[axis].min(least[axis]), high[axis].max(most[axis]));
+        }
+    }
+    let tolerance = (1e-3 * (high[0] - low[0]).hypot(high[1] - low[1])).max(f64::MIN_POSITIVE);
+    let count = drawing.curves().len();
+    let message = format!(
+        "{} became chords that are within {tolerance:.3e} of {}, a thousandth of the size of the set; --flatten LENGTH says another length",
+        text::count(count, "curve"),
+        if count == 1 { "it" } else { "them" }
+    );
+    Ok((tolerance, Remark::new(RemarkCode::CurvesFlattened, message).at(count, [])))
 }
 
 /// An error of one curve.

@@ -9,6 +9,7 @@ mod cells;
 mod exact;
 mod facts;
 mod interface;
+mod interface_edits;
 mod interface_file;
 mod interface_motion;
 mod interface_places;
@@ -22,9 +23,12 @@ mod writing;
 
 pub use cells::CutCellsRequest;
 pub use interface::{NamedSet, PlanarInterface};
+pub use interface_edits::InterfaceKinksRequest;
 pub use interface_motion::InterfaceMotion;
 pub use labels::LabelImage;
 pub use making::{KinkRequest, PlanarSet, SetRequest};
+#[doc(hidden)]
+pub use motion::below_knots as contact_below_knots;
 pub use motion::{MotionRequest, PlanarMotion};
 #[doc(hidden)]
 pub use svg::{Piece as SetPiece, pieces_of as set_pieces};

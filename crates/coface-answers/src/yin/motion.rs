@@ -264,6 +264,11 @@ impl MotionRequest {
         self
     }
 
+    /// The distance at which boundaries are in contact, if that is looked for, with knots at this greatest distance.
+    pub(super) fn contact_distance_for(&self, spacing: f64) -> Option<f64> {
+        self.on_contact.map(|_| self.contact_distance.unwrap_or(self.least_ratio * spacing))
+    }
+
     /// The options of tracking from one time to another, in steps of at most `step`.
     pub(super) fn tracking(&self, [start, end]: [f64; 2], step: f64, spacing: f64) -> TrackingOptions {
         TrackingOptions::new(end, step, spacing)
@@ -294,6 +299,8 @@ pub struct PlanarMotion {
     events: Option<Vec<YinEventAnswer>>,
     event_tolerance: Option<f64>,
     contact_distance: Option<f64>,
+    /// The least distance of knots.
+    least_distance: f64,
     area_before: Option<f64>,
 }
 
@@ -346,9 +353,8 @@ impl PlanarSet {
             repairs: Vec::new(),
             events: is_watching.then(Vec::new),
             event_tolerance: None,
-            contact_distance: request
-                .on_contact
-                .map(|_| request.contact_distance.unwrap_or(request.least_ratio * spacing)),
+            contact_distance: request.contact_distance_for(spacing),
+            least_distance: request.least_ratio * spacing,
             area_before: self.set().area(),
         };
         // The number that each curve had at the beginning.
@@ -389,6 +395,21 @@ impl PlanarSet {
         }
         Ok(motion)
     }
+}
+
+/// That a distance of contacts is below what knots tell, which are nearer together than this nowhere.
+#[doc(hidden)]
+pub fn below_knots(distance: f64, least_distance: f64) -> Option<Remark> {
+    // The least distance is a product, which is rounded.
+    (distance < least_distance * (1.0 - 1e-9)).then(|| {
+        let message = format!(
+            "the contact distance {} is below the least distance of knots, {}: between knots that are so far apart the boundary is not known so \
+             exactly; a smaller --spacing or --least-ratio makes it so",
+            text::number(distance),
+            text::number(least_distance)
+        );
+        Remark::new(RemarkCode::ContactBelowKnots, message)
+    })
 }
 
 impl PlanarMotion {
@@ -450,6 +471,9 @@ impl PlanarMotion {
         let count = self.vanished.len();
         let narrow = match self.contact_distance {
             Some(_) => ", or narrower than half of the contact distance,",
+            None if !self.repairs.is_empty() => {
+                ", or narrower than half of that distance where the boundary was cut and pasted,"
+            }
             None => "",
         };
         let message = format!(
@@ -463,6 +487,7 @@ impl PlanarMotion {
 
     /// That boundaries came into contact, if any did, and what was done there.
     fn contacts(&self) -> Vec<Remark> {
+        let fine = self.contact_distance.and_then(|distance| below_knots(distance, self.least_distance));
         let of = |is_kept: bool| {
             let events = self.events.iter().flatten();
             let is_own = move |event: &&YinEventAnswer| match event.kind {
@@ -495,7 +520,7 @@ impl PlanarMotion {
             );
             Remark::new(RemarkCode::TopologyRepaired, message).at(count, [])
         });
-        kept.into_iter().chain(changed).collect()
+        fine.into_iter().chain(kept).chain(changed).collect()
     }
 
     /// The motion as an answer; `files` are those that the sets of the way were written to.

@@ -209,7 +209,7 @@ impl Congruence {
         facts.push(fact("Euler char.", answer.euler_characteristic.to_string(), "of what is left"));
         facts.push(fact(
             "widest class",
-            format!("{:.6e}", answer.largest_class_diameter),
+            text::rounded(answer.largest_class_diameter, 6),
             "the largest distance of vertices that became one",
         ));
         let is_zero = answer.products_zero;

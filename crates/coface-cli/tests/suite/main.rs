@@ -55,6 +55,7 @@ mod volumes;
 mod yin;
 mod yin_faults;
 mod yin_interface;
+mod yin_interface_edits;
 mod yin_interface_places;
 mod yin_motion;
 mod yin_places;

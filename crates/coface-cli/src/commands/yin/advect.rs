@@ -38,7 +38,10 @@ use std::path::{Path, PathBuf};
 /// "event_tolerance", "contact_distance" and "area_before"; for an interface the keys of `coface yin interface` and "areas_before" of the
 /// phases; and "frames". Events of an interface have the "phases" that changed, and are phase-vanishes, component-vanishes, hole-vanishes,
 /// junctions-meet (the edge between them is shorter than the least distance of knots, and stays), and where --repair cuts and pastes
-/// phase-merges, phase-splits, hole-forms and hole-opens. Edges from a junction to itself have no events.
+/// phase-merges, phase-splits, hole-forms and hole-opens. Edges from a junction to itself have no events. With --on-contact merge a phase comes together
+/// with itself where what is between its edges is narrower than --contact-distance (phase-merges, hole-forms, ..), two phases get an edge in common
+/// (phases-meet, and phase-splits of the film between them), and components that are narrow all along go to the neighbor that they have most in
+/// common with; with keep contacts are listed.
 #[derive(Args)]
 pub(super) struct Advect {
     /// The set, or the phases of an interface; - is standard input

@@ -175,7 +175,7 @@ fn give(
 
 /// The table of a series.
 fn table(answer: &YinSeriesAnswer) -> String {
-    let real = |number: Option<f64>| number.map_or("infinite".to_owned(), |number| format!("{number:.3e}"));
+    let real = |number: Option<f64>| number.map_or("infinite".to_owned(), |number| text::rounded(number, 3));
     let rate = |rate: Option<f64>| rate.map_or("-".to_owned(), |rate| format!("{rate:.2}"));
     let titles =
         ["set", "knots", "area of xor", "off by at most", "rate", "Hausdorff", "rate", "curvature", "rate"];
@@ -185,11 +185,11 @@ fn table(answer: &YinSeriesAnswer) -> String {
             row.file.clone(),
             text::grouped(row.knots),
             real(row.area_xor),
-            format!("{:.1e}", row.area_xor_error),
+            text::rounded(row.area_xor_error, 1),
             rate(row.area_rate),
             real(row.hausdorff),
             rate(row.hausdorff_rate),
-            row.curvature.map_or("-".to_owned(), |apart| format!("{apart:.3e}")),
+            row.curvature.map_or("-".to_owned(), |apart| text::rounded(apart, 3)),
             rate(row.curvature_rate),
         ]
     }));
@@ -209,7 +209,7 @@ fn table(answer: &YinSeriesAnswer) -> String {
 
 fn page(answer: &YinComparisonAnswer) -> String {
     let real = |number: Option<f64>| number.map_or("infinite".to_owned(), text::number);
-    let error = |error: f64| format!("off by at most about {error:.1e}");
+    let error = |error: f64| format!("off by at most about {}", text::rounded(error, 1));
     let normal = |number: Option<f64>| number.map_or("unknown".to_owned(), text::number);
     let normals = |off: f64| match answer.normals_left_out {
         0.0 => error(off),

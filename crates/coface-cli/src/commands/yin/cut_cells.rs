@@ -7,9 +7,9 @@ use crate::input;
 use crate::output::{is_json, print_json, print_text, write_file, write_json};
 use crate::progress::Progress;
 use clap::Args;
-use coface::answers::CutCellsRequest;
-use coface::answers::answer::{CutCellAnswer, YinCutCellsAnswer};
+use coface::answers::answer::{CutCellAnswer, PhaseCell, YinCutCellsAnswer, YinInterfaceCutCellsAnswer};
 use coface::answers::text;
+use coface::answers::{CutCellsRequest, PlanarInterface};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -18,11 +18,15 @@ use std::path::{Path, PathBuf};
 /// The areas of all cells add up to the area of the set in the grid. With -o the cells that have some of the set or of its boundary are
 /// written, to .csv (column, row, coverage, area, length) or .json.
 ///
+/// Phases of an interface are cut at one grid: .csv files have a line for what a phase has of a cell (column, row, phase, coverage, area, length), and the
+/// areas of all phases in a cell add up.
+///
 /// With --json: "grid" ("origin", "spacing", "counts"), "full", "cut" and "empty" (numbers of cells), "area" and "length" (of the set and
-/// its boundary in the grid), "area_of_set" (null if unbounded), "perimeter_of_set".
+/// its boundary in the grid), "area_of_set" (null if unbounded), "perimeter_of_set"; of an interface "grid", "area", "length" (of all edges in the grid, each
+/// once) and "phases", each with "name", "full", "cut", "empty", "area", "length" and "area_of_phase".
 #[derive(Args)]
 pub(super) struct Cells {
-    /// The set; - is standard input
+    /// The set, or an interface; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
     #[command(flatten)]
@@ -69,6 +73,9 @@ impl Cells {
             )));
         }
         let progress = Progress::start(common.quiet);
+        if let Some(found) = self.options.given_interface(&self.input, &[], common, &progress)? {
+            return self.run_interface(&found, common, progress);
+        }
         let planar = self.options.read(&self.input, common, false, &progress)?;
         progress.stage("cutting");
         let name = input::name(&self.input);
@@ -90,6 +97,82 @@ impl Cells {
             (false, None) => print_text(&page(&answer)),
         }
     }
+}
+
+impl Cells {
+    /// The phases of an interface on one grid.
+    fn run_interface(
+        &self,
+        found: &PlanarInterface,
+        common: &Common,
+        progress: Progress,
+    ) -> Result<(), Failure> {
+        progress.stage("cutting");
+        let name = input::name(&self.input);
+        let request = CutCellsRequest::new(self.grid).origin(self.origin).spacing(self.spacing);
+        let mut answer = found.cut_cells(&name, &request)?;
+        if let Some(path) = &common.output {
+            progress.stage("writing");
+            match is_json(path) {
+                true => write_json(path, &answer)?,
+                false => {
+                    write_file(path, phase_table(answer.cells.as_deref().unwrap_or_default()).as_bytes())?
+                }
+            }
+        }
+        drop(progress);
+        answer.cells = None;
+        match (common.json, &common.output) {
+            (true, _) => print_json(&answer),
+            (false, Some(_)) => Ok(()),
+            (false, None) => print_text(&phase_page(&answer)),
+        }
+    }
+}
+
+/// What phases have of cells as lines of comma-separated values.
+fn phase_table(cells: &[PhaseCell]) -> String {
+    let mut table = "column,row,phase,coverage,area,length\n".to_owned();
+    for cell in cells {
+        // Writing to a string does not fail.
+        let _ = writeln!(
+            table,
+            "{},{},{},{},{:?},{:?}",
+            cell.column,
+            cell.row,
+            cell.phase,
+            cell.coverage.word(),
+            cell.area,
+            cell.length
+        );
+    }
+    table
+}
+
+fn phase_page(answer: &YinInterfaceCutCellsAnswer) -> String {
+    /// So many phases are shown.
+    const LISTED: usize = 20;
+    let mut facts = vec![
+        ("area".to_owned(), text::number(answer.area), "of all phases in the grid".to_owned()),
+        ("length".to_owned(), text::number(answer.length), "of the edges in the grid, each once".to_owned()),
+    ];
+    for phase in answer.phases.iter().take(LISTED) {
+        let counts = format!(
+            "{} full, {} cut, {} empty cells",
+            text::grouped(phase.full),
+            text::grouped(phase.cut),
+            text::grouped(phase.empty)
+        );
+        facts.push((phase.name.clone(), format!("area {}", text::number(phase.area)), counts));
+    }
+    if answer.phases.len() > LISTED {
+        facts.push((
+            "..".to_owned(),
+            String::new(),
+            format!("{} in all", text::count(answer.phases.len(), "phase")),
+        ));
+    }
+    text::facts("Cut cells", &facts)
 }
 
 /// Cells as lines of comma-separated values.

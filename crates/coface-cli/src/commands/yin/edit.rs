@@ -1,5 +1,7 @@
 //! `coface yin kinks`: kinks listed, inserted, erased and reset.
 
+use super::interface::{self, InterfaceOutput};
+use super::places::LISTED;
 use super::{SetOptions, give, kinks, knot, pair};
 use crate::arguments::Common;
 use crate::failure::Failure;
@@ -7,21 +9,25 @@ use crate::input;
 use crate::progress::Progress;
 use clap::Args;
 use coface::VertexId;
-use coface::answers::answer::YinKinksAnswer;
-use coface::answers::{KinkRequest, PlanarSet};
+use coface::answers::answer::{YinInterfaceKinksAnswer, YinKinksAnswer};
+use coface::answers::{InterfaceKinksRequest, KinkRequest, PlanarInterface, PlanarSet, text};
 use coface::yin::KnotIndex;
 use std::path::PathBuf;
 
-/// The kinks of a set: list, insert, erase or reset them.
+/// The kinks of a set or an interface: list, insert, erase or reset them.
 ///
 /// A kink is a knot at which the boundary need not be smooth. Between kinks it is one spline: where a kink comes or goes, the splines
 /// beside it are fitted again, and everything else stays bit for bit. --reset comes first, then what is erased, then what is inserted. If
 /// one fails, nothing is written.
 ///
+/// Kinks of an interface are the vertices at which two edges end that do not go on smoothly into each other; the phases on both sides have them, and
+/// junctions stay what they are. A new kink cuts its edge into two, named EDGE:KNOT; their names are the numbers of vertices, which change when
+/// kinks go.
+///
 /// With --json also "complex" (the kinks by their names), and "kink_points": for each its "vertex", "curve", "knot" and "point".
 #[derive(Args)]
 pub(super) struct Kinks {
-    /// The set; - is standard input
+    /// The set, or an interface; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
     #[command(flatten)]
@@ -69,8 +75,11 @@ fn vertex(text: &str) -> Result<u32, String> {
 
 impl Kinks {
     pub(super) fn run(&self, common: &Common) -> Result<(), Failure> {
-        let output = self.options.output(common)?;
         let progress = Progress::start(common.quiet);
+        if let Some(found) = self.options.given_interface(&self.input, &[], common, &progress)? {
+            return self.run_interface(&found, common, progress);
+        }
+        let output = self.options.output(common)?;
         let mut planar = self.options.read(&self.input, common, false, &progress)?;
         progress.stage("fitting");
         let name = input::name(&self.input);
@@ -78,6 +87,37 @@ impl Kinks {
         progress.stage("measuring");
         let answer = YinKinksAnswer::new(name, planar.kink_points(), planar.answer()?);
         give(&planar, "Kinks", answer, &self.options, output, common, progress)
+    }
+
+    /// The same of an interface, whose kinks are vertices.
+    fn run_interface(
+        &self,
+        found: &PlanarInterface,
+        common: &Common,
+        progress: Progress,
+    ) -> Result<(), Failure> {
+        let output = InterfaceOutput::new(&self.options, common)?;
+        progress.stage("fitting");
+        let name = input::name(&self.input);
+        let inserted = self.insert.iter().map(|place| match place {
+            Place::Knot(at) => Ok(*at),
+            Place::OnNamed(edge, _) => Err(Failure::new(format!(
+                "{name}: the edges of an interface have no names, as \"{edge}\" would be; write EDGE:KNOT, both numbered from 0, or a point with --insert-near"
+            ))),
+        });
+        let request = InterfaceKinksRequest {
+            reset: self.reset.clone(),
+            inserted: inserted.collect::<Result<_, _>>()?,
+            inserted_near: self.insert_near.clone(),
+            erased: self.erase.clone(),
+            erased_near: self.erase_near.clone(),
+        };
+        let changed = found.with_kinks(&request).map_err(|error| error.in_file(name.clone()))?;
+        progress.stage("measuring");
+        let answer = changed.kinks_answer(std::slice::from_ref(&name))?;
+        let inputs = std::slice::from_ref(&self.input);
+        let text = || kinks_page(&answer);
+        interface::give_answer(&changed, &answer, text, inputs, &output, common, progress)
     }
 
     fn change(&self, planar: &mut PlanarSet) -> Result<(), coface::Error> {
@@ -109,4 +149,27 @@ impl Kinks {
         set.insert_kinks(&inserted)?;
         Ok(())
     }
+}
+
+/// The page of an interface with its kinks.
+fn kinks_page(answer: &YinInterfaceKinksAnswer) -> String {
+    let mut page = interface::page("Kinks", &answer.interface);
+    let name = |phase: Option<u32>| match phase {
+        Some(phase) => answer.interface.phases[phase as usize].name.clone(),
+        None => "outside".to_owned(),
+    };
+    let count = answer.kink_points.len();
+    let mut facts = vec![("kinks".to_owned(), text::grouped(count), String::new())];
+    for kink in answer.kink_points.iter().take(LISTED) {
+        let [x, y] = kink.point.map(text::number);
+        let [left, right] = kink.phases.map(name);
+        let gloss =
+            format!("at ({x}, {y}), knot {} of edge {} between {left} and {right}", kink.knot, kink.edge);
+        facts.push((String::new(), format!("v{}", kink.vertex), gloss));
+    }
+    if count > LISTED {
+        facts.push((String::new(), format!("and {} more", text::grouped(count - LISTED)), String::new()));
+    }
+    page.push_str(&text::facts("Kinks one by one", &facts));
+    page
 }

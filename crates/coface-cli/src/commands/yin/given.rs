@@ -1,6 +1,6 @@
 //! What an input is: a set, a phase of an interface, or an interface.
 
-use super::SetOptions;
+use super::{Ends, SetOptions};
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input::{self, Source};
@@ -75,17 +75,39 @@ impl SetOptions {
 
     /// Refuses options that an interface has no use for.
     pub(super) fn check_interface(&self, path: &Path) -> Result<(), Failure> {
-        let option = match self {
-            Self { order: Some(_), .. } => "--order",
-            Self { rule: Some(_), .. } => "--rule",
-            Self { kinks: Some(_), .. } => "--kinks",
-            Self { canonical: true, .. } => "--canonical",
-            _ => return Ok(()),
-        };
+        self.check_interface_but(path, &[])
+    }
+
+    /// Refuses options that an interface has no use for, but for some.
+    pub(super) fn check_interface_but(&self, path: &Path, allowed: &[&str]) -> Result<(), Failure> {
+        let given = [
+            ("--order", self.order.is_some()),
+            ("--rule", self.rule.is_some()),
+            ("--kinks", self.kinks.is_some()),
+            ("--canonical", self.canonical),
+            ("--ends natural", self.ends == Ends::Natural),
+        ];
+        let found = given.iter().find(|(option, is_given)| *is_given && !allowed.contains(option));
+        let Some((option, _)) = found else { return Ok(()) };
         let name = input::name(path);
         Err(Failure::new(format!(
             "{name}: {option} is of one set, and this is an interface; leave it out, or name a phase, as in coface yin info {name}#0"
         )))
+    }
+
+    /// Reads a file as an interface, if it is one, with options that it has a use for.
+    pub(super) fn given_interface(
+        &self,
+        path: &Path,
+        allowed: &[&str],
+        common: &Common,
+        progress: &Progress,
+    ) -> Result<Option<PlanarInterface>, Failure> {
+        progress.stage(format!("reading {}", input::name(path)));
+        let Some(interface) = interface(path)? else { return Ok(None) };
+        self.check_interface_but(path, allowed)?;
+        accept(interface.remarks(), common)?;
+        Ok(Some(interface))
     }
 
     /// Reads a file as one set.

@@ -14,6 +14,7 @@ use coface::answers::{LabelImage, NamedSet, PlanarInterface, PlanarSet, text};
 use coface::io::{Format, NumberTable, StagedFiles};
 use coface::pictures::interface_picture;
 use coface::yin::{InterfaceOptions, Overlaps};
+use serde::Serialize;
 use std::path::{Path, PathBuf};
 
 /// So many lines are shown of a list.
@@ -104,6 +105,20 @@ pub(super) fn give(
     progress.stage("measuring");
     let files: Vec<String> = inputs.iter().map(|path| input::name(path)).collect();
     let answer = interface.answer(&files, false)?;
+    let text = || page(what, &answer);
+    give_answer(interface, &answer, text, inputs, output, common, progress)
+}
+
+/// Writes an interface, and gives an answer about it or the page of that.
+pub(super) fn give_answer(
+    interface: &PlanarInterface,
+    answer: &impl Serialize,
+    text: impl Fn() -> String,
+    inputs: &[PathBuf],
+    output: &InterfaceOutput,
+    common: &Common,
+    progress: Progress,
+) -> Result<(), Failure> {
     if let Some(path) = &common.output {
         progress.stage("writing");
         write_file(path, &output.bytes(interface, inputs)?)?;
@@ -111,9 +126,9 @@ pub(super) fn give(
     drop(progress);
     say_remarks(interface.remarks(), common);
     match (common.json, &common.output) {
-        (true, _) => print_json(&answer),
+        (true, _) => print_json(answer),
         (false, Some(_)) => Ok(()),
-        (false, None) => print_text(&page(what, &answer)),
+        (false, None) => print_text(&text()),
     }
 }
 

@@ -42,8 +42,8 @@ use std::path::{Path, PathBuf};
 /// closed lines. Polygons have order 2; --order 4 makes cubics of their sides, which stay straight, and `coface yin fit` smooth splines
 /// through their corners.
 ///
-/// The .json of an interface (`coface yin interface -o`) is an input too: `info`, `validate`, `locate`, `sample`, `curvature`, `transform`,
-/// `compare`, `interface` and `advect` take it whole, and every verb takes one of its phases, named FILE.json#NAME or by its number from 0,
+/// The .json of an interface (`coface yin interface -o`) is an input too: `info`, `validate`, `normalize`, `fit`, `kinks`, `cut-cells`, `locate`,
+/// `sample`, `curvature`, `transform`, `compare`, `interface` and `advect` take it whole, and every verb takes one of its phases, named FILE.json#NAME or by its number from 0,
 /// FILE.json#0.
 ///
 /// With -o the set is written: .json keeps everything, .svg and .dat keep curves, others are polygons (--flatten for curves).
@@ -136,7 +136,7 @@ struct SetOptions {
     picture: Shown,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum Ends {
     /// The first two and the last two polynomials are one
     NotAKnot,
@@ -419,8 +419,18 @@ impl One {
     }
 
     fn fit(&self, common: &Common) -> Result<(), Failure> {
-        let output = self.options.output(common)?;
         let progress = Progress::start(common.quiet);
+        let allowed = ["--order", "--kinks"];
+        if let Some(found) = self.options.given_interface(&self.input, &allowed, common, &progress)? {
+            let output = InterfaceOutput::new(&self.options, common)?;
+            progress.stage("fitting");
+            let name = input::name(&self.input);
+            let fitted = found.fitted(self.options.order, self.options.kinks.as_ref());
+            let fitted = fitted.map_err(|error| error.in_file(name))?;
+            let inputs = std::slice::from_ref(&self.input);
+            return interface::give(&fitted, "Fitted interface", inputs, &output, common, progress);
+        }
+        let output = self.options.output(common)?;
         let set = self.options.read(&self.input, common, true, &progress)?;
         progress.stage("measuring");
         let answer = set.answer()?;

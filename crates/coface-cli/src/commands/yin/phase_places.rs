@@ -133,7 +133,7 @@ pub(super) fn comparison_page(answer: &YinInterfaceComparisonAnswer) -> String {
         (
             "area of a xor b".to_owned(),
             real(answer.area_xor),
-            format!("of all phases, off by at most about {:.1e}", answer.area_xor_error),
+            format!("of all phases, off by at most about {}", text::rounded(answer.area_xor_error, 1)),
         ),
         ("junctions".to_owned(), format!("{first} and {second}"), String::new()),
     ];

@@ -11,7 +11,7 @@ use crate::output::{is_json, print_json, print_text, write_json};
 use crate::progress::Progress;
 use crate::remarks::{accept, take};
 use clap::Args;
-use coface::answers::answer::{YinInfoAnswer, YinValidationAnswer};
+use coface::answers::answer::{YinInfoAnswer, YinInterfaceAnswer, YinValidationAnswer};
 use coface::answers::{PlanarInterface, PlanarSet, text};
 use coface::geometry::{AffineMap, Angle};
 use std::path::PathBuf;
@@ -39,10 +39,14 @@ pub(super) struct Validate {
 /// Two sets of order 2 have the same points if and only if their unique forms are equal. Without --rule, curves that cross are repaired
 /// by the rule nonzero, and what bounds a set stays as it is.
 ///
-/// With --json also "rounds" (how often rounding made curves cross again) and "straightened" (knots that were left out).
+/// Of an interface edges that cross are cut and pasted, what then lies in several phases goes to the first of them, edges that go on smoothly where nothing
+/// else ends become one, and edges and vertices come in one order; junctions and phases stay.
+///
+/// With --json also "rounds" (how often rounding made curves cross again) and "straightened" (knots that were left out); of an interface "repaired" (what
+/// was wrong, null if nothing was), "joined" (vertices at which two edges became one) and "straightened".
 #[derive(Args)]
 pub(super) struct Normalize {
-    /// The set; - is standard input
+    /// The set, or an interface; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
     #[command(flatten)]
@@ -162,15 +166,22 @@ fn page(answer: &YinValidationAnswer, is_set: bool) -> String {
     if let Some(rough) = &answer.roughest {
         let gloss =
             format!("at knot {} of curve {}, the most where there is no kink", rough.knot, rough.curve);
-        facts.push(("turns by".to_owned(), format!("{:.1e} degrees", rough.degrees.abs()), gloss));
+        facts.push((
+            "turns by".to_owned(),
+            format!("{} degrees", text::rounded(rough.degrees.abs(), 1)),
+            gloss,
+        ));
     }
     text::facts("Validity", &facts)
 }
 
 impl Normalize {
     pub(super) fn run(&self, common: &Common) -> Result<(), Failure> {
-        let output = self.options.output(common)?;
         let progress = Progress::start(common.quiet);
+        if let Some(found) = given::interface_answer(&self.input)? {
+            return self.run_interface(&found, common, progress);
+        }
+        let output = self.options.output(common)?;
         let options =
             SetOptions { rule: Some(self.options.rule.unwrap_or(Rule::Nonzero)), ..self.options.clone() };
         let planar = options.read(&self.input, common, false, &progress)?;
@@ -178,6 +189,47 @@ impl Normalize {
         let name = input::name(&self.input);
         let (planar, answer) = planar.normalized(&name).map_err(|error| error.in_file(name))?;
         give(&planar, "Unique form", answer, &options, output, common, progress)
+    }
+}
+
+impl Normalize {
+    /// The same of an interface, whose edges may cross.
+    fn run_interface(
+        &self,
+        found: &YinInterfaceAnswer,
+        common: &Common,
+        progress: Progress,
+    ) -> Result<(), Failure> {
+        let name = input::name(&self.input);
+        self.options.check_interface_but(&self.input, &["--rule", "--canonical"])?;
+        let output = InterfaceOutput::new(&self.options, common)?;
+        progress.stage("normalizing");
+        let rule = self.options.rule.unwrap_or(Rule::Nonzero).inside();
+        let unique = PlanarInterface::unchecked(found)
+            .and_then(|found| found.normalized(std::slice::from_ref(&name), rule));
+        let (unique, answer) = unique.map_err(|error| error.in_file(name.clone()))?;
+        let inputs = std::slice::from_ref(&self.input);
+        let text = || {
+            let mut page = interface::page("Unique form", &answer.interface);
+            let mut facts = vec![
+                (
+                    "joined".to_owned(),
+                    text::grouped(answer.joined),
+                    "vertices at which two edges became one".to_owned(),
+                ),
+                (
+                    "straightened".to_owned(),
+                    text::grouped(answer.straightened),
+                    "knots within straight parts left out".to_owned(),
+                ),
+            ];
+            if let Some(fault) = &answer.repaired {
+                facts.push(("repaired".to_owned(), fault.clone(), String::new()));
+            }
+            page.push_str(&text::facts("What was done", &facts));
+            page
+        };
+        interface::give_answer(&unique, &answer, text, inputs, &output, common, progress)
     }
 }
 

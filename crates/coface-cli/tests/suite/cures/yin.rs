@@ -30,6 +30,10 @@ const ROOMS: Files = &[
     ("rooms.wkt", "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((1 0, 2 0, 2 1, 1 1, 1 0)))"),
     ("square.wkt", "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"),
 ];
+/// A phase whose edge crosses itself.
+const BOW_PHASE: &str = "{\"files\":[],\"order\":2,\"phases\":[{\"name\":\"a\",\"area\":1,\"perimeter\":1,\"components\":1,\"holes\":0,\"neighbors\":[]}],\
+     \"vertices\":[[0,0]],\"edges\":[{\"ends\":[0,0],\"left\":0,\"right\":null,\"length\":1,\"pieces\":4,\"knots\":[0,1,2,3,4],\
+     \"controls\":[[0,0],[2,2],[2,0],[0,2],[0,0]]}],\"junctions\":[],\"smooth_pairs\":[],\"length\":1,\"remarks\":[]}";
 const INTERFACE: &[&str] = &["coface yin interface rooms.wkt -o rooms.json"];
 /// A drop that becomes a long thin thread in a vortex.
 const DROP: Files = &[(
@@ -41,8 +45,13 @@ const DROP: Files = &[(
 pub(super) const CASES: &[Case] = &[
     Case::new("yin/making.rs", "say how far chords may be from it: --flatten LENGTH")
         .files(DISK)
+        .before(&["coface yin info disk.svg --order 6 -o disk.json"])
+        .refused("coface yin info disk.json --order 4")
+        .cured(&[&["coface yin info disk.json --order 4 --flatten 0.01"]]),
+    Case::new("yin/making.rs", "a thousandth of the size of the set; --flatten LENGTH says another length")
+        .files(DISK)
         .before(&["coface yin info disk.svg -o disk.json"])
-        .refused("coface yin info disk.json --order 2")
+        .answered("coface yin info disk.json --order 2")
         .cured(&[&["coface yin info disk.json --order 2 --flatten 0.01"]]),
     Case::new("yin/making.rs", "repair the curves with a fill rule: --rule nonzero, evenodd or positive")
         .files(BOW)
@@ -172,15 +181,25 @@ pub(super) const CASES: &[Case] = &[
         .files(DISK)
         .refused("coface yin advect disk.svg --velocity 1,0 --event-tolerance 0.1")
         .cured(&[&["coface yin advect disk.svg --velocity 1,0 --event-tolerance 0.1 --events"]]),
-    Case::new("advect/phases.rs", "write the phases with `coface yin interface --sets` and move one")
+    Case::new("yin/motion.rs", "a smaller --spacing or --least-ratio makes it so")
         .files(DISK)
-        .refused("coface yin advect disk.svg --inputs files --velocity 1,0 --on-contact keep")
+        .answered("coface yin advect disk.svg --velocity 1,0 --spacing 0.5 --on-contact merge --contact-distance 0.01")
         .cured(&[
-            &["coface yin advect disk.svg --inputs files --velocity 1,0"],
-            &[
-                "coface yin interface disk.svg --sets phase.json",
-                "coface yin advect phase-001.json --velocity 1,0 --events --on-contact merge",
-            ],
+            &["coface yin advect disk.svg --velocity 1,0 --spacing 0.1 --on-contact merge --contact-distance 0.01"],
+            &["coface yin advect disk.svg --velocity 1,0 --spacing 0.5 --least-ratio 0.02 --on-contact merge --contact-distance 0.01"],
+        ]),
+    Case::new("yin/interface_file.rs", "repair it with coface yin normalize")
+        .files(ROOMS)
+        .with(&[("bow.json", BOW_PHASE)])
+        .refused("coface yin info bow.json")
+        .cured(&[&["coface yin normalize bow.json -o rooms.json", "coface yin info rooms.json"]]),
+    Case::new("yin/edit.rs", "write EDGE:KNOT, both numbered from 0, or a point with --insert-near")
+        .files(ROOMS)
+        .before(INTERFACE)
+        .refused("coface yin kinks rooms.json --insert rim:1")
+        .cured(&[
+            &["coface yin kinks rooms.json --insert 1:1"],
+            &["coface yin kinks rooms.json --insert-near 0,0"],
         ]),
     Case::new("yin/interface_motion.rs", "--keep-small keeps such edges")
         .files(&[("hole.wkt", "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0), (1 1, 1.01 1, 1 1.01, 1 1))")])
@@ -285,12 +304,7 @@ pub(super) const CASES: &[Case] = &[
     Case::new("yin/validity.rs", "make it from sets again: coface yin interface SETS --overlaps first")
         .files(ROOMS)
         .before(INTERFACE)
-        .damaged(&[(
-            "rooms.json",
-            "{\"files\":[],\"order\":2,\"phases\":[{\"name\":\"a\",\"area\":1,\"perimeter\":1,\"components\":1,\"holes\":0,\"neighbors\":[]}],\
-             \"vertices\":[[0,0]],\"edges\":[{\"ends\":[0,0],\"left\":0,\"right\":null,\"length\":1,\"pieces\":4,\"knots\":[0,1,2,3,4],\
-             \"controls\":[[0,0],[2,2],[2,0],[0,2],[0,0]]}],\"junctions\":[],\"smooth_pairs\":[],\"length\":1,\"remarks\":[]}",
-        )])
+        .damaged(&[("rooms.json", BOW_PHASE)])
         .refused("coface yin validate rooms.json")
         .cured(&[&[
             "coface yin interface rooms.wkt square.wkt --overlaps first -o rooms.json",

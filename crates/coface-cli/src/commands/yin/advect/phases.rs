@@ -21,11 +21,6 @@ impl Advect {
         request: &MotionRequest,
         common: &Common,
     ) -> Result<(), Failure> {
-        if request.on_contact.is_some() {
-            return Err(Failure::new(
-                "--on-contact is of one set: leave it out, or write the phases with `coface yin interface --sets` and move one",
-            ));
-        }
         let output = InterfaceOutput::new(&self.options, common)?;
         let progress = Progress::start(common.quiet);
         let interface = self.phases.read(&self.inputs, &self.options, common, &progress)?;
