@@ -1,7 +1,7 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 42] = [
+const PHRASES: [(&str, &str); 43] = [
     ("draw the model by coface render INPUT -o OUT.png", "draw it by coface.render(model, \"png\")"),
     ("read it as an interface", "read it as an interface: coface.Interface.read(path)"),
     ("coface persistence POINTS --rips", "coface.rips(points)"),
@@ -34,6 +34,7 @@ const PHRASES: [(&str, &str); 42] = [
         "halfedges become facets by model.subdivided()",
     ),
     ("--keep-small keeps such curves", "keep_small=True keeps such curves"),
+    ("repair it with coface yin normalize", "repair it with coface.Interface.read(path, rule=\"nonzero\")"),
     ("coface convert --orient", "model.repaired(orient=True)"),
     ("coface yin info INPUT -o OUT.dat", "coface.YinSet.from_model(model).write(\"out.dat\")"),
     ("coface shard INPUT -o FOLDER --parts N", "coface.shards.shard(model, folder, parts)"),

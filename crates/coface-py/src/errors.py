@@ -85,7 +85,7 @@ class OutOfRangeError(InvalidInputError, OverflowError):
     _kind = "InvalidInput"
 
 
-class NotInComplexError(Error, LookupError):
+class NotInComplexError(Error, KeyError):
     """A simplex, cell or vertex that was named is not there."""
 
 

@@ -15,7 +15,9 @@ pub(crate) use interface::{_feature_sets, _interface, _label_sets, Interface};
 pub(crate) use kinks::Kinks;
 
 use self::kink_request::kinks_of;
-use self::motion::{GivenFlow, parameters_of, scheme_of, tracking_options, verification_of};
+use self::motion::{
+    GivenFlow, below_knots, contact_of, parameters_of, scheme_of, tracking_options, verification_of,
+};
 use crate::answer::answer;
 use crate::arrangement::{formula, named_format, rule_of};
 use crate::arrays;
@@ -32,10 +34,7 @@ use coface::io;
 use coface::io::Format;
 use coface::pictures::{SetPicture, set_picture};
 use coface::yin;
-use coface::yin::{
-    CartesianGrid, Coverage, CutCells as Cells, EndCondition, EventKind, KnotIndex, OnContact, Order,
-    SetLocation,
-};
+use coface::yin::{EndCondition, EventKind, KnotIndex, Order, SetLocation};
 use coface::{Error, VertexId};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
@@ -618,8 +617,20 @@ answer! { YinSet {
     }
 
     /// The set without the kink of this name.
-    fn erase_kink(&self, py: Python<'_>, vertex: u32) -> PyResult<Self> {
-        self.edited(py, |set| set.set_mut().erase_kink(VertexId::from_u32(vertex)).map(drop))
+    ///
+    /// Parameters
+    /// ----------
+    /// vertex : int
+    ///     The name of the kink.
+    ///
+    /// Returns
+    /// -------
+    /// set : YinSet
+    ///     The curve fitted again.
+    /// vertex : int
+    ///     The name of the kink that is gone.
+    fn erase_kink(&self, py: Python<'_>, vertex: u32) -> PyResult<(Self, u32)> {
+        Ok((self.edited(py, |set| set.set_mut().erase_kink(VertexId::from_u32(vertex)).map(drop))?, vertex))
     }
 
     /// The set without the kink that is nearest to a point.
@@ -628,14 +639,24 @@ answer! { YinSet {
     /// ----------
     /// point : array_like, shape (2,)
     ///     The point.
-    fn erase_kink_near(&self, py: Python<'_>, point: [f64; 2]) -> PyResult<Self> {
-        self.edited(py, |set| {
+    ///
+    /// Returns
+    /// -------
+    /// set : YinSet
+    ///     The curve fitted again.
+    /// vertex : int
+    ///     The name of the kink that is gone.
+    fn erase_kink_near(&self, py: Python<'_>, point: [f64; 2]) -> PyResult<(Self, u32)> {
+        let mut name = 0;
+        let edited = self.edited(py, |set| {
             let set = set.set_mut();
             let kink = set.nearest_kink(point)?.ok_or_else(|| {
                 Error::invalid("the set has no kinks").with_cure("take a set with kinks")
             })?;
+            name = kink.to_u32();
             set.erase_kink(kink).map(drop)
-        })
+        })?;
+        Ok((edited, name))
     }
 
     /// The set with these kinks and no others: ``"none"``, ``"all"``, an angle in degrees, or pairs (curve, knot).
@@ -708,40 +729,8 @@ answer! { YinSet {
         spacing: Option<[f64; 2]>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<CutCells> {
-        let [low, high] = self.set.bounding_box().unwrap_or([[0.0; 2], [1.0; 2]]);
-        let counts = [counts.0, counts.1];
-        let origin = origin.unwrap_or(low);
-        let spacing = spacing.unwrap_or_else(|| {
-            [0, 1].map(|axis| {
-                let size = (high[axis] - origin[axis]) / counts[axis].max(1) as f64;
-                if size > 0.0 { size } else { 1.0 }
-            })
-        });
-        run(py, progress, || {
-            let cells = Cells::new(self.inner(), CartesianGrid::new(origin, spacing, counts)?)?;
-            let mut found = CutCells {
-                origin,
-                spacing,
-                counts,
-                coverage: Vec::new(),
-                areas: Vec::new(),
-                lengths: Vec::new(),
-                total_area: cells.total_area(),
-                total_length: cells.total_length(),
-            };
-            for row in 0..counts[1] {
-                for column in 0..counts[0] {
-                    found.coverage.push(match cells.coverage(column, row) {
-                        Coverage::Empty => -1,
-                        Coverage::Full => 1,
-                        _ => 0,
-                    });
-                    found.areas.push(cells.area(column, row));
-                    found.lengths.push(cells.cell(column, row).map_or(0.0, |cell| cell.length()));
-                }
-            }
-            Ok(found)
-        })
+        let around = self.set.bounding_box();
+        run(py, progress, || CutCells::of(self.inner(), around, counts, origin, spacing))
     }
 
     /// The set after it moved with a flow.
@@ -849,11 +838,7 @@ answer! { YinSet {
         options = options.verification(verification_of(py, verify)?).repair(rule_of(py, repair)?);
         options = options.scheme(scheme_of(py, scheme)?).parameters(parameters_of(py, parameters)?);
         options = options.least_ratio(least_ratio).most_turn(turn.map(f64::to_radians)).keep_small(keep_small);
-        let on_contact = on_contact
-            .map(|word| {
-                choice(py, "on_contact", word, &[("keep", OnContact::Keep), ("merge", OnContact::Merge)])
-            })
-            .transpose()?;
+        let on_contact = contact_of(py, on_contact)?;
         options = options.events(events).event_tolerance(event_tolerance);
         options = options.on_contact(on_contact).contact_distance(contact_distance);
         let moved = flow.moved(
@@ -877,6 +862,7 @@ answer! { YinSet {
             repairs: repairs.collect(),
             events: options.times_within().or_raise(py)?.map(|_| moved.events().iter().map(YinEventAnswer::new).collect()),
         };
+        below_knots(py, &options)?;
         let kept = moved.events().iter().filter(|event| event.kind() == EventKind::Contact);
         if let Some((first, count)) = kept.clone().next().map(|first| (first, kept.count())) {
             let [x, y] = first.place();

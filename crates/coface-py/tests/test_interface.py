@@ -195,3 +195,36 @@ def test_kept_parameters_are_nearer() -> None:
     assert off["kept"] is not None and off["lengths"] is not None and 50 * off["kept"] < off["lengths"]
     with pytest.raises(coface.Error, match="parameters"):
         disk.advected("vortex", parameters="chords")
+
+
+def test_unique_form_fit_kinks_and_cells() -> None:
+    rooms = coface.interface(np.array([[1, 1, 2], [1, 1, 2]]))
+    unique = rooms.normalized()
+    assert unique.areas == rooms.areas and unique.normalized() == unique
+    smooth = rooms.fit(4, kinks=45.0)
+    assert (smooth.order, smooth.areas, len(smooth.junctions)) == (4, rooms.areas, 2)
+    assert all(isinstance(edge, int) and isinstance(knot, int) for edge, knot in smooth.kinks.values())
+    cut, vertex = rooms.insert_kink_near([0, 2])
+    assert list(cut.kinks) == [vertex]
+    whole, gone = cut.erase_kink_near([0, 2])
+    assert gone == vertex and whole.edges == rooms.edges
+    assert len(rooms.reset_kinks("all").kinks) > len(rooms.reset_kinks("none").kinks) == 0
+    with pytest.raises(coface.NotInComplexError, match="no kink"):
+        rooms.erase_kink(99)
+    with pytest.raises(coface.InvalidInputError, match="is a junction"):
+        rooms.insert_kink(0, 0)
+    cells = rooms.cut_cells((6, 4))
+    assert [own.total_area for own in cells] == rooms.areas
+    assert sum(own.areas for own in cells) == pytest.approx(np.full((4, 6), 0.25))
+
+
+def test_contacts_of_phases() -> None:
+    pair = coface.interface([coface.YinSet([coface.Curve.circle([x, 0], 1)]) for x in (-1.25, 1.25)])
+    moved, facts = pair.advected("-x; 0", 2.0, step=0.1, on_contact="merge", contact_distance=0.25)
+    assert facts["events"][0]["kind"] == "phases-meet" and facts["events"][0]["time"] == pytest.approx(np.log(2), abs=1e-3)
+    assert len(moved.junctions) == 2 and moved.neighbors[0][:2] == (0, 1)
+    with pytest.warns(coface.AssumptionWarning, match="came into contact"):
+        kept, _ = pair.advected("-x; 0", 2.0, step=0.1, on_contact="keep", contact_distance=0.25)
+    assert len(kept.junctions) == 0
+    with pytest.warns(coface.AssumptionWarning, match="below the least distance of knots"):
+        pair.advected("-x; 0", 0.1, on_contact="merge", contact_distance=1e-9)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
+from collections.abc import Mapping
 
 import numpy as np
 import pytest
@@ -33,7 +34,8 @@ def test_kinks_by_places_and_names(tmp_path) -> None:
     named, _ = leaf.insert_kink("rim", 1)
     assert near == named
     assert near.kinks[vertex] == (0, 1)
-    assert near.erase_kink_near(np.array([9.0, 9.0])) == leaf
+    assert near.erase_kink_near(np.array([9.0, 9.0])) == (leaf, vertex)
+    assert near.erase_kink(vertex) == (leaf, vertex)
     with pytest.raises(coface.InvalidInputError, match="no curve is named"):
         leaf.insert_kink("hole", 1)
     with pytest.raises(coface.InvalidInputError, match="no kinks"):
@@ -47,3 +49,15 @@ def test_an_area_beyond_the_range_of_numbers() -> None:
     assert far.is_bounded
     with pytest.raises(coface.InvalidInputError, match="beyond the range"):
         _ = far.area
+
+
+def test_kinks_are_a_mapping() -> None:
+    square = coface.YinSet.from_rings([[[0, 0], [2, 0], [2, 2], [0, 2]]], order=4, kinks="all")
+    kinks = square.kinks
+    assert isinstance(kinks, Mapping)
+    assert dict(kinks) == {0: (0, 0), 1: (0, 1), 2: (0, 2), 3: (0, 3)} == kinks
+    assert list(kinks.keys()) == [0, 1, 2, 3] and (0, 2) in kinks.values() and (3, (0, 3)) in kinks.items()
+    assert kinks.get(2) == (0, 2) and kinks.get(9) is None and kinks.get(9, (7, 7)) == (7, 7)
+    assert "x" not in kinks and kinks != {0: (0, 0)}
+    with pytest.raises(KeyError):
+        kinks[9]

@@ -18,6 +18,8 @@ Examples
 Homology(Z, Z^2, Z)
 """
 
+from collections.abc import Mapping as _Mapping
+
 from coface._coface import (
     AssumptionWarning,
     BoundaryOfBoundaryError,
@@ -163,6 +165,8 @@ from coface._doors import (  # isort: skip
 from coface.interop.skimage import from_labels
 from coface._plot import plot
 from coface._plot import plot_method as _plot_method
+
+_Mapping.register(Kinks)
 
 __all__ = [
     "AssumptionWarning",

@@ -1,6 +1,6 @@
 # Signatures and types by hand, docstrings by `python stubs.py --write`: with them it is longer than other files.
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, ItemsView, Iterable, Iterator, KeysView, Mapping, Sequence, ValuesView
 from typing import Any, TypeAlias, final
 
 import numpy as np
@@ -1425,18 +1425,21 @@ class Interface:
         """
         ...
     @staticmethod
-    def read(path: str | os.PathLike[str]) -> Interface:
+    def read(path: str | os.PathLike[str], *, rule: str | None = None) -> Interface:
         """The interface in a file that :meth:`write` or ``coface yin interface -o`` wrote.
 
         Parameters
         ----------
         path : path-like
             A ``.json`` file.
+        rule : {"nonzero", "evenodd", "positive"}, optional
+            What is inside of edges that cross: they are cut and pasted by it, and the interface is in its unique form. Left out, edges that cross are an
+            error.
 
         Returns
         -------
         Interface
-            The same interface, bit for bit.
+            The same interface, bit for bit unless there is a rule.
         """
         ...
     def write(self, path: str | os.PathLike[str]) -> None:
@@ -1503,6 +1506,128 @@ class Interface:
             The phases of all ``matrix @ point + offset``, with their names.
         """
         ...
+    def normalized(self) -> Interface:
+        """The interface in its unique form: edges that go on smoothly where nothing else ends become one, knots within straight parts of polylines are left
+        out, and edges and vertices come in one order. Interfaces of order 2 whose phases have the same points have the same edges then.
+
+        Returns
+        -------
+        Interface
+            With the same phases and junctions.
+        """
+        ...
+    def fit(self, order: int | None = None, *, kinks: str | float | Sequence[tuple[int, int]] | None = None) -> Interface:
+        """Splines through the knots of the edges, smooth but for junctions and kinks. Each edge is fitted once, so phases keep their common edges.
+
+        Parameters
+        ----------
+        order : {2, 4, 6, 8}, optional
+            The order; that of the edges, and 4 at least, if left out.
+        kinks : "none", "all", float, or list of (int, int), optional
+            Where edges may turn: nowhere but at junctions, at all knots, where polylines turn by more degrees, or at these (edge, knot); at the kinks that there
+            are, if left out.
+
+        Returns
+        -------
+        Interface
+            With the same phases and junctions.
+        """
+        ...
+    @property
+    def kinks(self) -> dict[int, tuple[int, int]]:
+        """The kinks: vertices at which two edges end that do not go on smoothly into each other. A dictionary from vertices to ``(edge, knot)``, one of the
+        two ways to name the knot there. Junctions are no kinks.
+        """
+        ...
+    def insert_kink(self, edge: int, knot: int) -> tuple[Interface, int]:
+        """The interface with one more kink; its edge is cut into two there.
+
+        Parameters
+        ----------
+        edge : int
+            The number of the edge.
+        knot : int
+            The number of the knot on it, 0 where it begins.
+
+        Returns
+        -------
+        interface : Interface
+            The splines beside the kink fitted again; phases on both sides have it.
+        vertex : int
+            The vertex of the kink.
+        """
+        ...
+    def insert_kink_near(self, point: ArrayLike) -> tuple[Interface, int]:
+        """The interface with one more kink, at the knot that is nearest to a point; junctions are left out.
+
+        Parameters
+        ----------
+        point : array_like, shape (2,)
+            The point.
+
+        Returns
+        -------
+        interface : Interface
+            The splines beside the kink fitted again.
+        vertex : int
+            The vertex of the kink.
+        """
+        ...
+    def erase_kink(self, vertex: int) -> tuple[Interface, int]:
+        """The interface without a kink; its two edges become one. Vertices and edges with higher numbers get lower ones.
+
+        Parameters
+        ----------
+        vertex : int
+            The vertex of the kink.
+
+        Returns
+        -------
+        interface : Interface
+            The splines beside the kink fitted again.
+        vertex : int
+            The vertex that the kink had.
+        """
+        ...
+    def erase_kink_near(self, point: ArrayLike) -> tuple[Interface, int]:
+        """The interface without the kink that is nearest to a point.
+
+        Parameters
+        ----------
+        point : array_like, shape (2,)
+            The point.
+
+        Returns
+        -------
+        interface : Interface
+            The splines beside the kink fitted again.
+        vertex : int
+            The vertex that the kink had.
+        """
+        ...
+    def reset_kinks(self, kinks: str | float | Sequence[tuple[int, int]]) -> Interface:
+        """The interface with these kinks and no others: ``"none"``, ``"all"``, an angle in degrees, or pairs (edge, knot)."""
+        ...
+    def cut_cells(self, counts: tuple[int, int] = ..., *, origin: ArrayLike | None = None, spacing: ArrayLike | None = None, progress: _Progress = ...) -> list[CutCells]:
+        """The phases on one Cartesian grid. What they have of a cell adds up.
+
+        Parameters
+        ----------
+        counts : (int, int)
+            Columns and rows.
+        origin : (float, float), optional
+            The lower left corner; of the box around all edges, if left out.
+        spacing : (float, float), optional
+            The size of cells; so that this box is covered, if left out.
+        progress : bool or callable, optional
+            ``True`` shows a bar; a function is called with (stage, done, total).
+
+        Returns
+        -------
+        list of CutCells
+            What each phase has of the cells, in the order of the phases.
+        """
+        ...
     def compare(self, other: Interface) -> dict[str, Json]:
         """How far the phases are from those of another interface; namesakes are compared with each other.
 
@@ -1527,7 +1652,7 @@ class Interface:
             They give the same interface again.
         """
         ...
-    def advected(self, flow: str | Callable[..., Any], end: float | None = None, *, step: float | None = None, spacing: float | None = None, period: float = 4.0, vortices: int = 4, velocity: Sequence[float] = ..., center: Sequence[float] = ..., speed: float = 1.0, verify: str = "each-step", repair: str | None = None, scheme: str | None = None, parameters: str | None = None, least_ratio: float = 0.1, turn: float | None = None, keep_small: bool = False, events: bool = False, event_tolerance: float | None = None, progress: _Progress = ...) -> tuple[Interface, dict[str, Json]]:
+    def advected(self, flow: str | Callable[..., Any], end: float | None = None, *, step: float | None = None, spacing: float | None = None, period: float = 4.0, vortices: int = 4, velocity: Sequence[float] = ..., center: Sequence[float] = ..., speed: float = 1.0, verify: str = "each-step", repair: str | None = None, scheme: str | None = None, parameters: str | None = None, least_ratio: float = 0.1, turn: float | None = None, keep_small: bool = False, events: bool = False, event_tolerance: float | None = None, on_contact: str | None = None, contact_distance: float | None = None, progress: _Progress = ...) -> tuple[Interface, dict[str, Json]]:
         """The interface after it moved with a flow: phases keep their common arcs, and junctions stay junctions.
 
         Parameters
@@ -1569,6 +1694,13 @@ class Interface:
             List the changes of the topology, with times that are narrowed down within steps.
         event_tolerance : float, optional
             How exactly these times are found; a thousandth of the step if left out.
+        on_contact : {"keep", "merge"}, optional
+            What to do where edges come nearer to each other than ``contact_distance``: ``"merge"`` lets what is beyond them come together, a phase with
+            itself, and two phases by an edge that they get in common; ``"keep"`` goes on with the edges as they are, with an
+            :class:`AssumptionWarning`, and is an error only if they cross at the end. Left out, contacts are not looked for. Events are listed too.
+        contact_distance : float, optional
+            The least distance of points along edges if left out. With ``"merge"`` components of phases whose mean width is below half of it go to the
+            phase that they have most of their boundary in common with.
         progress : bool or callable, optional
             ``True`` shows a bar; a function is called with (stage, done, total).
 
@@ -1598,7 +1730,7 @@ class Interface:
 class Kinks:
     """The kinks of a set: knots where its boundary may turn, with names that stay.
 
-    A mapping from names to ``(curve, knot)``.
+    A mapping from names to ``(curve, knot)``: ``dict(kinks)`` has them all.
     """
     @property
     def set(self) -> YinSet:
@@ -1629,6 +1761,19 @@ class Kinks:
         ...
     def __getitem__(self, vertex: int, /) -> tuple[int, int]: ...
     def __contains__(self, vertex: Any, /) -> bool: ...
+    def keys(self) -> KeysView[int]:
+        """The names."""
+        ...
+    def values(self) -> ValuesView[tuple[int, int]]:
+        """The curves and knots."""
+        ...
+    def items(self) -> ItemsView[int, tuple[int, int]]:
+        """The names, each with its curve and knot."""
+        ...
+    def get(self, vertex: int, default: tuple[int, int] | None = None) -> tuple[int, int] | None:
+        """The curve and the knot of a name, or something else if there is no such kink."""
+        ...
+    def __eq__(self, other: object, /) -> bool: ...
     def __iter__(self) -> Iterator[int]: ...
     def __len__(self) -> int: ...
     def __repr__(self) -> str: ...
@@ -3995,16 +4140,36 @@ class YinSet:
             The name of the kink.
         """
         ...
-    def erase_kink(self, vertex: int) -> YinSet:
-        """The set without the kink of this name."""
+    def erase_kink(self, vertex: int) -> tuple[YinSet, int]:
+        """The set without the kink of this name.
+
+        Parameters
+        ----------
+        vertex : int
+            The name of the kink.
+
+        Returns
+        -------
+        set : YinSet
+            The curve fitted again.
+        vertex : int
+            The name of the kink that is gone.
+        """
         ...
-    def erase_kink_near(self, point: ArrayLike) -> YinSet:
+    def erase_kink_near(self, point: ArrayLike) -> tuple[YinSet, int]:
         """The set without the kink that is nearest to a point.
 
         Parameters
         ----------
         point : array_like, shape (2,)
             The point.
+
+        Returns
+        -------
+        set : YinSet
+            The curve fitted again.
+        vertex : int
+            The name of the kink that is gone.
         """
         ...
     def reset_kinks(self, kinks: str | float | Sequence[tuple[int, int]] | None) -> YinSet:

@@ -1,5 +1,8 @@
 //! Sets on a Cartesian grid.
 
+use coface::Error;
+use coface::answers::CutCellsRequest;
+use coface::yin::{CartesianGrid, Coverage, CutCells as Cells, YinSet};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -20,6 +23,41 @@ pub(crate) struct CutCells {
 }
 
 impl CutCells {
+    /// What a set has of the cells of a grid, by default over a box.
+    pub(super) fn of(
+        set: &YinSet,
+        around: Option<[[f64; 2]; 2]>,
+        counts: (usize, usize),
+        origin: Option<[f64; 2]>,
+        spacing: Option<[f64; 2]>,
+    ) -> Result<Self, Error> {
+        let request = CutCellsRequest::new([counts.0, counts.1]).origin(origin).spacing(spacing);
+        let grid = request.over(around);
+        let cells = Cells::new(set, CartesianGrid::new(grid.origin, grid.spacing, grid.counts)?)?;
+        let mut found = Self {
+            origin: grid.origin,
+            spacing: grid.spacing,
+            counts: grid.counts,
+            coverage: Vec::new(),
+            areas: Vec::new(),
+            lengths: Vec::new(),
+            total_area: cells.total_area(),
+            total_length: cells.total_length(),
+        };
+        for row in 0..grid.counts[1] {
+            for column in 0..grid.counts[0] {
+                found.coverage.push(match cells.coverage(column, row) {
+                    Coverage::Empty => -1,
+                    Coverage::Full => 1,
+                    _ => 0,
+                });
+                found.areas.push(cells.area(column, row));
+                found.lengths.push(cells.cell(column, row).map_or(0.0, |cell| cell.length()));
+            }
+        }
+        Ok(found)
+    }
+
     fn grid<'py, T: numpy::Element + Clone>(
         &self,
         py: Python<'py>,

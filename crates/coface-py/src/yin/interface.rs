@@ -1,7 +1,10 @@
 //! Interfaces: sets as phases that share the arcs between them.
 
-use super::motion::{GivenFlow, parameters_of, scheme_of, tracking_options, verification_of};
-use super::{YinSet, points_of};
+use super::kink_request::kinks_of;
+use super::motion::{
+    GivenFlow, below_knots, contact_of, parameters_of, scheme_of, tracking_options, verification_of,
+};
+use super::{CutCells, YinSet, points_of};
 use crate::answer::answer;
 use crate::arrangement::rule_of;
 use crate::congruence::choice;
@@ -13,14 +16,15 @@ use crate::work::run;
 use coface::answers::answer::{
     InterfacePoint, YinInterfaceAnswer, YinInterfaceEventAnswer, YinLocation, to_json,
 };
-use coface::answers::{LabelImage, NamedSet, PlanarInterface, SetRequest};
+use coface::answers::{InterfaceKinksRequest, LabelImage, NamedSet, PlanarInterface, SetRequest, text};
+use coface::arrange::boolean::InsideRule;
 use coface::io;
 use coface::pictures::interface_picture;
-use coface::yin::{InterfaceOptions, InterfaceRepair, Overlaps};
+use coface::yin::{InterfaceEventKind, InterfaceOptions, InterfaceRepair, KnotIndex, Overlaps};
 use coface::{EdgeId, Error, ErrorKind};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
+use pyo3::types::{PyBytes, PyDict};
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -114,11 +118,14 @@ answer! { Interface {
     /// ----------
     /// path : path-like
     ///     A ``.json`` file.
+    /// rule : {"nonzero", "evenodd", "positive"}, optional
+    ///     What is inside of edges that cross: they are cut and pasted by it, and the interface is in its unique form. Left out, edges that cross are an
+    ///     error.
     ///
     /// Returns
     /// -------
     /// Interface
-    ///     The same interface, bit for bit.
+    ///     The same interface, bit for bit unless there is a rule.
     ///
     /// Examples
     /// --------
@@ -129,7 +136,9 @@ answer! { Interface {
     /// >>> coface.Interface.read(path).areas
     /// [4.0, 2.0]
     #[staticmethod]
-    fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+    #[pyo3(signature = (path, *, rule=None))]
+    fn read(py: Python<'_>, path: PathBuf, rule: Option<&str>) -> PyResult<Self> {
+        let rule = rule_of(py, rule)?;
         run(py, None, || {
             let name = path.display().to_string();
             let in_file = |error: Error| error.in_file(name.clone());
@@ -138,7 +147,12 @@ answer! { Interface {
                 Err(Error::new(ErrorKind::Parse, "there is no interface in it")
                     .with_cure("give a file that Interface.write wrote, or make one of sets by coface.interface"))
             });
-            Self::of(PlanarInterface::of_answer(&answer.map_err(in_file)?).map_err(in_file)?)
+            let answer = answer.map_err(in_file)?;
+            let found = match rule {
+                None => PlanarInterface::of_answer(&answer),
+                Some(rule) => PlanarInterface::unchecked(&answer).and_then(|found| Ok(found.normalized(&[], rule)?.0)),
+            };
+            Self::of(found.map_err(in_file)?)
         })
     }
 
@@ -202,6 +216,194 @@ answer! { Interface {
         Ok((phases, to_python(py, &found)?))
     }
 
+    /// The interface in its unique form: edges that go on smoothly where nothing else ends become one, knots within straight parts of polylines are left
+    /// out, and edges and vertices come in one order. Interfaces of order 2 whose phases have the same points have the same edges then.
+    ///
+    /// Returns
+    /// -------
+    /// Interface
+    ///     With the same phases and junctions.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface, numpy as np
+    /// >>> rooms = coface.interface(np.array([[1, 1, 2], [1, 1, 2]]))
+    /// >>> rooms.normalized().vertices
+    /// [[2.0, 0.0], [2.0, 2.0]]
+    fn normalized(&self, py: Python<'_>) -> PyResult<Self> {
+        run(py, None, || Self::of(self.interface.normalized(&[], InsideRule::Nonzero)?.0))
+    }
+
+    /// Splines through the knots of the edges, smooth but for junctions and kinks. Each edge is fitted once, so phases keep their common edges.
+    ///
+    /// Parameters
+    /// ----------
+    /// order : {2, 4, 6, 8}, optional
+    ///     The order; that of the edges, and 4 at least, if left out.
+    /// kinks : "none", "all", float, or list of (int, int), optional
+    ///     Where edges may turn: nowhere but at junctions, at all knots, where polylines turn by more degrees, or at these (edge, knot); at the kinks that there
+    ///     are, if left out.
+    ///
+    /// Returns
+    /// -------
+    /// Interface
+    ///     With the same phases and junctions.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface, numpy as np
+    /// >>> rooms = coface.interface(np.array([[1, 1, 2], [1, 1, 2]]))
+    /// >>> smooth = rooms.fit(4, kinks=45.0)
+    /// >>> smooth.order, smooth.areas, len(smooth.kinks)
+    /// (4, [4.0, 2.0], 4)
+    #[pyo3(signature = (order=None, *, kinks=None))]
+    fn fit(&self, py: Python<'_>, order: Option<usize>, kinks: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        let order = order.map(|order| super::order_of(py, order)).transpose()?;
+        let kinks = kinks.map(kinks_of).transpose()?;
+        run(py, None, || Self::of(self.interface.fitted(order, kinks.as_ref())?))
+    }
+
+    /// The kinks: vertices at which two edges end that do not go on smoothly into each other. A dictionary from vertices to ``(edge, knot)``, one of the
+    /// two ways to name the knot there. Junctions are no kinks.
+    #[getter]
+    fn kinks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for kink in self.interface.kink_points() {
+            dict.set_item(kink.vertex, (kink.edge, kink.knot))?;
+        }
+        Ok(dict)
+    }
+
+    /// The interface with one more kink; its edge is cut into two there.
+    ///
+    /// Parameters
+    /// ----------
+    /// edge : int
+    ///     The number of the edge.
+    /// knot : int
+    ///     The number of the knot on it, 0 where it begins.
+    ///
+    /// Returns
+    /// -------
+    /// interface : Interface
+    ///     The splines beside the kink fitted again; phases on both sides have it.
+    /// vertex : int
+    ///     The vertex of the kink.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface, numpy as np
+    /// >>> rooms = coface.interface(np.array([[1, 1, 2], [1, 1, 2]]))
+    /// >>> cut, vertex = rooms.insert_kink_near([0, 2])
+    /// >>> cut.vertices[vertex], len(cut.edges) - len(rooms.edges)
+    /// ([0.0, 2.0], 1)
+    fn insert_kink(&self, py: Python<'_>, edge: u32, knot: u32) -> PyResult<(Self, u32)> {
+        let inserted = vec![KnotIndex { curve: edge, knot }];
+        self.with_new_kink(py, &InterfaceKinksRequest { inserted, ..InterfaceKinksRequest::default() })
+    }
+
+    /// The interface with one more kink, at the knot that is nearest to a point; junctions are left out.
+    ///
+    /// Parameters
+    /// ----------
+    /// point : array_like, shape (2,)
+    ///     The point.
+    ///
+    /// Returns
+    /// -------
+    /// interface : Interface
+    ///     The splines beside the kink fitted again.
+    /// vertex : int
+    ///     The vertex of the kink.
+    fn insert_kink_near(&self, py: Python<'_>, point: [f64; 2]) -> PyResult<(Self, u32)> {
+        let request = InterfaceKinksRequest { inserted_near: vec![point], ..InterfaceKinksRequest::default() };
+        self.with_new_kink(py, &request)
+    }
+
+    /// The interface without a kink; its two edges become one. Vertices and edges with higher numbers get lower ones.
+    ///
+    /// Parameters
+    /// ----------
+    /// vertex : int
+    ///     The vertex of the kink.
+    ///
+    /// Returns
+    /// -------
+    /// interface : Interface
+    ///     The splines beside the kink fitted again.
+    /// vertex : int
+    ///     The vertex that the kink had.
+    fn erase_kink(&self, py: Python<'_>, vertex: u32) -> PyResult<(Self, u32)> {
+        let request = InterfaceKinksRequest { erased: vec![vertex], ..InterfaceKinksRequest::default() };
+        Ok((run(py, None, || Self::of(self.interface.with_kinks(&request)?))?, vertex))
+    }
+
+    /// The interface without the kink that is nearest to a point.
+    ///
+    /// Parameters
+    /// ----------
+    /// point : array_like, shape (2,)
+    ///     The point.
+    ///
+    /// Returns
+    /// -------
+    /// interface : Interface
+    ///     The splines beside the kink fitted again.
+    /// vertex : int
+    ///     The vertex that the kink had.
+    fn erase_kink_near(&self, py: Python<'_>, point: [f64; 2]) -> PyResult<(Self, u32)> {
+        let found = self.interface.graph().nearest_kink(point).or_raise(py)?;
+        let cure = "take an interface with kinks";
+        let vertex = found.ok_or_else(|| invalid(py, "the interface has no kinks".to_owned(), cure))?;
+        self.erase_kink(py, vertex.to_u32())
+    }
+
+    /// The interface with these kinks and no others: ``"none"``, ``"all"``, an angle in degrees, or pairs (edge, knot).
+    fn reset_kinks(&self, py: Python<'_>, kinks: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let request = InterfaceKinksRequest { reset: Some(kinks_of(kinks)?), ..InterfaceKinksRequest::default() };
+        run(py, None, || Self::of(self.interface.with_kinks(&request)?))
+    }
+
+    /// The phases on one Cartesian grid. What they have of a cell adds up.
+    ///
+    /// Parameters
+    /// ----------
+    /// counts : (int, int)
+    ///     Columns and rows.
+    /// origin : (float, float), optional
+    ///     The lower left corner; of the box around all edges, if left out.
+    /// spacing : (float, float), optional
+    ///     The size of cells; so that this box is covered, if left out.
+    /// progress : bool or callable, optional
+    ///     ``True`` shows a bar; a function is called with (stage, done, total).
+    ///
+    /// Returns
+    /// -------
+    /// list of CutCells
+    ///     What each phase has of the cells, in the order of the phases.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface, numpy as np
+    /// >>> rooms = coface.interface(np.array([[1, 1, 2], [1, 1, 2]]))
+    /// >>> [cells.areas.tolist() for cells in rooms.cut_cells((2, 1))]
+    /// [[[3.0, 1.0]], [[0.0, 2.0]]]
+    #[pyo3(signature = (counts=(64, 64), *, origin=None, spacing=None, progress=None))]
+    fn cut_cells(
+        &self,
+        py: Python<'_>,
+        counts: (usize, usize),
+        origin: Option<[f64; 2]>,
+        spacing: Option<[f64; 2]>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Vec<CutCells>> {
+        run(py, progress, || {
+            let around = self.interface.bounding_box();
+            let phases = self.interface.phases()?;
+            phases.iter().map(|phase| CutCells::of(phase.set(), around, counts, origin, spacing)).collect()
+        })
+    }
+
     /// How far the phases are from those of another interface; namesakes are compared with each other.
     ///
     /// Parameters
@@ -260,6 +462,13 @@ answer! { Interface {
     ///     List the changes of the topology, with times that are narrowed down within steps.
     /// event_tolerance : float, optional
     ///     How exactly these times are found; a thousandth of the step if left out.
+    /// on_contact : {"keep", "merge"}, optional
+    ///     What to do where edges come nearer to each other than ``contact_distance``: ``"merge"`` lets what is beyond them come together, a phase with
+    ///     itself, and two phases by an edge that they get in common; ``"keep"`` goes on with the edges as they are, with an
+    ///     :class:`AssumptionWarning`, and is an error only if they cross at the end. Left out, contacts are not looked for. Events are listed too.
+    /// contact_distance : float, optional
+    ///     The least distance of points along edges if left out. With ``"merge"`` components of phases whose mean width is below half of it go to the
+    ///     phase that they have most of their boundary in common with.
     /// progress : bool or callable, optional
     ///     ``True`` shows a bar; a function is called with (stage, done, total).
     ///
@@ -278,7 +487,7 @@ answer! { Interface {
     /// >>> moved, facts = rooms.advected("translation", 1.0, velocity=(2.0, 0.0), spacing=3.0)
     /// >>> len(moved.junctions), [round(area, 9) for area in moved.areas]
     /// (2, [4.0, 2.0])
-    #[pyo3(signature = (flow, end=None, *, step=None, spacing=None, period=4.0, vortices=4, velocity=[1.0, 0.0], center=[0.0, 0.0], speed=1.0, verify="each-step", repair=None, scheme=None, parameters=None, least_ratio=0.1, turn=None, keep_small=false, events=false, event_tolerance=None, progress=None))]
+    #[pyo3(signature = (flow, end=None, *, step=None, spacing=None, period=4.0, vortices=4, velocity=[1.0, 0.0], center=[0.0, 0.0], speed=1.0, verify="each-step", repair=None, scheme=None, parameters=None, least_ratio=0.1, turn=None, keep_small=false, events=false, event_tolerance=None, on_contact=None, contact_distance=None, progress=None))]
     #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
     fn advected<'py>(
         &self,
@@ -301,6 +510,8 @@ answer! { Interface {
         keep_small: bool,
         events: bool,
         event_tolerance: Option<f64>,
+        on_contact: Option<&str>,
+        contact_distance: Option<f64>,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Self, Bound<'py, PyAny>)> {
         let (flow, usual) = GivenFlow::read(flow, period, vortices, velocity, center, speed)?;
@@ -311,16 +522,32 @@ answer! { Interface {
         options = options.scheme(scheme_of(py, scheme)?).parameters(parameters_of(py, parameters)?);
         options = options.least_ratio(least_ratio).most_turn(turn.map(f64::to_radians)).keep_small(keep_small);
         options = options.events(events).event_tolerance(event_tolerance);
+        options = options.on_contact(contact_of(py, on_contact)?).contact_distance(contact_distance);
         let moved = flow.moved(
             py,
             progress,
             |velocity| graph.advected(velocity, &options),
             |velocities| graph.advected_together(velocities, &options),
         )?;
+        below_knots(py, &options)?;
+        let kept = moved.events().iter().filter(|event| event.kind() == InterfaceEventKind::Contact);
+        if let Some((first, count)) = kept.clone().next().map(|first| (first, kept.count())) {
+            let [x, y] = first.place();
+            let message = format!(
+                "edges came into contact at {} and were left as they are, the first at time {} near ({x}, {y})",
+                text::count(count, "place"),
+                first.time()
+            );
+            errors::warn(py, &message)?;
+        }
         if let Some((first, _)) = moved.vanished().first() {
             let count = moved.vanished().len();
+            let [what, narrow] = match on_contact {
+                Some(_) => ["edges", ", or narrower than half of the contact distance,"],
+                None => ["closed edges", ""],
+            };
             let message = format!(
-                "{count} of the closed edges became shorter than three times the least distance of points and left the interface, the first at \
+                "{count} of the {what} became shorter than three times the least distance of points{narrow} and left the interface, the first at \
                  time {first}; give keep_small=True to keep such edges"
             );
             errors::warn(py, &message)?;
@@ -388,6 +615,15 @@ struct RepairedEdges {
 }
 
 impl Interface {
+    /// The interface with a kink that was not there, and its vertex.
+    fn with_new_kink(&self, py: Python<'_>, request: &InterfaceKinksRequest) -> PyResult<(Self, u32)> {
+        let before: Vec<u32> = self.interface.kink_points().iter().map(|kink| kink.vertex).collect();
+        let found = run(py, None, || Self::of(self.interface.with_kinks(request)?))?;
+        let fresh =
+            found.interface.kink_points().iter().map(|kink| kink.vertex).find(|kink| !before.contains(kink));
+        Ok((found, fresh.expect("vertices keep their numbers where a kink comes")))
+    }
+
     pub(super) fn of(interface: PlanarInterface) -> Result<Self, Error> {
         let answer = interface.answer(&[], true)?;
         Ok(Self { interface, answer })

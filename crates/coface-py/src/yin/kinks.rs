@@ -7,12 +7,12 @@ use coface::yin;
 use coface::{Error, ErrorKind, VertexId};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyList;
+use pyo3::types::{PyDict, PyList};
 
 /// The kinks of a set: knots where its boundary may turn, with names that stay.
 ///
-/// A mapping from names to ``(curve, knot)``.
-#[pyclass(frozen, module = "coface", name = "Kinks")]
+/// A mapping from names to ``(curve, knot)``: ``dict(kinks)`` has them all.
+#[pyclass(frozen, mapping, module = "coface", name = "Kinks")]
 pub(crate) struct Kinks {
     pub(super) set: Py<YinSet>,
 }
@@ -21,6 +21,11 @@ impl Kinks {
     fn kinks(&self) -> &yin::Kinks {
         self.set.get().inner().kinks()
     }
+}
+
+/// A view of the mapping, as of a dictionary.
+fn view<'py>(kinks: &Bound<'py, Kinks>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+    kinks.py().import("collections.abc")?.getattr(name)?.call1((kinks,))
 }
 
 #[pymethods]
@@ -65,8 +70,46 @@ impl Kinks {
         Ok((at.curve, at.knot))
     }
 
-    fn __contains__(&self, vertex: u32) -> bool {
-        self.kinks().knot(VertexId::from_u32(vertex)).is_some()
+    fn __contains__(&self, vertex: &Bound<'_, PyAny>) -> bool {
+        vertex.extract().is_ok_and(|vertex| self.kinks().knot(VertexId::from_u32(vertex)).is_some())
+    }
+
+    /// The names.
+    fn keys<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        view(slf, "KeysView")
+    }
+
+    /// The curves and knots.
+    fn values<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        view(slf, "ValuesView")
+    }
+
+    /// The names, each with its curve and knot.
+    fn items<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        view(slf, "ItemsView")
+    }
+
+    /// The curve and the knot of a name, or something else if there is no such kink.
+    #[pyo3(signature = (vertex, default=None))]
+    fn get<'py>(
+        &self,
+        py: Python<'py>,
+        vertex: u32,
+        default: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        match self.kinks().knot(VertexId::from_u32(vertex)) {
+            Some(at) => Ok((at.curve, at.knot).into_pyobject(py)?.into_any()),
+            None => Ok(default.unwrap_or_else(|| py.None().into_bound(py))),
+        }
+    }
+
+    fn __eq__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<bool> {
+        let py = slf.py();
+        if !other.is_instance(&py.import("collections.abc")?.getattr("Mapping")?)? {
+            return Ok(false);
+        }
+        let [own, others] = [slf.as_any(), other].map(|mapping| py.get_type::<PyDict>().call1((mapping,)));
+        own?.eq(others?)
     }
 
     fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {

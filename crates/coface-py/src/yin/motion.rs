@@ -2,10 +2,14 @@
 
 use super::flow::UserFlow;
 use crate::congruence::choice;
-use crate::errors::{OrRaise, invalid};
+use crate::cures::in_python;
+use crate::errors::{self, OrRaise, invalid};
 use crate::work::run;
 use coface::Error;
-use coface::yin::{Flow, MarkerParameters, RungeKutta, TrackingOptions, VelocityExpression, Verification};
+use coface::answers::contact_below_knots;
+use coface::yin::{
+    Flow, MarkerParameters, OnContact, RungeKutta, TrackingOptions, VelocityExpression, Verification,
+};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
@@ -104,6 +108,17 @@ pub(super) fn scheme_of(py: Python<'_>, word: Option<&str>) -> PyResult<Option<R
         ("cooper-verner", RungeKutta::CooperVerner),
     ];
     word.map(|word| choice(py, "scheme", word, &schemes)).transpose()
+}
+
+pub(super) fn contact_of(py: Python<'_>, word: Option<&str>) -> PyResult<Option<OnContact>> {
+    let all = [("keep", OnContact::Keep), ("merge", OnContact::Merge)];
+    word.map(|word| choice(py, "on_contact", word, &all)).transpose()
+}
+
+/// Warns where a distance of contacts is below what points along curves tell.
+pub(super) fn below_knots(py: Python<'_>, options: &TrackingOptions) -> PyResult<()> {
+    let found = options.contact_lengths().and_then(|[distance, least]| contact_below_knots(distance, least));
+    found.map_or(Ok(()), |remark| errors::warn(py, &in_python(&remark.message)))
 }
 
 pub(super) fn parameters_of(py: Python<'_>, word: Option<&str>) -> PyResult<Option<MarkerParameters>> {
