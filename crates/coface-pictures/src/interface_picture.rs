@@ -8,9 +8,14 @@ use coface_answers::answer::{YinEdgeAnswer, YinInterfaceAnswer};
 const SIDE: f64 = 640.0;
 const MARGIN: f64 = 24.0;
 /// The room for the names of phases, a line of them, and how many there are at most.
-const LEGEND: f64 = 190.0;
-const ROW: f64 = 22.0;
+const LEGEND: f64 = 260.0;
+const ROW: f64 = 30.0;
 const MOST_NAMES: usize = 24;
+/// The size of letters in the legend, and of the types of junctions.
+const LETTERS: f64 = 18.0;
+const TYPES: f64 = 15.0;
+/// The side of the squares in the legend.
+const SQUARE: f64 = 20.0;
 /// Of a longer name the beginning is written.
 const MOST_LETTERS: usize = 20;
 /// With more junctions than this, their types are not written beside them.
@@ -19,7 +24,7 @@ const MOST_TYPES: usize = 200;
 const MOST_ORDER: u32 = 16;
 const CHORDS: usize = 16;
 /// How much of its color a phase has.
-const TINT: f32 = 0.55;
+const TINT: f32 = 0.4;
 
 const INK: Color = color_of(0x22272d);
 const PALE: Color = color_of(0x5c6670);
@@ -87,7 +92,13 @@ pub fn interface_picture(title: &str, interface: &YinInterfaceAnswer) -> Result<
         let [x, y] = view.place(junction.point);
         picture.disk([x, y], 4.0, PAPER, Some((RED, 2.0)));
         if interface.junctions.len() <= MOST_TYPES {
-            picture.text([x + 7.0, y - 6.0], Anchor::Start, 12.0, RED, junction.kind.word());
+            // On a plate, so that it can be read on any color.
+            let word = junction.kind.word();
+            let [left, top] = [x + 6.0, y - 9.0 - TYPES];
+            let [right, bottom] = [left + 0.62 * TYPES * word.len() as f64 + 6.0, top + TYPES + 4.0];
+            let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
+            picture.fill(closed(&corners), PAPER, 0.9);
+            picture.text([left + 3.0, bottom - 4.0], Anchor::Start, TYPES, RED, word);
         }
     }
     draw_legend(&mut picture, interface, [width + 2.0 * MARGIN, MARGIN]);
@@ -248,25 +259,30 @@ fn boundary(interface: &YinInterfaceAnswer, phase: u32, view: &View) -> Vec<Step
     path
 }
 
+/// The path around a polygon.
+fn closed(corners: &[[f64; 2]]) -> Vec<Step> {
+    let mut path: Vec<Step> = corners.iter().map(|&corner| Step::Line(corner)).collect();
+    path[0] = Step::Move(corners[0]);
+    path.push(Step::Close);
+    path
+}
+
 fn draw_legend(picture: &mut FlatPicture, interface: &YinInterfaceAnswer, [x, y]: [f64; 2]) {
     picture.begin_group("legend");
     let mut line = y;
     for (number, phase) in interface.phases.iter().take(MOST_NAMES).enumerate() {
-        let square = [[x, line], [x + 13.0, line], [x + 13.0, line + 13.0], [x, line + 13.0]];
-        let mut path: Vec<Step> = square.map(Step::Line).to_vec();
-        path[0] = Step::Move(square[0]);
-        path.push(Step::Close);
-        picture.shape(path, tint(number), (INK, 1.0));
+        let square = [[x, line], [x + SQUARE, line], [x + SQUARE, line + SQUARE], [x, line + SQUARE]];
+        picture.shape(closed(&square), tint(number), (INK, 1.0));
         let name = match phase.name.chars().count() > MOST_LETTERS {
             true => format!("{}..", phase.name.chars().take(MOST_LETTERS - 2).collect::<String>()),
             false => phase.name.clone(),
         };
-        picture.text([x + 20.0, line + 11.5], Anchor::Start, 13.0, INK, name);
+        picture.text([x + SQUARE + 9.0, line + 0.82 * SQUARE], Anchor::Start, LETTERS, INK, name);
         line += ROW;
     }
     let rest = interface.phases.len().saturating_sub(MOST_NAMES);
     if rest > 0 {
-        picture.text([x, line + 11.5], Anchor::Start, 13.0, PALE, format!("and {rest} more"));
+        picture.text([x, line + 0.82 * SQUARE], Anchor::Start, LETTERS, PALE, format!("and {rest} more"));
         line += ROW;
     }
     if !interface.junctions.is_empty() {
@@ -274,7 +290,7 @@ fn draw_legend(picture: &mut FlatPicture, interface: &YinInterfaceAnswer, [x, y]
             1 => "1 junction".to_owned(),
             count => format!("{count} junctions"),
         };
-        picture.text([x, line + 16.0], Anchor::Start, 13.0, RED, words);
+        picture.text([x, line + SQUARE], Anchor::Start, LETTERS, RED, words);
     }
 }
 
@@ -300,6 +316,8 @@ mod tests {
         let colors = svg.lines().filter(|line| line.contains("evenodd") && !line.contains("stroke="));
         let mut colors: Vec<&str> =
             colors.filter_map(|line| line.split("fill=\"").nth(1)?.get(..7)).collect();
+        // The plates below types are white.
+        colors.retain(|color| *color != "#ffffff");
         colors.sort_unstable();
         colors.dedup();
         assert_eq!(colors.len(), 3);
