@@ -11,6 +11,7 @@ mod fuzz;
 mod house;
 mod ogc;
 mod packages;
+mod plane_soak;
 mod python;
 mod release;
 mod soak;
@@ -51,6 +52,8 @@ const USAGE: &str = "usage:
                               asks the program and the Python package the same again and again; answers, files and memory must stay
   cargo xtask soak --space [--chains N] [--steps N] [--scenes N] [--angles N]
                               chains of Booleans of solids, random scenes against voxels, rooms at many angles
+  cargo xtask soak --plane [--chains N]
+                              the laws of the Boolean algebra over chains of operations of sets with spline boundaries
   cargo xtask advisories [DIR]
                               says which packages have known faults, by the snapshot in xtask/advisories.txt; DIR makes it anew
   cargo xtask book [--check | --write] [--program PATH] [--only CHAPTER]
@@ -81,6 +84,7 @@ fn main() -> ExitCode {
         Some("answers") => answers::answers(&words[1..]),
         Some("advisories") => advisories::advisories(&words[1..]),
         Some("soak") if words.get(1).is_some_and(|word| word == "--space") => space_soak::soak(&words[2..]),
+        Some("soak") if words.get(1).is_some_and(|word| word == "--plane") => plane_soak::soak(&words[2..]),
         Some("soak") => soak::soak(&words[1..]),
         Some("wild") => wild::wild(&words[1..]),
         Some("ogc") => ogc::ogc(&words[1..]),
