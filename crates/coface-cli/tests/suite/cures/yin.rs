@@ -297,6 +297,11 @@ pub(super) const CASES: &[Case] = &[
         .before(INTERFACE)
         .refused("coface yin info rooms.json --order 4")
         .cured(&[&["coface yin info rooms.json"], &["coface yin info rooms.json#0 --order 4"]]),
+    Case::new("yin/given.rs", "--ends natural")
+        .files(ROOMS)
+        .before(INTERFACE)
+        .refused("coface yin fit rooms.json --ends natural")
+        .cured(&[&["coface yin fit rooms.json"], &["coface yin fit rooms.json#0 --ends natural"]]),
     Case::new("yin/given.rs", "give the file alone, as in coface yin info {file}")
         .files(ROOMS)
         .refused("coface yin info square.wkt#1")
