@@ -50,8 +50,9 @@ const USAGE: &str = "usage:
   cargo xtask clipping DIR..  runs the cases of Clipper2 and of i_overlay: results are valid and have the areas of the cases
   cargo xtask soak [--minutes N]
                               asks the program and the Python package the same again and again; answers, files and memory must stay
-  cargo xtask soak --space [--chains N] [--steps N] [--scenes N] [--angles N]
-                              chains of Booleans of solids, random scenes against voxels, rooms at many angles
+  cargo xtask soak --space [--count N] [--chains N] [--steps N] [--stl N] [--scenes N] [--angles N] [--offsets N] [--tubes N]
+                              chains of Booleans of solids, random scenes against voxels, rooms at many angles, boxes that coincide,
+                              tubes that overlap themselves
   cargo xtask soak --plane [--chains N]
                               the laws of the Boolean algebra over chains of operations of sets with spline boundaries
   cargo xtask advisories [DIR]

@@ -7,14 +7,21 @@ use std::path::PathBuf;
 use std::process::{Command, ExitCode};
 use std::time::Instant;
 
-const USAGE: &str = "usage: cargo xtask soak --space [--chains N] [--steps N] [--scenes N] [--angles N] [--program PATH] [--python PATH]
+const USAGE: &str = "usage: cargo xtask soak --space [--count N] [--chains N] [--steps N] [--stl N] [--scenes N] [--angles N] [--offsets N] [--tubes N]
+    [--program PATH] [--python PATH]
   chains of Booleans of turned boxes and spheres through OFF files: each step valid and closed, the volume that of one formula;
   scenes of boxes of a grid, whose measures and Betti numbers are those of voxels, through .off, .obj and .json;
-  32 rooms at random angles and places, which are 32 cells each within a tolerance; exit status 1 if one is not
+  32 rooms at random angles and places, which are 32 cells each within a tolerance;
+  boxes that coincide, wholly or along an axis, but for the rounding of a random place: manifold and valid within a tolerance;
+  closed tubes of 32,000 triangles that overlap themselves, united by positive winding numbers: valid; exit status 1 if one is not
+  --count N       so many of each, but for steps; what stands after it says otherwise
   --chains N      how many chains [100]
   --steps N       of how many steps [100]
+  --stl N         how many chains of as many steps through STL files, whose coordinates have 32 bits [20]
   --scenes N      how many scenes [500]
   --angles N      how many angles [200]
+  --offsets N     how many pairs of boxes that coincide [1000]
+  --tubes N       how many tubes [10]
   --program PATH  the program to run; without it the one in the target folder is built
   --python PATH   an interpreter with manifold3d, which takes the same steps beside the program: at most twice its triangles";
 
@@ -46,8 +53,11 @@ struct Soak {
 struct Counts {
     chains: usize,
     steps: usize,
+    stl: usize,
     scenes: usize,
     angles: usize,
+    offsets: usize,
+    tubes: usize,
 }
 
 /// SplitMix64: G. Steele, D. Lea, C. Flood, *Fast splittable pseudorandom number generators* (2014).
@@ -88,9 +98,12 @@ pub(crate) fn soak(words: &[String]) -> ExitCode {
         return ExitCode::FAILURE;
     }
     let mut soak = Soak { program, python, folder, random: Random(2024), faults: Vec::new() };
-    soak.chains(&counts);
+    soak.chains(counts.chains, counts.steps, "off");
+    soak.chains(counts.stl, counts.steps, "stl");
     soak.scenes(counts.scenes);
     soak.rooms(counts.angles);
+    soak.offsets(counts.offsets);
+    soak.tubes(counts.tubes);
     // What is left is in the way of nobody.
     let _ = fs::remove_dir_all(&soak.folder);
     soak.faults.iter().take(20).for_each(|fault| println!("{fault}"));
@@ -99,12 +112,28 @@ pub(crate) fn soak(words: &[String]) -> ExitCode {
 }
 
 fn parse(words: &[String]) -> Option<(Counts, Option<PathBuf>, Option<PathBuf>)> {
-    let mut counts = Counts { chains: 100, steps: 100, scenes: 500, angles: 200 };
+    let mut counts =
+        Counts { chains: 100, steps: 100, stl: 20, scenes: 500, angles: 200, offsets: 1000, tubes: 10 };
     let (mut program, mut python) = (None, None);
     let mut words = words.iter();
     while let Some(word) = words.next() {
         let mut count = || words.next()?.parse().ok();
         match word.as_str() {
+            "--count" => {
+                let all = count()?;
+                counts = Counts {
+                    chains: all,
+                    stl: all,
+                    scenes: all,
+                    angles: all,
+                    offsets: all,
+                    tubes: all,
+                    ..counts
+                };
+            }
+            "--stl" => counts.stl = count()?,
+            "--offsets" => counts.offsets = count()?,
+            "--tubes" => counts.tubes = count()?,
             "--chains" => counts.chains = count()?,
             "--steps" => counts.steps = count()?,
             "--scenes" => counts.scenes = count()?,
@@ -160,12 +189,14 @@ impl Soak {
         self.folder.join(name).display().to_string()
     }
 
-    /// Chains of unions and differences in turns.
-    fn chains(&mut self, counts: &Counts) {
+    /// Chains of unions and differences in turns, through files of this format.
+    fn chains(&mut self, count: usize, steps: usize, extension: &str) {
+        // What rounding of coordinates to the numbers of the format moves.
+        let within = if extension == "stl" { 1e-4 } else { 1e-9 };
         let (mut faces, mut peers, mut most_difference, mut slowest) = (0, 0, 0.0f64, 0.0f64);
         let start = Instant::now();
-        for chain in 0..counts.chains {
-            let solids: Vec<String> = (0..=counts.steps)
+        for chain in 0..count {
+            let solids: Vec<String> = (0..=steps)
                 .map(|i| {
                     let solid = if self.random.below(5) < 3 { self.turned_box() } else { self.sphere() };
                     self.write(&format!("solid{i}.off"), &solid)
@@ -177,7 +208,7 @@ impl Soak {
             for (i, solid) in solids.iter().enumerate().skip(1) {
                 let operation = if i % 2 == 1 { "union" } else { "difference" };
                 formula = format!("({formula} {} {i})", if i % 2 == 1 { '|' } else { '-' });
-                let out = self.path(&format!("result{}.off", i % 2));
+                let out = self.path(&format!("result{}.{extension}", i % 2));
                 let begin = Instant::now();
                 let Some(answer) = self.answer(&["boolean", operation, &path, solid, "-o", &out]) else {
                     break;
@@ -189,6 +220,13 @@ impl Soak {
                 self.check(!remarks.contains("reversed-input"), || {
                     format!("chain {chain}, step {i}: {remarks}")
                 });
+                if extension == "stl"
+                    && let Some(report) = self.answer(&["info", &out])
+                {
+                    self.check(report["geometry"]["sound_surface"] == true, || {
+                        format!("chain {chain}, step {i}: the file has {}", report["geometry"]["faults"])
+                    });
+                }
                 (path, last) = (out, Some(answer));
             }
             let Some(last) = last else { continue };
@@ -201,9 +239,9 @@ impl Soak {
                     [&last, &whole].map(|answer| answer["measure"].as_f64().unwrap_or(f64::NAN));
                 let difference = (volume - expected).abs() / expected.max(1.0);
                 most_difference = most_difference.max(difference);
-                self.check(difference <= 1e-9, || format!("chain {chain}: volume {volume} for {expected}"));
+                self.check(difference <= within, || format!("chain {chain}: volume {volume} for {expected}"));
             }
-            if let Some(python) = &self.python {
+            if let Some(python) = self.python.as_ref().filter(|_| extension == "off") {
                 let output = Command::new(python).args(["-c", MANIFOLD]).args(&solids).output();
                 let text = output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned());
                 let count = text.ok().and_then(|text| text.split_whitespace().nth(1)?.parse::<u64>().ok());
@@ -214,9 +252,7 @@ impl Soak {
             }
         }
         println!(
-            "{} chains of {} steps: {faces} triangles in the end ({peers} of manifold3d), volumes differ by {most_difference:.1e} at most, the slowest step {slowest:.2} s, {:.0} s",
-            counts.chains,
-            counts.steps,
+            "{count} chains of {steps} steps through .{extension}: {faces} triangles in the end ({peers} of manifold3d), volumes differ by {most_difference:.1e} at most, the slowest step {slowest:.2} s, {:.0} s",
             start.elapsed().as_secs_f64()
         );
     }
@@ -328,6 +364,128 @@ impl Soak {
             }
         }
         println!("32 rooms at {count} angles, {:.0} s", start.elapsed().as_secs_f64());
+    }
+
+    /// Two copies of a turned box that are at one place, or moved along a side by half of it, but for the rounding of a far
+    /// place.
+    fn offsets(&mut self, count: usize) {
+        let start = Instant::now();
+        let mut most_difference = 0.0f64;
+        for number in 0..count {
+            let half = [0; 3].map(|_| self.random.between(0.5, 2.0));
+            let (turn, tilt) = (self.random.between(0.0, 6.3), self.random.between(0.0, 6.3));
+            let place = [0; 3].map(|_| self.random.between(-1e4, 1e4));
+            let shift = if number % 2 == 0 { 0.0 } else { half[0] };
+            let low = half.map(|x| -x);
+            let first = turned(box_at(low, half.map(|x| 2.0 * x)), turn, tilt);
+            let second = turned(box_at([low[0] + shift, low[1], low[2]], half.map(|x| 2.0 * x)), turn, tilt);
+            let moved = |(points, triangles): Mesh, parts: usize| {
+                let part = place.map(|x| x / parts as f64);
+                let step = |point: [f64; 3]| [0, 1, 2].map(|axis| point[axis] + part[axis]);
+                let points = points.into_iter().map(|point| (0..parts).fold(point, |point, _| step(point)));
+                (points.collect(), triangles)
+            };
+            let paths =
+                [self.write("first.off", &moved(first, 1)), self.write("second.off", &moved(second, 3))];
+            let volume = 8.0 * half[0] * half[1] * half[2];
+            let part = shift / (2.0 * half[0]);
+            let cases = [
+                ("union", volume * (1.0 + part)),
+                ("intersection", volume * (1.0 - part)),
+                ("difference", volume * part),
+                ("xor", 2.0 * volume * part),
+            ];
+            for (operation, expected) in cases {
+                let words = ["boolean", operation, &paths[0], &paths[1], "--tolerance", "1e-7"];
+                let Some(answer) = self.answer(&words) else { continue };
+                let found = answer["measure"].as_f64().unwrap_or(f64::NAN);
+                most_difference = most_difference.max((found - expected).abs());
+                let is_sound = answer["manifold"]["verdict"] == "yes"
+                    && answer["rounding"]["valid"] == true
+                    && (found - expected).abs() < 1e-5;
+                self.check(is_sound, || {
+                    let [verdict, rounding] = ["manifold", "rounding"].map(|key| &answer[key]);
+                    format!("offset {number}, {operation}: {found} for {expected}, {verdict}, {rounding}")
+                });
+            }
+        }
+        let seconds = start.elapsed().as_secs_f64();
+        println!(
+            "{count} pairs of boxes that coincide, {seconds:.0} s; volumes differ by {most_difference:.1e}"
+        );
+    }
+
+    /// Closed tubes along curves that cross themselves.
+    fn tubes(&mut self, count: usize) {
+        let start = Instant::now();
+        let (mut slowest, mut most_difference, mut most_movement) = (0.0f64, 0.0f64, 0.0f64);
+        for number in 0..count {
+            let own = self.tube(160, 100);
+            let path = self.write("tube.off", &own);
+            let out = self.path("united.off");
+            let union = ["boolean", "union", &path, "--rule", "positive"];
+            let begin = Instant::now();
+            let Some(answer) = self.answer(&[&union[..], &["-o", &out]].concat()) else { continue };
+            slowest = slowest.max(begin.elapsed().as_secs_f64());
+            let Some(exact) = self.answer(&[&union[..], &["--exact"]].concat()) else { continue };
+            let [found, expected] =
+                [&answer, &exact].map(|answer| answer["measure"].as_f64().unwrap_or(f64::NAN));
+            most_difference = most_difference.max((found - expected).abs() / expected);
+            most_movement = most_movement.max(answer["joined"]["largest_movement"].as_f64().unwrap_or(0.0));
+            let is_sound = answer["rounding"]["valid"] == true && (found - expected).abs() <= 1e-9 * expected;
+            self.check(is_sound, || format!("tube {number}: {found} for {expected}, {}", answer["rounding"]));
+            if let Some(again) = self.answer(&["boolean", "union", &out]) {
+                let same = again["measure"].as_f64().unwrap_or(f64::NAN);
+                self.check((same - found).abs() <= 1e-9 * found, || {
+                    format!("tube {number}: {same} for {found}, read again")
+                });
+            }
+        }
+        println!(
+            "{count} tubes, {:.0} s, the slowest {slowest:.1} s; volumes differ by {most_difference:.1e}, points moved by at most \
+             {most_movement:.1e}",
+            start.elapsed().as_secs_f64()
+        );
+    }
+
+    /// A polygon swept along a closed curve of three waves.
+    fn tube(&mut self, steps: usize, around: usize) -> Mesh {
+        let waves: Vec<[f64; 3]> = (0..9)
+            .map(|_| {
+                [
+                    self.random.between(0.2, 1.0),
+                    1.0 + self.random.below(7) as f64,
+                    self.random.between(0.0, 6.3),
+                ]
+            })
+            .collect();
+        let radius = self.random.between(0.2, 0.5);
+        let curve = |t: f64| {
+            [0, 1, 2].map(|axis| {
+                let own = waves[3 * axis..3 * axis + 3].iter();
+                own.map(|[size, turns, phase]| size * (turns * t + phase).sin()).sum::<f64>()
+            })
+        };
+        let unit = |v: [f64; 3]| v.map(|x| x / v.iter().map(|x| x * x).sum::<f64>().sqrt());
+        let cross = |a: [f64; 3], b: [f64; 3]| {
+            [0, 1, 2].map(|i| a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3])
+        };
+        let (mut points, mut triangles) = (Vec::new(), Vec::new());
+        for i in 0..steps {
+            let t = std::f64::consts::TAU * i as f64 / steps as f64;
+            let [middle, before, after] = [t, t - 1e-5, t + 1e-5].map(curve);
+            let along = unit([0, 1, 2].map(|axis| after[axis] - before[axis]));
+            let u = unit(cross(along, [0.1, 0.2, 1.0]));
+            let v = cross(along, u);
+            for j in 0..around {
+                let (s, c) = (std::f64::consts::TAU * j as f64 / around as f64).sin_cos();
+                points.push([0, 1, 2].map(|axis| middle[axis] + radius * (c * u[axis] + s * v[axis])));
+                let at = |i: usize, j: usize| i % steps * around + j % around;
+                let [a, b, c, d] = [at(i, j), at(i, j + 1), at(i + 1, j), at(i + 1, j + 1)];
+                triangles.extend([[a, b, d], [a, d, c]]);
+            }
+        }
+        (points, triangles)
     }
 
     fn turned_box(&mut self) -> Mesh {

@@ -1,6 +1,7 @@
 //! Whether two models are the same triangulation under other names.
 
 use crate::answer::IsomorphicAnswer;
+use crate::polygon_isomorphism::polygon_isomorphism;
 use coface_algebra::{Error, ErrorKind, RaggedArray};
 use coface_complexes::cell_mesh::CellShape;
 use coface_complexes::gluing::{FaceClasses, GluingTable};
@@ -11,7 +12,8 @@ const MOST_SIMPLICES: usize = 2000;
 
 /// Whether two triangulations are the same but for the names of simplices and vertices, with the names in the second.
 ///
-/// Models are gluing tables, lists of facets of one dimension, or meshes of triangles or tetrahedra.
+/// Models are gluing tables, lists of facets of one dimension, meshes of triangles or tetrahedra, or two surfaces of polygons, which are
+/// compared polygon by polygon; these have no signatures.
 ///
 /// # Errors
 /// Those of [`GluingTable::from_simplices`]; [`ErrorKind::UnsupportedFormat`] for other models, and for simplices that touch
@@ -29,6 +31,16 @@ const MOST_SIMPLICES: usize = 2000;
 /// # Ok(()) }
 /// ```
 pub fn isomorphic(names: [&str; 2], models: [&Model; 2]) -> Result<IsomorphicAnswer, Error> {
+    let polygons = models.map(|model| {
+        let is_surface =
+            model.structure().is_none() && model.cells().is_empty() && !model.polygons().is_empty();
+        is_surface.then(|| model.polygons())
+    });
+    if let [Some(a), Some(b)] = polygons
+        && [a, b].iter().any(|own| own.iter().any(|polygon| polygon.len() != 3))
+    {
+        return polygon_isomorphism(names, [a, b]);
+    }
     let table = |at: usize| table_of(models[at]).map_err(|error| error.in_file(names[at]));
     let (a, b) = (table(0)?, table(1)?);
     let found = a.isomorphism(&b);

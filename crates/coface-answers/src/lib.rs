@@ -25,6 +25,7 @@ mod near;
 mod parts;
 mod persistence;
 mod planar;
+mod polygon_isomorphism;
 mod producer;
 mod repair;
 mod signatures;

@@ -356,6 +356,8 @@ fn summary(report: &Report) -> String {
     let thing = match (report.kind(), dimension) {
         (_, 0) => "points".to_owned(),
         (Kind::Planar, _) => "a drawing in the plane".to_owned(),
+        (Kind::Volume, 1) => "an image of segments in a row".to_owned(),
+        (Kind::Volume, 2) => "an image of squares in the plane".to_owned(),
         (Kind::Volume, _) => "a volume mesh".to_owned(),
         (_, 1) => "a graph".to_owned(),
         (Kind::Surface, _) => "a polygon mesh".to_owned(),

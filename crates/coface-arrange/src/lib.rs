@@ -22,4 +22,4 @@ mod near;
 pub mod planar;
 pub mod spatial;
 
-pub use near::{JoinedFeatures, NearCounts};
+pub use near::{CoordinatePrecision, JoinedFeatures, NearCounts};

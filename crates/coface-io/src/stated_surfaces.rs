@@ -2,7 +2,7 @@
 
 use crate::Model;
 use coface_algebra::{Error, RaggedArray};
-use coface_arrange::spatial::checks::CheckedFaces;
+use coface_arrange::spatial::checks::{CheckedFaces, CheckedPrimitive};
 
 /// The surfaces of a file before those with holes became triangles: the rings of each, the shell that it is in, and the solid that the
 /// shell bounds.
@@ -99,16 +99,22 @@ pub(crate) struct SurfaceCollector {
     polygon_of_face: Vec<u32>,
     shell_of_face: Vec<u32>,
     solid_of_shell: Vec<u32>,
-    solid_count: u32,
-    has_solids: bool,
+    primitives: Vec<CheckedPrimitive>,
+    composite_count: u32,
 }
 
 impl SurfaceCollector {
-    /// The surfaces that follow are in a shell of a solid of its own, or of the last one; surfaces that bound no solid are in one too.
-    pub(crate) fn begin_shell(&mut self, is_first_of_solid: bool, bounds_solid: bool) {
-        self.solid_count += u32::from(is_first_of_solid);
-        self.solid_of_shell.push(self.solid_count - 1);
-        self.has_solids |= bounds_solid;
+    /// The number of a composite of its own.
+    pub(crate) fn new_composite(&mut self) -> u32 {
+        self.composite_count += 1;
+        self.composite_count - 1
+    }
+
+    /// The surfaces that follow are in a shell of a solid of its own, which is stated to be this, or of the last one; surfaces that
+    /// bound no solid are in one too.
+    pub(crate) fn begin_shell(&mut self, new_solid: Option<CheckedPrimitive>) {
+        self.primitives.extend(new_solid);
+        self.solid_of_shell.push(self.primitives.len() as u32 - 1);
     }
 
     /// A surface of the last shell, the outer ring first, that becomes polygons from this one on.
@@ -125,10 +131,9 @@ impl SurfaceCollector {
     /// # Errors
     /// None for surfaces that were added.
     pub(crate) fn finish(self, model: &Model, incomplete_count: usize) -> Result<StatedSurfaces, Error> {
-        let mut faces = CheckedFaces::from_rings(self.rings, &self.face_of_ring)?;
-        if self.has_solids {
-            faces = faces.with_shells(self.shell_of_face, self.solid_of_shell)?;
-        }
+        let faces = CheckedFaces::from_rings(self.rings, &self.face_of_ring)?
+            .with_shells(self.shell_of_face, self.solid_of_shell)?
+            .with_primitives(self.primitives)?;
         Ok(StatedSurfaces {
             faces,
             polygon_of_face: self.polygon_of_face,

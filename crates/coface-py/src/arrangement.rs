@@ -10,7 +10,10 @@ use crate::objects::{text_of, to_python};
 use crate::solid_boolean::{Combined, solid_result};
 use crate::source::Source;
 use crate::work::run;
-use coface::answers::answer::{PlanarArrangementAnswer, PlanarBooleanAnswer, SpatialArrangementAnswer};
+use coface::answers::answer::{
+    PlanarArrangementAnswer, PlanarBooleanAnswer, SolidBooleanAnswer, SolidBooleanProvenance,
+    SpatialArrangementAnswer,
+};
 use coface::answers::{
     ArrangementMethod, ArrangementRequest, BooleanRequest, CongruentBoolean, CongruentScene,
     DrawingArrangement, DrawingOptions, PlanarDrawing, RegionBoolean, RegionSource, SceneArrangement,
@@ -168,15 +171,33 @@ pub(crate) fn arrange<'py>(
     }
     refuse_planar(py, grid, close)?;
     if method == ArrangementMethod::Congruence {
-        if snap || exact || max_cells.is_some() {
-            let message = "snap, exact and max_cells are for the exact method, not for method=\"congruence\"";
-            return Err(invalid(py, message, "leave one of them out"));
-        }
         let rule = rule.unwrap_or_default();
-        let (arranged, answer) = run(py, progress, || {
-            let arranged = CongruentScene::of_scene(scene_of(&models, inputs, 1, true)?, tolerance)?;
-            let answer = arranged.answer(rule)?;
-            Ok((arranged, answer))
+        let bent = if split { NonPlanar::Split } else { NonPlanar::Refuse };
+        let glued = run(py, progress, || {
+            let scene = scene_of(&models, inputs, 1, true)?;
+            let glued = CongruentScene::with_bent(scene, tolerance, bent)?;
+            glued.refuse_more_cells(max_cells)?;
+            Ok(glued)
+        })?;
+        if snap || exact || merge_coplanar {
+            // Exact cells of what is glued.
+            let request = spatial_request(snap, None, max_cells, true, merge_coplanar);
+            let (arranged, answer) = run(py, None, || {
+                let mut arranged = SceneArrangement::of_scene(glued.glued_scene(), &request)?;
+                if !exact && !arranged.is_valid()? {
+                    arranged = arranged.validly_rounded()?.unwrap_or(arranged);
+                }
+                let mut answer = arranged.answer(rule)?;
+                let (done, joined) = glued.gluing()?;
+                (answer.congruence, answer.joined) = (Some(done), answer.joined.or(Some(joined)));
+                Ok((arranged, answer))
+            })?;
+            let arranged = Arranged::Exact(Box::new(arranged));
+            return Ok(Bound::new(py, SpatialArrangement { arranged, rule, answer, exact })?.into_any());
+        }
+        let (arranged, answer) = run(py, None, || {
+            let answer = glued.answer(rule)?;
+            Ok((glued, answer))
         })?;
         let arranged = Arranged::Congruent(Box::new(arranged));
         return Ok(Bound::new(py, SpatialArrangement { arranged, rule, answer, exact })?.into_any());
@@ -396,9 +417,30 @@ pub(crate) fn boolean<'py>(
     }
     refuse_planar(py, grid, close)?;
     if method == ArrangementMethod::Congruence {
-        if snap || exact || max_cells.is_some() || split_pinches {
-            let message = "snap, exact, max_cells and split_pinches are for the exact method, not for method=\"congruence\"";
-            return Err(invalid(py, message, "leave one of them out"));
+        let bent = if split { NonPlanar::Split } else { NonPlanar::Refuse };
+        if snap || exact || split_pinches {
+            let solid = run(py, progress, || {
+                let mut scene = scene_of(&models, inputs, least_inputs(operation), keep_walls)?;
+                if closes_mouths {
+                    scene.close_mouths()?;
+                }
+                let triangles = triangles.unwrap_or_else(|| scene.is_triangulated());
+                let glued = CongruentScene::with_bent(scene, tolerance, bent)?;
+                glued.refuse_more_cells(max_cells)?;
+                let scene = glued.glued_scene();
+                let mut request = SolidRequest::of(formula(operation, scene.names().len())?);
+                request.triangles = triangles;
+                (request.rule, request.keep_walls) = (rule.unwrap_or_default(), keep_walls);
+                request.split_pinches = split_pinches;
+                request.merge_coplanar = merge_coplanar && !exact;
+                let spatial = spatial_request(snap, None, max_cells, true, merge_coplanar);
+                let combined = combined(scene, &spatial, request, exact)?;
+                let (done, joined) = glued.gluing()?;
+                let mut answer = combined.0;
+                (answer.congruence, answer.joined) = (Some(done), answer.joined.or(Some(joined)));
+                Ok((answer, combined.1, combined.2, combined.3, combined.4))
+            })?;
+            return solid_result(py, solid);
         }
         let glued = run(py, progress, || {
             let mut scene = scene_of(&models, inputs, least_inputs(operation), keep_walls)?;
@@ -408,7 +450,8 @@ pub(crate) fn boolean<'py>(
             let mut request = SolidRequest::of(formula(operation, scene.names().len())?);
             request.triangles = triangles.unwrap_or_else(|| scene.is_triangulated());
             (request.rule, request.keep_walls) = (rule.unwrap_or_default(), keep_walls);
-            let arrangement = CongruentScene::of_scene(scene, tolerance)?;
+            let arrangement = CongruentScene::with_bent(scene, tolerance, bent)?;
+            arrangement.refuse_more_cells(max_cells)?;
             let result = CongruentBoolean::of(&arrangement, &request)?;
             let (answer, provenance, mesh) = (result.answer()?, result.provenance()?, result.to_mesh()?);
             drop(result);
@@ -424,23 +467,33 @@ pub(crate) fn boolean<'py>(
         }
         let mut request = SolidRequest::of(formula(operation, scene.names().len())?);
         request.triangles = triangles.unwrap_or_else(|| scene.is_triangulated());
-        let mut arrangement = SceneArrangement::of_scene(scene, &spatial)?;
         request.rule = rule.unwrap_or_default();
         (request.split_pinches, request.keep_walls) = (split_pinches, keep_walls);
         request.merge_coplanar = merge_coplanar && !exact;
-        if !exact && !SolidBoolean::of(&arrangement, &request)?.is_valid()? {
-            arrangement = arrangement.validly_rounded()?.unwrap_or(arrangement);
-        }
-        let result = SolidBoolean::of(&arrangement, &request)?;
-        let (answer, provenance) = (result.answer()?, result.provenance()?);
-        let mut mesh = result.to_mesh()?;
-        if exact && !answer.unbounded {
-            mesh = mesh.with_exact_polygons(result.exact_polygons()?.into());
-        }
-        drop(result);
-        Ok((answer, provenance, mesh, Combined::Exact(Box::new(arrangement)), request))
+        combined(scene, &spatial, request, exact)
     })?;
     solid_result(py, solid)
+}
+
+/// The combination of a scene, rounded validly unless it is exact.
+fn combined(
+    scene: SpatialScene,
+    spatial: &SpatialRequest,
+    request: SolidRequest,
+    exact: bool,
+) -> Result<(SolidBooleanAnswer, SolidBooleanProvenance, io::Model, Combined, SolidRequest), Error> {
+    let mut arrangement = SceneArrangement::of_scene(scene, spatial)?;
+    if !exact && !SolidBoolean::of(&arrangement, &request)?.is_valid()? {
+        arrangement = arrangement.validly_rounded()?.unwrap_or(arrangement);
+    }
+    let result = SolidBoolean::of(&arrangement, &request)?;
+    let (answer, provenance) = (result.answer()?, result.provenance()?);
+    let mut mesh = result.to_mesh()?;
+    if exact && !answer.unbounded {
+        mesh = mesh.with_exact_polygons(result.exact_polygons()?.into());
+    }
+    drop(result);
+    Ok((answer, provenance, mesh, Combined::Exact(Box::new(arrangement)), request))
 }
 
 /// The formula that a word or a text stands for.
@@ -881,11 +934,10 @@ answer! { SpatialArrangement {
     /// >>> [round(edge.area, 6) for edge in graph.edges]
     /// [0.75, 0.75]
     fn graph<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let Arranged::Exact(arranged) = &self.arranged else {
-            let message = "there is no graph of an arrangement by congruence";
-            return Err(invalid(py, message, "leave method out, and give tolerance"));
-        };
-        let graph = run(py, None, || arranged.graph(self.rule))?;
+        let graph = run(py, None, || match &self.arranged {
+            Arranged::Exact(arranged) => arranged.graph(self.rule),
+            Arranged::Congruent(arranged) => arranged.graph(self.rule),
+        })?;
         let class = py.import("coface._buildings")?.getattr("CellGraph")?;
         class.call_method1("from_dict", (to_python(py, &graph)?,))
     }

@@ -1,7 +1,8 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 43] = [
+const PHRASES: [(&str, &str); 44] = [
+    ("coface cover INPUT --orientation -o OUT.off", "model.surface().double_cover()"),
     ("draw the model by coface render INPUT -o OUT.png", "draw it by coface.render(model, \"png\")"),
     ("read it as an interface", "read it as an interface: coface.Interface.read(path)"),
     ("coface persistence POINTS --rips", "coface.rips(points)"),
@@ -72,7 +73,8 @@ const PHRASES: [(&str, &str); 43] = [
 ];
 
 /// The options whose values are words, and those words. No words stand for any.
-const WORDS: [(&str, &[&str]); 6] = [
+const WORDS: [(&str, &[&str]); 7] = [
+    ("collisions", &["keep", "rewrap", "refuse"]),
     ("distances", &["points", "lower", "upper", "square", "sparse"]),
     ("rule", &["nonzero", "evenodd", "positive"]),
     ("inputs", &["files", "features", "objects", "groups", "components"]),

@@ -31,7 +31,8 @@ impl Arranged {
             .non_planar(request.non_planar)
             .merge_coplanar(request.merge_coplanar)
             .tolerance(request.tolerance)
-            .max_cells(request.max_cells);
+            .max_cells(request.max_cells)
+            .precision(request.precision);
         let arrangement = SpatialArrangement::new(&scene.polygons()?, &options);
         // A polygon that is none is named by its number in its own model.
         let mut arrangement = match arrangement {
@@ -49,8 +50,10 @@ impl Arranged {
 
     /// The same with rounded coordinates that are valid.
     pub(super) fn snapped(&self, scene: &SpatialScene, request: &SpatialRequest) -> Result<Self, Error> {
-        let options =
-            SpatialOptions::new().merge_coplanar(request.merge_coplanar).max_cells(request.max_cells);
+        let options = SpatialOptions::new()
+            .merge_coplanar(request.merge_coplanar)
+            .max_cells(request.max_cells)
+            .precision(request.precision);
         Self::of(scene, self.arrangement.snapped(&options)?)
     }
 

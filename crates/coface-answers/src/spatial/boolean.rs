@@ -11,6 +11,7 @@ use crate::producer::Labels;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, VertexId};
 use coface_algebra::{RaggedArray, Sign, UnionFind};
+use coface_arrange::CoordinatePrecision;
 use coface_arrange::boolean::{BooleanFormula, CellSelection, InsideRule, SelectionBoundary, SelectionMesh};
 use coface_arrange::spatial::{CoplanarTriangles, Crossings, SpatialPolygons, merge_coplanar_triangles};
 use coface_complexes::surface::{PolygonMesh, SurfaceVerdict};
@@ -193,26 +194,35 @@ impl<'a> SolidBoolean<'a> {
             copies[0] = surface.split_pinches(around)?;
             copies[1] = mesh_on(&surface).edge_count() - edge_count;
         }
-        let crossings = OnceLock::new();
+        let sides = sides_of_faces(complex);
+        let regions = regions(&selection, &sides, complex.cell_count(3));
+        let (crossings, turned) = (OnceLock::new(), OnceLock::new());
         let mut merged_facets = None;
         if request.merge_coplanar && request.triangles && !request.keep_walls {
             let positions = surface.positions(arranged.drawn_positions())?;
             let is_rounded = arranged.joined().is_some() || !arranged.is_exactly_rounded();
-            let tolerance = if is_rounded { rounding_of(&positions) } else { 0.0 };
+            let tolerance =
+                if is_rounded { rounding_of(&positions, arrangement.request.precision) } else { 0.0 };
             let triangles: Vec<[u32; 3]> = surface.polygons().items().as_chunks::<3>().0.to_vec();
             if let Some(merged) = merge_coplanar_triangles(&positions, &triangles, tolerance)? {
                 let first = |&patch: &u32| merged.patches.list(patch as usize)[0];
-                merged_facets = Some(facets_of_patches(&merged, surface.facets()));
                 let pairs = merged.triangles.iter().zip(&merged.patch_of_triangle);
-                surface = surface.with_triangles(pairs.map(|(&own, patch)| (own, first(patch))));
-                if is_rounded {
-                    // It was looked for crossings.
+                let drawn = surface.with_triangles(pairs.map(|(&own, patch)| (own, first(patch))));
+                let is_turned = is_rounded && {
+                    let positions = drawn.positions(arranged.drawn_positions())?;
+                    !turned_of(&drawn, &positions, &sides, &regions).is_empty()
+                };
+                if !is_turned {
+                    merged_facets = Some(facets_of_patches(&merged, surface.facets()));
+                    surface = drawn;
+                }
+                if is_rounded && !is_turned {
+                    // It was looked for crossings and turned parts.
                     crossings.get_or_init(Crossings::default);
+                    turned.get_or_init(Vec::new);
                 }
             }
         }
-        let sides = sides_of_faces(complex);
-        let regions = regions(&selection, &sides, complex.cell_count(3));
         Ok(Self {
             arrangement,
             request: request.clone(),
@@ -221,7 +231,7 @@ impl<'a> SolidBoolean<'a> {
             surface,
             mesh: OnceLock::new(),
             crossings,
-            turned: OnceLock::new(),
+            turned,
             copies,
             sides,
             regions,
@@ -372,22 +382,13 @@ impl<'a> SolidBoolean<'a> {
         let found = if self.arrangement.arranged.is_exactly_rounded() {
             Vec::new()
         } else {
-            let exterior = self.regions.len() - 1;
-            let region = |cell: u32| {
-                let own = self.regions[if cell == EXTERIOR { exterior } else { cell as usize }];
-                if own == self.regions[exterior] { EXTERIOR } else { own }
-            };
-            turned_parts(&self.positions()?, self.surface.polygons(), |polygon| {
-                let (facet, sign) = self.surface.facets()[polygon];
-                let [back, front] = self.sides[facet.index()].map(region);
-                if sign == Sign::Plus { [back, front] } else { [front, back] }
-            })
+            turned_of(&self.surface, &self.positions()?, &self.sides, &self.regions)
         };
         Ok(self.turned.get_or_init(|| found))
     }
 
-    /// Whether rounded coordinates are a valid surface: faces meet in common vertices and edges alone, and no solid or void
-    /// is flat or inside out.
+    /// Whether rounded coordinates are a valid surface: faces meet in common vertices and edges alone, no solid or void
+    /// is flat or inside out, and coordinates are numbers of the precision that was asked for.
     ///
     /// # Errors
     /// As [`Self::crossings`].
@@ -404,7 +405,9 @@ impl<'a> SolidBoolean<'a> {
     /// # Ok(()) }
     /// ```
     pub fn is_valid(&self) -> Result<bool, Error> {
-        Ok(self.crossings()?.count == 0 && self.turned_parts()?.is_empty())
+        Ok(self.arrangement.is_held(&self.positions()?)
+            && self.crossings()?.count == 0
+            && self.turned_parts()?.is_empty())
     }
 
     /// The number of vertices that were copied to split pinches.
@@ -719,11 +722,30 @@ pub(super) fn sides_of_faces(complex: &ChainComplex) -> Vec<[u32; 2]> {
     sides
 }
 
-/// The word for a rule in answers.
+/// A corner of each solid and void that a surface does not have around it with its fronts outward. `sides` has the cells behind
+/// and in front of each face, `regions` the part of each cell, that of the exterior last.
+fn turned_of(
+    surface: &SelectionMesh,
+    positions: &Positions,
+    sides: &[[u32; 2]],
+    regions: &[u32],
+) -> Vec<[f64; 3]> {
+    let exterior = regions.len() - 1;
+    let region = |cell: u32| {
+        let own = regions[if cell == EXTERIOR { exterior } else { cell as usize }];
+        if own == regions[exterior] { EXTERIOR } else { own }
+    };
+    turned_parts(positions, surface.polygons(), |polygon| {
+        let (facet, sign) = surface.facets()[polygon];
+        let [back, front] = sides[facet.index()].map(region);
+        if sign == Sign::Plus { [back, front] } else { [front, back] }
+    })
+}
+
 /// How far points that rounding moved out of a plane or a line may be from it: both ways by a few units in the last place
 /// of the largest coordinate, in each coordinate.
-fn rounding_of(positions: &Positions) -> f64 {
-    8.0 * f64::EPSILON * positions.as_flat().iter().fold(0.0, |most: f64, x| x.abs().max(most))
+fn rounding_of(positions: &Positions, precision: CoordinatePrecision) -> f64 {
+    8.0 * precision.unit() * positions.as_flat().iter().fold(0.0, |most: f64, x| x.abs().max(most))
 }
 
 /// For each new triangle the facets that its patch has triangles of, rising.
@@ -738,6 +760,7 @@ fn facets_of_patches(merged: &CoplanarTriangles, facets: &[(CellId, Sign)]) -> V
     merged.patch_of_triangle.iter().map(own).collect()
 }
 
+/// The word for a rule in answers.
 pub(super) fn rule_word(rule: InsideRule) -> &'static str {
     match rule {
         InsideRule::Nonzero => "nonzero",

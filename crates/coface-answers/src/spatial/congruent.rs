@@ -18,7 +18,9 @@ use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, EdgeId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
 use coface_arrange::boolean::InsideRule;
-use coface_arrange::spatial::{CongruenceArrangement, Crossings, SpatialPolygons, arrange_by_congruence};
+use coface_arrange::spatial::{
+    CongruenceArrangement, Crossings, NonPlanar, SpatialPolygons, arrange_by_congruence,
+};
 use coface_geometry::Positions;
 use coface_geometry::predicates::orientation;
 use coface_geometry::triangulation::triangulate;
@@ -49,7 +51,7 @@ const MOST_LISTED: usize = 100;
 #[derive(Clone, Debug)]
 pub struct CongruentScene {
     scene: SpatialScene,
-    arranged: CongruenceArrangement,
+    pub(super) arranged: CongruenceArrangement,
     complex: ChainComplex,
     inputs: Inputs,
     /// The walks around each face, one face after the other, and the face of each.
@@ -82,6 +84,32 @@ impl CongruentScene {
     /// # Ok(()) }
     /// ```
     pub fn of_scene(scene: SpatialScene, tolerance: impl Into<Option<f64>>) -> Result<Self, Error> {
+        Self::with_bent(scene, tolerance, NonPlanar::Refuse)
+    }
+
+    /// The same, where polygons that are not flat within the tolerance are split into triangles, unless these are refused.
+    ///
+    /// # Errors
+    /// As [`Self::of_scene`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CongruentScene, SpatialScene};
+    /// use coface_arrange::spatial::NonPlanar;
+    /// let text = "v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\n";
+    /// let bent = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = SpatialScene::of([("bent", &bent)], true)?;
+    /// let arranged = CongruentScene::with_bent(scene.clone(), 1e-9, NonPlanar::Split)?;
+    /// assert_eq!(arranged.complex().f_vector(), [4, 5, 2, 0]);
+    /// assert!(CongruentScene::with_bent(scene, 1e-9, NonPlanar::Refuse).is_err());
+    /// # Ok(()) }
+    /// ```
+    pub fn with_bent(
+        mut scene: SpatialScene,
+        tolerance: impl Into<Option<f64>>,
+        bent: NonPlanar,
+    ) -> Result<Self, Error> {
         let positions = scene.positions()?;
         let (tolerance, assumed) = match tolerance.into() {
             Some(tolerance) => (tolerance, None),
@@ -90,6 +118,10 @@ impl CongruentScene {
                 (tolerance, Some(remark))
             }
         };
+        if bent == NonPlanar::Split && tolerance.is_finite() {
+            let remark = scene.cut_bent_polygons(&positions, tolerance)?;
+            scene.remarks.extend(remark);
+        }
         let arranged = arrange_by_congruence(&positions, &scene.walks, &scene.polygon_of_walk, tolerance)
             .map_err(|error| named(error, &scene, tolerance))?;
         if tolerance > 0.0
@@ -123,6 +155,32 @@ impl CongruentScene {
             face_of_walk.resize(walks.len(), face as u32);
         }
         Ok(Self { scene, arranged, complex, inputs, walks, face_of_walk, tolerance, assumed })
+    }
+
+    /// Refuses an arrangement with more vertices, edges and faces together.
+    ///
+    /// # Errors
+    /// [`ErrorKind::TooLarge`] with their number.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("solid", &solid)], true)?;
+    /// let arranged = coface_answers::CongruentScene::of_scene(scene, 1e-9)?;
+    /// assert!(arranged.refuse_more_cells(14).is_ok() && arranged.refuse_more_cells(13).is_err());
+    /// # Ok(()) }
+    /// ```
+    pub fn refuse_more_cells(&self, most: impl Into<Option<usize>>) -> Result<(), Error> {
+        let count = self.complex.f_vector().iter().take(3).sum::<usize>();
+        match most.into() {
+            Some(most) if count > most => Err(Error::new(
+                ErrorKind::TooLarge,
+                format!("the arrangement has {count} vertices, edges and faces together, more than {most}"),
+            )),
+            _ => Ok(()),
+        }
     }
 
     /// The polygons and where they are from.
@@ -396,7 +454,7 @@ impl CongruentScene {
         Ok(joined)
     }
 
-    fn inputs_of_face(&self, face: CellId) -> Vec<usize> {
+    pub(super) fn inputs_of_face(&self, face: CellId) -> Vec<usize> {
         let polygons = self.arranged.polygons_of_face(FaceId::from_u32(face.to_u32()));
         let mut inputs: Vec<usize> =
             polygons.map(|(polygon, _)| self.scene.input_of_polygon()[polygon] as usize).collect();
@@ -481,14 +539,24 @@ impl CongruentScene {
             let points = crossings.places.iter().map(|point| Place::point(point));
             remarks.push(Remark::new(RemarkCode::RoundedInvalid, message).at(crossings.count, points));
         }
-        let collapsed = self.arranged.dropped_polygons().len();
-        if collapsed > 0 {
-            let polygons = text::count(collapsed, "polygon");
-            let message = format!("{polygons} collapsed, nowhere wider than {:e}", self.tolerance);
-            remarks.push(Remark::new(RemarkCode::FeaturesJoined, message).at(collapsed, []));
-        }
+        remarks.extend(self.collapsed());
         remarks.extend(remarks_of_inputs(files, rule));
         remarks
+    }
+
+    /// Which tolerance was taken, and what collapsed.
+    pub(super) fn remarks_on_gluing(&self) -> Vec<Remark> {
+        self.assumed.iter().cloned().chain(self.collapsed()).collect()
+    }
+
+    fn collapsed(&self) -> Option<Remark> {
+        let collapsed = self.arranged.dropped_polygons().len();
+        if collapsed == 0 {
+            return None;
+        }
+        let polygons = text::count(collapsed, "polygon");
+        let message = format!("{polygons} collapsed, nowhere wider than {:e}", self.tolerance);
+        Some(Remark::new(RemarkCode::FeaturesJoined, message).at(collapsed, []))
     }
 
     /// Where faces on their rounded positions meet otherwise than in common vertices and edges; decided exactly.
@@ -540,12 +608,14 @@ fn named(error: Error, scene: &SpatialScene, tolerance: f64) -> Error {
     let number = scene.source_of_polygon()[polygon as usize];
     let message = format!("polygon {number} is not flat within the tolerance {tolerance:e}");
     Error::invalid(message)
-        .with_cure("give a larger --tolerance, or leave --method out: the exact method splits such polygons")
+        .with_cure(
+            "give a larger --tolerance, or --non-planar split, which cuts such polygons into triangles",
+        )
         .in_file(scene.label(input))
 }
 
 /// Triangles of a flat polygon with these walks around it, seen along the axis that it faces most.
-fn triangulated(positions: &Positions, walks: &RaggedArray) -> Option<Vec<[u32; 3]>> {
+pub(super) fn triangulated(positions: &Positions, walks: &RaggedArray) -> Option<Vec<[u32; 3]>> {
     let point = |vertex: u32| positions.point(VertexId::from_u32(vertex));
     let mut normal = [0.0; 3];
     for walk in walks.iter() {

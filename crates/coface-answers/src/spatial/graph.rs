@@ -1,6 +1,7 @@
 //! The graph of the cells of an arranged scene.
 
-use super::{OpenInputs, SceneArrangement};
+use super::boolean::sides_of_faces;
+use super::{CongruentScene, OpenInputs, SceneArrangement};
 use crate::answer::{CellEdge, CellGraph, CellNode};
 use coface_algebra::{CellId, Error, VertexId};
 use coface_arrange::boolean::InsideRule;
@@ -36,28 +37,103 @@ impl SceneArrangement {
     pub fn graph(&self, rule: InsideRule) -> Result<CellGraph, Error> {
         let membership =
             self.inputs.membership(&self.scene, &self.arranged, rule, OpenInputs::Empty, &self.request)?;
-        let cell_count = self.complex().cell_count(3);
-        let volumes = self.volumes();
+        let parts = CellParts {
+            names: self.scene.names(),
+            volumes: self.volumes(),
+            sides: self.sides_of_faces(),
+            inputs_of_cell: &|cell| membership.inputs_around(cell),
+            inputs_of_face: &|face| self.inputs_of_face(face),
+            triangles: &|face| self.triangles_at(face),
+        };
+        parts.graph()
+    }
+
+    /// The corners of triangles that make up a face.
+    fn triangles_at(&self, face: CellId) -> Result<Vec<[[f64; 3]; 3]>, Error> {
+        let positions = self.arranged.drawn_positions();
+        let point = |vertex: u32| {
+            let point = positions.point(VertexId::from_u32(vertex));
+            [point[0], point[1], point[2]]
+        };
+        Ok(self.arranged.triangles(face)?.into_iter().map(|corners| corners.map(point)).collect())
+    }
+}
+
+impl CongruentScene {
+    /// The graph of the bounded cells, as that of [`SceneArrangement::graph`]: two are adjacent if they have a face in common.
+    ///
+    /// # Errors
+    /// [`coface_algebra::ErrorKind::InvalidInput`] where a face cannot be cut into triangles.
+    ///
+    /// # Complexity
+    /// $O(n \log n)$ for n corners of faces.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let scene = coface_answers::SpatialScene::of([("solid", &solid)], true)?;
+    /// let graph = coface_answers::CongruentScene::of_scene(scene, 1e-9)?.graph(Default::default())?;
+    /// assert_eq!((graph.nodes[0].centroid, graph.edges.len()), ([0.25, 0.25, 1.5], 0));
+    /// # Ok(()) }
+    /// ```
+    pub fn graph(&self, rule: InsideRule) -> Result<CellGraph, Error> {
+        let membership = self.inputs().membership_of_closed(rule);
+        let point = |vertex: u32| {
+            let point = self.positions().point(VertexId::from_u32(vertex));
+            [point[0], point[1], point[2]]
+        };
+        let parts = CellParts {
+            names: self.scene().names(),
+            volumes: self.volumes(),
+            sides: sides_of_faces(self.complex()),
+            inputs_of_cell: &|cell| membership.inputs_around(cell),
+            inputs_of_face: &|face| self.inputs_of_face(face),
+            triangles: &|face| {
+                let pieces = self.pieces_of(face, true)?.into_iter();
+                Ok(pieces.map(|own| [point(own[0]), point(own[1]), point(own[2])]).collect())
+            },
+        };
+        parts.graph()
+    }
+}
+
+/// What a graph of cells is made of.
+struct CellParts<'a> {
+    names: &'a [String],
+    volumes: &'a [f64],
+    /// The cells behind and in front of each face.
+    sides: Vec<[u32; 2]>,
+    inputs_of_cell: &'a dyn Fn(CellId) -> Vec<usize>,
+    inputs_of_face: &'a dyn Fn(CellId) -> Vec<usize>,
+    /// The corners of triangles that make up a face.
+    triangles: &'a dyn Fn(CellId) -> Result<Vec<[[f64; 3]; 3]>, Error>,
+}
+
+impl CellParts<'_> {
+    fn graph(&self) -> Result<CellGraph, Error> {
+        let cell_count = self.volumes.len();
+        let (volumes, sides) = (self.volumes, &self.sides);
         let mut nodes: Vec<CellNode> = (0..cell_count)
             .map(|cell| CellNode {
                 cell,
                 volume: volumes[cell],
                 centroid: [0.0; 3],
                 bounds: [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]],
-                inputs: membership.inputs_around(CellId::new(cell)),
+                inputs: (self.inputs_of_cell)(CellId::new(cell)),
                 exterior: false,
                 exterior_area: 0.0,
                 exterior_faces: 0,
                 exterior_inputs: Vec::new(),
             })
             .collect();
-        let sides = self.sides_of_faces();
         let is_wall = |face: &u32| {
             let [back, front] = sides[*face as usize];
             back != front
         };
         let faces: Vec<u32> = (0..sides.len() as u32).filter(is_wall).collect();
-        let triangles = |face: u32| self.triangles_at(CellId::from_u32(face));
+        let triangles = |face: u32| (self.triangles)(CellId::from_u32(face));
         for &face in &faces {
             for point in triangles(face)?.into_iter().flatten() {
                 for cell in sides[face as usize].into_iter().filter(|&cell| cell != EXTERIOR) {
@@ -111,8 +187,10 @@ impl SceneArrangement {
         let mut edges = Vec::new();
         for group in between.chunk_by(|x, y| x.0 == y.0) {
             let area = group.iter().map(|&(_, _, area)| area).sum();
-            let mut inputs: Vec<usize> =
-                group.iter().flat_map(|&(_, face, _)| self.inputs_of_face(CellId::from_u32(face))).collect();
+            let mut inputs: Vec<usize> = group
+                .iter()
+                .flat_map(|&(_, face, _)| (self.inputs_of_face)(CellId::from_u32(face)))
+                .collect();
             inputs.sort_unstable();
             inputs.dedup();
             let [first, second] = group[0].0;
@@ -129,17 +207,7 @@ impl SceneArrangement {
                 });
             }
         }
-        Ok(CellGraph { inputs: self.scene.names().to_vec(), nodes, edges })
-    }
-
-    /// The corners of triangles that make up a face.
-    fn triangles_at(&self, face: CellId) -> Result<Vec<[[f64; 3]; 3]>, Error> {
-        let positions = self.arranged.drawn_positions();
-        let point = |vertex: u32| {
-            let point = positions.point(VertexId::from_u32(vertex));
-            [point[0], point[1], point[2]]
-        };
-        Ok(self.arranged.triangles(face)?.into_iter().map(|corners| corners.map(point)).collect())
+        Ok(CellGraph { inputs: self.names.to_vec(), nodes, edges })
     }
 }
 

@@ -1,11 +1,13 @@
 //! Models arranged in space, and Boolean combinations of them.
 
 mod arranged;
+mod bent;
 mod boolean;
 mod congruent;
 mod congruent_boolean;
 mod enclosed;
 mod facts;
+mod glued;
 mod graph;
 mod inputs;
 mod models;

@@ -1,5 +1,6 @@
 //! What is asked of an arrangement in space.
 
+use coface_arrange::CoordinatePrecision;
 use coface_arrange::spatial::NonPlanar;
 
 /// How a scene is arranged.
@@ -16,4 +17,6 @@ pub struct SpatialRequest {
     pub tolerance: Option<f64>,
     /// Refuse arrangements with more vertices, edges and faces together.
     pub max_cells: Option<usize>,
+    /// The numbers that coordinates are rounded to where the result is to be a valid input: those of the file that it goes to.
+    pub precision: CoordinatePrecision,
 }

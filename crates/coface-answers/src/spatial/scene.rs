@@ -38,9 +38,9 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct SpatialScene {
     /// Those of the inputs: of models, or of parts of them.
-    names: Vec<String>,
+    pub(super) names: Vec<String>,
     /// What makes an input.
-    source: RegionSource,
+    pub(super) source: RegionSource,
     /// The names of the models.
     pub(super) files: Vec<String>,
     /// The model that each input is of, and what its file calls it there.
@@ -55,7 +55,7 @@ pub struct SpatialScene {
     pub(super) is_wall: Vec<bool>,
     pub(super) remarks: Vec<Remark>,
     /// The polygons that are known exactly, each lot with the number of its first polygon.
-    exact: Vec<(u32, Arc<ExactPolygons>)>,
+    pub(super) exact: Vec<(u32, Arc<ExactPolygons>)>,
     /// The first polygon that is a patch, once mouths are closed.
     pub(super) first_patch: Option<usize>,
     /// What was open of each input and is closed by patches.
@@ -709,7 +709,8 @@ impl SpatialScene {
             // Points are numbered as in the file, polygons of this input from 0.
             let file = self.file(input).0;
             let point = self.point_starts[file];
-            let end = self.point_starts.get(file + 1).map_or(self.flat.len(), |&next| 3 * next as usize);
+            let end = self.point_starts.get(file + 1).filter(|&&next| next > point);
+            let end = end.map_or(self.flat.len(), |&next| 3 * next as usize);
             let positions = Positions::from_flat(3, self.flat[3 * point as usize..end].to_vec())?;
             let lists = walks
                 .iter()

@@ -188,8 +188,8 @@ impl SceneArrangement {
         Ok(turned_parts(&positions, mesh.polygons(), |polygon| sides[mesh.facets()[polygon].0.index()]))
     }
 
-    /// Whether rounded coordinates are a valid arrangement: faces meet in common vertices and edges alone, and no cell is
-    /// flat or inside out.
+    /// Whether rounded coordinates are a valid arrangement: faces meet in common vertices and edges alone, no cell is
+    /// flat or inside out, and coordinates are numbers of the precision that the request asks for.
     ///
     /// # Errors
     /// None for arrangements that were made.
@@ -204,7 +204,14 @@ impl SceneArrangement {
     /// # Ok(()) }
     /// ```
     pub fn is_valid(&self) -> Result<bool, Error> {
-        Ok(self.crossings()?.count == 0 && self.turned_cells()?.is_empty())
+        Ok(self.is_held(self.arranged.drawn_positions())
+            && self.crossings()?.count == 0
+            && self.turned_cells()?.is_empty())
+    }
+
+    /// Whether coordinates are numbers of the precision that is asked for.
+    pub(super) fn is_held(&self, positions: &Positions) -> bool {
+        positions.as_flat().iter().all(|&x| self.request.precision.holds(x))
     }
 
     /// Where faces with rounded coordinates meet otherwise than in common vertices and edges: nowhere if rounding is valid.

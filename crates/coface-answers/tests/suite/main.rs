@@ -14,6 +14,7 @@ mod planar_properties;
 mod planar_rounding;
 mod repairs;
 mod rounded_chains;
+mod rounded_tubes;
 #[cfg(feature = "schema")]
 mod schema;
 mod shapes;

@@ -220,6 +220,6 @@ fn refuse(degree: usize, found: &CellCongruence) -> Result<(), Error> {
     match [collapsed, changed].into_iter().flatten().min() {
         None => Ok(()),
         Some((cell, fault)) => Err(Error::invalid(format!("cell {cell} of degree {degree} {fault}"))
-            .with_cure("choose a smaller tolerance, or let such cells be kept as chains")),
+            .with_cure("choose a smaller --tolerance, keep such cells as chains by --collisions keep, or cut them by --collisions rewrap")),
     }
 }

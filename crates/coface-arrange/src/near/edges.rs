@@ -15,7 +15,7 @@ struct OnEdge {
 impl NearChains {
     /// Puts vertices on edges that they are near, other than the ends.
     pub(super) fn put_vertices_on_edges(&mut self, tolerance: f64) -> bool {
-        let (edges, used) = (self.edges(), self.used());
+        let (edges, used) = (self.edges(), self.hot_vertices());
         let boxes: Vec<AxisBox> = edges.par_iter().map(|&ends| self.box_of(ends, 0.0)).collect();
         let tree = BoxTree::new(&boxes);
         let limit = tolerance * tolerance;
@@ -107,7 +107,9 @@ impl NearChains {
                         return;
                     }
                     let lines = ends.map(|ends| ends.map(|end| self.point(end)));
-                    if let Some((parts, middle)) = passing(lines, limit) {
+                    if let Some((parts, middle)) = passing(lines, limit)
+                        && self.is_hot(middle)
+                    {
                         own.push(([d, e], parts, middle));
                     }
                 });

@@ -1,13 +1,13 @@
 //! What was put together, and how far apart it was.
 
-use super::NearCounts;
+use super::{CoordinatePrecision, NearCounts};
 use coface_algebra::{RaggedArray, VertexId};
 use coface_geometry::dot;
 
 /// No number. The arrays that hold it have one entry a point, and an `Option` would double their size.
 pub(crate) const NONE: u32 = u32::MAX;
 /// After so many rounds features are joined that are twice as far apart as in the round before.
-const STEADY_ROUNDS: usize = 4;
+pub(crate) const STEADY_ROUNDS: usize = 4;
 
 /// What was put together to make an arrangement within a tolerance.
 ///
@@ -56,13 +56,13 @@ impl JoinedFeatures {
 const UNITS_APART: f64 = 4.0;
 
 /// The least tolerance that means something for points with such coordinates.
-pub(crate) fn least_tolerance(points: &[[f64; 3]]) -> f64 {
+pub(crate) fn least_tolerance(points: &[[f64; 3]], precision: CoordinatePrecision) -> f64 {
     let largest = points.as_flattened().iter().fold(f64::MIN_POSITIVE, |most, x| x.abs().max(most));
-    UNITS_APART * f64::EPSILON * largest
+    UNITS_APART * precision.unit() * largest
 }
 
 /// The distance within which features are put together in a round: that of the first ones, and then twice that of the round
 /// before.
 pub(crate) fn reach(tolerance: f64, round: usize) -> f64 {
-    tolerance * f64::from(1u32 << round.saturating_sub(STEADY_ROUNDS))
+    tolerance * 2f64.powi(round.saturating_sub(STEADY_ROUNDS) as i32)
 }

@@ -8,11 +8,15 @@
 //! not on numbers.
 
 mod edges;
+mod hot_places;
 mod joined;
+mod precision;
 mod vertices;
 
+pub(crate) use hot_places::HotPlaces;
 pub use joined::JoinedFeatures;
-pub(crate) use joined::{NONE, least_tolerance, reach};
+pub(crate) use joined::{NONE, STEADY_ROUNDS, least_tolerance, reach};
+pub use precision::CoordinatePrecision;
 
 use coface_geometry::{AxisBox, dot};
 
@@ -33,6 +37,10 @@ pub(crate) struct NearChains {
     /// The point that each point was put to; itself for most.
     target: Vec<u32>,
     pub(crate) counts: NearCounts,
+    /// What new points are rounded to.
+    pub(crate) precision: CoordinatePrecision,
+    /// Where features are put together; everywhere without.
+    hot: Option<HotPlaces>,
 }
 
 /// Sides, of which no two cancel.
@@ -100,6 +108,15 @@ impl NearChains {
         false
     }
 
+    /// The vertices that there are and that may be put together, rising.
+    pub(crate) fn hot_vertices(&self) -> Vec<u32> {
+        let mut used = self.used();
+        if self.hot.is_some() {
+            used.retain(|&vertex| self.is_hot(self.point(vertex)));
+        }
+        used
+    }
+
     /// The vertices that there are, rising.
     pub(crate) fn used(&self) -> Vec<u32> {
         let mut is_used = vec![false; self.points.len()];
@@ -135,7 +152,7 @@ impl NearChains {
 
     fn add_point(&mut self, point: [f64; 3]) -> u32 {
         let number = self.points.len() as u32;
-        self.points.push(point);
+        self.points.push(self.precision.rounded_point(point));
         self.target.push(number);
         self.is_passing.push(true);
         number

@@ -10,7 +10,7 @@ impl NearChains {
     /// class goes to the one of its members that is nearest to their mean; new points give way to others.
     pub(super) fn join_vertices(&mut self, tolerance: f64) -> bool {
         let equal = self.join_equal_vertices();
-        let used = self.used();
+        let used = self.hot_vertices();
         let boxes: Vec<AxisBox> = used.iter().map(|&own| self.box_of([own], tolerance / 2.0)).collect();
         let tree = BoxTree::new(&boxes);
         let limit = tolerance * tolerance;

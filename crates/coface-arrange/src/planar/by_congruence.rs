@@ -7,7 +7,7 @@ use crate::congruence::{
     CellClasses, ClassRule, CongruenceOptions, Representative, VertexCongruence, chain_congruence, is_near,
     vertex_congruence,
 };
-use crate::near::{NearCounts, least_tolerance};
+use crate::near::{CoordinatePrecision, NearCounts, least_tolerance};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, RaggedArray, Sign, SparseMatrix};
 use coface_geometry::{AxisBox, BoxTree, Positions};
@@ -117,7 +117,7 @@ impl Drawing {
             }
         };
         let points: &[[f64; 2]] = classes.positions().as_flat().as_chunks::<2>().0;
-        let counts = cut.counts(&classes, least_tolerance(&self.points));
+        let counts = cut.counts(&classes, least_tolerance(&self.points, CoordinatePrecision::Double));
         let glued_count = glued.0.len();
         let next = Redrawn {
             points: stack.used.iter().map(|&class| points[class as usize]).collect(),

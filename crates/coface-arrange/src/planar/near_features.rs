@@ -3,7 +3,8 @@
 use super::rounding::SnappedArrangement;
 use super::{PlanarArrangement, VertexSource};
 use crate::near::{
-    Chain, JoinedFeatures, NONE, NearChains, NearCounts, least_tolerance, minus, plus, reach, squared,
+    Chain, CoordinatePrecision, JoinedFeatures, NONE, NearChains, NearCounts, least_tolerance, minus, plus,
+    reach, squared,
 };
 use coface_algebra::{Error, RaggedArray};
 use coface_geometry::{Positions, dot};
@@ -63,7 +64,7 @@ impl PlanarArrangement {
         }
         let mut drawing = Drawing::of(self);
         let first = drawing.points.clone();
-        let tolerance = tolerance.max(least_tolerance(&first));
+        let tolerance = tolerance.max(least_tolerance(&first, CoordinatePrecision::Double));
         let mut joined = JoinedFeatures { tolerance, ..JoinedFeatures::default() };
         for round in 0..MOST_ROUNDS {
             joined.tolerance = reach(tolerance, round);

@@ -120,8 +120,9 @@ impl SpatialArrangement {
             polygons.check(options.non_planar)?;
         }
         let first = polygons.positions().as_flat().as_chunks::<3>().0.to_vec();
-        let tolerance = tolerance.max(least_tolerance(&first));
-        let (points, fitted) = flattened(polygons, tolerance);
+        let tolerance = tolerance.max(least_tolerance(&first, options.precision));
+        let (mut points, fitted) = flattened(polygons, tolerance);
+        points.iter_mut().for_each(|point| *point = options.precision.rounded_point(*point));
         let flat = polygons.clone().with_points(&points)?;
         let made = Made::new(&flat, NonPlanar::Split)?;
         let drawing = Drawing::new(first, points, made.triangles, made.patches);

@@ -162,6 +162,15 @@ impl SpatialArrangement {
                 return Ok(found);
             }
         }
+        self.triangulated_by_fine_faces(face, is_left_out)
+    }
+
+    /// The triangles of all fine faces of a face, with all vertices.
+    pub(super) fn triangulated_fine(&self, face: FaceId) -> Result<Vec<[u32; 3]>, Error> {
+        self.triangulated_by_fine_faces(face, &[])
+    }
+
+    fn triangulated_by_fine_faces(&self, face: FaceId, is_left_out: &[bool]) -> Result<Vec<[u32; 3]>, Error> {
         let mut all = Vec::new();
         for (fine, sign) in self.fine_faces(face) {
             let mut own = self.triangles(&self.sides_without(fine, is_left_out), self.plane_view(fine))?;

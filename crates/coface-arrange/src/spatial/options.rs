@@ -1,6 +1,7 @@
 //! Options of an arrangement in space.
 
 use super::flat_polygons::NonPlanar;
+use crate::near::CoordinatePrecision;
 
 /// Options of an arrangement in space.
 ///
@@ -17,6 +18,7 @@ pub struct SpatialOptions {
     pub(super) merge_coplanar: bool,
     pub(super) max_cells: Option<usize>,
     pub(super) tolerance: Option<f64>,
+    pub(super) precision: CoordinatePrecision,
 }
 
 impl SpatialOptions {
@@ -29,7 +31,13 @@ impl SpatialOptions {
     /// assert_eq!(SpatialOptions::new(), SpatialOptions::default());
     /// ```
     pub const fn new() -> Self {
-        Self { non_planar: NonPlanar::Split, merge_coplanar: false, max_cells: None, tolerance: None }
+        Self {
+            non_planar: NonPlanar::Split,
+            merge_coplanar: false,
+            max_cells: None,
+            tolerance: None,
+            precision: CoordinatePrecision::Double,
+        }
     }
 
     /// Does this with polygons whose points are not exactly in one plane.
@@ -119,6 +127,29 @@ impl SpatialOptions {
     #[must_use]
     pub fn tolerance(mut self, tolerance: impl Into<Option<f64>>) -> Self {
         self.tolerance = tolerance.into();
+        self
+    }
+
+    /// Rounds to these numbers, where coordinates are rounded so that the result is valid: by
+    /// [`SpatialArrangement::snapped`](super::SpatialArrangement::snapped), or within a tolerance.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::CoordinatePrecision;
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 0.1, 0., 0., 0., 0.1, 0.])?;
+    /// let triangle = SpatialPolygons::from_polygons(corners, RaggedArray::from_lists([[0, 1, 2]]))?;
+    /// let options = SpatialOptions::new().precision(CoordinatePrecision::Single);
+    /// let snapped = SpatialArrangement::new(&triangle, &options)?.snapped(&options)?;
+    /// assert_eq!(snapped.positions().as_flat()[3], f64::from(0.1f32));
+    /// # Ok(()) }
+    /// ```
+    #[must_use]
+    pub const fn precision(mut self, precision: CoordinatePrecision) -> Self {
+        self.precision = precision;
         self
     }
 }

@@ -1,21 +1,22 @@
 //! Drawings on floating-point points, joined where they nearly meet and cut, until nothing new comes of it.
 
 use super::axis_view::AxisView;
-use super::cutting::{Crossings, crossings};
+use super::cutting::{Crossings, SpatialVertexSource, crossings};
 use super::patches::Patches;
 use super::predicates::{GivenPoints, SpatialPredicates};
 use super::{SpatialArrangement, SpatialOptions};
-use crate::near::{JoinedFeatures, NONE, NearChains, NearCounts, reach};
+use crate::near::{
+    CoordinatePrecision, HotPlaces, JoinedFeatures, NONE, NearChains, NearCounts, STEADY_ROUNDS, minus,
+    reach, squared,
+};
 use coface_algebra::{EdgeId, Error, FaceId, RaggedArray, Sign, VertexId};
-use coface_geometry::{Positions, cross, dot};
+use coface_geometry::{Positions, cross, dot, frame_around};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
-/// Where only rounding is asked for, the reach grows this often before it is given up: to the square root of the
-/// precision.
-const MOST_ROUNDS: usize = 28;
-/// Where a tolerance is given, features up to eight times as far apart may be joined to come to an end.
-const MOST_ROUNDS_WITH_TOLERANCE: usize = 8;
+/// Where a tolerance is given, features up to eight times as far apart are joined everywhere before that is done only where
+/// faces still cross.
+const ROUNDS_WITH_TOLERANCE: usize = 8;
 
 /// Triangles in patches that are to be arranged.
 #[derive(Clone, Debug)]
@@ -47,20 +48,52 @@ impl Drawing {
 
     /// The faces of an arrangement on the rounded positions of its drawn vertices. Vertices that nothing needs are left
     /// out of edges that are straight within the tolerance, and faces that are as flat are drawn by their outlines.
-    pub(super) fn of(arrangement: &SpatialArrangement, tolerance: f64) -> Result<Self, Error> {
+    pub(super) fn of(
+        arrangement: &SpatialArrangement,
+        tolerance: f64,
+        precision: CoordinatePrecision,
+    ) -> Result<Self, Error> {
         let is_flat: Vec<bool> = (0..arrangement.complex().face_count())
             .into_par_iter()
             .map(|face| arrangement.is_flat(FaceId::new(face), tolerance))
             .collect();
-        let is_left_out = arrangement.left_out(&is_flat, tolerance);
-        let lists: Vec<Result<Vec<[u32; 3]>, Error>> = (0..is_flat.len())
-            .into_par_iter()
-            .map(|face| arrangement.triangulated_without(FaceId::new(face), &is_left_out, is_flat[face]))
-            .collect();
+        let mut is_left_out = arrangement.left_out(&is_flat, tolerance);
+        let mut lists: Vec<Vec<[u32; 3]>> = vec![Vec::new(); is_flat.len()];
+        let mut due: Vec<usize> = (0..is_flat.len()).collect();
+        while !due.is_empty() {
+            let own: Vec<Option<Vec<[u32; 3]>>> = due
+                .par_iter()
+                .map(|&face| {
+                    arrangement.triangulated_without(FaceId::new(face), &is_left_out, is_flat[face]).ok()
+                })
+                .collect();
+            // Without vertices that are not quite on straight lines a face may cross itself: it needs all of them, and so do
+            // its neighbors there.
+            let mut is_kept = vec![false; arrangement.cut.complex().vertex_count()];
+            for (&face, _) in due.iter().zip(&own).filter(|(_, own)| own.is_none()) {
+                for vertex in arrangement.fine_vertices(FaceId::new(face)) {
+                    let is_left_out = is_left_out.get_mut(vertex as usize).map(std::mem::take);
+                    is_kept[vertex as usize] = is_left_out.unwrap_or(false);
+                }
+            }
+            let needs = |face: &usize| {
+                arrangement.fine_vertices(FaceId::new(*face)).iter().any(|&vertex| is_kept[vertex as usize])
+            };
+            let again: Vec<usize> = (0..is_flat.len()).filter(needs).collect();
+            for (&face, list) in due.iter().zip(own) {
+                match list {
+                    Some(list) => lists[face] = list,
+                    None if again.binary_search(&face).is_err() => {
+                        lists[face] = arrangement.triangulated_fine(FaceId::new(face))?;
+                    }
+                    None => {}
+                }
+            }
+            due = again;
+        }
         let (mut triangles, mut patch_of_triangle) = (Vec::new(), Vec::new());
         let (mut polygons_of_patch, mut packed) = (RaggedArray::new(), Vec::new());
         for (face, list) in (0..).zip(lists) {
-            let list = list?;
             patch_of_triangle.extend(list.iter().map(|_| face));
             triangles.extend(list);
             // Of faces that were merged each has as many polygons of each input as all others.
@@ -74,7 +107,8 @@ impl Drawing {
             let vertex = VertexId::new(vertex);
             !arrangement.patches.is_new(&arrangement.cut, vertex.to_u32())
         };
-        let points = arrangement.cut.positions().as_flat().as_chunks::<3>().0.to_vec();
+        let first = arrangement.cut.positions().as_flat().as_chunks::<3>().0.to_vec();
+        let points: Vec<[f64; 3]> = first.iter().map(|&point| precision.rounded_point(point)).collect();
         let is_passing = (0..points.len()).map(|vertex| !is_original(vertex)).collect();
         let patches = Patches {
             patch_of_triangle,
@@ -91,14 +125,19 @@ impl Drawing {
             let path = arrangement.path(EdgeId::new(edge), &is_left_out);
             path.windows(2).map(|ends| [ends[0], ends[1]]).collect::<Vec<_>>()
         });
-        Ok(Self { first: points.clone(), edges: edges.collect(), points, triangles, patches, place })
+        Ok(Self { first, edges: edges.collect(), points, triangles, patches, place })
     }
 
     /// The arrangement of the drawing, drawn and arranged again until there are no new vertices or, where rounding is
     /// all that is asked for, none that is not exactly at its rounded coordinates.
     ///
+    /// Features within the tolerance are put together everywhere. After some rounds, those that are farther apart are put
+    /// together too, but only around the places where faces still cross: within a reach that is twice that of the round
+    /// before, and boxes around these places that grow with it. When the reach is that of the whole drawing, all of
+    /// it is one point, and no faces are left that cross: so this ends.
+    ///
     /// # Errors
-    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if that does not come to an end.
+    /// [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) for more cells than the options take.
     pub(super) fn settled(
         self,
         options: &SpatialOptions,
@@ -106,24 +145,33 @@ impl Drawing {
         is_rounding: bool,
     ) -> Result<SpatialArrangement, Error> {
         let mut drawing = self;
+        let precision = options.precision;
         let mut joined = JoinedFeatures { tolerance, ..JoinedFeatures::default() };
-        let most = if is_rounding { MOST_ROUNDS } else { MOST_ROUNDS_WITH_TOLERANCE };
+        let steady = if is_rounding { STEADY_ROUNDS } else { ROUNDS_WITH_TOLERANCE };
+        let most = rounds_to_an_end(&drawing.points, tolerance);
+        let mut hot = Vec::new();
         for round in 0..most {
             joined.tolerance = reach(tolerance, round);
-            joined.counts.add(&drawing.join(joined.tolerance));
+            let is_local = round >= steady;
+            let everywhere = if is_local { tolerance } else { joined.tolerance };
+            let places = is_local.then(|| HotPlaces::new(&hot, joined.tolerance));
+            joined.counts.add(&drawing.join(everywhere, places, joined.tolerance, precision));
             let Self { points, triangles, patches, first, place, .. } = drawing;
             let positions = Positions::from_flat(3, points.into_flattened())?;
             let mut arrangement =
                 SpatialArrangement::of_triangles(&positions, &triangles, patches, None, options)?;
-            let is_settled = arrangement.cut.complex().vertex_count() == positions.len()
-                || (is_rounding && arrangement.is_exactly_rounded());
+            hot = arrangement.new_places();
+            let is_settled = hot.is_empty()
+                || (is_rounding && arrangement.is_exactly_rounded() && arrangement.is_held(precision));
             if is_settled {
                 joined.tell(&first, &place, positions.as_flat().as_chunks().0);
                 arrangement.round_count = round + 1;
                 arrangement.joined = Some(joined);
                 return Ok(arrangement);
             }
-            drawing = Self::of(&arrangement, joined.tolerance)?;
+            // What is bent only a little is straightened as long as that is all that is put together.
+            let straight = if is_local { 0.0 } else { joined.tolerance };
+            drawing = Self::of(&arrangement, straight, precision)?;
             (drawing.first, drawing.place) = (first, place);
         }
         Err(Error::invalid(format!(
@@ -134,7 +182,15 @@ impl Drawing {
     }
 
     /// Puts together what is near, and leaves out points that nothing has any more.
-    fn join(&mut self, tolerance: f64) -> NearCounts {
+    ///
+    /// Within the tolerance everywhere, then within `reach` near some places.
+    fn join(
+        &mut self,
+        tolerance: f64,
+        places: Option<HotPlaces>,
+        reach: f64,
+        precision: CoordinatePrecision,
+    ) -> NearCounts {
         let mut near = NearChains::of_panels(
             std::mem::take(&mut self.points),
             &self.triangles,
@@ -143,8 +199,13 @@ impl Drawing {
             std::mem::take(&mut self.patches.is_passing),
             tolerance,
         );
+        near.precision = precision;
         near.join(tolerance, |near| near.put_vertices_on_panels(tolerance));
-        let (triangles, patch_of_triangle) = near.triangles(tolerance);
+        if let Some(places) = places {
+            near.stay_near(places);
+            near.join(reach, |near| near.put_vertices_on_panels(reach));
+        }
+        let (triangles, patch_of_triangle) = near.triangles(tolerance, reach);
         let mut number = vec![NONE; near.points.len()];
         triangles.as_flattened().iter().for_each(|&corner| number[corner as usize] = 0);
         let mut used = Vec::new();
@@ -201,6 +262,15 @@ impl Drawing {
         }
         self.patches.polygons_of_patch = Some(lists);
     }
+}
+
+/// So many rounds until features are put together that are as far apart as anything in the drawing.
+fn rounds_to_an_end(points: &[[f64; 3]], tolerance: f64) -> usize {
+    let frame = frame_around(points.len(), |i| points[i].map(|x| [x; 2]));
+    let diagonal = squared(minus(frame.map(|side| side[1]), frame.map(|side| side[0]))).sqrt();
+    let doublings = (diagonal / tolerance).log2().ceil().max(0.0);
+    // Two more, since distances are rounded.
+    if doublings.is_finite() { STEADY_ROUNDS.max(ROUNDS_WITH_TOLERANCE) + doublings as usize + 2 } else { 1 }
 }
 
 /// How the triangles of a patch lie.
@@ -281,9 +351,24 @@ impl SpatialArrangement {
         self.patches.fold(self.patches_of_face.list(fine.index())).is_none()
     }
 
+    /// Where fine vertices are that are no points of the input.
+    fn new_places(&self) -> Vec<[f64; 3]> {
+        let is_new =
+            |fine: &u32| !matches!(self.cut.source(VertexId::from_u32(*fine)), SpatialVertexSource::Given(_));
+        let fine = 0..self.cut.complex().vertex_count() as u32;
+        fine.filter(is_new).map(|fine| self.rounded(fine)).collect()
+    }
+
     fn rounded(&self, fine: u32) -> [f64; 3] {
         let point = self.cut.positions().point(VertexId::from_u32(fine));
         [point[0], point[1], point[2]]
+    }
+
+    /// The fine vertices on the sides of the fine faces of a face.
+    fn fine_vertices(&self, face: FaceId) -> Vec<u32> {
+        let fine = self.fine_faces(face);
+        let sides = fine.flat_map(|(fine, _)| self.cut.complex().packed_sides().list(fine.index()));
+        sides.map(|&side| self.cut.complex().side_ends(side)[0]).collect()
     }
 
     /// The fine vertices along an edge, but for those that are left out.

@@ -2,7 +2,7 @@
 
 use super::settling::Drawing;
 use super::{SpatialArrangement, SpatialOptions};
-use crate::near::least_tolerance;
+use crate::near::{CoordinatePrecision, least_tolerance};
 use coface_algebra::{Error, VertexId};
 
 impl SpatialArrangement {
@@ -26,6 +26,15 @@ impl SpatialArrangement {
         (0..self.cut.complex().vertex_count() as u32)
             .filter(|&fine| !self.is_omitted(fine))
             .all(|fine| self.is_exact(fine))
+    }
+
+    /// Whether the rounded coordinates of all drawn vertices are numbers of this precision.
+    pub(super) fn is_held(&self, precision: CoordinatePrecision) -> bool {
+        let is_held = |fine: usize| {
+            let point = self.cut.positions().point(VertexId::new(fine));
+            self.is_omitted(fine as u32) || point.iter().all(|&x| precision.holds(x))
+        };
+        precision == CoordinatePrecision::Double || (0..self.cut.complex().vertex_count()).all(is_held)
     }
 
     fn is_exact(&self, fine: u32) -> bool {
@@ -87,11 +96,11 @@ impl SpatialArrangement {
     /// # Ok(()) }
     /// ```
     pub fn snapped(&self, options: &SpatialOptions) -> Result<Self, Error> {
-        if self.is_exactly_rounded() {
+        if self.is_exactly_rounded() && self.is_held(options.precision) {
             return Ok(self.clone());
         }
-        let tolerance = least_tolerance(self.cut.positions().as_flat().as_chunks::<3>().0);
-        let drawing = Drawing::of(self, tolerance)?;
+        let tolerance = least_tolerance(self.cut.positions().as_flat().as_chunks::<3>().0, options.precision);
+        let drawing = Drawing::of(self, tolerance, options.precision)?;
         let settled = drawing.settled(options, tolerance, true)?;
         Ok(settled.with_notes_of(self))
     }

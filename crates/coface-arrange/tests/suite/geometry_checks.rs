@@ -8,7 +8,9 @@
 )]
 
 use coface_algebra::RaggedArray;
-use coface_arrange::spatial::checks::{CheckedFaces, FaultCode, FaultScope, GeometryChecks, GeometryFaults};
+use coface_arrange::spatial::checks::{
+    CheckedFaces, CheckedPrimitive, FaultCode, FaultScope, GeometryChecks, GeometryFaults,
+};
 use coface_geometry::Positions;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -315,6 +317,110 @@ fn faults_of_solids() {
     wedge.points[0][2] = 0.2;
     wedge.points[0][0] = 0.1;
     assert_ne!(whole(&[&wedge]).numbers(), [404]);
+}
+
+/// A cube whose top is two triangles, and one of these is cut at the middle of the diagonal: three edges of one face each,
+/// and the middle is inside of one of them.
+#[test]
+fn a_vertex_inside_an_edge_is_named_with_its_place() {
+    let mut cube = Solid::cube();
+    let middle = cube.push([0.5, 0.5, 1.0]);
+    cube.faces[TOP] = vec![vec![4, 5, 7]];
+    cube.faces.extend([vec![vec![4, middle, 6]], vec![vec![middle, 7, 6]]]);
+    let found = cube.check();
+    let inside: Vec<_> =
+        found.faults().iter().filter(|fault| fault.code() == FaultCode::VertexInsideEdge).collect();
+    assert_eq!((numbers(&found), inside.len(), inside[0].count()), (vec![302], 1, 1));
+    let place = &inside[0].places()[0];
+    assert_eq!((place.vertices[0], place.point), (middle, Some([0.5, 0.5, 1.0])));
+    assert_eq!((place.faces[0], inside[0].scope()), (TOP as u32, FaultScope::Surface));
+    assert!(!found.is_sound_surface());
+    // The same by brute force: the vertices that are on a segment of one face, exactly.
+    let on_segment = |p: [f64; 3], [a, b]: [[f64; 3]; 2]| {
+        let [u, v] = [0, 1].map(|i| if i == 0 { minus(b, a) } else { minus(p, a) });
+        let is_in_line = (0..3).all(|i| u[i] * v[(i + 1) % 3] == u[(i + 1) % 3] * v[i]);
+        let part = (0..3).map(|i| u[i] * v[i]).sum::<f64>();
+        is_in_line && part > 0.0 && part < u.iter().map(|x| x * x).sum::<f64>()
+    };
+    let mut pairs = 0;
+    for face in cube.faces.iter().flatten() {
+        for (i, &from) in face.iter().enumerate() {
+            let ends = [from, face[(i + 1) % face.len()]].map(|v| cube.points[v as usize]);
+            pairs += cube.points.iter().filter(|&&p| on_segment(p, ends)).count();
+        }
+    }
+    assert_eq!(pairs, 1);
+    // With the vertex in all faces there, the cube is closed.
+    cube.faces[TOP] = vec![vec![4, 5, 7, middle]];
+    assert!(cube.check().is_valid_solid());
+}
+
+fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|axis| a[axis] - b[axis])
+}
+
+/// The faults of several solids, each with what it is stated to be.
+fn of_primitives(solids: &[(&Solid, CheckedPrimitive)]) -> (Vec<u16>, GeometryFaults) {
+    let mut whole = Solid::default();
+    let (mut shell_of_face, mut solid_of_shell) = (Vec::new(), Vec::new());
+    for (number, (solid, _)) in (0..).zip(solids) {
+        let own = solid.shells.clone().unwrap_or_else(|| vec![0; solid.faces.len()]);
+        let first = solid_of_shell.len() as u32;
+        let count = own.iter().max().map_or(0, |&last| last as usize + 1);
+        solid_of_shell.resize(solid_of_shell.len() + count, number);
+        shell_of_face.extend(own.iter().map(|shell| shell + first));
+        whole = whole.with(solid);
+    }
+    let rings = RaggedArray::from_lists(whole.faces.iter().flatten());
+    let face_of_ring: Vec<u32> =
+        whole.faces.iter().zip(0..).flat_map(|(face, f)| face.iter().map(move |_| f)).collect();
+    let faces = CheckedFaces::from_rings(rings, &face_of_ring).unwrap();
+    let faces = faces.with_shells(shell_of_face, solid_of_shell).unwrap();
+    let faces = faces.with_primitives(solids.iter().map(|(_, primitive)| *primitive).collect()).unwrap();
+    let positions = Positions::from_flat(3, whole.points.concat()).unwrap();
+    let found = GeometryChecks::new().check(&positions, &faces).unwrap();
+    (numbers(&found), found)
+}
+
+#[test]
+fn solids_of_a_composite_touch_in_faces_and_nowhere_else() {
+    use CheckedPrimitive::{CompositeSolid, MultiSurface, Solid as Alone};
+    let cube = Solid::cube();
+    let moved = |by: [f64; 3]| Solid::cuboid(by, by.map(|x| x + 1.0));
+    let (half, beside, at_edge, far) =
+        (moved([0.5, 0.0, 0.0]), moved([1.0, 0.0, 0.0]), moved([1.0, 1.0, 0.0]), moved([5.0; 3]));
+    let pair = |other: &Solid, primitive| of_primitives(&[(&cube, primitive), (other, primitive)]).0;
+    for (other, expected) in [(&half, 501), (&cube, 502), (&at_edge, 503), (&far, 503)] {
+        assert_eq!(pair(other, CompositeSolid(0)), [expected]);
+        assert_eq!(pair(other, Alone), [0; 0]);
+        let apart = of_primitives(&[(&cube, CompositeSolid(0)), (other, CompositeSolid(1))]);
+        assert!(apart.0.is_empty() && apart.1.is_valid_solid());
+    }
+    assert_eq!(pair(&beside, CompositeSolid(0)), [0; 0]);
+    // A part of a face is enough; a chain of solids connects its ends; a solid fits into the void of another.
+    assert_eq!(pair(&moved([1.0, 0.5, 0.5]), CompositeSolid(0)), [0; 0]);
+    let last = moved([2.0, 0.0, 0.0]);
+    let chain = [&cube, &beside, &last].map(|own| (own, CompositeSolid(3)));
+    assert_eq!(of_primitives(&chain).0, [0; 0]);
+    let low = Solid::cuboid([0.25; 3], [0.75; 3]);
+    let hollow = cube.clone().with_voids(&[&low.clone().reversed()]);
+    let nested = |own: &Solid| of_primitives(&[(&hollow, CompositeSolid(0)), (own, CompositeSolid(0))]).0;
+    assert_eq!(nested(&low), [0; 0]);
+    assert_eq!(nested(&Solid::cuboid([0.4; 3], [0.6; 3])), [503]);
+    assert_eq!(nested(&Solid::cuboid([0.2; 3], [0.6; 3])), [501]);
+    // A solid at fault is not compared with others.
+    let mut open = half;
+    open.faces.pop();
+    assert_eq!(pair(&open, CompositeSolid(0)), [302]);
+    // Faces of a multi-surface may cross and touch; they bound nothing.
+    let (codes, found) = of_primitives(&[(&cube, MultiSurface), (&open, MultiSurface)]);
+    assert!(codes.is_empty() && !found.is_valid_solid());
+    let mut crossing = cube.clone();
+    let tip = crossing.push([0.5, 0.5, -0.5]);
+    crossing.faces[TOP] = vec![vec![4, 5, tip]];
+    assert_eq!(of_primitives(&[(&crossing, MultiSurface)]).0, [0; 0]);
+    assert_eq!(of_primitives(&[(&crossing, CheckedPrimitive::CompositeSurface)]).0, [306]);
+    assert_eq!(of_primitives(&[(&open, CheckedPrimitive::CompositeSurface)]).0, [0; 0]);
 }
 
 /// Rows and blocks of many boxes, and boxes in boxes, have the counts that are known.

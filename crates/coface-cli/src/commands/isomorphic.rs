@@ -12,7 +12,8 @@ use std::path::PathBuf;
 /// Whether two triangulations are the same but for the names of simplices and vertices, and with which names.
 ///
 /// Inputs are gluing tables, isomorphism signatures, lists of facets, or meshes of triangles or tetrahedra. Signatures are printed
-/// too: two triangulations are the same if and only if they have the same signature.
+/// too: two triangulations are the same if and only if they have the same signature. Surfaces of other polygons, such as
+/// quadrangles, are compared polygon by polygon, and have no signature.
 #[derive(Args)]
 pub(crate) struct Isomorphic {
     /// The first triangulation; - is standard input

@@ -92,7 +92,7 @@ fn rings_are_named_by_their_codes() {
                 vec![[2, 2], [2, 8], [3, 7]],
                 vec![[2, 8], [8, 8], [8, 2], [7, 7]],
             ],
-            &[205, 303],
+            &[205],
         ),
     ];
     for (name, holes, expected) in cases {
@@ -228,6 +228,45 @@ fn shells_are_named_by_their_codes() {
         let report = city.report("Solid", &boundaries);
         assert_eq!(codes(&report, &["surface", "solid"]), expected, "{name}: {report}");
         assert_eq!(report["geometry"]["valid_solid"], json!(expected.is_empty()), "{name}");
+    }
+}
+
+/// What a geometry is meant to be says which codes are looked for.
+#[test]
+fn the_codes_are_those_of_the_scope() {
+    let solids = |shells: &[Vec<Value>]| json!(shells.iter().map(|shell| json!([shell])).collect::<Vec<_>>());
+    let cases: [(&str, [i64; 3], &[i64]); 5] = [
+        ("CompositeSolid", [10, 0, 0], &[]),
+        ("CompositeSolid", [5, 0, 0], &[501]),
+        ("CompositeSolid", [0, 0, 0], &[502]),
+        ("CompositeSolid", [10, 10, 0], &[503]),
+        ("MultiSolid", [5, 0, 0], &[]),
+    ];
+    for (kind, low, expected) in cases {
+        let mut city = City::default();
+        let shells = [city.shell([0; 3], [10; 3], true), city.shell(low, low.map(|x| x + 10), true)];
+        let report = city.report(kind, &solids(&shells));
+        assert_eq!(codes(&report, &["surface", "solid"]), expected, "{kind} {low:?}: {report}");
+        assert_eq!(report["geometry"]["valid_solid"], json!(expected.is_empty()), "{kind} {low:?}");
+    }
+    // A box without a side, and the same with a face that crosses it.
+    for (kind, is_crossed, expected) in [
+        ("MultiSurface", false, &[][..]),
+        ("MultiSurface", true, &[]),
+        ("CompositeSurface", false, &[]),
+        ("CompositeSurface", true, &[303, 306]),
+    ] {
+        let mut city = City::default();
+        let mut faces = city.shell([0; 3], [10; 3], true)[1..].to_vec();
+        if is_crossed {
+            let corners = [[-5, 5, 5], [5, 5, 5], [5, 8, 5]].map(|point| city.vertex(point));
+            let joined = [city.vertex([0, 0, 10]), corners[0], corners[2]];
+            faces.extend([json!([corners]), json!([joined])]);
+        }
+        let report = city.report(kind, &json!(faces));
+        let found = codes(&report, &["surface", "solid"]);
+        assert_eq!(found, expected, "{kind}: {report}");
+        assert_eq!(report["geometry"]["valid_solid"], json!(false), "{kind}");
     }
 }
 

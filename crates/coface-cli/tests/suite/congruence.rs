@@ -182,7 +182,7 @@ fn cells_that_lose_their_shape_are_counted() {
     for path in [&quad, &triangle] {
         let refused =
             coface(&["congruence", argument(path), "--tolerance", "1e-6", "--collisions", "refuse"]);
-        assert!(refused.fails_with(1).contains("smaller tolerance"), "{refused:?}");
+        assert!(refused.fails_with(1).contains("smaller --tolerance"), "{refused:?}");
     }
 }
 

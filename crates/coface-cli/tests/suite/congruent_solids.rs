@@ -137,3 +137,43 @@ fn results_are_written_and_go_in_again() {
         page.stdout
     );
 }
+
+/// What is asked of exact cells is asked of what is glued: the same cells as without, and points that are where they say.
+#[test]
+fn options_of_exact_cells_are_served() {
+    let folder = tempfile::tempdir().unwrap();
+    let (sine, cosine) = f64::sin_cos(0.5);
+    let turned = |[x, y, z]: [f64; 3]| [cosine * x - sine * y, sine * x + cosine * y, z];
+    let paths = ["a.obj", "b.obj"].map(|name| folder.path().join(name));
+    cuboid(&paths[0], [[0.0; 3], [2.0; 3]], turned);
+    cuboid(&paths[1], [[1.0, 1.0, 0.0], [3.0, 3.0, 2.0]], turned);
+    let words = [argument(&paths[0]), argument(&paths[1]), "--method", "congruence", "--tolerance", "1e-9"];
+    let arranged =
+        |options: &[&str]| coface(&[&["arrange"], &words[..], options, &["--json"]].concat()).json();
+    let plain = arranged(&[]);
+    assert_eq!(plain["f_vector"][3], 3);
+    for options in [&["--snap"][..], &["--exact"], &["--max-cells", "200"], &["--non-planar", "split"]] {
+        let answer = arranged(options);
+        assert_eq!(answer["f_vector"], plain["f_vector"], "{options:?}");
+        assert_eq!(answer["congruence"], plain["congruence"], "{options:?}");
+        assert_eq!(answer["rounding"]["valid"], true, "{options:?}");
+    }
+    // The two boxes have two faces in each of two planes, cut where these overlap.
+    let merged = arranged(&["--merge-coplanar"]);
+    assert!(merged["f_vector"][2].as_u64() <= plain["f_vector"][2].as_u64());
+    assert_eq!(merged["f_vector"][3], 3);
+    let graph = folder.path().join("cells.json");
+    arranged(&["--graph", argument(&graph)]);
+    let graph: Value = serde_json::from_str(&std::fs::read_to_string(&graph).unwrap()).unwrap();
+    assert_eq!((graph["nodes"].as_array().unwrap().len(), graph["edges"].as_array().unwrap().len()), (3, 2));
+    let few = coface(&[&["arrange"], &words[..], &["--max-cells", "20"]].concat());
+    assert!(few.fails_with(1).contains("more than 20"), "{few:?}");
+    let united =
+        |options: &[&str]| coface(&[&["boolean", "union"], &words[..], options, &["--json"]].concat()).json();
+    for options in [&[][..], &["--snap"], &["--exact"], &["--merge-coplanar"], &["--pinches", "split"]] {
+        let answer = united(options);
+        let volume = answer["measure"].as_f64().unwrap();
+        assert!((volume - 14.0).abs() < 1e-9, "{options:?}: {volume}");
+        assert!(answer["congruence"].is_object() && answer["manifold"]["verdict"] == "yes", "{options:?}");
+    }
+}

@@ -403,3 +403,26 @@ fn wrong_parameters_say_what_is_possible() {
     let unknown = coface(&["generate", "torus", "-o", "a.docx"]);
     assert!(unknown.fails_with(1).contains("is no format known here; end it in one of off, obj"));
 }
+
+/// The boundary of cells of several kinds: triangles of tetrahedra and squares of cuboids.
+#[test]
+fn assemblies_have_a_boundary_and_skeletons() {
+    let folder = tempfile::tempdir().unwrap();
+    let (scene, target) = (folder.path().join("scene.json"), folder.path().join("out.obj"));
+    std::fs::write(
+        &scene,
+        r#"[{"shape":"box","cuboids":true},{"translate":[5,0,0]},{"shape":"box","cuboids":false}]"#,
+    )
+    .unwrap();
+    let report = |options: &[&str]| {
+        let words = ["generate", "assembly", argument(&scene), "-o", argument(&target)];
+        let run = coface(&[&words[..], options].concat());
+        assert_eq!(run.status, 0, "{}", run.stderr);
+        coface(&["info", "--json", argument(&target)]).json()
+    };
+    let surface = report(&["--boundary"]);
+    assert_eq!((&surface["components"], &surface["boundary_loops"]), (&json!(2), &json!(0)));
+    assert_eq!((&surface["euler_characteristic"], &surface["signed_volume"]), (&json!(4), &json!(2.0)));
+    let edges = report(&["--skeleton", "1"]);
+    assert_eq!((&edges["dimension"], &edges["components"]), (&json!(1), &json!(2)));
+}

@@ -822,3 +822,29 @@ fn triangulations_under_other_names_are_isomorphic() {
     let error = coface(&["isomorphic", argument(&touching), argument(&plane)]);
     assert!(error.fails_with(1).contains("touch in faces below their facets"), "{}", error.stderr);
 }
+
+/// Surfaces of quadrangles are compared as they are: a cube is no other cube cut along diagonals.
+#[test]
+fn quadrangles_under_other_names_are_isomorphic() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str, text: &str| {
+        std::fs::write(folder.path().join(name), text).unwrap();
+        folder.path().join(name)
+    };
+    let vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n";
+    let cube = file(
+        "cube.obj",
+        &format!("{vertices}f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"),
+    );
+    let other = file(
+        "other.obj",
+        &format!("{vertices}f 2 6 8 4\nf 7 5 6 8\nf 3 1 5 7\nf 3 7 8 4\nf 1 2 6 5\nf 4 2 1 3\n"),
+    );
+    let answer = coface(&["isomorphic", argument(&cube), argument(&other), "--json"]).json();
+    assert_eq!(answer["isomorphic"], true, "{answer}");
+    assert_eq!(answer["simplices"].as_array().unwrap().len(), 6);
+    let open =
+        file("open.obj", &format!("{vertices}f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\n"));
+    let answer = coface(&["isomorphic", argument(&cube), argument(&open), "--json"]).json();
+    assert_eq!((&answer["isomorphic"], &answer["difference"]), (&json!(false), &json!("6 and 5 polygons")));
+}

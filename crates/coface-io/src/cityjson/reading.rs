@@ -11,6 +11,7 @@ use crate::json_text::compact;
 use crate::stated_surfaces::SurfaceCollector;
 use crate::{GroupKind, GroupRole, Model, ReadOptions, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
+use coface_arrange::spatial::checks::CheckedPrimitive;
 use coface_geometry::predicates::orientation;
 use coface_geometry::triangulation::triangulate;
 use serde::Deserialize;
@@ -507,6 +508,7 @@ impl City {
                     place,
                     malformed: &malformed,
                     shell: None,
+                    composite: None,
                 };
                 walk.level(&mut cursor, &mut values, levels, &mut path)
             }
@@ -603,6 +605,8 @@ struct Walk<'c, 'p, 'g> {
     malformed: &'c dyn Fn() -> Error,
     /// The solid and the shell of the last surface.
     shell: Option<[usize; 2]>,
+    /// The composite whose solids these are.
+    composite: Option<u32>,
 }
 
 impl Walk<'_, '_, '_> {
@@ -730,7 +734,16 @@ impl Walk<'_, '_, '_> {
         };
         if self.shell != Some(shell) {
             let is_first = self.shell.is_none_or(|last| last[0] != shell[0]);
-            self.city.surfaces.begin_shell(is_first, path.len() > 1);
+            let primitive = match &self.geometry.kind[..] {
+                "MultiSurface" => CheckedPrimitive::MultiSurface,
+                "CompositeSurface" => CheckedPrimitive::CompositeSurface,
+                "CompositeSolid" => CheckedPrimitive::CompositeSolid(match self.composite {
+                    Some(composite) => composite,
+                    None => *self.composite.insert(self.city.surfaces.new_composite()),
+                }),
+                _ => CheckedPrimitive::Solid,
+            };
+            self.city.surfaces.begin_shell(is_first.then_some(primitive));
             self.shell = Some(shell);
         }
     }

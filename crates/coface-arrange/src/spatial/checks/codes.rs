@@ -61,6 +61,8 @@ pub enum FaultCode {
     TooFewFaces,
     /// 302: an edge belongs to one face only.
     ShellNotClosed,
+    /// 302: a vertex lies inside an edge of one face, which has no vertex there.
+    VertexInsideEdge,
     /// 303: the faces at a vertex form several fans.
     NonManifoldVertex,
     /// 304: an edge belongs to three or more faces.
@@ -87,11 +89,17 @@ pub enum FaultCode {
     SolidDisconnected,
     /// 405: the faces of a shell look the wrong way: an outer shell inwards, or the shell of a void away from the void.
     ShellOrientation,
+    /// 501: two solids of a composite have a part of their insides in common.
+    SolidsOverlap,
+    /// 502: two solids of a composite are the same.
+    DuplicateSolids,
+    /// 503: the solids of a composite are not connected through faces.
+    SolidsDisconnected,
 }
 
 impl FaultCode {
     /// All codes, in the order of their numbers.
-    pub const ALL: [Self; 28] = [
+    pub const ALL: [Self; 32] = [
         Self::TooFewPoints,
         Self::RepeatedPoints,
         Self::RingCrosses,
@@ -107,6 +115,7 @@ impl FaultCode {
         Self::HoleOrientation,
         Self::TooFewFaces,
         Self::ShellNotClosed,
+        Self::VertexInsideEdge,
         Self::NonManifoldVertex,
         Self::NonManifoldEdge,
         Self::SeveralPieces,
@@ -120,6 +129,9 @@ impl FaultCode {
         Self::InnerShellOutside,
         Self::SolidDisconnected,
         Self::ShellOrientation,
+        Self::SolidsOverlap,
+        Self::DuplicateSolids,
+        Self::SolidsDisconnected,
     ];
 
     /// The number of ISO 19107 (of its validators; 303 and 304 are one number, 303, in some of them).
@@ -144,7 +156,7 @@ impl FaultCode {
             Self::HolesNested => 207,
             Self::HoleOrientation => 208,
             Self::TooFewFaces => 301,
-            Self::ShellNotClosed => 302,
+            Self::ShellNotClosed | Self::VertexInsideEdge => 302,
             Self::NonManifoldVertex => 303,
             Self::NonManifoldEdge => 304,
             Self::SeveralPieces => 305,
@@ -155,6 +167,9 @@ impl FaultCode {
             Self::InnerShellOutside => 403,
             Self::SolidDisconnected => 404,
             Self::ShellOrientation => 405,
+            Self::SolidsOverlap => 501,
+            Self::DuplicateSolids => 502,
+            Self::SolidsDisconnected => 503,
         }
     }
 
@@ -182,6 +197,7 @@ impl FaultCode {
             Self::HoleOrientation => "hole_orientation",
             Self::TooFewFaces => "too_few_faces",
             Self::ShellNotClosed => "shell_not_closed",
+            Self::VertexInsideEdge => "vertex_inside_edge",
             Self::NonManifoldVertex => "nonmanifold_vertex",
             Self::NonManifoldEdge => "nonmanifold_edge",
             Self::SeveralPieces => "several_pieces",
@@ -195,6 +211,9 @@ impl FaultCode {
             Self::InnerShellOutside => "inner_shell_outside",
             Self::SolidDisconnected => "solid_disconnected",
             Self::ShellOrientation => "shell_orientation",
+            Self::SolidsOverlap => "solids_overlap",
+            Self::DuplicateSolids => "duplicate_solids",
+            Self::SolidsDisconnected => "solids_disconnected",
         }
     }
 
@@ -240,6 +259,10 @@ impl FaultCode {
             Self::ShellNotClosed => {
                 ("edge belongs to one face only: not closed", "edges belong to one face only: not closed")
             }
+            Self::VertexInsideEdge => (
+                "vertex lies inside an edge of a face that has no vertex there",
+                "vertices lie inside edges of faces that have no vertex there",
+            ),
             Self::NonManifoldVertex => {
                 ("vertex has several fans of faces", "vertices have several fans of faces")
             }
@@ -270,6 +293,17 @@ impl FaultCode {
                 "solids are cut into pieces by their inner shells",
             ),
             Self::ShellOrientation => ("shell looks the wrong way", "shells look the wrong way"),
+            Self::SolidsOverlap => {
+                ("pair of solids of a composite overlaps", "pairs of solids of a composite overlap")
+            }
+            Self::DuplicateSolids => (
+                "pair of solids of a composite is the same solid twice",
+                "pairs of solids of a composite are the same",
+            ),
+            Self::SolidsDisconnected => (
+                "solid of a composite has no face in common with the first ones",
+                "solids of a composite have no face in common with the first ones",
+            ),
         };
         format!("{count} {}", if count == 1 { one } else { many })
     }

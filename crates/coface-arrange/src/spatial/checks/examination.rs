@@ -1,5 +1,6 @@
 //! The check of all faces, shells and solids.
 
+use super::divided_edges::vertices_inside_edges;
 use super::edges::Incidence;
 use super::faults::Collector;
 use super::meetings::{Interest, MeetingFaces, meeting_faces};
@@ -7,7 +8,7 @@ use super::rings::{FoundFaces, Points, Triangles};
 use super::shells::Shells;
 use super::solids::Solids;
 use super::triangle_pairs::{Meeting, TrianglePairs};
-use super::{CheckedFaces, FaultCode, FaultPlace, FaultScope, GeometryFaults};
+use super::{CheckedFaces, CheckedPrimitive, FaultCode, FaultPlace, FaultScope, GeometryFaults};
 use crate::spatial::GivenPoints;
 use coface_algebra::progress::stage;
 use coface_algebra::{Error, ErrorKind, RaggedArray};
@@ -141,6 +142,7 @@ impl GeometryChecks {
         triangles.face.iter().for_each(|&face| is_left_out[face as usize] = false);
         let incidence = Incidence::new(&points, faces, &found.without_ring);
         let mut shells = Shells::examine(&points, faces, &incidence, &is_left_out, &mut faults);
+        vertices_inside_edges(&points, faces, &incidence, &mut faults);
         drop(running);
         let running = stage("looking for faces that meet", triangles.corners.len());
         let (meetings, is_complete) = {
@@ -151,7 +153,7 @@ impl GeometryChecks {
             meeting_faces(&points, &triangles, |face, other| {
                 let [a, b] = [face, other].map(|face| shell_of_face[face as usize] as usize);
                 let solid = |shell: usize| solid_of_shell.get(shell).copied();
-                if solid(a) != solid(b) {
+                if solid(a) != solid(b) || faces.primitive_of_shell(a) == CheckedPrimitive::MultiSurface {
                     Interest::Nothing
                 } else if !is_whole[a] || !is_whole[b] {
                     Interest::Crossings
@@ -207,7 +209,9 @@ impl GeometryChecks {
             faults: faults.into_faults(),
             faces_left_out: found.left_out,
             shells_left_out,
-            shell_count: incidence.shell_count,
+            shell_count: (0..incidence.shell_count)
+                .filter(|&shell| faces.primitive_of_shell(shell).is_solid())
+                .count(),
         })
     }
 
@@ -230,7 +234,8 @@ impl GeometryChecks {
             }
         }
         for (number, shell) in shells.shells.iter().enumerate() {
-            if !is_against[number] || shell.is_sound {
+            let is_checked = faces.primitive_of_shell(number) != CheckedPrimitive::MultiSurface;
+            if !is_against[number] || shell.is_sound || !is_checked {
                 continue;
             }
             let direction = |face: &u32| shells.direction[*face as usize];

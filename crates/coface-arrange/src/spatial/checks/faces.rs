@@ -1,5 +1,6 @@
 //! The faces that are checked.
 
+use super::CheckedPrimitive;
 use coface_algebra::{Error, ErrorKind, RaggedArray};
 
 /// Faces with holes, in shells or not, by the vertices of their rings. Nothing is asked of the rings: what is wrong
@@ -23,6 +24,8 @@ pub struct CheckedFaces {
     starts: Option<Vec<u32>>,
     shell_of_face: Option<Vec<u32>>,
     solid_of_shell: Vec<u32>,
+    /// What each solid is stated to be; solids where that is not said.
+    primitives: Vec<CheckedPrimitive>,
 }
 
 impl CheckedFaces {
@@ -35,7 +38,13 @@ impl CheckedFaces {
     /// assert_eq!(CheckedFaces::from_polygons(RaggedArray::from_lists([[0, 1, 2]])).face_count(), 1);
     /// ```
     pub fn from_polygons(polygons: RaggedArray) -> Self {
-        Self { rings: polygons, starts: None, shell_of_face: None, solid_of_shell: Vec::new() }
+        Self {
+            rings: polygons,
+            starts: None,
+            shell_of_face: None,
+            solid_of_shell: Vec::new(),
+            primitives: Vec::new(),
+        }
     }
 
     /// The faces with these rings; `face_of_ring` rises from 0 by at most 1, and the first ring of a face is its outer
@@ -65,7 +74,13 @@ impl CheckedFaces {
         if !face_of_ring.is_empty() {
             starts.push(face_of_ring.len() as u32);
         }
-        Ok(Self { rings, starts: Some(starts), shell_of_face: None, solid_of_shell: Vec::new() })
+        Ok(Self {
+            rings,
+            starts: Some(starts),
+            shell_of_face: None,
+            solid_of_shell: Vec::new(),
+            primitives: Vec::new(),
+        })
     }
 
     /// The same faces with the shell of each, and the solid of each shell. The first shell of a solid is its outer
@@ -96,6 +111,46 @@ impl CheckedFaces {
         self.shell_of_face = Some(shell_of_face);
         self.solid_of_shell = solid_of_shell;
         Ok(self)
+    }
+
+    /// The same faces with what each solid is stated to be, which says which codes are looked for: by their numbers in
+    /// [`Self::with_shells`], which comes first.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Shape`] unless there is one for each solid.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::checks::{CheckedFaces, CheckedPrimitive};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let faces = CheckedFaces::from_polygons(RaggedArray::from_lists([[0, 1, 2], [3, 4, 5]]));
+    /// let faces = faces.with_shells(vec![0, 1], vec![0, 1])?;
+    /// assert!(faces.clone().with_primitives(vec![CheckedPrimitive::Solid]).is_err());
+    /// assert!(faces.with_primitives(vec![CheckedPrimitive::MultiSurface, CheckedPrimitive::Solid]).is_ok());
+    /// # Ok(()) }
+    /// ```
+    pub fn with_primitives(mut self, primitives: Vec<CheckedPrimitive>) -> Result<Self, Error> {
+        let count = self.solid_of_shell.iter().max().map_or(0, |&last| last as usize + 1);
+        if primitives.len() != count {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!("{} primitives are named for {count} solids", primitives.len()),
+            )
+            .with_cure("say of each solid what it is"));
+        }
+        self.primitives = primitives;
+        Ok(self)
+    }
+
+    /// What a solid that is given is stated to be.
+    pub(super) fn primitive(&self, solid: u32) -> CheckedPrimitive {
+        self.primitives.get(solid as usize).copied().unwrap_or_default()
+    }
+
+    /// What the solid of a shell is stated to be.
+    pub(super) fn primitive_of_shell(&self, shell: usize) -> CheckedPrimitive {
+        self.solid_of_shell.get(shell).map_or(CheckedPrimitive::Solid, |&solid| self.primitive(solid))
     }
 
     /// The number of faces.

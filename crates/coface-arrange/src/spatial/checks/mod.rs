@@ -4,7 +4,8 @@
 //! * A **face** ([`CheckedFaces`]) has one outer **ring** of vertices and any number of inner rings, its **holes**. A
 //!   **shell** is a closed surface; a **solid** is bounded by one outer shell and the shells of its voids.
 //! * A [`Fault`] is one [`FaultCode`] with its count and first places. A code has a number of ISO 19107 in the
-//!   edition that CityGML and CityJSON validators use: 1xx rings, 2xx faces, 3xx shells, 4xx solids.
+//!   edition that CityGML and CityJSON validators use: 1xx rings, 2xx faces, 3xx shells, 4xx solids, 5xx solids of a composite.
+//! * What faces are stated to be, a [`CheckedPrimitive`], says which codes are looked for.
 //! * A fault is **of the surface** when the faces cross, overlap or contradict each other, whatever they are meant to
 //!   bound; else it is **of the solid**: a sound surface that does not bound one solid, such as a surface with a
 //!   boundary.
@@ -16,7 +17,9 @@
 //! * [`GeometryChecks`] are the options and the check itself, [`GeometryFaults`] is what it finds.
 
 mod codes;
+mod composites;
 mod containment;
+mod divided_edges;
 mod edges;
 mod examination;
 mod faces;
@@ -25,6 +28,7 @@ mod flatness;
 mod holes;
 mod meeting_triangles;
 mod meetings;
+mod primitives;
 mod rings;
 mod shells;
 mod solids;
@@ -36,3 +40,4 @@ pub use examination::GeometryChecks;
 pub use faces::CheckedFaces;
 pub use faults::{Fault, FaultPlace, GeometryFaults};
 pub use meeting_triangles::meeting_triangles;
+pub use primitives::CheckedPrimitive;

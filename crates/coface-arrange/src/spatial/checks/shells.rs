@@ -3,7 +3,7 @@
 use super::edges::{Incidence, Use};
 use super::faults::Collector;
 use super::rings::Points;
-use super::{CheckedFaces, FaultCode, FaultPlace, FaultScope};
+use super::{CheckedFaces, CheckedPrimitive, FaultCode, FaultPlace, FaultScope};
 use coface_algebra::Sign;
 
 /// What is known of a shell.
@@ -72,7 +72,7 @@ impl Shells {
         let mut is_small = vec![false; shells.len()];
         for (number, shell) in shells.iter().enumerate() {
             let is_whole = is_given || incidence.shell_count == 1 || shell.is_closed;
-            if is_whole && shell.faces.len() < 4 {
+            if is_whole && shell.faces.len() < 4 && faces.primitive_of_shell(number).is_solid() {
                 is_small[number] = true;
                 let place = FaultPlace {
                     faces: shell.faces.clone(),
@@ -83,8 +83,11 @@ impl Shells {
             }
         }
         let scope = if is_given || !incidence.is_joined { FaultScope::Surface } else { FaultScope::Solid };
+        let primitive_of = |face: u32| faces.primitive_of_shell(shell_of(face));
         for own in incidence.edges() {
             let (code, scope) = match own.len() {
+                _ if primitive_of(own[0].face) == CheckedPrimitive::MultiSurface => continue,
+                1 if !primitive_of(own[0].face).is_solid() => continue,
                 1 => (FaultCode::ShellNotClosed, FaultScope::Solid),
                 2 => continue,
                 _ => (FaultCode::NonManifoldEdge, scope),
@@ -95,7 +98,11 @@ impl Shells {
         }
         for [_, corner] in incidence.pinched_nodes(faces) {
             let vertex = faces.rings().items()[corner as usize];
-            shells[shell_of(incidence.face_of_corner[corner as usize])].is_manifold = false;
+            let face = incidence.face_of_corner[corner as usize];
+            if primitive_of(face) == CheckedPrimitive::MultiSurface {
+                continue;
+            }
+            shells[shell_of(face)].is_manifold = false;
             faults.add_with(FaultCode::NonManifoldVertex, scope, || FaultPlace {
                 vertices: vec![vertex],
                 point: Some(points.point(vertex)),
@@ -105,7 +112,8 @@ impl Shells {
         if !is_given {
             Self::split_pinches(points, faces, incidence, &shells, faults);
         }
-        for shell in &mut shells {
+        for (number, shell) in shells.iter_mut().enumerate() {
+            shell.is_sound &= faces.primitive_of_shell(number).is_solid();
             shell.is_sound &=
                 shell.is_closed && shell.is_manifold && shell.is_two_sided && shell.faces.len() >= 4;
         }

@@ -1,5 +1,6 @@
 //! How shells lie to each other, and which way they look.
 
+use super::composites;
 use super::containment::{shells_around, volume_sign};
 use super::faults::Collector;
 use super::meetings::MeetingFaces;
@@ -7,7 +8,7 @@ use super::rings::{Points, Triangles};
 use super::shells::Shells;
 use super::touching_shells::TouchingShells;
 use super::triangle_pairs::Meeting;
-use super::{CheckedFaces, FaultCode, FaultPlace, FaultScope};
+use super::{CheckedFaces, CheckedPrimitive, FaultCode, FaultPlace, FaultScope};
 use coface_algebra::{RaggedArray, Sign, UnionFind};
 use std::cmp::Ordering;
 
@@ -69,7 +70,10 @@ impl Solids<'_> {
         } else {
             self.nested_shells(&outward, &crossing, &groups, &around, faults);
         }
-        left_out
+        let is_sound = |shell| self.is_sound(shell);
+        let place = |shells: &[u32]| self.shell_place(shells);
+        let coherent = |shell| self.coherent(shell);
+        left_out + composites::examine(self.points, self.faces, is_sound, coherent, place, faults)
     }
 
     fn is_sound(&self, shell: u32) -> bool {
@@ -168,16 +172,7 @@ impl Solids<'_> {
         touching.sort_by_key(|&shell| union.find(shell));
         let (mut groups, mut left_out) = (Vec::new(), 0);
         for own in touching.chunk_by(|&a, &b| union.find(a) == union.find(b)) {
-            let coherent = |&triangle: &u32| {
-                let [a, b, c] = self.triangles.corners[triangle as usize];
-                let face = self.triangles.face[triangle as usize];
-                let is_reversed = self.shells.direction[face as usize] == Sign::Minus;
-                if is_reversed { [a, c, b] } else { [a, b, c] }
-            };
-            let of_shell = |&shell: &u32| {
-                self.triangles_of_shell.list(shell as usize).iter().map(coherent).collect::<Vec<[u32; 3]>>()
-            };
-            let triangles: Vec<Vec<[u32; 3]>> = own.iter().map(of_shell).collect();
+            let triangles: Vec<Vec<[u32; 3]>> = own.iter().map(|&shell| self.coherent(shell)).collect();
             let size = triangles.iter().map(Vec::len).sum::<usize>();
             let is_large = own.len() > MOST_TOUCHING[0] || size > MOST_TOUCHING[1];
             match TouchingShells::new(self.points, if is_large { &[] } else { &triangles }) {
@@ -186,6 +181,17 @@ impl Solids<'_> {
             }
         }
         (groups, left_out)
+    }
+
+    /// The triangles of a shell, running coherently.
+    fn coherent(&self, shell: u32) -> Vec<[u32; 3]> {
+        let coherent = |&triangle: &u32| {
+            let [a, b, c] = self.triangles.corners[triangle as usize];
+            let face = self.triangles.face[triangle as usize];
+            let is_reversed = self.shells.direction[face as usize] == Sign::Minus;
+            if is_reversed { [a, c, b] } else { [a, b, c] }
+        };
+        self.triangles_of_shell.list(shell as usize).iter().map(coherent).collect()
     }
 
     /// The shells around each sound shell, rising.
@@ -323,6 +329,9 @@ impl Solids<'_> {
         faults: &mut Collector,
     ) {
         for (shell, &pieces) in self.pieces_of_shell.iter().enumerate() {
+            if self.faces.primitive_of_shell(shell) == CheckedPrimitive::MultiSurface {
+                continue;
+            }
             (1..pieces).for_each(|_| {
                 faults.add_with(FaultCode::SeveralPieces, FaultScope::Solid, || {
                     self.shell_place(&[shell as u32])

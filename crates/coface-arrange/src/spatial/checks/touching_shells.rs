@@ -14,25 +14,33 @@ pub(super) struct TouchingShells {
     cells_of_shell: Vec<Vec<u32>>,
 }
 
+/// The arrangement of closed shells, each as triangles that run coherently and an input of its own.
+///
+/// # Errors
+/// Those of an arrangement.
+pub(super) fn arranged_shells(
+    points: &Points<'_>,
+    shells: &[Vec<[u32; 3]>],
+) -> Result<SpatialArrangement, Error> {
+    let mut places: Vec<u32> = shells.iter().flatten().flatten().copied().collect();
+    places.sort_unstable();
+    places.dedup();
+    let flat = places.iter().flat_map(|&place| points.point(place)).collect();
+    let number = |place| places.binary_search(&place).expect("each place is listed") as u32;
+    let triangles = shells.iter().flatten().map(|corners| corners.map(number));
+    let inputs = shells.iter().zip(0..).flat_map(|(shell, input)| shell.iter().map(move |_| input)).collect();
+    let polygons =
+        SpatialPolygons::from_polygons(Positions::from_flat(3, flat)?, RaggedArray::from_lists(triangles))?;
+    SpatialArrangement::new(&polygons.with_inputs(inputs)?, &SpatialOptions::new())
+}
+
 impl TouchingShells {
     /// Of closed shells, each as triangles that run coherently.
     ///
     /// # Errors
     /// Those of an arrangement.
     pub(super) fn new(points: &Points<'_>, shells: &[Vec<[u32; 3]>]) -> Result<Self, Error> {
-        let mut places: Vec<u32> = shells.iter().flatten().flatten().copied().collect();
-        places.sort_unstable();
-        places.dedup();
-        let flat = places.iter().flat_map(|&place| points.point(place)).collect();
-        let number = |place| places.binary_search(&place).expect("each place is listed") as u32;
-        let triangles = shells.iter().flatten().map(|corners| corners.map(number));
-        let inputs =
-            shells.iter().zip(0..).flat_map(|(shell, input)| shell.iter().map(move |_| input)).collect();
-        let polygons = SpatialPolygons::from_polygons(
-            Positions::from_flat(3, flat)?,
-            RaggedArray::from_lists(triangles),
-        )?;
-        let arrangement = SpatialArrangement::new(&polygons.with_inputs(inputs)?, &SpatialOptions::new())?;
+        let arrangement = arranged_shells(points, shells)?;
         let windings = arrangement.winding_numbers()?;
         let inside = |cell: usize| -> Vec<u32> {
             let numbers = windings.around(CellId::new(cell)).iter();

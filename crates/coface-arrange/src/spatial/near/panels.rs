@@ -122,7 +122,7 @@ impl NearChains {
 
     /// Puts vertices on panels that they are near the insides of.
     pub(in crate::spatial) fn put_vertices_on_panels(&mut self, tolerance: f64) -> bool {
-        let used = self.used();
+        let used = self.hot_vertices();
         let boxes: Vec<AxisBox> = used.par_iter().map(|&vertex| self.box_of([vertex], 0.0)).collect();
         let tree = BoxTree::new(&boxes);
         let found: Vec<Vec<u32>> = self
@@ -154,14 +154,20 @@ impl NearChains {
     }
 
     /// The triangles of all panels, each with its patch.
-    pub(in crate::spatial) fn triangles(&self, tolerance: f64) -> (Vec<[u32; 3]>, Vec<u32>) {
+    ///
+    /// Sides are straight within `reach` where features that far apart were put together, else within the tolerance.
+    pub(in crate::spatial) fn triangles(&self, tolerance: f64, reach: f64) -> (Vec<[u32; 3]>, Vec<u32>) {
         let edges = self.edges();
         let mut sides: Vec<[u32; 2]> = edges.iter().flat_map(|&[a, b]| [[a, b], [b, a]]).collect();
         sides.sort_unstable();
         let positions = Positions::from_flat(3, self.points.as_flattened().to_vec());
         let lists: Vec<Vec<[u32; 3]>> = match positions.as_ref().map(GivenPoints::new) {
             Ok(Ok(points)) => {
-                let own = |panel: &Chain| self.triangulated(panel, &sides, &points, tolerance);
+                let own = |panel: &Chain| {
+                    let is_hot = || vertices(panel).iter().any(|&own| self.is_hot(self.point(own)));
+                    let within = if reach > tolerance && is_hot() { reach } else { tolerance };
+                    self.triangulated(panel, &sides, &points, within)
+                };
                 self.chains.par_iter().map(own).collect()
             }
             _ => Vec::new(),

@@ -3,9 +3,7 @@
 mod planar;
 mod spatial;
 
-pub(crate) use spatial::{
-    SpaceOptions, for_the_exact_method, in_space, refuse_exact_options, rounding, scene_of, stacked,
-};
+pub(crate) use spatial::{SpaceOptions, asks_for_exact_cells, in_space, rounding, scene_of, stacked};
 
 use crate::arguments::{Common, length};
 use crate::certified;
@@ -55,7 +53,8 @@ use std::path::{Path, PathBuf};
 /// and faces that are within --tolerance of each other become one: for drawings and surfaces that meet only nearly. Without --tolerance it is
 /// 1e-9 of the extent, with a remark. "congruence" says how many
 /// cells were stacked, the largest distance of two vertices that became one, and what collapsed; "joined" has the classes of points, and in
-/// space --provenance the polygons of each vertex, edge and face.
+/// space --provenance the polygons of each vertex, edge and face. In space --snap, --exact and --merge-coplanar are of the exact
+/// arrangement of what is glued, on the points where it is.
 ///
 /// With --inputs each object, group or component of a file is an input, so that a building may be one
 /// file: "regions" has their

@@ -8,9 +8,10 @@ use crate::progress::Progress;
 use crate::remarks::{accept, say_remarks};
 use crate::target::{Seen, Target, write_seen};
 use clap::{Args, ValueEnum};
-use coface::answers::answer::{CongruentPieces, SpatialArrangementAnswer, SpatialRounding};
+use coface::answers::answer::{CellGraph, CongruentPieces, SpatialArrangementAnswer, SpatialRounding};
 use coface::answers::text;
 use coface::answers::{CongruentScene, SceneArrangement, SpatialRequest, SpatialScene};
+use coface::arrange::CoordinatePrecision;
 use coface::arrange::spatial::NonPlanar;
 use coface::io;
 use coface::io::{Format, Model};
@@ -49,7 +50,12 @@ enum Bent {
 }
 
 impl SpaceOptions {
-    pub(crate) fn request(&self, cells: &CellOptions, common: &Common) -> SpatialRequest {
+    pub(crate) fn request(
+        &self,
+        cells: &CellOptions,
+        common: &Common,
+        output: Option<(&Path, Target)>,
+    ) -> SpatialRequest {
         let mut request = SpatialRequest::default();
         request.non_planar = match self.non_planar {
             Some(Bent::Refuse) => NonPlanar::Refuse,
@@ -61,14 +67,21 @@ impl SpaceOptions {
         request.snap = cells.snap;
         request.tolerance = cells.tolerance;
         request.max_cells = cells.max_cells;
+        if is_stl(output) {
+            request.precision = CoordinatePrecision::Single;
+        }
         request
     }
 
     /// Whether faces are cut into triangles.
     pub(crate) fn triangles(&self, scene: &SpatialScene, output: Option<(&Path, Target)>) -> bool {
-        let is_stl = output.is_some_and(|(_, target)| target == Target::Model(Format::Stl));
-        self.triangles || (!self.polygons && (is_stl || scene.is_triangulated()))
+        self.triangles || (!self.polygons && (is_stl(output) || scene.is_triangulated()))
     }
+}
+
+/// Whether the result goes to an STL file, which holds triangles whose coordinates have 32 bits.
+fn is_stl(output: Option<(&Path, Target)>) -> bool {
+    output.is_some_and(|(_, target)| target == Target::Model(Format::Stl))
 }
 
 /// The models with their names as borrowed pairs.
@@ -139,10 +152,23 @@ pub(super) fn run(
     let output = output.map(in_space).transpose()?;
     progress.stage("arranging");
     let scene = scene_of(verb.source, 1, models, true)?;
-    if verb.cells.method == Some(Method::Congruence) {
-        return by_congruence(verb, common, output, scene, progress);
-    }
-    let mut arrangement = SceneArrangement::of_scene(scene, &verb.space.request(&verb.cells, common))?;
+    let mut request = verb.space.request(&verb.cells, common, output);
+    let triangles = verb.space.triangles(&scene, output);
+    let mut gluing = None;
+    let scene = match verb.cells.method {
+        Some(Method::Congruence) => {
+            let glued = CongruentScene::with_bent(scene, verb.cells.tolerance, request.non_planar)?;
+            glued.refuse_more_cells(verb.cells.max_cells)?;
+            if !asks_for_exact_cells(&verb.cells, &verb.space) {
+                return by_congruence(verb, common, output, &glued, progress);
+            }
+            gluing = Some(glued.gluing()?);
+            (request.tolerance, request.non_planar) = (None, NonPlanar::Split);
+            glued.glued_scene()
+        }
+        _ => scene,
+    };
+    let mut arrangement = SceneArrangement::of_scene(scene, &request)?;
     if !verb.cells.exact && !arrangement.is_valid()? {
         progress.stage("rounding");
         arrangement = arrangement.validly_rounded()?.unwrap_or(arrangement);
@@ -150,10 +176,13 @@ pub(super) fn run(
     progress.stage("multiplying boundaries");
     let rule = verb.cells.rule.map(Rule::inside).unwrap_or_default();
     let mut answer = arrangement.answer(rule)?;
+    if let Some((done, joined)) = gluing {
+        answer.congruence = Some(done);
+        answer.joined = answer.joined.or(Some(joined));
+    }
     accept(&answer.remarks, common)?;
     progress.stage("writing");
     if let Some((path, target)) = output {
-        let triangles = verb.space.triangles(arrangement.scene(), output);
         match target {
             Target::Model(Format::Json) => {
                 let mut model = arrangement.to_chains(verb.space.triangles)?;
@@ -174,12 +203,7 @@ pub(super) fn run(
         write_json(path, &arrangement.provenance())?;
     }
     if let Some(path) = &verb.graph {
-        let graph = arrangement.graph(rule)?;
-        if crate::output::is_json(path) {
-            write_json(path, &graph)?;
-        } else {
-            io::replace_file(path, |out| Ok(out.write_all(graph.to_graphml().as_bytes())?))?;
-        }
+        write_graph(path, &arrangement.graph(rule)?)?;
     }
     drop(progress);
     say_remarks(&answer.remarks, common);
@@ -192,25 +216,9 @@ pub(super) fn run(
     print_text(&page(&answer))
 }
 
-/// Refuses options that say how the exact method works.
-pub(crate) fn refuse_exact_options(cells: &CellOptions, space: &SpaceOptions) -> Result<(), Failure> {
-    let refused = [
-        (cells.snap, "--snap"),
-        (cells.exact, "--exact"),
-        (cells.max_cells.is_some(), "--max-cells"),
-        (space.non_planar.is_some(), "--non-planar"),
-        (space.merge_coplanar, "--merge-coplanar"),
-    ];
-    refused
-        .into_iter()
-        .find(|(is_given, _)| *is_given)
-        .map_or(Ok(()), |(_, option)| Err(for_the_exact_method(option)))
-}
-
-pub(crate) fn for_the_exact_method(option: &str) -> Failure {
-    Failure::new(format!(
-        "{option} is for the exact method, not for --method congruence: leave one of them out"
-    ))
+/// Whether what is asked for are exact cells: then what congruence glued is arranged exactly, on the points where it is.
+pub(crate) fn asks_for_exact_cells(cells: &CellOptions, space: &SpaceOptions) -> bool {
+    cells.snap || cells.exact || space.merge_coplanar
 }
 
 /// The arrangement by congruence.
@@ -218,15 +226,10 @@ fn by_congruence(
     verb: &Arrange,
     common: &Common,
     output: Option<(&Path, Target)>,
-    scene: SpatialScene,
+    arrangement: &CongruentScene,
     progress: Progress,
 ) -> Result<(), Failure> {
-    if verb.graph.is_some() {
-        return Err(for_the_exact_method("--graph"));
-    }
-    refuse_exact_options(&verb.cells, &verb.space)?;
-    let triangles = verb.space.triangles(&scene, output);
-    let arrangement = CongruentScene::of_scene(scene, verb.cells.tolerance)?;
+    let triangles = verb.space.triangles(arrangement.scene(), output);
     progress.stage("multiplying boundaries");
     let mut answer = arrangement.answer(verb.cells.rule.map(Rule::inside).unwrap_or_default())?;
     accept(&answer.remarks, common)?;
@@ -247,15 +250,26 @@ fn by_congruence(
     if let Some(path) = &verb.provenance {
         write_json(path, &arrangement.provenance())?;
     }
+    if let Some(path) = &verb.graph {
+        write_graph(path, &arrangement.graph(verb.cells.rule.map(Rule::inside).unwrap_or_default())?)?;
+    }
     drop(progress);
     say_remarks(&answer.remarks, common);
     if common.json {
         return print_json(&answer);
     }
-    if common.output.is_some() || verb.provenance.is_some() {
+    if common.output.is_some() || verb.provenance.is_some() || verb.graph.is_some() {
         return Ok(());
     }
     print_text(&page(&answer))
+}
+
+fn write_graph(path: &Path, graph: &CellGraph) -> Result<(), Failure> {
+    if crate::output::is_json(path) {
+        write_json(path, graph)
+    } else {
+        Ok(io::replace_file(path, |out| Ok(out.write_all(graph.to_graphml().as_bytes())?))?)
+    }
 }
 
 /// The fact about what congruence stacked and glued.

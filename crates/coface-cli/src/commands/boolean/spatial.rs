@@ -2,9 +2,7 @@
 
 use super::{Boolean, Task};
 use crate::arguments::Common;
-use crate::commands::arrange::{
-    Rule, for_the_exact_method, in_space, refuse_exact_options, rounding, scene_of, stacked,
-};
+use crate::commands::arrange::{Rule, asks_for_exact_cells, in_space, rounding, scene_of, stacked};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, write_json};
 use crate::progress::Progress;
@@ -18,8 +16,8 @@ use coface::answers::answer::{
 use coface::answers::text;
 use coface::answers::{
     ArrangementMethod, CongruentBoolean, CongruentScene, SceneArrangement, SolidBoolean, SolidRequest,
-    SpatialScene,
 };
+use coface::arrange::spatial::NonPlanar;
 use coface::io;
 use coface::io::{Format, Model};
 use std::path::Path;
@@ -67,12 +65,21 @@ pub(super) fn run(
     if matches!(verb.solids.open, Open::Close) {
         scene.close_mouths()?;
     }
+    let mut spatial = verb.space.request(&verb.cells, common, output);
+    let triangles = verb.space.triangles(&scene, output);
+    let mut gluing = None;
     if verb.cells.method() == ArrangementMethod::Congruence {
-        return by_congruence(verb, task, common, output, scene, progress);
+        let glued = CongruentScene::with_bent(scene, verb.cells.tolerance, spatial.non_planar)?;
+        glued.refuse_more_cells(verb.cells.max_cells)?;
+        let splits = matches!(verb.solids.pinches, Some(Pinches::Split));
+        if !splits && !asks_for_exact_cells(&verb.cells, &verb.space) {
+            return by_congruence(verb, task, common, output, &glued, progress);
+        }
+        gluing = Some(glued.gluing()?);
+        (spatial.tolerance, spatial.non_planar) = (None, NonPlanar::Split);
+        scene = glued.glued_scene();
     }
     let count = scene.names().len();
-    let triangles = verb.space.triangles(&scene, output);
-    let mut spatial = verb.space.request(&verb.cells, common);
     // Whose faces are parts of the result alone.
     spatial.merge_coplanar |= !verb.solids.keep_coplanar;
     let arrangement = SceneArrangement::of_scene(scene, &spatial)?;
@@ -96,7 +103,11 @@ pub(super) fn run(
             result = SolidBoolean::of(&rounded, &request)?;
         }
     }
-    let answer = result.answer()?;
+    let mut answer = result.answer()?;
+    if let Some((done, joined)) = gluing {
+        answer.congruence = Some(done);
+        answer.joined = answer.joined.or(Some(joined));
+    }
     let made = Made {
         chains: &|| {
             let model = result.to_chains()?;
@@ -118,20 +129,15 @@ fn by_congruence(
     task: &Task,
     common: &Common,
     output: Option<(&Path, Target)>,
-    scene: SpatialScene,
+    arrangement: &CongruentScene,
     progress: Progress,
 ) -> Result<(), Failure> {
-    if matches!(verb.solids.pinches, Some(Pinches::Split)) {
-        return Err(for_the_exact_method("--pinches"));
-    }
-    refuse_exact_options(&verb.cells, &verb.space)?;
-    let mut request = SolidRequest::of(task.formula(scene.names().len()));
+    let mut request = SolidRequest::of(task.formula(arrangement.scene().names().len()));
     request.rule = verb.cells.rule.map(Rule::inside).unwrap_or_default();
-    request.triangles = verb.space.triangles(&scene, output);
+    request.triangles = verb.space.triangles(arrangement.scene(), output);
     request.keep_walls = verb.keep_walls;
-    let arrangement = CongruentScene::of_scene(scene, verb.cells.tolerance)?;
     progress.stage("combining");
-    let result = CongruentBoolean::of(&arrangement, &request)?;
+    let result = CongruentBoolean::of(arrangement, &request)?;
     let made = Made {
         chains: &|| result.to_chains(),
         mesh: &|| result.to_mesh(),

@@ -2,6 +2,7 @@
 
 mod construction;
 mod member;
+mod parts;
 mod scene;
 
 use crate::arguments::{Common, format_of_name};
@@ -62,14 +63,21 @@ impl Made {
     fn boundary(self) -> Result<Self, Failure> {
         match self {
             Self::Family(made) => Ok(Self::Family(made.boundary()?.ok_or_else(no_boundary)?)),
-            Self::Model(_) => Err(no_parts("boundary")),
+            Self::Model(model) if model.structure().is_some() => Err(no_parts("boundary")),
+            Self::Model(model) => {
+                Ok(Self::Model(Box::new(parts::boundary(&model)?.ok_or_else(no_boundary)?)))
+            }
         }
     }
 
     fn skeleton(self, dimension: usize) -> Result<Self, Failure> {
         match self {
             Self::Family(made) => Ok(Self::Family(made.skeleton(dimension)?)),
-            Self::Model(_) => Err(no_parts("skeleton")),
+            Self::Model(model) if model.structure().is_some() => Err(no_parts("skeleton")),
+            Self::Model(model) => {
+                let none = || Failure::new(format!("no cell of the model has {dimension} dimensions"));
+                Ok(Self::Model(Box::new(parts::skeleton(&model, dimension)?.ok_or_else(none)?)))
+            }
         }
     }
 

@@ -164,19 +164,12 @@ pub(super) const CASES: &[Case] = &[
             ],
             &["coface boolean union turned.off --method congruence --tolerance 1e-9 --rule evenodd"],
         ]),
-    Case::new("arrange/spatial.rs", "is for the exact method, not for --method congruence")
-        .files(CRACK)
-        .refused("coface arrange crack.off --method congruence --tolerance 1e-9 --snap")
-        .cured(&[
-            &["coface arrange crack.off --snap"],
-            &["coface arrange crack.off --method congruence --tolerance 1e-9"],
-        ]),
-    Case::new("spatial/congruent.rs", "or leave --method out: the exact method splits such polygons")
+    Case::new("spatial/congruent.rs", "or --non-planar split, which cuts such polygons into triangles")
         .files(WARPED)
-        .refused("coface arrange warped.off --method congruence --tolerance 1e-9")
+        .refused("coface arrange warped.off --method congruence --tolerance 1e-9 --non-planar refuse")
         .cured(&[
-            &["coface arrange warped.off --method congruence --tolerance 0.3"],
-            &["coface arrange warped.off"],
+            &["coface arrange warped.off --method congruence --tolerance 0.3 --non-planar refuse"],
+            &["coface arrange warped.off --method congruence --tolerance 1e-9 --non-planar split"],
         ]),
     Case::new("repair/weld.rs", "give a mesh or a drawing, without --weld for the others")
         .with(&[("three.json", "{\"facets\":[[0,1],[1,2],[0,2]]}")])

@@ -107,6 +107,34 @@ pub(super) const CASES: &[Case] = &[
         "coface convert torus.json --triangulate -o facets.json",
         "coface isomorphic facets.json facets.json",
     ]]),
+    Case::new("halfedge/permutations.rs", "by coface cover INPUT --orientation -o OUT.off")
+        .before(&["coface generate moebius -o moebius.off"])
+        .refused("coface convert moebius.off -o moebius.halfedges.json")
+        .cured(&[&[
+            "coface cover moebius.off --orientation -o annulus.off",
+            "coface convert annulus.off -o annulus.halfedges.json",
+        ]]),
+    Case::new(
+        "src/polygon_isomorphism.rs",
+        "split it first: coface convert INPUT --split-edges pairs --split-vertices -o OUT",
+    )
+    .with(&[(
+        "squares.off",
+        "OFF\n8 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 -1 0\n0 -1 0\n1 0 1\n0 0 1\n4 0 1 2 3\n4 1 0 5 4\n4 0 1 6 7\n",
+    )])
+    .refused("coface isomorphic squares.off squares.off")
+    .cured(&[&[
+        "coface convert squares.off --split-edges pairs --split-vertices -o apart.off",
+        "coface isomorphic apart.off apart.off",
+    ]]),
+    Case::new("congruence/chains.rs", "keep such cells as chains by --collisions keep")
+        .with(&[("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1e-8 0\nv 0 1 0\nf 1 2 3 4\n")])
+        .refused("coface congruence quad.obj --tolerance 1e-6 --collisions refuse")
+        .cured(&[
+            &["coface congruence quad.obj --tolerance 1e-9 --collisions refuse"],
+            &["coface congruence quad.obj --tolerance 1e-6 --collisions keep"],
+            &["coface congruence quad.obj --tolerance 1e-6 --collisions rewrap"],
+        ]),
     Case::new(SURFACE, "split it first: coface convert INPUT --split-edges pairs --split-vertices -o OUT")
         .files(BOOK)
         .refused("coface cycles book.json")

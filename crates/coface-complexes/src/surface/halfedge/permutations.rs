@@ -154,7 +154,7 @@ impl HalfedgePermutations {
                 "the surface is not orientable: its faces cannot agree across the edge of {a} and {b}"
             ))
             .with_cells([[a.to_u32(), b.to_u32()]])
-            .with_cure("halfedges describe oriented surfaces: take the orientation double cover"));
+            .with_cure("halfedges describe oriented surfaces: take the orientation double cover by coface cover INPUT --orientation -o OUT.off"));
         }
         let is_turned = |side: HalfedgeId| orientation.signs()[map.face(side).index()] == Sign::Minus;
         let (mut next, mut twin, mut source) = (Vec::new(), Vec::new(), Vec::new());
