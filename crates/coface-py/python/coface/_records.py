@@ -142,7 +142,7 @@ def written(value: Any) -> Any:
         return {"tuple": [written(item) for item in value]}
     if isinstance(value, list):
         return [written(item) for item in value]
-    if isinstance(value, Mapping):
+    if isinstance(value, Mapping) and type(value).__module__ != "coface":
         return {"items": [[written(key), written(item)] for key, item in value.items()]}
     if type(value).__module__ == "coface":
         maker, arguments = value.__reduce__()[:2]
