@@ -18,6 +18,7 @@ mod soak;
 mod space_soak;
 mod studio;
 mod tally;
+mod targets;
 mod test;
 mod tokens;
 mod typescript;
@@ -55,6 +56,9 @@ const USAGE: &str = "usage:
                               tubes that overlap themselves
   cargo xtask soak --plane [--chains N]
                               the laws of the Boolean algebra over chains of operations of sets with spline boundaries
+  cargo xtask targets [--run] [TARGET]
+                              checks the program for Windows, macOS, Linux on ARM and WASI; --run runs tests of the first under Wine and
+                              of the third under an emulator, where linkers for them are installed (minutes)
   cargo xtask advisories [DIR]
                               says which packages have known faults, by the snapshot in xtask/advisories.txt; DIR makes it anew
   cargo xtask book [--check | --write] [--program PATH] [--only CHAPTER]
@@ -83,6 +87,7 @@ fn main() -> ExitCode {
         Some("package") => release::package(&words[1..]),
         Some("archive") => release::archive(&words[1..]),
         Some("answers") => answers::answers(&words[1..]),
+        Some("targets") => targets::targets(&words[1..]),
         Some("advisories") => advisories::advisories(&words[1..]),
         Some("soak") if words.get(1).is_some_and(|word| word == "--space") => space_soak::soak(&words[2..]),
         Some("soak") if words.get(1).is_some_and(|word| word == "--plane") => plane_soak::soak(&words[2..]),

@@ -5,8 +5,9 @@
 //! build the standard library too.
 
 use crate::tally::Tally;
+use crate::targets::is_installed;
 use crate::test::check;
-use crate::viewer::{chromium, npm, on_path, output, prepare};
+use crate::viewer::{chromium, npm, on_path, prepare};
 use crate::{cargo, root};
 use base64::Engine;
 use flate2::Compression;
@@ -103,14 +104,7 @@ fn module_path() -> PathBuf {
 /// Builds the program as a module, for size.
 fn build_module() -> Result<(), Box<dyn Error>> {
     let words = ["build", "--release", "--package", "coface-cli", "--target", TARGET];
-    let has_target = output(Command::new("rustc").args(["--print", "target-libdir", "--target", TARGET]))
-        .is_some_and(|folder| Path::new(folder.trim()).is_dir())
-        || Command::new("rustup")
-            .args(["target", "add", TARGET])
-            .stdin(Stdio::null())
-            .status()
-            .is_ok_and(|status| status.success());
-    let mut command = if has_target { cargo(&words) } else { debian(&words)? };
+    let mut command = if is_installed(TARGET) { cargo(&words) } else { debian(&words)? };
     for (name, value) in [("OPT_LEVEL", "z"), ("LTO", "fat"), ("CODEGEN_UNITS", "1"), ("PANIC", "abort")] {
         command.env(format!("CARGO_PROFILE_RELEASE_{name}"), value);
     }

@@ -3,7 +3,7 @@
 //!
 //! A certificate of a cut has the edges that were cut. [`check`] glues the faces along all others, and finds what the pieces are by their Euler
 //! characteristics, and the ways around them. One of cocycles has a certificate of homology inside, which proves how many there have to be.
-//! `docs/certificates.md` has each rule and why it proves the claim. Certificates of other kinds are handed to [`coface_check_plane`].
+//! `docs/certificates.md` has each rule and why it proves the claim. Certificates of other kinds are handed to [`coface_check_space`].
 
 mod claims;
 mod cocycles;
@@ -48,6 +48,6 @@ pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
         "orientation cover" => cover::orientation(&whole, inputs),
         "pi1" => pi1::check(&whole, inputs),
         "cocycles" => cocycles::check(&whole, inputs),
-        _ => coface_check_plane::check(certificate, inputs),
+        _ => coface_check_space::check(certificate, inputs),
     }
 }

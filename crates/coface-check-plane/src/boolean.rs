@@ -2,75 +2,11 @@
 
 use crate::area::Area;
 use crate::claims::{Arrangement, claim};
+use crate::formula::Formula;
 use crate::subdivision::Subdivision;
 use coface_check::json::{field, list, optional, text};
 use coface_check::{Fault, Verdict};
 use serde_json::{Value, json};
-
-/// A step of a formula in reverse Polish notation.
-enum Step {
-    Input(u32),
-    Operator(char),
-}
-
-/// Steps of a formula, and the formula in its usual form.
-struct Formula {
-    steps: Vec<Step>,
-    shown: String,
-}
-
-impl Formula {
-    /// Numbers of inputs from 0 and the operators ! & - ^ | behind their operands, separated by blanks.
-    fn read(text: &str, inputs: usize) -> Result<Self, Fault> {
-        let fault = |message: String| Fault::new("formula", message);
-        let (mut steps, mut waiting) = (Vec::new(), Vec::<String>::new());
-        for word in text.split_whitespace() {
-            if let Ok(input) = word.parse::<u32>() {
-                if input as usize >= inputs {
-                    return Err(fault(format!("there is no input {input}")));
-                }
-                waiting.push(input.to_string());
-                steps.push(Step::Input(input));
-                continue;
-            }
-            let short = || fault(format!("{word:?} has too few operands"));
-            let last = waiting.pop().ok_or_else(short)?;
-            let shown = match word {
-                "!" => format!("!{last}"),
-                "&" | "-" | "^" | "|" => format!("({} {word} {last})", waiting.pop().ok_or_else(short)?),
-                _ => return Err(fault(format!("{word:?} is no operator"))),
-            };
-            waiting.push(shown);
-            steps.push(Step::Operator(word.chars().next().unwrap_or('!')));
-        }
-        match &waiting[..] {
-            [shown] => Ok(Self { steps, shown: shown.clone() }),
-            _ => Err(fault(format!("{} results are left where one is wanted", waiting.len()))),
-        }
-    }
-
-    /// Whether the formula holds where these regions are.
-    fn holds(&self, regions: &[u32]) -> bool {
-        let mut values = Vec::new();
-        for step in &self.steps {
-            let value = match step {
-                Step::Input(input) => regions.contains(input),
-                Step::Operator(operator) => {
-                    let last = values.pop().unwrap_or(false);
-                    match operator {
-                        '!' => !last,
-                        '&' => values.pop().unwrap_or(false) & last,
-                        '-' => values.pop().unwrap_or(false) & !last,
-                        '^' => values.pop().unwrap_or(false) ^ last,
-                        _ => values.pop().unwrap_or(false) | last,
-                    }
-                }
-            };
-            values.push(value);
-        }
-        values.pop().unwrap_or(false)
-    }
-}
 
 /// Checks a certificate of a Boolean.
 pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
@@ -79,7 +15,8 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     let formula = Formula::read(formula, inputs.len())?;
     let Arrangement { plane, faces, regions, title } = Arrangement::read(whole, inputs)?;
     let answer = field(whole, "answer", step)?;
-    let is_in: Vec<bool> = regions.iter().map(|regions| formula.holds(regions)).collect();
+    let is_in: Vec<bool> =
+        regions.iter().map(|regions| formula.holds(|input| regions.contains(&input))).collect();
     if is_in[0] {
         return Err(Fault::new("formula", "it holds outside of all inputs"));
     }
@@ -107,7 +44,7 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
         plane.edges[halfedge as usize / 2].iter().for_each(|&end| degrees[end as usize] += 1);
     }
     let pinches = degrees.iter().filter(|degree| **degree > 2).count();
-    let mut proved = vec![title, format!("the result is {} of the inputs, numbered from 0", formula.shown)];
+    let mut proved = vec![title, format!("the result is {} of the inputs, numbered from 0", formula.shown())];
     claim(&mut proved, answer, "components", &json!(components))?;
     claim(&mut proved, answer, "pinches", &json!(pinches))?;
     // A face has a closed boundary, and so has a union of faces.

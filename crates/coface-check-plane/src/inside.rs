@@ -2,28 +2,10 @@
 
 use crate::drawing::Drawing;
 use crate::faces::{Faces, OUTSIDE};
+use crate::formula::Rule;
 use crate::subdivision::Subdivision;
 use coface_check::Fault;
-use coface_check::json::{optional, text};
 use serde_json::Value;
-
-/// Which winding numbers are inside.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Rule {
-    Nonzero,
-    Odd,
-    Positive,
-}
-
-impl Rule {
-    fn holds(self, winding: i64) -> bool {
-        match self {
-            Self::Nonzero => winding != 0,
-            Self::Odd => winding % 2 != 0,
-            Self::Positive => winding > 0,
-        }
-    }
-}
 
 /// How often each ring winds around the face that a tour is in.
 struct Tour<'a> {
@@ -72,13 +54,7 @@ pub(crate) fn regions(
     plane: &Subdivision,
     faces: &Faces,
 ) -> Result<Vec<Vec<u32>>, Fault> {
-    let step = "certificate";
-    let rule = match optional(whole, "rule").map(|rule| text(rule, "\"rule\"", step)).transpose()? {
-        None | Some("nonzero") => Rule::Nonzero,
-        Some("evenodd") => Rule::Odd,
-        Some("positive") => Rule::Positive,
-        Some(other) => return Err(Fault::new(step, format!("{other:?} is no rule"))),
-    };
+    let rule = Rule::of(whole)?;
     let mut tour = Tour {
         drawing,
         rule,

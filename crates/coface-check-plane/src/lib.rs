@@ -12,6 +12,7 @@ mod boolean;
 mod claims;
 mod drawing;
 mod faces;
+mod formula;
 mod geojson;
 mod inside;
 mod point;
@@ -20,6 +21,7 @@ mod wkt;
 
 pub use coface_check::{Fault, Verdict, sha256};
 pub use drawing::Drawing;
+pub use formula::{Formula, Rule};
 
 use coface_check::json::{field, text};
 

@@ -318,6 +318,8 @@ pub enum RemarkCode {
     DecisionUncertified,
     /// Edges or vertices were split, or faces turned, to make the model a manifold.
     ModelRepaired,
+    /// Vertices of the result have other numbers than in the file.
+    VerticesRenumbered,
     /// Parts of the scene were not drawn.
     NotDrawn,
     /// Something else was drawn than the model itself: the boundary of a volume.

@@ -9,7 +9,8 @@ use coface::algebra::ErrorKind;
 use coface::answers::{
     ArrangementRequest, BooleanRequest, CocyclesRequest, CutRequest, DrawingArrangement, GroupsRequest,
     Growth, HomologyRequest, PersistenceRequest, PlanarDrawing, Producer, RegionBoolean, RegionSource,
-    RelativeTo, Report, ReportRequest, SurfaceModel, VertexFunction,
+    RelativeTo, Report, ReportRequest, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest,
+    SurfaceModel, VertexFunction, are_planar,
 };
 use coface::io::{Format, read_path};
 use coface::topology::CoverExtent;
@@ -182,7 +183,7 @@ pub(crate) enum Function {
     Values(Vec<f64>),
 }
 
-/// The certificate of an arrangement of drawings in files, or with an operation of a Boolean, as text.
+/// The certificate of an arrangement of drawings in files, or with an operation of a Boolean of drawings or solids, as text.
 #[pyfunction]
 #[pyo3(signature = (paths, operation, rule, exact, progress=None))]
 pub(crate) fn _drawing_certificate(
@@ -200,6 +201,12 @@ pub(crate) fn _drawing_certificate(
         let bytes = paths.iter().map(|path| content(path)).collect::<Result<Vec<_>, Error>>()?;
         let named = || names.iter().map(String::as_str);
         let inputs: Vec<(&str, &[u8])> = named().zip(bytes.iter().map(Vec::as_slice)).collect();
+        if let Some(operation) = operation.filter(|_| !are_planar(&models)) {
+            let arrangement = SceneArrangement::of(named().zip(&models), &SpatialRequest::default())?;
+            let mut request = SolidRequest::of(formula(operation, paths.len())?);
+            request.rule = rule.unwrap_or_default();
+            return SolidBoolean::of(&arrangement, &request)?.certificate(&inputs);
+        }
         let drawing = PlanarDrawing::new(named().zip(&models), RegionSource::Models)?;
         let Some(operation) = operation else {
             let mut request = ArrangementRequest::default();

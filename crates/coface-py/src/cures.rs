@@ -67,8 +67,8 @@ const PHRASES: [(&str, &str); 44] = [
         "make it the boundary of a solid first: coface.boolean(\"union\", [model], split_pinches=True)",
     ),
     (
-        "give the JSON of homology --generators, cut, cover, pi1, cycles, cocycles, arrange, persistence, star, link, ...",
-        "give an answer of coface.homology(model, generators=True), coface.cut, cover, pi1, cocycles, arrange, persistence, ...",
+        "give the JSON of homology --generators, cut, cover, pi1, cycles, cocycles, arrange, persistence, star, link, .., or a chain as [[coefficient,[vertices..]],..]",
+        "give an answer of coface.homology(model, generators=True), coface.cut, cover, pi1, cocycles, arrange, persistence, .., or a list of coefficients with vertices",
     ),
 ];
 

@@ -147,7 +147,7 @@ pub(crate) fn render<'py>(
         style.line_width = line_width.map_or(style.line_width, |points| points / POINTS);
         style.edge_width = edge_width.map_or(style.edge_width, |points| points / POINTS);
         if camera.is_some() || up.is_some() || perspective.is_some() {
-            let mut eye = if scene.dimension() == 2 { Camera::above() } else { Camera::default() };
+            let mut eye = Camera::usual(&scene);
             eye.from = camera.unwrap_or(eye.from);
             eye.up = up.unwrap_or(eye.up);
             eye.field_of_view = perspective;

@@ -22,7 +22,8 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("coface-check", &[]),
     ("coface-check-persistence", &["coface-check"]),
     ("coface-check-plane", &["coface-check", "coface-check-persistence"]),
-    ("coface-check-loops", &["coface-check", "coface-check-plane"]),
+    ("coface-check-space", &["coface-check", "coface-check-plane"]),
+    ("coface-check-loops", &["coface-check", "coface-check-space"]),
     ("coface-check-binary", &["coface-check", "coface-check-loops"]),
     ("coface-io", &["coface-algebra", "coface-geometry", "coface-complexes", "coface-arrange", "coface-yin"]),
     (
@@ -37,6 +38,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "coface-io",
             "coface-check",
             "coface-check-plane",
+            "coface-check-space",
             "coface-check-loops",
         ],
     ),

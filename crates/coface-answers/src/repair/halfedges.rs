@@ -10,7 +10,7 @@ use coface_io::{Model, Place, Remark, RemarkCode, Structure};
 ///
 /// Halfedges are numbered along the polygons of the file, those of outer faces after them. So polygon i is face i, and vertices
 /// are numbered as the polygons meet them; isolated vertices are left out, and polygons that do not agree with the first of their
-/// component are turned, with a remark each.
+/// component are turned. A remark each says so, and which number the first vertices had.
 ///
 /// # Errors
 /// Those of [`SurfaceModel::of`] and [`HalfedgePermutations::of_map`].
@@ -51,6 +51,7 @@ pub fn halfedge_model(model: Model) -> Result<Model, Error> {
         let message = format!("{} turned, so that all agree", crate::text::count(turned, "face"));
         remarks.push(Remark::new(RemarkCode::ModelRepaired, message).at(turned, []));
     }
+    remarks.extend(renumbered(&surface, &vertices));
     let positions = match surface.positions() {
         given if given.is_empty() => Positions::default(),
         given => {
@@ -61,6 +62,24 @@ pub fn halfedge_model(model: Model) -> Result<Model, Error> {
     let mut parts = Model::from_halfedges(permutations, positions)?.into_parts();
     parts.remarks = remarks;
     Ok(parts.into_model())
+}
+
+/// That vertices have other numbers than in the file, if some have: the first vertices, each by its number in the file.
+fn renumbered(surface: &SurfaceModel, vertices: &[VertexId]) -> Option<Remark> {
+    let moved: Vec<(usize, VertexId)> = vertices
+        .iter()
+        .copied()
+        .enumerate()
+        .filter(|&(number, vertex)| surface.number(vertex) as usize != number)
+        .collect();
+    let &(first, vertex) = moved.first()?;
+    let message = format!(
+        "{} renumbered in the order in which the faces meet them: vertex {first} is {} of the file",
+        crate::text::count(moved.len(), "vertex"),
+        surface.number(vertex),
+    );
+    let places = moved.iter().take(10).map(|&(_, vertex)| Place::cell(&[surface.number(vertex)]));
+    Some(Remark::new(RemarkCode::VerticesRenumbered, message).at(moved.len(), places))
 }
 
 /// A surface of halfedges with positions as polygons on its vertices; any other model as it stands.

@@ -3,6 +3,7 @@
 mod arranged;
 mod bent;
 mod boolean;
+mod certificate;
 mod congruent;
 mod congruent_boolean;
 mod enclosed;

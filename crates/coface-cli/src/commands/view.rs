@@ -29,7 +29,8 @@ pub(crate) struct View {
     /// The model; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
-    /// Show an answer of coface over the model: the JSON of another verb; may be given several times
+    /// Show an answer of coface over the model: the JSON of another verb, or a chain or cochain of your own as [[coefficient,
+    /// [vertices..]],..]; may be given several times
     #[arg(long, value_name = "RESULT.json")]
     with: Vec<PathBuf>,
     /// Leave the report out, which takes most of the time on large models

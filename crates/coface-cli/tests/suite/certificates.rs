@@ -490,3 +490,46 @@ fn the_binary_form_says_the_same() {
     let run = coface(&["check", argument(&binary), argument(&input)]);
     assert!(run.fails_with(1).contains("the binary form"), "{}", run.stderr);
 }
+
+/// Two boxes with a common side and a ball through both: the volume of any formula is proved, and changes of the certificate are seen.
+#[test]
+fn booleans_of_solids_are_proved() {
+    let folder = tempfile::tempdir().unwrap();
+    let boxed = |name: &str, x: i32| {
+        let path = folder.path().join(name);
+        let corner = |i: i32| format!("v {} {} {}\n", x + (i & 1), i >> 1 & 1, i >> 2);
+        let faces = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+        fs::write(&path, (0..8).map(corner).collect::<String>() + faces).unwrap();
+        path
+    };
+    let (left, right) = (boxed("left.obj", 0), boxed("right.obj", 1));
+    let ball = folder.path().join("ball.off");
+    let points = [[3, 1, 1], [-1, 1, 1], [1, 3, 1], [1, -1, 1], [1, 1, 3], [1, 1, -1]];
+    let lines: String = points.iter().map(|[x, y, z]| format!("{x} {y} {z}\n")).collect();
+    let sides = "3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n";
+    fs::write(&ball, format!("OFF\n6 8 0\n{lines}{sides}")).unwrap();
+    let [a, b, c] = [&left, &right, &ball].map(|path| argument(path));
+    let place = folder.path().join("part.cert");
+    for (formula, proved) in [
+        ("a | b", "measure = 2, the volume, to one part in 10^12"),
+        ("a & b", "measure = 0, the volume, to one part in 10^12"),
+        ("(a | b) & c", "(0 | 1) & 2"),
+        ("c - a - b", "((2 - 0) - 1)"),
+        ("!a", "unbounded = true"),
+    ] {
+        coface(&["boolean", "--formula", formula, a, b, c, "--certificate", argument(&place), "--json"])
+            .json();
+        let verdict = coface(&["check", argument(&place), a, b, c, "--json"]).json();
+        let lines = verdict["proved"].as_array().unwrap();
+        assert!(lines.iter().any(|line| line.as_str().unwrap().contains(proved)), "{formula}: {lines:?}");
+    }
+    coface(&["boolean", "--formula", "c - a - b", a, b, c, "--certificate", argument(&place), "--json"])
+        .json();
+    lie_about(&place, &[&left, &right, &ball]);
+    // What is not closed is refused by the Boolean, and an arrangement of solids has no certificate.
+    let run = coface(&["arrange", a, b, "--certificate", argument(&place)]);
+    assert!(run.fails_with(1).contains("of an arrangement is for drawings"), "{}", run.stderr);
+    let run =
+        coface(&["boolean", "union", a, b, "--method", "congruence", "--certificate", argument(&place)]);
+    assert!(run.fails_with(1).contains("--certificate"), "{}", run.stderr);
+}

@@ -1,5 +1,7 @@
 //! Where a scene is seen from.
 
+use super::scene_picture::shown;
+use crate::Scene;
 use coface_algebra::Error;
 
 /// An eye that looks at the middle of a scene.
@@ -31,6 +33,55 @@ impl Camera {
     pub fn above() -> Self {
         Self { from: [0.0, 0.0, 1.0], ..Self::default() }
     }
+
+    /// Where a scene is seen from unless something else is asked for: what lies in a plane from straight above that plane, on the
+    /// side of the largest coordinate of its normal, anything else as [`Self::default`] has it.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_pictures::{Camera, Scene};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = &b"v 0 1 0\nv 2 1 0\nv 2 1 2\nv 0 1 2\nf 1 2 3 4\n"[..];
+    /// let scene = Scene::of("square", &coface_io::read(square, coface_io::Format::Obj)?)?;
+    /// assert_eq!(Camera::usual(&scene).from, [0.0, 1.0, 0.0]);
+    /// # Ok(()) }
+    /// ```
+    pub fn usual(scene: &Scene) -> Self {
+        if scene.dimension() == 2 {
+            return Self::above();
+        }
+        match plane_normal(&scene_points(scene)) {
+            Some(from) => Self { from, ..Self::default() },
+            None => Self::default(),
+        }
+    }
+}
+
+/// The points of a model and of the layers that are shown.
+pub(super) fn scene_points(scene: &Scene) -> Vec<[f64; 3]> {
+    let own = shown(scene).flat_map(|(layer, _)| layer.positions.iter().flatten());
+    scene.positions().iter().chain(own).copied().collect()
+}
+
+/// The normal of the plane that points lie in, up to rounding, with a largest coordinate that is positive; none for points on a line.
+fn plane_normal(points: &[[f64; 3]]) -> Option<[f64; 3]> {
+    let first = *points.first()?;
+    let from_first = |point: &[f64; 3]| [0, 1, 2].map(|i| point[i] - first[i]);
+    let longest = |vectors: &mut dyn Iterator<Item = [f64; 3]>| {
+        vectors.max_by(|&a, &b| dot(a, a).total_cmp(&dot(b, b))).expect("there is a point")
+    };
+    let far = longest(&mut points.iter().map(from_first));
+    let along = unit(far)?;
+    let across = longest(&mut points.iter().map(|point| cross(along, from_first(point))));
+    let extent = dot(far, far).sqrt();
+    // Thinner than a hair: a line as far as pictures go.
+    if dot(across, across).sqrt() < 1e-6 * extent {
+        return None;
+    }
+    let normal = unit(across)?;
+    let is_flat = points.iter().all(|point| dot(normal, from_first(point)).abs() <= 1e-9 * extent);
+    let largest = normal.into_iter().max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+    is_flat.then(|| normal.map(|part| part * largest.signum() + 0.0))
 }
 
 /// A camera with the picture that it makes.
@@ -166,6 +217,19 @@ pub(super) fn unit(a: [f64; 3]) -> Option<[f64; 3]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn points_of_a_plane_have_its_normal_and_others_none() {
+        let slanted =
+            [[0.0, 0.0, 0.0], [3.0, 0.0, -3.0], [0.0, 1.0, 0.0], [3.0, 1.0, -3.0], [1.0, 0.5, -1.0]];
+        let normal = plane_normal(&slanted).expect("a plane");
+        let half = 0.5f64.sqrt();
+        assert!([half, 0.0, half].iter().zip(normal).all(|(a, b)| (a - b).abs() < 1e-15), "{normal:?}");
+        assert_eq!(plane_normal(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1e-3]]), None);
+        assert_eq!(plane_normal(&[[0.0; 3], [1.0, 1.0, 1.0], [2.0, 2.0, 2.0]]), None);
+        assert_eq!(plane_normal(&[[1.0; 3]]), None);
+        assert_eq!(plane_normal(&[]), None);
+    }
 
     #[test]
     fn the_near_corner_of_a_cube_is_nearer_and_in_the_middle() {

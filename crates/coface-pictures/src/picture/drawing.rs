@@ -1,7 +1,7 @@
 //! What is seen of scenes, as flat pictures: what is hidden is left out.
 
 use super::Picture;
-use super::flat::{Anchor, FlatPicture, Step};
+use super::flat::{FlatPicture, Step};
 use super::painting::painting_order;
 use super::palette::Color;
 use super::scene_picture::{
@@ -126,7 +126,8 @@ impl Picture<'_> {
                 if layer.group == LABELS && !sight.is_seen(place) {
                     continue;
                 }
-                drawing.text(rounded(beside(place)), Anchor::Start, TEXT_SIZE, color, label.clone());
+                let (at, anchor) = beside(place, label, self.size);
+                drawing.text(rounded(at), anchor, TEXT_SIZE, color, label.clone());
             }
         }
         if let Some(legend) = &self.legend {

@@ -1,9 +1,10 @@
 //! A scene as a picture.
 
-use super::camera::{Camera, Projection, cross, dot, unit};
+use super::camera::{Camera, Projection, cross, dot, scene_points, unit};
 use super::canvas::Canvas;
 use super::flat::{Anchor, FlatPicture};
 use super::legend::Legend;
+use super::letters;
 use super::palette::{ALARM, Color, FAINT, NEUTRAL, Theme, color, mixed, of as color_of, packed};
 #[cfg(feature = "png")]
 use super::pixels::Pixels;
@@ -114,10 +115,8 @@ impl<'a> Picture<'a> {
     pub fn new(scene: &'a Scene, style: &PictureStyle) -> Result<Self, Error> {
         check_size(style.size)?;
         check_widths(style)?;
-        let usual = if scene.dimension() == 2 { Camera::above() } else { Camera::default() };
-        let camera = style.camera.unwrap_or(usual);
-        let own = shown(scene).flat_map(|(layer, _)| layer.positions.iter().flatten());
-        let points: Vec<[f64; 3]> = scene.positions().iter().chain(own).copied().collect();
+        let camera = style.camera.unwrap_or_else(|| Camera::usual(scene));
+        let points = scene_points(scene);
         let legend = style.has_legend.then(|| Legend::of(scene, style.size, style.theme()));
         let strip = legend.as_ref().map_or(0, Legend::height);
         let below = [style.size[0], style.size[1] - strip];
@@ -280,7 +279,8 @@ impl<'a> Picture<'a> {
                 if layer.group == LABELS && !sight.is_seen(place) {
                     continue;
                 }
-                labels.text(beside(place), Anchor::Start, TEXT_SIZE, color, text.clone());
+                let (at, anchor) = beside(place, text, self.size);
+                labels.text(at, anchor, TEXT_SIZE, color, text.clone());
             }
         }
         if let Some(legend) = &self.legend {
@@ -407,9 +407,16 @@ pub(super) fn point_width(layer: &Layer) -> f64 {
     if layer.group == COMPLEX { DOT_WIDTH } else { POINT_WIDTH }
 }
 
-/// Where a text beside a place begins: above it and to the right, within the picture.
-pub(super) fn beside([x, y, _]: [f64; 3]) -> [f64; 2] {
-    [x + 6.0, (y - 6.0).max(TEXT_SIZE)]
+/// Where a text beside a place stands, within a picture of this size: above the place and to its right, or to its left where the
+/// right has no room.
+pub(super) fn beside([x, y, _]: [f64; 3], text: &str, size: [usize; 2]) -> ([f64; 2], Anchor) {
+    let [width, height] = size.map(|side| side as f64);
+    let length = TEXT_SIZE * letters::width(text);
+    let baseline = (y - 6.0).clamp(TEXT_SIZE, (height - 4.0).max(TEXT_SIZE));
+    if x + 6.0 + length <= width || x - 6.0 - length < 0.0 {
+        return ([x + 6.0, baseline], Anchor::Start);
+    }
+    ([x - 6.0, baseline], Anchor::End)
 }
 
 /// The layers that are shown, with their colors.

@@ -1,7 +1,7 @@
 //! Cochains on edges: arrows, and lines of equal potential.
 
 use super::numbering::Numbering;
-use super::shown::{Harmonic, Shown};
+use super::shown::{Chain, Harmonic, Number, Shown};
 use super::{Layer, Scene};
 
 /// Arrows are drawn on the strongest edges, at most so many.
@@ -35,6 +35,10 @@ impl Form {
         let key = [from.min(to), from.max(to)];
         let found = self.values.binary_search_by_key(&key, |term| term.0);
         found.map_or(0.0, |at| if from <= to { self.values[at].1 } else { -self.values[at].1 })
+    }
+
+    fn largest(&self) -> f64 {
+        self.values.iter().map(|term| term.1.abs()).fold(0.0, f64::max)
     }
 
     fn last_vertex(&self) -> Option<u32> {
@@ -77,7 +81,7 @@ impl Scene {
         });
         let mut layers = Vec::new();
         for (number, form) in with_values.chain(with_chains).enumerate() {
-            let mut arrows = self.arrows(&form);
+            let mut arrows = self.arrows(&form, form.largest());
             arrows.name = format!("harmonic form {}, arrows", number + 1);
             arrows.is_on = number == 0;
             arrows.color = Some(number as u32);
@@ -90,12 +94,50 @@ impl Scene {
         layers
     }
 
-    fn arrows(&self, form: &Form) -> Layer {
+    /// A cochain of the user's own, and the parts that one is the sum of: arrows on edges, as long as they are strong beside the strongest
+    /// of all; cells of other degrees where the value is not zero.
+    pub(super) fn real_layers(&self, result: &Shown) -> Vec<Layer> {
+        let mut layers: Vec<Layer> =
+            result.chain.iter().map(|chain| self.real_layer(chain, "chain", largest(chain))).collect();
+        if let Some(parts) = &result.decomposition {
+            let named = [
+                ("exact part", &parts.exact),
+                ("coexact part", &parts.coexact),
+                ("harmonic part", &parts.harmonic),
+            ];
+            let most = named.iter().map(|(_, chain)| largest(chain)).fold(0.0, f64::max);
+            layers.extend(named.map(|(name, chain)| self.real_layer(chain, name, most)));
+        }
+        for (place, layer) in (0..).zip(&mut layers) {
+            layer.color = Some(place);
+            layer.is_on = true;
+        }
+        layers
+    }
+
+    fn real_layer(&self, chain: &Chain<Number>, name: &str, most: f64) -> Layer {
+        let terms = || chain.0.iter().map(|term| (&term.cell[..], term.coefficient.0));
+        let mut layer = if terms().all(|(cell, _)| cell.len() == 2) {
+            self.arrows(&Form::new(terms(), &self.numbering), most)
+        } else {
+            let mut layer = Layer::new("", "");
+            // Zero but for rounding is not drawn.
+            for (cell, value) in terms().filter(|term| term.1.abs() > 1e-9 * most) {
+                layer.push_term(cell, value < 0.0);
+            }
+            layer.detail = format!("largest value {:.4}", largest(chain));
+            layer
+        };
+        layer.group = "cochains".to_owned();
+        layer.name = name.to_owned();
+        layer
+    }
+
+    fn arrows(&self, form: &Form, most: f64) -> Layer {
         let mut layer = Layer::new("harmonic forms", "");
         layer.has_arrows = true;
         let mut terms = form.values.clone();
         terms.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
-        let most = terms.first().map_or(0.0, |term| term.1.abs());
         let mut positions = Vec::new();
         if form.last_vertex().is_none_or(|last| last as usize >= self.positions.len()) {
             // It belongs to another model; who asks says so.
@@ -117,7 +159,7 @@ impl Scene {
             positions.extend([at(0.5 - 0.5 * share), at(0.5 + 0.5 * share)]);
             layer.lines.push(&[first, first + 1]);
         }
-        layer.detail = format!("largest value {most:.4}");
+        layer.detail = format!("largest value {:.4}", form.largest());
         layer.positions = Some(positions);
         layer
     }
@@ -159,6 +201,11 @@ impl Scene {
     }
 }
 
+/// The largest absolute value.
+fn largest(chain: &Chain<Number>) -> f64 {
+    chain.0.iter().map(|term| term.coefficient.0.abs()).fold(0.0, f64::max)
+}
+
 /// A potential along a spanning forest of the edges: 0 at the lowest vertex of each component. $O(n \log n)$.
 fn potential(vertex_count: usize, form: &Form) -> Vec<f64> {
     let mut steps: Vec<(u32, u32, f64)> = Vec::with_capacity(2 * form.values.len());
@@ -192,6 +239,25 @@ mod tests {
     use coface_io as io;
     use coface_io::Format;
     use serde_json::json;
+
+    /// Three arrows beside one of twice their length, and the parts of a sum beside each other.
+    #[test]
+    fn cochains_of_the_user_are_drawn_by_their_values() {
+        let triangle = io::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"[..], Format::Obj).unwrap();
+        let mut scene = Scene::of("triangle", &triangle).unwrap();
+        scene.add_result("own", &json!([[1, [0, 1]], [-0.5, [1, 2]]])).unwrap();
+        let points = scene.layers()[0].positions.clone().unwrap();
+        assert_eq!(points, [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.25, 0.75, 0.0], [0.75, 0.25, 0.0]]);
+        let part = |value: f64| json!([[value, [0, 1]]]);
+        let parts = json!({"exact": part(2.0), "coexact": part(1e-15), "harmonic": part(1.0)});
+        scene.add_result("parts", &json!({"decomposition": parts})).unwrap();
+        let lines: Vec<usize> = scene.layers()[1..].iter().map(|layer| layer.lines.len()).collect();
+        assert_eq!(lines, [1, 0, 1]);
+        scene.add_result("faces", &json!({"degree": 2, "chain": [[3, [0, 1, 2]]]})).unwrap();
+        assert_eq!(scene.layers()[4].triangles, [[0, 1, 2]]);
+        let fault = scene.add_result("other", &json!([[1, [0, 9]]])).unwrap_err();
+        assert!(fault.message().contains("has vertex 9"), "{fault}");
+    }
 
     /// A closed band of four squares, each cut into two triangles, and the form that goes around it once.
     #[test]

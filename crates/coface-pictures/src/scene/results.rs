@@ -12,7 +12,8 @@ use serde::Serialize;
 
 impl Scene {
     /// Adds what an answer of coface says, as its type or as the JSON object of its verb: generators, cocycles, harmonic forms, seams with the domain
-    /// that they cut, covers, loops, sets of simplices, facts about the cells of an arrangement, forests, persistence diagrams.
+    /// that they cut, covers, loops, sets of simplices, facts about the cells of an arrangement, forests, persistence diagrams. A list of terms
+    /// `[[coefficient, [vertices..]], ..]` is a chain or cochain of one's own.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for an object with nothing that could be shown, that has no number
@@ -45,6 +46,7 @@ impl Scene {
         cocycle_layers(result, &mut layers);
         simplex_sets(result, &mut layers);
         layers.extend(self.harmonic_layers(result));
+        layers.extend(self.real_layers(result));
         let vertex_count = self.positions.len();
         let other_model = |what: String| {
             Err(Error::invalid(format!("{what} in {name}"))
@@ -81,7 +83,7 @@ impl Scene {
         self.panes.extend(forest_pane(&nested(result)));
         if (self.layers.len(), self.panes.len()) == before && !has_notes {
             return Err(Error::invalid(format!("{name} has nothing that could be shown over a model")).with_cure(
-                "give the JSON of homology --generators, cut, cover, pi1, cycles, cocycles, arrange, persistence, star, link, ...",
+                "give the JSON of homology --generators, cut, cover, pi1, cycles, cocycles, arrange, persistence, star, link, .., or a chain as [[coefficient,[vertices..]],..]",
             ));
         }
         Ok(())

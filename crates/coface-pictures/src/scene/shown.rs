@@ -31,6 +31,10 @@ keyed! {
             handles: Entries<Handle>,
             cocycles: Entries<Chain<Coefficient>>,
             harmonic: Entries<Harmonic>,
+            /// A chain or cochain of the user's own.
+            chain: Option<Chain<Number>>,
+            /// The parts of a cochain.
+            decomposition: Option<Decomposition>,
             /// The edges that the values of harmonic forms are on.
             edges: Entries<Vertices>,
             simplices: Entries<Vertices>,
@@ -111,6 +115,14 @@ keyed! {
 }
 
 keyed! {
+    /// The parts that a cochain is the sum of.
+    struct Decomposition {
+        needed: { exact: Chain<Number>, coexact: Chain<Number>, harmonic: Chain<Number>, }
+        may: {}
+    }
+}
+
+keyed! {
     struct WalkObject {
         needed: {}
         may: { vertices: Vertices, }
@@ -140,15 +152,20 @@ keyed! {
 }
 
 impl Shown {
-    /// What can be drawn of an answer.
+    /// What can be drawn of an answer, or of a chain alone: a list of terms.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) with the place of the first entry that cannot be what it should.
     pub(super) fn of(name: &str, answer: serde_json::Value) -> Result<Self, Error> {
+        let (answer, cure) = if answer.is_array() {
+            let own = "write a chain as [[coefficient,[vertices..]],..]";
+            (serde_json::json!({"chain": answer}), own)
+        } else {
+            (answer, "give the JSON as the verb of coface wrote it")
+        };
         Self::deserialize(answer).map_err(|fault| {
             let fault = fault.to_string();
-            Error::invalid(format!("{} in {name}", fault.strip_prefix('.').unwrap_or(&fault)))
-                .with_cure("give the JSON as the verb of coface wrote it")
+            Error::invalid(format!("{} in {name}", fault.strip_prefix('.').unwrap_or(&fault))).with_cure(cure)
         })
     }
 }
@@ -448,6 +465,8 @@ mod tests {
             ),
             (json!({"cocycles": [[[1, [0, "1"]]]]}), "cocycles[0][0][1][1] is \"1\""),
             (json!({"harmonic": [{"values": [1, {}]}]}), "harmonic[0].values[1] is an object"),
+            (json!([[1, [0, 1]], ["x", [1, 2]]]), "chain[1][0] is \"x\", not a number"),
+            (json!({"decomposition": {"exact": []}}), "decomposition has no \"coexact\""),
             (json!({"diagram": [{"degree": 0, "birth": "now"}]}), "diagram[0].birth is \"now\""),
             // A key that is misspelled is not passed over where nothing could be drawn without it.
             (json!({"generators": [[{"order": 0, "chian": []}]]}), "generators[0][0] has no \"chain\""),

@@ -127,8 +127,8 @@ pub(crate) struct CellOptions {
     /// Refuse an arrangement of more than N cells
     #[arg(long, value_name = "N")]
     pub(crate) max_cells: Option<usize>,
-    /// In the plane, a certificate of the exact cells, which coface check verifies: of WKT and GeoJSON of two coordinates, and .lines; in
-    /// the binary form if OUT ends in .bin
+    /// A certificate of the exact cells, which coface check verifies: in the plane of WKT and GeoJSON of two coordinates, and .lines; in
+    /// space of a Boolean of closed surfaces as plain OFF and OBJ; in the binary form if OUT ends in .bin
     #[arg(long, value_name = "OUT", conflicts_with_all = ["close", "snap", "grid", "weld", "tolerance"])]
     pub(crate) certificate: Option<PathBuf>,
 }
@@ -174,11 +174,6 @@ impl CellOptions {
 
     /// Refuses what is for drawings in the plane.
     pub(crate) fn refuse_planar(&self) -> Result<(), Failure> {
-        if self.certificate.is_some() {
-            return Err(Failure::new(
-                "--certificate is for drawings in the plane, and the inputs lie in space: leave it out",
-            ));
-        }
         if self.close {
             return Err(Failure::new(
                 "--close is for drawings in the plane, and the inputs lie in space: leave it out",
@@ -278,6 +273,11 @@ impl Arrange {
             2 => planar::run(self, common, output, &models, progress),
             _ => {
                 self.cells.refuse_planar()?;
+                if self.cells.certificate.is_some() {
+                    return Err(Failure::new(
+                        "--certificate of an arrangement is for drawings in the plane, and the inputs lie in space: leave it out, or ask for a Boolean",
+                    ));
+                }
                 if self.attributes.is_some() {
                     return Err(Failure::new(
                         "--attributes is for maps in the plane, and the inputs lie in space: leave it out",

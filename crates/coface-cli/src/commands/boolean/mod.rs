@@ -130,7 +130,7 @@ impl Boolean {
                         "--dissolve is for maps in the plane, and the inputs lie in space: leave it out",
                     ));
                 }
-                spatial::run(self, &task, common, output, &models, progress)
+                spatial::run(self, &task, common, output, inputs, &models, progress)
             }
         }
     }

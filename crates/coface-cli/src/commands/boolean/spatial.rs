@@ -2,6 +2,7 @@
 
 use super::{Boolean, Task};
 use crate::arguments::Common;
+use crate::certified;
 use crate::commands::arrange::{Rule, asks_for_exact_cells, in_space, rounding, scene_of, stacked};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, write_json};
@@ -20,7 +21,7 @@ use coface::answers::{
 use coface::arrange::spatial::NonPlanar;
 use coface::io;
 use coface::io::{Format, Model};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Options of solids.
 #[derive(Args)]
@@ -56,6 +57,7 @@ pub(super) fn run(
     task: &Task,
     common: &Common,
     output: Option<(&Path, Target)>,
+    inputs: &[PathBuf],
     models: &[(String, Model)],
     progress: Progress,
 ) -> Result<(), Failure> {
@@ -119,6 +121,7 @@ pub(super) fn run(
         },
         mesh: &|| result.to_mesh(),
         provenance: &|| result.provenance(),
+        certificate: &|place| certified::save(place, inputs, |inputs| result.certificate(inputs)),
     };
     finish(verb, common, output, answer, &made, progress)
 }
@@ -142,6 +145,7 @@ fn by_congruence(
         chains: &|| result.to_chains(),
         mesh: &|| result.to_mesh(),
         provenance: &|| result.provenance(),
+        certificate: &|_| Err(without_certificate()),
     };
     finish(verb, common, output, result.answer()?, &made, progress)
 }
@@ -151,6 +155,7 @@ struct Made<'a> {
     chains: &'a dyn Fn() -> Result<Model, Error>,
     mesh: &'a dyn Fn() -> Result<Model, Error>,
     provenance: &'a dyn Fn() -> Result<SolidBooleanProvenance, Error>,
+    certificate: &'a dyn Fn(&Path) -> Result<(), Failure>,
 }
 
 /// Writes a result and says what it is.
@@ -175,6 +180,10 @@ fn finish(
     }
     if let Some(path) = &verb.provenance {
         write_json(path, &(made.provenance)()?)?;
+    }
+    if let Some(place) = &verb.cells.certificate {
+        progress.stage(format!("proving {}", place.display()));
+        (made.certificate)(place)?;
     }
     drop(progress);
     if answer.faces_cut > 0 && output.is_some_and(|(_, target)| target != Target::Model(Format::Json)) {

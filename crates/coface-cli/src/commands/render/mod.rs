@@ -52,7 +52,8 @@ pub(crate) struct Render {
     /// The model; - is standard input
     #[arg(value_name = "INPUT", required_unless_present = "word")]
     input: Option<PathBuf>,
-    /// Draw an answer of coface over the model: the JSON of another verb; may be given several times
+    /// Draw an answer of coface over the model: the JSON of another verb, or a chain or cochain of your own as [[coefficient,
+    /// [vertices..]],..]; may be given several times
     #[arg(long, value_name = "RESULT.json")]
     with: Vec<PathBuf>,
     /// Width and height in pixels [default: 1200x900; that of its content for SVG of --matrix, --diagram, --schema, --forest and sets]
@@ -566,7 +567,7 @@ impl Render {
         };
         let image = format.filter(|_| scene.dimension() == 2).and_then(image_camera);
         if self.from.is_some() || self.up.is_some() || self.perspective.is_some() {
-            let mut camera = if scene.dimension() == 2 { Camera::above() } else { Camera::default() };
+            let mut camera = Camera::usual(scene);
             camera.from = self.from.unwrap_or(camera.from);
             camera.up = self.up.unwrap_or(camera.up);
             camera.field_of_view = self.perspective;

@@ -111,10 +111,26 @@ pub(super) const CASES: &[Case] = &[
     .with(&[("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0))")])
     .refused("coface boolean union square.wkt --inputs features --certificate square.cert")
     .cured(&[&["coface boolean union square.wkt --certificate square.cert"]]),
-    Case::new("arrange/mod.rs", "--certificate is for drawings in the plane, and the inputs lie in space")
-        .before(&["coface generate box -o box.mesh"])
-        .refused("coface boolean union box.mesh --certificate box.cert")
-        .cured(&[&["coface boolean union box.mesh"]]),
+    Case::new(
+        "arrange/mod.rs",
+        "--certificate of an arrangement is for drawings in the plane, and the inputs lie in space",
+    )
+    .before(&["coface generate sphere -o ball.off"])
+    .refused("coface arrange ball.off --certificate ball.cert")
+    .cured(&[
+        &["coface arrange ball.off"],
+        &["coface boolean union ball.off --certificate ball.cert", "coface check ball.cert ball.off"],
+    ]),
+    Case::new(
+        "spatial/certificate.rs",
+        "no certificate: {why}; leave --certificate out, or give closed surfaces as plain OFF or OBJ",
+    )
+    .before(&["coface generate box -o box.mesh", "coface convert box.mesh --boundary -o box.off"])
+    .refused("coface boolean union box.mesh --certificate box.cert")
+    .cured(&[
+        &["coface boolean union box.mesh"],
+        &["coface boolean union box.off --certificate box.cert", "coface check box.cert box.off"],
+    ]),
     Case::new("arrange/mod.rs", "--grid is for drawings in the plane, and the inputs lie in space")
         .before(&["coface generate box -o box.mesh"])
         .refused("coface boolean union box.mesh --grid 0.5")
