@@ -52,6 +52,13 @@ impl Pieces {
         Ok(Self { vertices, pieces })
     }
 
+    /// The side behind a triangle, seen with its corners turning counterclockwise, that is a piece.
+    pub(crate) fn side_behind(&self, corners: [u32; 3]) -> Option<u32> {
+        let (key, sign) = sorted(corners);
+        let place = self.pieces.binary_search_by_key(&key, |piece| piece.corners).ok()? as u32;
+        Some(if sign > 0 { 2 * place + 1 } else { 2 * place })
+    }
+
     /// The corners of a piece.
     pub(crate) fn points(&self, piece: &Piece) -> [&Point; 3] {
         piece.corners.map(|corner| &self.vertices[corner as usize])

@@ -201,8 +201,11 @@ pub(crate) fn _drawing_certificate(
         let bytes = paths.iter().map(|path| content(path)).collect::<Result<Vec<_>, Error>>()?;
         let named = || names.iter().map(String::as_str);
         let inputs: Vec<(&str, &[u8])> = named().zip(bytes.iter().map(Vec::as_slice)).collect();
-        if let Some(operation) = operation.filter(|_| !are_planar(&models)) {
+        if !are_planar(&models) {
             let arrangement = SceneArrangement::of(named().zip(&models), &SpatialRequest::default())?;
+            let Some(operation) = operation else {
+                return arrangement.certificate(rule.unwrap_or_default(), &inputs);
+            };
             let mut request = SolidRequest::of(formula(operation, paths.len())?);
             request.rule = rule.unwrap_or_default();
             return SolidBoolean::of(&arrangement, &request)?.certificate(&inputs);

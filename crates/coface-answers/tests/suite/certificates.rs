@@ -191,6 +191,12 @@ proptest! {
         request.rule = rule.unwrap_or_default();
         let found = SolidBoolean::of(&arranged, &request).expect("a Boolean");
         let bytes: Vec<&[u8]> = inputs.iter().map(|input| input.1).collect();
+        if let Ok(certificate) = arranged.certificate(request.rule, &inputs) {
+            let verdict = coface_check_space::check(certificate.as_bytes(), &bytes).expect("it has been checked");
+            for key in ["measures", "inside", "voids"] {
+                prop_assert!(!verdict.unchecked().iter().any(|unchecked| unchecked == key), "{}", key);
+            }
+        }
         match found.certificate(&inputs) {
             Ok(certificate) => {
                 let verdict = coface_check_space::check(certificate.as_bytes(), &bytes).expect("it has been checked");

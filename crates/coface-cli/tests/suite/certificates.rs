@@ -526,9 +526,15 @@ fn booleans_of_solids_are_proved() {
     coface(&["boolean", "--formula", "c - a - b", a, b, c, "--certificate", argument(&place), "--json"])
         .json();
     lie_about(&place, &[&left, &right, &ball]);
-    // What is not closed is refused by the Boolean, and an arrangement of solids has no certificate.
-    let run = coface(&["arrange", a, b, "--certificate", argument(&place)]);
-    assert!(run.fails_with(1).contains("of an arrangement is for drawings"), "{}", run.stderr);
+    // Three cells of both boxes and six tips of the ball; what is inside of what, and their volumes.
+    let answer = coface(&["arrange", a, b, c, "--certificate", argument(&place), "--json"]).json();
+    let verdict = coface(&["check", argument(&place), a, b, c, "--json"]).json();
+    let lines: Vec<&str> =
+        verdict["proved"].as_array().unwrap().iter().map(|line| line.as_str().unwrap()).collect();
+    let count = answer["measures"].as_array().unwrap().len();
+    assert!(lines.contains(&&format!("{count} bounded cells")[..]), "{lines:?}");
+    assert!(lines.iter().any(|line| line.starts_with("inside = ")), "{lines:?}");
+    lie_about(&place, &[&left, &right, &ball]);
     let run =
         coface(&["boolean", "union", a, b, "--method", "congruence", "--certificate", argument(&place)]);
     assert!(run.fails_with(1).contains("--certificate"), "{}", run.stderr);

@@ -54,12 +54,12 @@ def certificate(
     path
         The file: a facet list or a chain complex in JSON, or a surface as plain OFF or OBJ. A certificate has the hash of a file; write a model
         first: ``model.write("model.json")``. For ``"arrange"`` and ``"boolean"`` one or several drawings in the plane: WKT or GeoJSON of two
-        coordinates, or lines of four numbers. For ``"boolean"`` also closed surfaces in space as plain OFF or OBJ.
+        coordinates, or lines of four numbers. In space surfaces as plain OFF or OBJ.
     of
         ``"homology"``; ``"info"`` for the report: counts, components, manifold up to dimension 3, orientability, boundary loops and genus;
         ``"persistence"`` for the diagram of a function on the vertices: pairs with their cells, and Betti numbers;
         ``"arrange"`` for the cells of drawings: counts, areas, and which files contain each face; ``"boolean"`` for a result of drawings: area,
-        components, holes and pinches; or of solids: volume, and that what is inside is what the operation says; of surfaces ``"cut"`` for the disks that components are cut to, with the words around them, or what a path leaves, and
+        components, holes and pinches; or of solids: volume, and that what is inside is what the operation says; ``"arrange"`` in space for the cells with their volumes; of surfaces ``"cut"`` for the disks that components are cut to, with the words around them, or what a path leaves, and
         ``"cover"`` for copies of the universal cover and their words, or the orientation double cover; ``"cocycles"`` for a basis of the first cohomology;
         ``"pi1"`` for the presentations of the fundamental groups.
     coefficients, cohomology, reduced, generators

@@ -3,7 +3,9 @@
 mod planar;
 mod spatial;
 
-pub(crate) use spatial::{SpaceOptions, asks_for_exact_cells, in_space, rounding, scene_of, stacked};
+pub(crate) use spatial::{
+    SpaceOptions, asks_for_exact_cells, in_space, refuse_certificate, rounding, scene_of, stacked,
+};
 
 use crate::arguments::{Common, length};
 use crate::certified;
@@ -128,7 +130,7 @@ pub(crate) struct CellOptions {
     #[arg(long, value_name = "N")]
     pub(crate) max_cells: Option<usize>,
     /// A certificate of the exact cells, which coface check verifies: in the plane of WKT and GeoJSON of two coordinates, and .lines; in
-    /// space of a Boolean of closed surfaces as plain OFF and OBJ; in the binary form if OUT ends in .bin
+    /// space of surfaces as plain OFF and OBJ; in the binary form if OUT ends in .bin
     #[arg(long, value_name = "OUT", conflicts_with_all = ["close", "snap", "grid", "weld", "tolerance"])]
     pub(crate) certificate: Option<PathBuf>,
 }
@@ -273,11 +275,6 @@ impl Arrange {
             2 => planar::run(self, common, output, &models, progress),
             _ => {
                 self.cells.refuse_planar()?;
-                if self.cells.certificate.is_some() {
-                    return Err(Failure::new(
-                        "--certificate of an arrangement is for drawings in the plane, and the inputs lie in space: leave it out, or ask for a Boolean",
-                    ));
-                }
                 if self.attributes.is_some() {
                     return Err(Failure::new(
                         "--attributes is for maps in the plane, and the inputs lie in space: leave it out",

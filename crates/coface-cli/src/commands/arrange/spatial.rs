@@ -2,6 +2,7 @@
 
 use super::{Arrange, CellOptions, Inputs, Method, Rule};
 use crate::arguments::Common;
+use crate::certified;
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, write_json};
 use crate::progress::Progress;
@@ -157,6 +158,7 @@ pub(super) fn run(
     let mut gluing = None;
     let scene = match verb.cells.method {
         Some(Method::Congruence) => {
+            refuse_certificate(&verb.cells)?;
             let glued = CongruentScene::with_bent(scene, verb.cells.tolerance, request.non_planar)?;
             glued.refuse_more_cells(verb.cells.max_cells)?;
             if !asks_for_exact_cells(&verb.cells, &verb.space) {
@@ -202,6 +204,10 @@ pub(super) fn run(
     if let Some(path) = &verb.provenance {
         write_json(path, &arrangement.provenance())?;
     }
+    if let Some(place) = &verb.cells.certificate {
+        progress.stage(format!("proving {}", place.display()));
+        certified::save(place, &verb.inputs, |inputs| arrangement.certificate(rule, inputs))?;
+    }
     if let Some(path) = &verb.graph {
         write_graph(path, &arrangement.graph(rule)?)?;
     }
@@ -214,6 +220,16 @@ pub(super) fn run(
         return Ok(());
     }
     print_text(&page(&answer))
+}
+
+/// A certificate is of what files contain, not of what was put together.
+pub(crate) fn refuse_certificate(cells: &CellOptions) -> Result<(), Failure> {
+    match cells.certificate {
+        None => Ok(()),
+        Some(_) => Err(Failure::new(
+            "--certificate is of cells as they are, and --method congruence puts vertices together: leave one of them out",
+        )),
+    }
 }
 
 /// Whether what is asked for are exact cells: then what congruence glued is arranged exactly, on the points where it is.

@@ -3,7 +3,9 @@
 use super::{Boolean, Task};
 use crate::arguments::Common;
 use crate::certified;
-use crate::commands::arrange::{Rule, asks_for_exact_cells, in_space, rounding, scene_of, stacked};
+use crate::commands::arrange::{
+    Rule, asks_for_exact_cells, in_space, refuse_certificate, rounding, scene_of, stacked,
+};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, write_json};
 use crate::progress::Progress;
@@ -71,6 +73,7 @@ pub(super) fn run(
     let triangles = verb.space.triangles(&scene, output);
     let mut gluing = None;
     if verb.cells.method() == ArrangementMethod::Congruence {
+        refuse_certificate(&verb.cells)?;
         let glued = CongruentScene::with_bent(scene, verb.cells.tolerance, spatial.non_planar)?;
         glued.refuse_more_cells(verb.cells.max_cells)?;
         let splits = matches!(verb.solids.pinches, Some(Pinches::Split));
@@ -145,7 +148,8 @@ fn by_congruence(
         chains: &|| result.to_chains(),
         mesh: &|| result.to_mesh(),
         provenance: &|| result.provenance(),
-        certificate: &|_| Err(without_certificate()),
+        // Refused before.
+        certificate: &|_| Ok(()),
     };
     finish(verb, common, output, result.answer()?, &made, progress)
 }

@@ -112,16 +112,6 @@ pub(super) const CASES: &[Case] = &[
     .refused("coface boolean union square.wkt --inputs features --certificate square.cert")
     .cured(&[&["coface boolean union square.wkt --certificate square.cert"]]),
     Case::new(
-        "arrange/mod.rs",
-        "--certificate of an arrangement is for drawings in the plane, and the inputs lie in space",
-    )
-    .before(&["coface generate sphere -o ball.off"])
-    .refused("coface arrange ball.off --certificate ball.cert")
-    .cured(&[
-        &["coface arrange ball.off"],
-        &["coface boolean union ball.off --certificate ball.cert", "coface check ball.cert ball.off"],
-    ]),
-    Case::new(
         "spatial/certificate.rs",
         "no certificate: {why}; leave --certificate out, or give closed surfaces as plain OFF or OBJ",
     )
