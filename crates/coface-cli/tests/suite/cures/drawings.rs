@@ -111,11 +111,19 @@ pub(super) const CASES: &[Case] = &[
     .with(&[("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0))")])
     .refused("coface boolean union square.wkt --inputs features --certificate square.cert")
     .cured(&[&["coface boolean union square.wkt --certificate square.cert"]]),
+    Case::new("spatial/certificate.rs", "keep exact coordinates with --exact")
+        .with(&[(
+            "near.obj",
+            "v 0 0 0\nv 2 2 0\nv 2 2 1\nv 0 0 1\nv 0 2 0\nv 2 0 0\nv 2 0 1\nv 0 2 1\nv 0 1 0\nv 4 1.0000000000000002 0\n\
+             v 4 1.0000000000000002 1\nv 0 1 1\nf 1 2 3 4\nf 5 6 7 8\nf 9 10 11 12\n",
+        )])
+        .refused("coface arrange near.obj --certificate near.cert")
+        .cured(&[&["coface arrange near.obj --exact --certificate near.cert", "coface check near.cert near.obj"]]),
     Case::new(
         "spatial/certificate.rs",
         "no certificate: {why}; leave --certificate out, or give closed surfaces as plain OFF or OBJ",
     )
-    .before(&["coface generate box -o box.mesh", "coface convert box.mesh --boundary -o box.off"])
+    .before(&["coface generate box -o box.mesh", "coface generate box --boundary -o box.off"])
     .refused("coface boolean union box.mesh --certificate box.cert")
     .cured(&[
         &["coface boolean union box.mesh"],
