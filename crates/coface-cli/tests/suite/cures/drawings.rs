@@ -111,6 +111,13 @@ pub(super) const CASES: &[Case] = &[
     .with(&[("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 0))")])
     .refused("coface boolean union square.wkt --inputs features --certificate square.cert")
     .cured(&[&["coface boolean union square.wkt --certificate square.cert"]]),
+    Case::new("arrange/spatial.rs", "--method congruence puts vertices together: leave one of them out")
+        .before(&["coface generate box --boundary -o box.off"])
+        .refused("coface boolean union box.off --method congruence --certificate box.cert")
+        .cured(&[
+            &["coface boolean union box.off --method congruence"],
+            &["coface boolean union box.off --certificate box.cert", "coface check box.cert box.off"],
+        ]),
     Case::new("spatial/certificate.rs", "keep exact coordinates with --exact")
         .with(&[(
             "near.obj",
