@@ -18,6 +18,10 @@ use std::cmp::Ordering;
 /// faces still cross.
 const ROUNDS_WITH_TOLERANCE: usize = 8;
 
+/// Rounding is given up where a round has so many times the vertices of the first one, and some more.
+const GROWTH: usize = 4;
+const GROWTH_OF_SMALL: usize = 1 << 10;
+
 /// Triangles in patches that are to be arranged.
 #[derive(Clone, Debug)]
 pub(super) struct Drawing {
@@ -137,7 +141,9 @@ impl Drawing {
     /// it is one point, and no faces are left that cross: so this ends.
     ///
     /// # Errors
-    /// [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) for more cells than the options take.
+    /// [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) for more cells than the options take;
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) where rounding alone would make several times
+    /// as many vertices as there are.
     pub(super) fn settled(
         self,
         options: &SpatialOptions,
@@ -149,6 +155,7 @@ impl Drawing {
         let mut joined = JoinedFeatures { tolerance, ..JoinedFeatures::default() };
         let steady = if is_rounding { STEADY_ROUNDS } else { ROUNDS_WITH_TOLERANCE };
         let most = rounds_to_an_end(&drawing.points, tolerance);
+        let most_vertices = GROWTH * drawing.points.len() + GROWTH_OF_SMALL;
         let mut hot = Vec::new();
         for round in 0..most {
             joined.tolerance = reach(tolerance, round);
@@ -163,6 +170,15 @@ impl Drawing {
             hot = arrangement.new_places();
             let is_settled = hot.is_empty()
                 || (is_rounding && arrangement.is_exactly_rounded() && arrangement.is_held(precision));
+            let vertex_count = arrangement.cut.complex().vertex_count();
+            if !is_settled && is_rounding && vertex_count > most_vertices {
+                return Err(Error::invalid(format!(
+                    "putting features together that are less than {:e} apart makes {vertex_count} vertices of {}",
+                    joined.tolerance,
+                    first.len()
+                ))
+                .with_cure("scale the model up, or remove polygons that nearly coincide"));
+            }
             if is_settled {
                 joined.tell(&first, &place, positions.as_flat().as_chunks().0);
                 arrangement.round_count = round + 1;
