@@ -1211,6 +1211,20 @@ export interface InfoReports {
 /** How the cells inside of a model are found. */
 export type InsideMethod = "winding" | "parity" | "closed_mouths";
 
+/** A kink of an interface. */
+export interface InterfaceKink {
+  /** An edge that begins or ends there. */
+  edge: number;
+  /** Its knot on that edge. */
+  knot: number;
+  /** The phases on both sides; null for what is in no phase. */
+  phases: [number | null, number | null];
+  /** Where it is. */
+  point: [number, number];
+  /** Its vertex. */
+  vertex: number;
+}
+
 /** Where a point lies of an interface. */
 export interface InterfacePoint {
   /** The distance from the nearest edge; null without edges. */
@@ -1636,6 +1650,40 @@ export interface PersistencePairAnswer {
   kind?: string | null;
 }
 
+/** What a phase has of a cell. */
+export interface PhaseCell {
+  /** The area of the phase in the cell. */
+  area: number;
+  /** The column, from 0 at the left. */
+  column: number;
+  /** How much of the cell is in the phase. */
+  coverage: CoverageAnswer;
+  /** The length of its boundary in the cell. */
+  length: number;
+  /** The number of the phase. */
+  phase: number;
+  /** The row, from 0 at the bottom. */
+  row: number;
+}
+
+/** What a phase has of a grid. */
+export interface PhaseCells {
+  /** The area of the phase in the grid. */
+  area: number;
+  /** The area of the phase; null if it is infinite. */
+  area_of_phase?: number | null;
+  /** The number of cells that are partly in the phase. */
+  cut: number;
+  /** The number of cells outside of the phase. */
+  empty: number;
+  /** The number of cells inside of the phase. */
+  full: number;
+  /** The length of its boundary in the grid. */
+  length: number;
+  /** The name of the phase. */
+  name: string;
+}
+
 /** How far a phase of one interface is from one of another. */
 export interface PhaseComparison {
   /**
@@ -2004,7 +2052,7 @@ export interface Remark {
 }
 
 /** What sort of remark a [`Remark`] is. The word in the JSON is the name in kebab case: `isolated-vertex`. */
-export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "reference-assumed" | "heights-left-out" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "invalid-polygon" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "ideal-vertices-cut" | "format-keeps-less" | "step-left-out" | "handles-left" | "search-ended" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "triangles-turned" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "overlapping-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "property-missing" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "points-rounded" | "numbers-rounded" | "colors-as-numbers" | "features-joined" | "tolerance-assumed" | "thin-cells" | "beyond-range" | "data-left-out" | "merged-within-block" | "topology-repaired" | "curves-vanished" | "contacts-kept" | "decision-uncertified" | "model-repaired" | "not-drawn" | "drawn-instead" | "positions-invented" | "earlier-run-ignored" | "input-refused";
+export type RemarkCode = "input-reading" | "repeated-vertex" | "collapsed-cell" | "counts-differ" | "partial-file" | "unknown-section" | "missing-end" | "trailing-content" | "fractional-label" | "nonfinite-coordinate" | "format-by-content" | "several-models" | "higher-order" | "single-point" | "heights-assumed" | "reference-assumed" | "heights-left-out" | "elements-left-out" | "curves-flattened" | "arcs-approximated" | "self-crossing-ring" | "unclosed-ring" | "faces-split" | "unknown-key" | "order-raised" | "nonmanifold-ridge" | "nonmanifold-edge" | "nonmanifold-vertex" | "orientation-conflict" | "one-sided-chain" | "duplicate-cell" | "isolated-vertex" | "loose-cell" | "geometry-fault" | "invalid-polygon" | "cells-not-balls" | "negative-volume" | "subdivision-counted" | "ideal-vertices-cut" | "format-keeps-less" | "step-left-out" | "handles-left" | "search-ended" | "unit-lengths" | "uniform-weights" | "layout-replaced" | "triangles-turned" | "open-input" | "empty-input" | "unnamed-input" | "objects-in-file" | "reversed-input" | "overlapping-input" | "faces-triangulated" | "unbounded-segments" | "drawing-assumption" | "property-missing" | "cells-left-out" | "empty-boundary" | "rounded-invalid" | "points-rounded" | "numbers-rounded" | "colors-as-numbers" | "features-joined" | "tolerance-assumed" | "thin-cells" | "beyond-range" | "data-left-out" | "merged-within-block" | "topology-repaired" | "curves-vanished" | "contacts-kept" | "contact-below-knots" | "decision-uncertified" | "model-repaired" | "vertices-renumbered" | "not-drawn" | "drawn-instead" | "positions-invented" | "earlier-run-ignored" | "input-refused";
 
 /** A still picture. */
 export interface RenderAnswer {
@@ -2950,6 +2998,8 @@ export interface YinInterfaceAdvectAnswer {
   added: number;
   /** The areas of the phases at the beginning; null where one is infinite. */
   areas_before: (number | null)[];
+  /** The distance at which edges are in contact; null if contacts were not looked for. */
+  contact_distance?: number | null;
   /** The edges: arcs between two phases, or between a phase and what is in none. */
   edges: YinEdgeAnswer[];
   /** How exactly times of events are found; null unless they were asked for. */
@@ -3045,15 +3095,36 @@ export interface YinInterfaceCurvatureAnswer {
   remarks: Remark[];
 }
 
+/** The answer of `yin cut-cells` for an interface. */
+export interface YinInterfaceCutCellsAnswer {
+  /** The area of all phases in the grid. */
+  area: number;
+  /** What phases have of cells, row by row and then by phases; in files only. */
+  cells?: PhaseCell[] | null;
+  /** The name of the file. */
+  file: string;
+  /** The grid. */
+  grid: GridAnswer;
+  /** The length of the edges in the grid, each once. */
+  length: number;
+  /** The phases, in their order. */
+  phases: PhaseCells[];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+}
+
 /** A change of the topology of an interface that moves. */
 export interface YinInterfaceEventAnswer {
-  /** What there is of the phase just after; null for junctions that meet. */
+  /** What there is of the phase just after; null for junctions and phases that meet, and for contacts. */
   after?: YinEventCounts | null;
-  /** What there was of the phase just before; null for junctions that meet. */
+  /** What there was of the phase just before; null for junctions and phases that meet, and for contacts. */
   before?: YinEventCounts | null;
   /** What changed. */
   kind: YinInterfaceEventKind;
-  /** The phase that changed; of junctions that meet all phases around them. */
+  /**
+   * The phase that changed; of junctions that meet all phases around them, of phases that come together these, and of a contact those beyond the
+   * edges and between them.
+   */
   phases: number[];
   /**
    * Where: the mean of the knots of an edge that vanishes, the middle of the ends of an edge whose junctions meet, or the place at which
@@ -3067,7 +3138,34 @@ export interface YinInterfaceEventAnswer {
 }
 
 /** A kind of change of an interface. */
-export type YinInterfaceEventKind = "phase-vanishes" | "component-vanishes" | "hole-vanishes" | "junctions-meet" | "phase-merges" | "phase-splits" | "hole-forms" | "hole-opens";
+export type YinInterfaceEventKind = "phase-vanishes" | "component-vanishes" | "hole-vanishes" | "junctions-meet" | "phase-merges" | "phase-splits" | "hole-forms" | "hole-opens" | "phases-meet" | "contact";
+
+/** The answer of `yin kinks` for an interface. */
+export interface YinInterfaceKinksAnswer {
+  /** The edges: arcs between two phases, or between a phase and what is in none. */
+  edges: YinEdgeAnswer[];
+  /** The names of the files. */
+  files: string[];
+  /** The vertices at which three or more edges end. */
+  junctions: YinJunctionAnswer[];
+  /** The kinks: vertices at which two edges end and do not go on smoothly into each other. */
+  kink_points: InterfaceKink[];
+  /** The length of all edges, each once, in the unit of the coordinates; null beyond the range of numbers. */
+  length?: number | null;
+  /** The order of the edges. */
+  order: number;
+  /** The phases, in the order of the sets. */
+  phases: YinPhaseAnswer[];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /**
+   * The pairs of edges that go on smoothly into each other at a vertex, each with its direction: 1 as it runs, -1 against that; in files
+   * only.
+   */
+  smooth_pairs?: [[number, number], [number, number]][] | null;
+  /** The points at which edges end: junctions, kinks, and one point of each closed edge. */
+  vertices: [number, number][];
+}
 
 /** The answer of `yin locate` for an interface. */
 export interface YinInterfaceLocateAnswer {
@@ -3083,6 +3181,37 @@ export interface YinInterfaceLocateAnswer {
   points: InterfacePoint[];
   /** What was assumed or left out. */
   remarks: Remark[];
+}
+
+/** The answer of `yin normalize` for an interface. */
+export interface YinInterfaceNormalizeAnswer {
+  /** The edges: arcs between two phases, or between a phase and what is in none. */
+  edges: YinEdgeAnswer[];
+  /** The names of the files. */
+  files: string[];
+  /** The number of vertices at which two edges became one. */
+  joined: number;
+  /** The vertices at which three or more edges end. */
+  junctions: YinJunctionAnswer[];
+  /** The length of all edges, each once, in the unit of the coordinates; null beyond the range of numbers. */
+  length?: number | null;
+  /** The order of the edges. */
+  order: number;
+  /** The phases, in the order of the sets. */
+  phases: YinPhaseAnswer[];
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** What was wrong, in words, if edges were cut and pasted; null if nothing was. */
+  repaired?: string | null;
+  /**
+   * The pairs of edges that go on smoothly into each other at a vertex, each with its direction: 1 as it runs, -1 against that; in files
+   * only.
+   */
+  smooth_pairs?: [[number, number], [number, number]][] | null;
+  /** The number of knots within straight parts of edges that were left out; 0 above order 2. */
+  straightened: number;
+  /** The points at which edges end: junctions, kinks, and one point of each closed edge. */
+  vertices: [number, number][];
 }
 
 /** The answer of `yin sample` for an interface. */
