@@ -56,7 +56,7 @@ impl<'a> Flags<'a> {
                     }
                 }
                 [([a, b], ..), ..] => {
-                    return Err(no_surface(format!(
+                    return Err(no_surface(&format!(
                         "the edge of the vertices {a} and {b} lies in {} polygons",
                         own.len()
                     )));
@@ -78,7 +78,7 @@ impl<'a> Flags<'a> {
         roots.sort_unstable();
         roots.dedup();
         if let Some(pair) = roots.windows(2).find(|pair| pair[0][0] == pair[1][0]) {
-            return Err(no_surface(format!("the polygons at vertex {} form several fans", pair[0][0])));
+            return Err(no_surface(&format!("the polygons at vertex {} form several fans", pair[0][0])));
         }
         let mut by_part: Vec<(u32, u32)> =
             (0..items.len() as u32).map(|corner| (parts.find(corner), corner)).collect();
@@ -153,7 +153,7 @@ impl<'a> Flags<'a> {
     }
 }
 
-fn no_surface(fault: String) -> Error {
+fn no_surface(fault: &str) -> Error {
     Error::new(
         ErrorKind::UnsupportedFormat,
         format!("polygons that form no surface are not compared: {fault}"),

@@ -137,7 +137,8 @@ impl Plane {
         let found = u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0])
             + u[2] * (v[0] * w[1] - v[1] * w[0]);
         let bound = 3e-13 * most * length * length;
-        if !(1e-200..1e200).contains(&bound) || !(found.abs() > bound) {
+        let is_certain = (1e-200..1e200).contains(&bound) && found.abs() > bound;
+        if !is_certain {
             return None;
         }
         // The rows turn counterclockwise seen from p if p is in front: then the determinant of the differences is negative.

@@ -34,7 +34,7 @@ pub(crate) fn agrees(triangles: &[[&Point; 3]], claim: &Value) -> Result<f64, Fa
     };
     let (mantissa, exponent) = parts(number);
     let shift = exponent + digits as i32;
-    let claimed: IBig = mantissa * 6 << shift.max(0) as usize;
+    let claimed: IBig = (mantissa * 6) << shift.max(0) as usize;
     let volume: IBig = volume << (-shift).max(0) as usize;
     let difference: IBig = &claimed - &volume;
     let difference = if difference < IBig::ZERO { -difference } else { difference };

@@ -23,7 +23,8 @@ impl SpatialScene {
         };
         let mut pieces: Vec<(u32, Vec<[u32; 3]>)> = Vec::new();
         let mut largest = 0.0f64;
-        for polygon in (0..self.polygon_count()).filter(|&polygon| walks_of_polygon.list(polygon).len() > 0) {
+        for polygon in (0..self.polygon_count()).filter(|&polygon| !walks_of_polygon.list(polygon).is_empty())
+        {
             let own = walks(polygon);
             let height = height(positions, &own);
             if own.item_count() > 3
@@ -39,7 +40,7 @@ impl SpatialScene {
         }
         let places = pieces.iter().map(|&(polygon, _)| {
             let mut place = Place::cell(&self.corners(polygon));
-            place.file = Some(self.label(self.input_of_polygon[polygon as usize] as usize).to_owned());
+            place.file = Some(self.label(self.input_of_polygon[polygon as usize] as usize));
             place
         });
         let count = pieces.len();

@@ -25,7 +25,10 @@ fn lens() -> InterfaceGraph {
     InterfaceGraph::of_sets_with(&sets, &options).unwrap()
 }
 
-fn edges(graph: &InterfaceGraph) -> Vec<(Vec<[f64; 2]>, [Option<u32>; 2], [u32; 2])> {
+/// The points of an edge, the phases on its sides, and its ends.
+type Edge = (Vec<[f64; 2]>, [Option<u32>; 2], [u32; 2]);
+
+fn edges(graph: &InterfaceGraph) -> Vec<Edge> {
     (0..graph.edge_count())
         .map(coface_algebra::EdgeId::new)
         .map(|edge| {

@@ -116,7 +116,7 @@ impl Cells {
             match is_json(path) {
                 true => write_json(path, &answer)?,
                 false => {
-                    write_file(path, phase_table(answer.cells.as_deref().unwrap_or_default()).as_bytes())?
+                    write_file(path, phase_table(answer.cells.as_deref().unwrap_or_default()).as_bytes())?;
                 }
             }
         }
