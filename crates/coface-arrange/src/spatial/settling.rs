@@ -19,7 +19,7 @@ use std::cmp::Ordering;
 const ROUNDS_WITH_TOLERANCE: usize = 8;
 
 /// Rounding is given up where a round has so many times the vertices of the first one, and some more.
-const GROWTH: usize = 4;
+const GROWTH: usize = 2;
 const GROWTH_OF_SMALL: usize = 1 << 10;
 
 /// Triangles in patches that are to be arranged.
