@@ -179,7 +179,7 @@ pub(crate) fn arrange<'py>(
             glued.refuse_more_cells(max_cells)?;
             Ok(glued)
         })?;
-        if snap || exact || merge_coplanar {
+        if snap || exact {
             // Exact cells of what is glued.
             let request = spatial_request(snap, None, max_cells, true, merge_coplanar);
             let (arranged, answer) = run(py, None, || {

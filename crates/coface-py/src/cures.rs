@@ -1,7 +1,7 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 44] = [
+const PHRASES: [(&str, &str); 45] = [
     ("coface cover INPUT --orientation -o OUT.off", "model.surface().double_cover()"),
     ("draw the model by coface render INPUT -o OUT.png", "draw it by coface.render(model, \"png\")"),
     ("read it as an interface", "read it as an interface: coface.Interface.read(path)"),
@@ -65,6 +65,10 @@ const PHRASES: [(&str, &str); 44] = [
     (
         "make it the boundary of a solid first: coface boolean union INPUT --pinches split -o OUT.off",
         "make it the boundary of a solid first: coface.boolean(\"union\", [model], split_pinches=True)",
+    ),
+    (
+        "split it first: coface convert INPUT --split-edges pairs --split-vertices -o OUT",
+        "split it first: model.repaired(split_edges=\"pairs\", split_vertices=True)",
     ),
     (
         "give the JSON of homology --generators, cut, cover, pi1, cycles, cocycles, arrange, persistence, star, link, .., or a chain as [[coefficient,[vertices..]],..]",
