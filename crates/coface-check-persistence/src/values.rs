@@ -1,7 +1,7 @@
 //! The value of each cell.
 
 use coface_check::json::{field, list, optional};
-use coface_check::{Complex, Fault};
+use coface_check::{Complex, Fault, Surface};
 use serde_json::Value;
 
 /// The value of each cell; and what is proved of the function, unless it is a file that the checker does not see.
@@ -43,10 +43,11 @@ pub(crate) fn values(
     let function = field(answer, "function", step)?.as_str().unwrap_or_default();
     let expected: Vec<f64> = match (["x", "y", "z"].iter().position(|axis| *axis == function), function) {
         (Some(axis), _) => {
-            let places = places(input)?;
-            let of = |&vertex: &u32| places.get(vertex as usize).map(|place| place[axis]);
+            let without = || Fault::new(step, "the input has no coordinates");
+            let points = Surface::read(input).map_err(|_| without())?.points;
+            let of = |&vertex: &u32| points.get(vertex as usize).map(|point| point[axis]);
             let own: Option<Vec<f64>> = names.iter().map(of).collect();
-            own.ok_or_else(|| Fault::new(step, "the input has no coordinates"))?
+            own.ok_or_else(without)?
         }
         (None, "vertex number") => names.iter().map(|&vertex| vertex.into()).collect(),
         _ => return Ok((values, None)),
@@ -55,25 +56,4 @@ pub(crate) fn values(
         true => Ok((values, Some(format!("the values of the vertices are {function}")))),
         false => Err(Fault::new(step, format!("the values of the vertices are not {function}"))),
     }
-}
-
-/// The coordinates of the vertices of an OFF or OBJ file, which the checker has read as a complex.
-fn places(input: &[u8]) -> Result<Vec<Vec<f64>>, Fault> {
-    let text =
-        std::str::from_utf8(input).map_err(|_| Fault::new("values", "the input has no coordinates"))?;
-    let lines = text.lines().map(|line| line.split('#').next().unwrap_or("").trim());
-    let mut lines = lines.filter(|line| !line.is_empty());
-    let numbers = |words: &mut dyn Iterator<Item = &str>| -> Result<Vec<f64>, Fault> {
-        let numbers: Option<Vec<f64>> = words.take(3).map(|word| word.parse().ok()).collect();
-        let numbers = numbers.filter(|numbers| numbers.len() == 3);
-        numbers.ok_or_else(|| Fault::new("values", "a vertex has no three coordinates"))
-    };
-    if !text.trim_start().starts_with("OFF") {
-        let vertices = lines.filter_map(|line| line.strip_prefix("v ").or_else(|| line.strip_prefix("v\t")));
-        return vertices.map(|line| numbers(&mut line.split_whitespace())).collect();
-    }
-    let first = lines.next().unwrap_or("").trim_start_matches("OFF").trim();
-    let counts = if first.is_empty() { lines.next().unwrap_or("") } else { first };
-    let count: Option<usize> = counts.split_whitespace().next().and_then(|word| word.parse().ok());
-    lines.take(count.unwrap_or(0)).map(|line| numbers(&mut line.split_whitespace())).collect()
 }

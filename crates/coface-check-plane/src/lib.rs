@@ -22,6 +22,7 @@ mod wkt;
 pub use coface_check::{Fault, Verdict, sha256};
 pub use drawing::Drawing;
 pub use formula::{Formula, Rule};
+pub use point::parts;
 
 use coface_check::json::{field, text};
 

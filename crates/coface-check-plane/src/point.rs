@@ -15,7 +15,12 @@ pub(crate) struct Point {
 }
 
 /// A finite number as an integer times a power of two.
-pub(crate) fn parts(number: f64) -> (IBig, i32) {
+///
+/// # Examples
+/// ```
+/// assert_eq!(coface_check_plane::parts(-0.75), (dashu_int::IBig::from(-3), -2));
+/// ```
+pub fn parts(number: f64) -> (IBig, i32) {
     let bits = number.to_bits();
     let (exponent, fraction) = ((bits >> 52 & 0x7ff) as i32, bits & ((1 << 52) - 1));
     let (mantissa, exponent) =

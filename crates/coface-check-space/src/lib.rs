@@ -173,6 +173,7 @@ fn arrangement(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     let answer = field(whole, "answer", "certificate")?;
     let rule = Rule::of(whole)?;
     let space = Arrangement::read(whole, inputs)?;
+    meeting::edge_to_edge(&space.all)?;
     let cells = Cells::new(&space.all, &space.tree, &space.planes)?;
     // The sides of each cell, by one of them; the triangles of the proof look out of their cells.
     let mut sides: BTreeMap<u32, Vec<u32>> = BTreeMap::new();

@@ -38,6 +38,46 @@ pub(crate) fn apart(all: &Pieces, tree: &Tree, planes: &[Plane]) -> Result<(), F
     Ok(())
 }
 
+/// Tests that vertices are different points, and that none lies on an edge that it is no end of: then edges that have more than a point in common
+/// are one, and all pieces around a part of an edge have that edge.
+pub(crate) fn edge_to_edge(all: &Pieces) -> Result<(), Fault> {
+    let mut edges: Vec<[u32; 2]> = all
+        .pieces
+        .iter()
+        .flat_map(|piece| {
+            // Corners rise.
+            let [a, b, c] = piece.corners;
+            [[a, b], [b, c], [a, c]]
+        })
+        .collect();
+    edges.sort_unstable();
+    edges.dedup();
+    let mut used: Vec<u32> = edges.as_flattened().to_vec();
+    used.sort_unstable();
+    used.dedup();
+    let at = |vertex: u32| &all.vertices[vertex as usize];
+    let tree = Tree::new(edges.iter().map(|ends| {
+        let [a, b] = ends.map(|end| at(end).bounds());
+        [0, 1, 2].map(|axis| [a[axis][0].min(b[axis][0]), a[axis][1].max(b[axis][1])])
+    }));
+    for vertex in used {
+        let mut found = None;
+        tree.each(&at(vertex).bounds(), |number| {
+            let [a, b] = edges[number as usize];
+            let is_on = a != vertex
+                && b != vertex
+                && (0..3).all(|axis| turn([at(a), at(b), at(vertex)], axis).is_eq())
+                && at(a).compare(at(vertex)) != at(b).compare(at(vertex));
+            found = found.or(is_on.then_some([a, b]));
+            found.is_some()
+        });
+        if let Some(ends) = found {
+            return Err(Fault::new("pieces", format!("vertex {vertex} lies on the edge between {ends:?}")));
+        }
+    }
+    Ok(())
+}
+
 /// The sides of the corners of one piece that the plane of another has; corners of both lie on it.
 fn sides(all: &Pieces, plane: &Plane, of: &Piece, other: &Piece) -> [Ordering; 3] {
     of.corners.map(|corner| match other.corners.contains(&corner) {

@@ -2,6 +2,7 @@
 
 use coface_check::Fault;
 use coface_check::json::{integer, list};
+use coface_check_plane::parts;
 use dashu_int::IBig;
 use serde_json::Value;
 use std::cmp::Ordering;
@@ -17,18 +18,6 @@ pub(crate) struct Point {
 
 /// Two integers are rounded to doubles and divided, which is three roundings of 2^-53 each; one more to spare, and for bounds one.
 const CLOSENESS: f64 = 8.0 / (1u64 << 53) as f64;
-
-/// A finite number as an integer times a power of two.
-pub(crate) fn parts(number: f64) -> (IBig, i32) {
-    let bits = number.to_bits();
-    let (exponent, fraction) = ((bits >> 52 & 0x7ff) as i32, bits & ((1 << 52) - 1));
-    let (mantissa, exponent) =
-        if exponent == 0 { (fraction, -1074) } else { (fraction | 1 << 52, exponent - 1075) };
-    let zeros = if mantissa == 0 { 0 } else { mantissa.trailing_zeros() };
-    let mantissa = IBig::from(mantissa >> zeros);
-    let exponent = if mantissa == IBig::ZERO { 0 } else { exponent + zeros as i32 };
-    (if number < 0.0 { -mantissa } else { mantissa }, exponent)
-}
 
 impl Point {
     /// The point with these finite coordinates, exactly.
@@ -165,14 +154,12 @@ pub(crate) fn turn([a, b, c]: [&Point; 3], axis: usize) -> Ordering {
 
 #[cfg(test)]
 mod tests {
-    use super::{Plane, Point, parts, turn};
+    use super::{Plane, Point, turn};
     use dashu_int::IBig;
     use std::cmp::Ordering::{Equal, Greater, Less};
 
     #[test]
     fn numbers_are_taken_exactly() {
-        assert_eq!(parts(-0.75), (IBig::from(-3), -2));
-        assert_eq!(parts(f64::from_bits(1)), (IBig::ONE, -1074));
         assert_eq!(Point::of([0.5, -2.0, 3.0]).exact, [1, -4, 6, 2].map(IBig::from));
     }
 

@@ -1,7 +1,8 @@
 //! Volumes as close as is asked for.
 
-use crate::point::{Point, determinant, parts};
+use crate::point::{Point, determinant};
 use coface_check::Fault;
+use coface_check_plane::parts;
 use dashu_int::IBig;
 use serde_json::Value;
 

@@ -181,6 +181,23 @@ fn boxes_in_boxes_are_cells_with_voids() {
     assert!(checked(1).is_err());
 }
 
+/// Two triangles with a common edge, which lies within a side of a third one between them: left whole, it would not be seen around the edge.
+#[test]
+fn edges_that_overlap_are_divided_alike() {
+    let text = "OFF\n7 3 0\n1 0 0\n3 0 0\n2 0 2\n2 0 -2\n0 0 0\n4 0 0\n2 4 0\n3 0 1 2\n3 0 1 3\n3 4 5 6\n";
+    let points =
+        [[1, 0, 0, 1], [3, 0, 0, 1], [2, 0, 2, 1], [2, 0, -2, 1], [0, 0, 0, 1], [4, 0, 0, 1], [2, 4, 0, 1]];
+    let checked = |third: Value| {
+        let certificate = json!({"coface_certificate": 1, "kind": "space", "answer": {"voids": 0},
+            "inputs": [{"name": "", "sha256": coface_check::sha256(text.as_bytes())}],
+            "proof": {"vertices": points, "polygons": [[0, 1, 2], [0, 1, 3], third], "cells": []}});
+        check(certificate.to_string().as_bytes(), &[text.as_bytes()])
+    };
+    checked(json!([[4, 5, 6], [4, 0, 6], [0, 1, 6], [1, 5, 6]])).expect("the side is divided");
+    let fault = checked(json!([4, 5, 6])).expect_err("the side is whole").to_string();
+    assert!(fault.contains("lies on the edge between [4, 5]"), "{fault}");
+}
+
 #[test]
 fn open_inputs_are_refused() {
     let open = "OFF\n4 3 0\n0 0 0\n6 0 0\n0 6 0\n0 0 6\n3 0 2 1\n3 0 1 3\n3 1 2 3\n";

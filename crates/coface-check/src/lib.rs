@@ -22,6 +22,7 @@ mod smith;
 pub use complex::Complex;
 pub use fault::Fault;
 pub use groups::is_prime;
+pub use polygons::Surface;
 pub use sha256::sha256;
 
 use json::{field, list, text};

@@ -7,30 +7,37 @@ use std::collections::{BTreeMap, BTreeSet};
 
 const STEP: &str = "input";
 
-/// Vertices by their number, polygons by their vertices in order, and edges that the file lists by themselves.
-struct Surface {
-    vertex_count: usize,
-    polygons: Vec<Vec<u32>>,
-    edges: Vec<[u32; 2]>,
+/// Points, polygons by the numbers of their points in order, and edges that the file lists by themselves.
+///
+/// # Examples
+/// ```
+/// let text = b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 0.5 0\n3 0 1 2\n";
+/// let surface = coface_check::Surface::read(text).expect("a triangle");
+/// assert_eq!((surface.points[2], &surface.polygons[0][..]), ([0.0, 0.5, 0.0], &[0, 1, 2][..]));
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Surface {
+    /// The points; NaN stands for what is no number.
+    pub points: Vec<[f64; 3]>,
+    /// The polygons; those of OFF may name points that are not there.
+    pub polygons: Vec<Vec<u32>>,
+    /// Edges that are listed by themselves.
+    pub edges: Vec<[u32; 2]>,
 }
 
 pub(crate) fn read(bytes: &[u8]) -> Result<Complex, Fault> {
-    surface(bytes)?.complex(bytes.len())
+    Surface::read(bytes)?.complex(bytes.len())
 }
 
 /// The polygons and the edges that a file lists.
 pub(crate) fn cells(bytes: &[u8]) -> Result<Vec<Vec<u32>>, Fault> {
-    let surface = surface(bytes)?;
+    let surface = Surface::read(bytes)?;
     Ok(surface.polygons.into_iter().chain(surface.edges.into_iter().map(|edge| edge.to_vec())).collect())
 }
 
-fn surface(bytes: &[u8]) -> Result<Surface, Fault> {
-    let text =
-        std::str::from_utf8(bytes).map_err(|_| Fault::new(STEP, "the checker reads text, not this"))?;
-    match text.split_whitespace().next() {
-        Some("OFF") => off(text),
-        _ => obj(text),
-    }
+/// The first three words as coordinates.
+fn point<'a>(mut words: impl Iterator<Item = &'a str>) -> [f64; 3] {
+    [(); 3].map(|()| words.next().and_then(|word| word.parse().ok()).unwrap_or(f64::NAN))
 }
 
 fn off(text: &str) -> Result<Surface, Fault> {
@@ -47,14 +54,14 @@ fn off(text: &str) -> Result<Surface, Fault> {
     let [vertex_count, face_count, ..] = counts[..] else {
         return Err(Fault::new(STEP, "the OFF file has no counts"));
     };
+    let mut surface = Surface::default();
     for _ in 0..vertex_count {
         let line = next()?;
         if line.split_whitespace().count() != 3 {
             return Err(Fault::new(STEP, format!("{line:.40?} is not three coordinates")));
         }
+        surface.points.push(point(line.split_whitespace()));
     }
-    let mut surface =
-        Surface { vertex_count: vertex_count as usize, polygons: Vec::new(), edges: Vec::new() };
     for _ in 0..face_count {
         let mut words = next()?.split_whitespace();
         let count = number(words.next().unwrap_or(""))? as usize;
@@ -71,17 +78,17 @@ fn off(text: &str) -> Result<Surface, Fault> {
 }
 
 fn obj(text: &str) -> Result<Surface, Fault> {
-    let mut surface = Surface { vertex_count: 0, polygons: Vec::new(), edges: Vec::new() };
+    let mut surface = Surface::default();
     for line in text.lines() {
         let line = line.split('#').next().unwrap_or("");
         let mut words = line.split_whitespace();
         let Some(key) = words.next() else { continue };
-        let vertex = |word: &str| corner(word, surface.vertex_count);
+        let vertex = |word: &str| corner(word, surface.points.len());
         match key {
             _ if line.trim_end().ends_with('\\') => {
                 return Err(Fault::new(STEP, "a line of the OBJ file goes on in the next"));
             }
-            "v" => surface.vertex_count += 1,
+            "v" => surface.points.push(point(words)),
             "f" => {
                 let polygon = words.map(vertex).collect::<Result<_, _>>()?;
                 surface.polygons.push(polygon);
@@ -111,6 +118,22 @@ fn number(word: &str) -> Result<u32, Fault> {
 }
 
 impl Surface {
+    /// The surface in an OFF or OBJ file.
+    ///
+    /// # Errors
+    /// A [`Fault`] for another file, or lines that the checker does not know.
+    ///
+    /// # Examples
+    /// See [`Surface`].
+    pub fn read(bytes: &[u8]) -> Result<Self, Fault> {
+        let text =
+            std::str::from_utf8(bytes).map_err(|_| Fault::new(STEP, "the checker reads text, not this"))?;
+        match text.split_whitespace().next() {
+            Some("OFF") => off(text),
+            _ => obj(text),
+        }
+    }
+
     fn complex(self, size: usize) -> Result<Complex, Fault> {
         let mut seen = BTreeSet::new();
         let (mut are_triangles, mut repeated) = (true, None);
@@ -119,7 +142,7 @@ impl Surface {
             let mut vertices = polygon.clone();
             vertices.sort_unstable();
             let is_plain = vertices.windows(2).all(|pair| pair[0] < pair[1]);
-            if polygon.len() < 3 || !is_plain || vertices.iter().any(|v| *v as usize >= self.vertex_count) {
+            if polygon.len() < 3 || !is_plain || vertices.iter().any(|v| *v as usize >= self.points.len()) {
                 let message =
                     format!("face {i} has fewer than three vertices, one twice, or one that is not there");
                 return Err(Fault::new(STEP, message));
@@ -139,7 +162,7 @@ impl Surface {
         }
         if are_triangles {
             facets.extend(self.edges.iter().map(|[a, b]| vec![*a.min(b), *a.max(b)]));
-            let vertices: Vec<u32> = (0..self.vertex_count).filter_map(|v| u32::try_from(v).ok()).collect();
+            let vertices: Vec<u32> = (0..self.points.len()).filter_map(|v| u32::try_from(v).ok()).collect();
             return simplices::of_facets(&facets, &vertices, size);
         }
         let sides = |polygon: &[u32]| -> Vec<[u32; 2]> {
@@ -160,8 +183,8 @@ impl Surface {
                 column
             })
             .collect();
-        let counts = vec![self.vertex_count, numbers.len(), faces.len()];
-        let vertices = (0..self.vertex_count as u32).map(|vertex| [vertex]).collect();
+        let counts = vec![self.points.len(), numbers.len(), faces.len()];
+        let vertices = (0..self.points.len() as u32).map(|vertex| [vertex]).collect();
         let polygons = self.polygons.into_iter().collect();
         let names = vec![vertices, numbers.keys().copied().collect(), polygons];
         Ok(Complex::new(counts, vec![edges, faces], Some(names)))

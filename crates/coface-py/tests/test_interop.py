@@ -326,6 +326,22 @@ def data_of(model: coface.Model) -> dict[tuple[str, str], list]:
     return {(name, on): np.asarray(values).tolist() for name, on, values in model.data}
 
 
+def test_what_is_no_data_is_named() -> None:
+    meshio = pytest.importorskip("meshio")
+    given = {
+        "height": [0.0, np.nan, np.inf],
+        "stress": np.arange(12.0).reshape(3, 2, 2),
+        "name": ["a", "b", "c"],
+        "huge": np.array([1, 2, 2**63], np.uint64),
+    }
+    mesh = meshio.Mesh(np.eye(3), [("triangle", [[0, 1, 2]])], point_data=given)
+    with pytest.warns(coface.AssumptionWarning, match="left out of the data of the vertices: 'name', 'huge'"):
+        data = {name: values for name, _, values in coface.as_model(mesh).data}
+    np.testing.assert_array_equal(data["height"], given["height"])
+    np.testing.assert_array_equal(data["stress"], given["stress"].reshape(3, 4))
+    assert set(data) == {"height", "stress"}
+
+
 def test_meshio_and_pyvista_take_data_with_them() -> None:
     meshio = pytest.importorskip("meshio")
     again = coface.as_model(coface.to_meshio(WITH_DATA))

@@ -1,6 +1,6 @@
 //! An interface that moves with a velocity field.
 
-use super::motion::below_knots;
+use super::motion::{below_knots, changed, kept};
 use super::{MotionRequest, PlanarInterface};
 use crate::answer::{
     Remark, RemarkCode, VanishedEdgeAnswer, YinInterfaceAdvectAnswer, YinInterfaceEventAnswer,
@@ -219,35 +219,15 @@ impl InterfaceMotion {
     /// What was done where edges came into contact.
     fn contacts(&self) -> Vec<Remark> {
         use YinInterfaceEventKind::{Contact, HoleForms, HoleOpens, PhaseMerges, PhaseSplits, PhasesMeet};
-        let place = |event: &YinInterfaceEventAnswer| {
-            let [x, y] = event.place.map(text::number);
-            format!("at time {} near ({x}, {y})", text::number(event.time))
-        };
         let of = |kinds: &[YinInterfaceEventKind]| {
             let own = || self.events.iter().flatten().filter(|event| kinds.contains(&event.kind));
             own().next().map(|first| (own().count(), first.clone()))
         };
-        let mut remarks = Vec::new();
-        if let Some((count, first)) = of(&[Contact]) {
-            let message = format!(
-                "{} of edges left as they are, the first {}",
-                text::count(count, "contact"),
-                place(&first)
-            );
-            remarks.push(Remark::new(RemarkCode::ContactsKept, message).at(count, []));
-        }
+        let contacts = of(&[Contact]).map(|(count, first)| kept(count, "edges", first.time, first.place));
         let changes = [PhasesMeet, PhaseMerges, PhaseSplits, HoleForms, HoleOpens];
-        if let Some((count, first)) = of(&changes).filter(|_| self.contact_distance.is_some()) {
-            let message = format!(
-                "the topology changed {}: {}, {}{}",
-                if count == 1 { "once".to_owned() } else { text::count(count, "time") },
-                first.words,
-                place(&first),
-                if count == 1 { "" } else { ", is the first change" }
-            );
-            remarks.push(Remark::new(RemarkCode::TopologyRepaired, message).at(count, []));
-        }
-        remarks
+        let changes = of(&changes).filter(|_| self.contact_distance.is_some());
+        let changes = changes.map(|(count, first)| changed(count, &first.words, first.time, first.place));
+        contacts.into_iter().chain(changes).collect()
     }
 
     /// The motion as an answer; `files` are the names of the inputs, `frames` the files that interfaces of the way were written to.

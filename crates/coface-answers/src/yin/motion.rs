@@ -10,6 +10,32 @@ use coface_algebra::Error;
 use coface_arrange::boolean::InsideRule;
 use coface_yin::{MarkerParameters, OnContact, RungeKutta, TrackingOptions, Verification};
 
+/// That contacts of these lines were left as they are, the first at a time and a place.
+pub(super) fn kept(count: usize, lines: &str, time: f64, place: [f64; 2]) -> Remark {
+    let message = format!(
+        "{} of {lines} left as they are, the first {}",
+        text::count(count, "contact"),
+        at(time, place)
+    );
+    Remark::new(RemarkCode::ContactsKept, message).at(count, [])
+}
+
+/// That the topology changed so often, and how it did first.
+pub(super) fn changed(count: usize, words: &str, time: f64, place: [f64; 2]) -> Remark {
+    let message = format!(
+        "the topology changed {}: {words}, {}{}",
+        if count == 1 { "once".to_owned() } else { text::count(count, "time") },
+        at(time, place),
+        if count == 1 { "" } else { ", is the first change" }
+    );
+    Remark::new(RemarkCode::TopologyRepaired, message).at(count, [])
+}
+
+fn at(time: f64, place: [f64; 2]) -> String {
+    let [x, y] = place.map(text::number);
+    format!("at time {} near ({x}, {y})", text::number(time))
+}
+
 /// How a set moves.
 ///
 /// # Examples
@@ -498,28 +524,8 @@ impl PlanarMotion {
             let own: Vec<&YinEventAnswer> = events.filter(is_own).collect();
             own.first().map(|&first| (own.len(), first.clone()))
         };
-        let place = |event: &YinEventAnswer| {
-            let [x, y] = event.place.map(text::number);
-            format!("at time {} near ({x}, {y})", text::number(event.time))
-        };
-        let kept = of(true).map(|(count, first)| {
-            let message = format!(
-                "{} of boundaries left as they are, the first {}",
-                text::count(count, "contact"),
-                place(&first)
-            );
-            Remark::new(RemarkCode::ContactsKept, message).at(count, [])
-        });
-        let changed = of(false).map(|(count, first)| {
-            let message = format!(
-                "the topology changed {}: {}, {}{}",
-                if count == 1 { "once".to_owned() } else { text::count(count, "time") },
-                first.words,
-                place(&first),
-                if count == 1 { "" } else { ", is the first change" }
-            );
-            Remark::new(RemarkCode::TopologyRepaired, message).at(count, [])
-        });
+        let kept = of(true).map(|(count, first)| kept(count, "boundaries", first.time, first.place));
+        let changed = of(false).map(|(count, first)| changed(count, &first.words, first.time, first.place));
         fine.into_iter().chain(kept).chain(changed).collect()
     }
 

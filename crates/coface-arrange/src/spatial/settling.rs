@@ -83,7 +83,9 @@ impl Drawing {
             let needs = |face: &usize| {
                 arrangement.fine_vertices(FaceId::new(*face)).iter().any(|&vertex| is_kept[vertex as usize])
             };
-            let again: Vec<usize> = (0..is_flat.len()).filter(needs).collect();
+            let fails = own.iter().any(Option::is_none);
+            let again: Vec<usize> =
+                if fails { (0..is_flat.len()).filter(needs).collect() } else { Vec::new() };
             for (&face, list) in due.iter().zip(own) {
                 match list {
                     Some(list) => lists[face] = list,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterable, KeysView, Sequence, ValuesView
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -234,13 +235,22 @@ def raise_invalid(message: str, cure: str, cells: Sequence[Sequence[int]] = ()) 
 
 
 def with_numbers(model: Model, values: Any, on: str, count: int) -> Model:
-    """The model with the arrays of a mapping as data on its vertices or faces: those of numbers, a row for each."""
+    """The model with the arrays of a mapping as data on its vertices or faces; a warning names those that are no numbers, one row for each."""
+    left_out = []
     for name, given in dict(values).items():
         array = np.asarray(given)
-        is_plain = array.dtype.kind in "biuf" and array.ndim in (1, 2) and len(array) == count
-        if is_plain and np.isfinite(array.astype(np.float64)).all() and array.size:
-            array = array.astype(np.float64 if array.dtype.kind == "f" else np.int64)
-            model = model.with_data(str(name), array, on)
+        is_integer = array.dtype.kind in "biu"
+        exceeds = is_integer and array.size and int(array.max()) > np.iinfo(np.int64).max
+        if array.dtype.kind not in "biuf" or array.ndim == 0 or len(array) != count or not array.size or exceeds:
+            left_out.append(str(name))
+            continue
+        model = model.with_data(str(name), array.astype(np.int64 if is_integer else np.float64), on)
+    if left_out:
+        from coface._coface import AssumptionWarning
+
+        names = ", ".join(map(repr, left_out))
+        text = f"left out of the data of the {on}: {names}, which are no numbers of 64 bits, one row for each"
+        warnings.warn(text, AssumptionWarning, stacklevel=3)
     return model
 
 

@@ -1,5 +1,6 @@
 //! Where boundaries come near each other.
 
+use super::{OnContact, TrackingOptions};
 use crate::Curve;
 use crate::curve::bernstein::{control_box, value};
 use crate::curve::{distance, nearest_on};
@@ -33,6 +34,23 @@ impl Contact {
         let [p, q] = self.points;
         [0, 1].map(|axis| 0.5 * p[axis] + 0.5 * q[axis])
     }
+}
+
+/// The contacts that are looked at: all, or where contacts are kept those that are not near a place where one was kept before. `kept` are these
+/// places as they have moved.
+pub(super) fn fresh<C: Clone>(
+    options: &TrackingOptions,
+    within: f64,
+    contacts: &[C],
+    place: impl Fn(&C) -> [f64; 2],
+    kept: impl FnOnce() -> Vec<[f64; 2]>,
+) -> Vec<C> {
+    if options.on_contact != Some(OnContact::Keep) {
+        return contacts.to_vec();
+    }
+    let (near, kept) = (2.0 * options.spacing.max(within), kept());
+    let is_known = |contact: &C| kept.iter().any(|&known| distance(known, place(contact)) < near);
+    contacts.iter().filter(|contact| !is_known(contact)).cloned().collect()
 }
 
 /// A pair of pieces that are near each other.

@@ -1,9 +1,9 @@
 //! Changes of the topology of interfaces that move, with their times narrowed.
 
+use super::contacts::fresh;
 use super::graph_contacts::EdgeContact;
 use super::graphs::{InterfaceRepair, TrackedGraph};
 use super::{OnContact, TrackingCounts, TrackingOptions};
-use crate::curve::distance;
 use crate::{InterfaceFault, InterfaceGraph};
 use coface_algebra::{EdgeId, Error};
 use coface_arrange::boolean::InsideRule;
@@ -244,16 +244,8 @@ impl<'a> GraphOnTheWay<'a> {
             Some(_) => graph.contacts(self.within)?,
             None => Vec::new(),
         };
-        let fresh = match self.options.on_contact {
-            Some(OnContact::Keep) => {
-                let near = 2.0 * self.options.spacing.max(self.within);
-                let kept = map(&self.kept_contacts);
-                let is_known =
-                    |contact: &EdgeContact| kept.iter().any(|&place| distance(place, contact.place()) < near);
-                contacts.iter().filter(|contact| !is_known(contact)).cloned().collect()
-            }
-            _ => contacts.clone(),
-        };
+        let fresh =
+            fresh(self.options, self.within, &contacts, EdgeContact::place, || map(&self.kept_contacts));
         let has_slivers = self.closes_slivers() && !graph.slivers(self.within)?.is_empty();
         let fault = match check {
             Some(is_thorough) => graph.fault_on_the_way(is_thorough),

@@ -1,11 +1,10 @@
 //! Steps in which it is looked for events, with their times narrowed.
 
-use super::contacts::Contact;
+use super::contacts::{Contact, fresh};
 use super::fronts::{Fronts, Gone};
 use super::sets::{Repair, VanishedCurve, met};
 use super::{EventKind, OnContact, TopologyEvent, TrackingCounts, TrackingOptions};
 use crate::YinFault;
-use crate::curve::distance;
 use coface_algebra::Error;
 use coface_arrange::boolean::InsideRule;
 
@@ -121,16 +120,7 @@ impl<'a> Watch<'a> {
             Some(_) => fronts.contacts(self.within),
             None => Vec::new(),
         };
-        let fresh = match self.options.on_contact {
-            Some(OnContact::Keep) => {
-                let near = 2.0 * self.options.spacing.max(self.within);
-                let kept = map(&self.kept);
-                let is_known =
-                    |contact: &Contact| kept.iter().any(|&place| distance(place, contact.place()) < near);
-                contacts.iter().copied().filter(|contact| !is_known(contact)).collect()
-            }
-            _ => contacts.clone(),
-        };
+        let fresh = fresh(self.options, self.within, &contacts, Contact::place, || map(&self.kept));
         // Where something happens anyway it is looked at once that is done.
         let fault = match gone.is_empty() && fresh.is_empty() {
             true => fronts.fault(false),
