@@ -105,9 +105,34 @@ impl Run {
         command.env(variable("RUNNER"), [&[*program], *own].concat().join(" "));
         // An emulator says nothing about what is not meant.
         command.env("CARGO_TARGET_DIR", folder()).env("WINEDEBUG", "-all").env_remove("COFACE_DATA");
+        if program.contains("wine")
+            && let Some(libraries) = self.libraries()
+        {
+            command.env("WINEPATH", format!("Z:{}", libraries.display().to_string().replace('/', "\\")));
+        }
         check(tally, &format!("tests for {target}"), &mut command);
     }
+
+    /// A folder with the library that Rust takes random numbers from, which Wine has had since version 8.5 only. It is looked for there last.
+    fn libraries(&self) -> Option<PathBuf> {
+        let place = folder().join("wine");
+        let (source, library) = (place.join("prng.c"), place.join("bcryptprimitives.dll"));
+        if !library.is_file() {
+            std::fs::create_dir_all(&place).ok()?;
+            std::fs::write(&source, PRNG).ok()?;
+            let mut compiler = Command::new(self.linker);
+            compiler.args(["-shared", "-o"]).arg(&library).arg(&source).arg("-ladvapi32");
+            compiler.status().ok().filter(std::process::ExitStatus::success)?;
+        }
+        Some(place)
+    }
 }
+
+/// Random bytes as Windows 10 gives them, by what older systems have.
+const PRNG: &str = "#include <windows.h>
+#include <ntsecapi.h>
+__declspec(dllexport) BOOL WINAPI ProcessPrng(PBYTE bytes, SIZE_T count) { return RtlGenRandom(bytes, (ULONG)count); }
+";
 
 /// Whether the standard library for a target is there, or can be fetched.
 pub(crate) fn is_installed(target: &str) -> bool {
