@@ -789,7 +789,15 @@ pub(crate) fn counted(path: &Path) -> Result<CountedStream<File>, Error> {
     Ok(reading(&name_of(path), file, total))
 }
 
-fn open(path: &Path) -> Result<File, Error> {
+/// Opens a file to read it.
+///
+/// # Errors
+/// [`ErrorKind::Io`] for what is not there, is no file, or may not be read.
+pub(crate) fn open(path: &Path) -> Result<File, Error> {
+    // Some systems say of a directory that it may not be read.
+    if path.is_dir() {
+        return Err(Error::new(ErrorKind::Io, "is a directory, not a file").with_cure("name a file in it"));
+    }
     let fault = |error: &std::io::Error| match error.kind() {
         std::io::ErrorKind::NotFound => {
             Error::new(ErrorKind::Io, "there is no such file").with_cure("check the path")
@@ -799,11 +807,7 @@ fn open(path: &Path) -> Result<File, Error> {
         _ => Error::new(ErrorKind::Io, format!("the file cannot be opened: {error}"))
             .with_cure("check the path"),
     };
-    let file = File::open(path).map_err(|error| fault(&error))?;
-    if file.metadata().map_err(|error| fault(&error))?.is_dir() {
-        return Err(Error::new(ErrorKind::Io, "is a directory, not a file").with_cure("name a file in it"));
-    }
-    Ok(file)
+    File::open(path).map_err(|error| fault(&error))
 }
 
 /// Reads a mesh of simplices from a file into two streams, those of its vertices and of its elements, without keeping it in memory: three

@@ -1,7 +1,7 @@
 //! Formulas of many regions that cover each other: what is decided by some of them is not cut along the others.
 
 use super::containment::{Containment, Fillings};
-use super::drawing::{Filling, NO_FEATURE, PlanarDrawing};
+use super::drawing::{NO_FEATURE, PlanarDrawing};
 use super::outcome::Outcome;
 use super::walks::{RingWalks, Walks};
 use coface_algebra::{Error, RaggedArray};
@@ -200,7 +200,7 @@ impl Plainness {
         let fillings = Fillings::new(drawing, rule);
         let polygons: Vec<(u32, Vec<u32>)> = (0..).zip(walks_of).collect();
         let plainness = |(polygon, own): &(u32, Vec<u32>)| {
-            if drawing.polygons[*polygon as usize].filling == Filling::Lines || own.is_empty() {
+            if own.is_empty() {
                 return Ok(Self::Kept);
             }
             let rings = RaggedArray::from_lists(own.iter().map(|&walk| walks.corners.list(walk as usize)));
@@ -449,6 +449,23 @@ mod tests {
         );
         let [cut, all] = [&one, &whole].map(|result| result.answer().arrangement[0]);
         assert!(20 * cut < all, "{cut} of {all} vertices");
+    }
+
+    /// Closed lines are regions as well: what lies within others is not cut.
+    #[test]
+    fn most_sides_within_a_union_of_closed_lines_are_not_cut() {
+        let radii = |i: u32| (0..24).map(|k| if (i + k) % 3 == 0 { 0.7 } else { 1.4 }).collect::<Vec<f64>>();
+        let texts: Vec<String> = (0..100u32)
+            .map(|i| polygon(&star([f64::from(i % 10) * 0.61, f64::from(i / 10) * 0.57], &radii(i))))
+            .map(|text| text.replace("POLYGON ((", "LINESTRING (").replace("))", ")"))
+            .collect();
+        let union = BooleanFormula::union(100);
+        let [all, some] = [Leaving::Never, Leaving::Usual].map(|leaving| {
+            RegionBoolean::leaving_out(drawing(&texts), &union, &BooleanRequest::default(), leaving).unwrap()
+        });
+        assert_eq!(written(&some), written(&all));
+        let [cut, all] = [&some, &all].map(|result| result.answer().arrangement[0]);
+        assert!(10 * cut < all, "{cut} of {all} vertices");
     }
 
     /// Properties of features and names of regions come from all polygons that contain some of the result.

@@ -38,7 +38,7 @@ pub fn abandon_files() {
     for path in &unfinished.paths {
         // What cannot be removed is removed by the next run.
         if path.is_dir() {
-            remove_folder(path);
+            remove_folder(path, None);
         } else {
             let _ = fs::remove_file(path);
         }
@@ -240,7 +240,7 @@ fn remove_unless_held(folder: &Path) {
     let owner = folder.join(OWNER);
     match File::open(&owner) {
         Ok(file) if Hold::of(&file, &owner) == Hold::Ours => {
-            remove_folder(folder);
+            remove_folder(folder, Some(file));
         }
         Ok(_) => {}
         // Its process died before it said that it is its own, or is about to say it: then it makes another. What is
@@ -252,8 +252,9 @@ fn remove_unless_held(folder: &Path) {
 }
 
 /// Removes a temporary folder with all that is in it. The file that says that it is one goes last, so that whoever is
-/// killed meanwhile leaves a folder that the next run removes.
-fn remove_folder(folder: &Path) {
+/// killed meanwhile leaves a folder that the next run removes. Its handle is closed just before: other systems keep a
+/// file that is open, and the folder with it.
+fn remove_folder(folder: &Path, mut held: Option<File>) {
     let owner = folder.join(OWNER);
     for _ in 0..ATTEMPTS {
         let Ok(entries) = fs::read_dir(folder) else { return };
@@ -261,6 +262,10 @@ fn remove_folder(folder: &Path) {
             let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
             // What cannot be removed is removed by the next run.
             let _ = if is_folder { fs::remove_dir_all(entry.path()) } else { fs::remove_file(entry.path()) };
+        }
+        if let Some(held) = held.take() {
+            // A process that is being started may still share the file, and the lock with it.
+            let _ = held.unlock();
         }
         let _ = fs::remove_file(&owner);
         match fs::remove_dir(folder) {
@@ -277,11 +282,7 @@ impl Drop for TemporaryFolder {
     fn drop(&mut self) {
         let mut unfinished = unfinished();
         unfinished.paths.remove(&self.path);
-        remove_folder(&self.path);
-        if let Some(owner) = &self.owner {
-            // A process that is being started may still share the file, and the lock with it.
-            let _ = owner.unlock();
-        }
+        remove_folder(&self.path, self.owner.take());
     }
 }
 

@@ -8,6 +8,7 @@ use crate::Format;
 use crate::counted_stream::{name_of, reading};
 use crate::features::{GZIP, gunzipped, inflated};
 use crate::files::Companions;
+use crate::readers::open;
 use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::cubical::{CubicalVolume, VoxelBoxes, VoxelWindow};
@@ -680,17 +681,6 @@ fn skip_lines(input: &mut impl Read, lines: u64) -> Result<u64, Error> {
         left -= u64::from(byte[0] == b'\n');
     }
     Ok(skipped)
-}
-
-fn open(path: &Path) -> Result<File, Error> {
-    let fault = |error: std::io::Error| {
-        Error::new(ErrorKind::Io, format!("the file cannot be opened: {error}")).with_cure("check the path")
-    };
-    let file = File::open(path).map_err(fault)?;
-    if file.metadata().map_err(fault)?.is_dir() {
-        return Err(Error::new(ErrorKind::Io, "is a directory, not a file").with_cure("name a file in it"));
-    }
-    Ok(file)
 }
 
 /// The header of a pair, of which either file may be named.

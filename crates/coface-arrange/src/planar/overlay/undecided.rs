@@ -28,6 +28,8 @@ const FEW_SIDES: usize = 6;
 const MOST_CUTS: u32 = 24;
 /// Boxes that were cut so many times are looked at one after the other.
 const PARALLEL_CUTS: u32 = 4;
+/// After so many cuts that did not take away a quarter of the sides a box is cut no more.
+const FUTILE_CUTS: u32 = 6;
 
 /// Winding numbers of rings, by their numbers, rising; those that are not named are zero.
 type Numbers = Vec<(u32, i32)>;
@@ -173,7 +175,7 @@ impl UndecidedRings {
         windings.dedup();
         let search = Search { sides: &sides, condition: &condition };
         let all = (0..count as u32).collect();
-        let root = search.branch(bounds, 0, all, windings, (Vec::new(), &[]), &mut condition());
+        let root = search.branch(bounds, Progress::new(), all, windings, (Vec::new(), &[]), &mut condition());
         let mut remains: Vec<bool> =
             sides.numbers.iter().map(|number| kept.binary_search(number).is_ok()).collect();
         root.mark_undecided(&mut remains);
@@ -506,7 +508,7 @@ impl<D: FnMut(&[(u32, i32)], &[u32]) -> Option<bool>, C: Fn() -> D + Sync> Searc
     fn branch(
         &self,
         bounds: [[f64; 2]; 2],
-        cuts: u32,
+        mut progress: Progress,
         sides: Vec<u32>,
         windings: Numbers,
         (known, own): (Numbers, &[(u32, i32)]),
@@ -517,7 +519,7 @@ impl<D: FnMut(&[(u32, i32)], &[u32]) -> Option<bool>, C: Fn() -> D + Sync> Searc
         let [low, high] = bounds;
         let middle = [0, 1].map(|axis| low[axis] + (high[axis] - low[axis]) * 0.5);
         let can_be_cut = (0..2).all(|axis| low[axis] < middle[axis] && middle[axis] < high[axis]);
-        if is_decided || sides.len() <= FEW_SIDES || cuts == MOST_CUTS || !can_be_cut {
+        if is_decided || sides.len() <= FEW_SIDES || !progress.goes_on(sides.len()) || !can_be_cut {
             return Branch { known, content: Content::Sides { sides, windings, is_decided } };
         }
         let parts = [0, 1, 2, 3].map(|part: usize| {
@@ -530,10 +532,10 @@ impl<D: FnMut(&[(u32, i32)], &[u32]) -> Option<bool>, C: Fn() -> D + Sync> Searc
         let inner = |(inside, windings, known, bounds): Part, condition: &mut D| {
             let mut own: Numbers = own.iter().chain(&known).copied().collect();
             own.sort_unstable();
-            self.branch(bounds, cuts + 1, inside, windings, (known, &own), condition)
+            self.branch(bounds, progress.cut(), inside, windings, (known, &own), condition)
         };
         let [a, b, c, d] = parts;
-        let inner = if cuts < PARALLEL_CUTS {
+        let inner = if progress.cuts < PARALLEL_CUTS {
             let with_new = |part: Part| inner(part, &mut (self.condition)());
             let ((a, b), (c, d)) = rayon::join(
                 || rayon::join(|| with_new(a), || with_new(b)),
@@ -580,6 +582,34 @@ impl<D: FnMut(&[(u32, i32)], &[u32]) -> Option<bool>, C: Fn() -> D + Sync> Searc
             comes_in
         });
         (inside, windings, known, bounds)
+    }
+}
+
+/// How often a box was cut, and what came of it.
+#[derive(Clone, Copy)]
+struct Progress {
+    cuts: u32,
+    /// The number of sides when it last fell by a quarter, and the cuts until then.
+    sides: usize,
+    cuts_until: u32,
+}
+
+impl Progress {
+    fn new() -> Self {
+        Self { cuts: 0, sides: usize::MAX, cuts_until: 0 }
+    }
+
+    /// Whether a box with so many sides is worth a cut. Sides that lie on each other, or nearly, come into all boxes along them: cut to
+    /// the end these would be millions.
+    fn goes_on(&mut self, sides: usize) -> bool {
+        if sides <= self.sides / 4 * 3 {
+            (self.sides, self.cuts_until) = (sides, self.cuts);
+        }
+        self.cuts < MOST_CUTS && self.cuts - self.cuts_until < FUTILE_CUTS
+    }
+
+    fn cut(self) -> Self {
+        Self { cuts: self.cuts + 1, ..self }
     }
 }
 
