@@ -803,7 +803,8 @@ impl Persistence {
     ///
     /// Each is a :class:`Chain` with ``cells``, ``coefficients`` and ``simplices`` as arrays. The cycle is there from the birth on, and bounds from the death
     /// on, not before; the cocycle is one of the cells before the death, with the value 1 on the cycle. Over the field of p elements coefficients are the
-    /// whole numbers of least absolute value. Chains are not made short.
+    /// whole numbers of least absolute value. Cycles are made shorter by boundaries of
+    /// cells that are there at the birth; the shortest ones are not promised.
     ///
     /// Parameters
     /// ----------

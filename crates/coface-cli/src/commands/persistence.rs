@@ -77,7 +77,8 @@ pub(crate) struct Persistence {
     #[arg(long, value_name = "R", default_value = "0", allow_negative_numbers = true, value_parser = length)]
     min_persistence: f64,
     /// Cycles of the classes, the chains that they bound at their deaths, and cocycles, over the field, of models, points and graphs; written to OUT if given, as .json, or as a picture
-    /// in .vtk, .obj and other mesh formats, with groups of triangles and cells. Not made short
+    /// in .vtk, .obj and other mesh formats, with groups of triangles and cells. Made shorter
+    /// by boundaries of cells that are there at the birth; the shortest ones are not promised
     #[arg(long, value_name = "OUT", num_args = 0..=1)]
     cycles: Option<Option<PathBuf>>,
     /// A certificate of the pairs, which coface check verifies against the input; of a facet list, a chain complex, or a surface as plain OFF or OBJ; in

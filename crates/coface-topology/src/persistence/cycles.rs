@@ -1,7 +1,8 @@
 //! Cycles, bounding chains and cocycles of the classes of a diagram.
 
 use super::elimination::Elimination;
-use super::reduction::{Columns, NONE};
+use super::reduction::{Columns, Level, NONE};
+use super::shortening::Shortening;
 use super::{Filtration, PersistenceDiagram, PersistencePair};
 use coface_algebra::chains::{Chain, ChainComplex, Cochain};
 use coface_algebra::progress::stage;
@@ -61,7 +62,8 @@ impl PersistentCycle {
 /// complex and this filtration, or that [up to a degree](PersistenceDiagram::up_to_degree).
 ///
 /// Only what these cycles need is reduced: boundaries of cells that end classes, by those that end earlier ones, and coboundaries of cells that make
-/// classes. They are not made short.
+/// classes. Then boundaries of single cells that enter no later than the class are added to a cycle while that makes it shorter, in the number of cells
+/// with multiplicity, and to its bounding chain: the class stays the same. Shortest cycles are not promised.
 ///
 /// # Errors
 /// Those of [`Filtration::check`]; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if classes were taken from the diagram.
@@ -139,9 +141,9 @@ fn not_whole() -> Error {
 }
 
 /// The cells of a degree in the order of entrance.
-struct Entrance {
-    cells: Vec<u32>,
-    numbers: Vec<u32>,
+pub(super) struct Entrance {
+    pub(super) cells: Vec<u32>,
+    pub(super) numbers: Vec<u32>,
 }
 
 impl Entrance {
@@ -154,7 +156,7 @@ impl Entrance {
         Self { cells, numbers }
     }
 
-    fn number(&self, cell: CellId) -> u32 {
+    pub(super) fn number(&self, cell: CellId) -> u32 {
         self.numbers[cell.index()]
     }
 
@@ -165,7 +167,7 @@ impl Entrance {
 }
 
 /// What is computed, as terms by numbers of entrance.
-type Terms<U> = Vec<(u32, U)>;
+pub(super) type Terms<U> = Vec<(u32, U)>;
 
 /// A field with what names its elements.
 struct Over<'a, F: Field, N> {
@@ -201,14 +203,19 @@ fn over<F: Field>(
         let (dying, staying) = over.cycles(&level, wanted_here, wanted_next);
         let cocycles = over.cocycles(&level, wanted_here);
         let mut dying = dying.into_iter();
-        for ((pair, staying), cocycle) in wanted_here.iter().zip(essential).zip(cocycles) {
-            let (cycle, bounding) = match pair.death_cell() {
+        let shortening = Shortening::new(field, &over.integer, &level);
+        let steps = stage("shortening cycles", wanted_here.len());
+        for ((pair, staying), cocycle) in steps.each(wanted_here.iter().zip(essential).zip(cocycles)) {
+            let (mut cycle, mut bounding) = match pair.death_cell() {
                 None => (staying, None),
                 Some(_) => {
                     let (cycle, bounding) = dying.next().expect("a class that dies has a bounding chain");
                     (cycle, Some(bounding))
                 }
             };
+            if let Some(shortening) = &shortening {
+                shortening.shorten(filtration, pair, &mut cycle, bounding.as_mut());
+            }
             let chain = |degree, entrance: &Entrance, terms: &Terms<F::Unit>| {
                 Chain::of_cells(degree, over.terms(entrance, terms))
             };
@@ -225,12 +232,12 @@ fn over<F: Field>(
 }
 
 /// The pairs of a degree, and the cells of it and of the next one.
-struct Pairs<'a> {
-    degree: usize,
-    complex: &'a ChainComplex,
-    all: &'a [PersistencePair],
-    here: &'a Entrance,
-    next: &'a Entrance,
+pub(super) struct Pairs<'a> {
+    pub(super) degree: usize,
+    pub(super) complex: &'a ChainComplex,
+    pub(super) all: &'a [PersistencePair],
+    pub(super) here: &'a Entrance,
+    pub(super) next: &'a Entrance,
 }
 
 impl<F: Field, N: Fn(F::Unit) -> i64> Over<'_, F, N> {
@@ -303,28 +310,21 @@ impl<F: Field, N: Fn(F::Unit) -> i64> Over<'_, F, N> {
     }
 
     /// Cocycles of the classes that are wanted.
-    fn cocycles(&self, level: &Pairs<'_>, wanted: &[&PersistencePair]) -> Vec<Terms<F::Unit>> {
-        let (here, next) = (level.here, level.next);
-        let Some(matrix) = level.complex.boundary_matrix(level.degree + 1).filter(|_| !wanted.is_empty())
+    fn cocycles(&self, pairs: &Pairs<'_>, wanted: &[&PersistencePair]) -> Vec<Terms<F::Unit>> {
+        let (here, next) = (pairs.here, pairs.next);
+        let Some(matrix) = pairs.complex.boundary_matrix(pairs.degree + 1).filter(|_| !wanted.is_empty())
         else {
             return wanted.iter().map(|pair| self.single(here, pair)).collect();
         };
         // Columns are the coboundaries, numbered from the last cell to enter: what is added to one has lower numbers.
-        let mut columns: Vec<Terms<F::Unit>> = vec![Vec::new(); here.cells.len()];
-        for (number, &cell) in next.cells.iter().enumerate() {
-            for (face, x) in matrix.column(cell as usize).iter() {
-                if let Some(unit) = self.field.unit(x) {
-                    columns[here.counted_back(here.numbers[face]) as usize].push((number as u32, unit));
-                }
-            }
-        }
+        let level = Level { field: self.field, matrix, cells: &next.cells, faces: &here.cells };
+        let columns = level.coboundaries_by(&|number| here.counted_back(number));
         let mut owners = vec![NONE; next.cells.len()];
-        for pair in level.all {
+        for pair in pairs.all {
             if let Some(death) = pair.death_cell() {
                 owners[next.number(death) as usize] = here.counted_back(here.number(pair.birth_cell()));
             }
         }
-        let columns = Columns::of(columns.into_iter());
         let mut elimination = Elimination::new(self.field, self.one, columns, owners);
         let steps = stage("finding cocycles", wanted.len());
         let cocycle = |pair: &&PersistencePair| {

@@ -57,6 +57,64 @@ pub(super) fn assert_proved(
     }
 }
 
+/// That no boundary of a single cell makes the cycle shorter: of cells that enter no later than the class and before the cell that ends it, and whose
+/// faces enter before the cell that makes it.
+fn assert_short(complex: &ChainComplex, filtration: &Filtration, prime: u32, found: &PersistentCycle) {
+    let (pair, degree) = (found.pair(), found.pair().degree());
+    let sign = if filtration.is_falling() { -1.0 } else { 1.0 };
+    let order = |degree: usize, cell: CellId| (sign * filtration.values(degree)[cell.index()], cell);
+    let size = |x: i64| x.rem_euclid(i64::from(prime)).min((-x).rem_euclid(i64::from(prime)));
+    let mut values = vec![0; complex.cell_count(degree)];
+    for (cell, x) in found.cycle().terms() {
+        values[cell.index()] = x.to_i64().unwrap();
+    }
+    for cell in (0..complex.cell_count(degree + 1)).map(CellId::new) {
+        let faces = complex.boundary_matrix(degree + 1).unwrap().column(cell.index());
+        let is_in_time = sign * filtration.values(degree + 1)[cell.index()] <= sign * pair.birth()
+            && pair.death_cell().is_none_or(|death| order(degree + 1, cell) < order(degree + 1, death))
+            && faces
+                .iter()
+                .all(|(face, _)| order(degree, CellId::new(face)) < order(degree, pair.birth_cell()));
+        for factor in [1, -1].into_iter().filter(|_| is_in_time) {
+            let change: i64 = faces
+                .iter()
+                .map(|(face, x)| size(values[face] + factor * i64::from(x)) - size(values[face]))
+                .sum();
+            assert!(change >= 0, "{cell} makes {:?} shorter", found.cycle());
+        }
+    }
+}
+
+/// A strip of triangles whose edges along the path 0, 1, .., n come first: the loop that the edge from 0 to n closes runs along the path, and is cut short by
+/// the triangles.
+#[test]
+fn loops_take_the_triangles_that_are_there() {
+    for n in [4usize, 20, 100] {
+        let end = n as u32;
+        let facets = (0..end - 1).map(|i| vec![i, i + 1, i + 2]).chain([vec![0, end]]);
+        let complex = SimplicialComplex::from_facets(facets).unwrap().chain_complex().unwrap();
+        let mut values: Vec<Vec<f64>> =
+            (0..3).map(|degree| vec![2.0 * f64::from(degree > 1); complex.cell_count(degree)]).collect();
+        for (edge, column) in complex.boundary_matrix(1).unwrap().columns().enumerate() {
+            let ends: Vec<usize> = column.iter().map(|(vertex, _)| vertex).collect();
+            values[1][edge] = match ends[1].abs_diff(ends[0]) {
+                1 => 0.0,
+                2 => 1.0,
+                _ => 3.0,
+            };
+        }
+        let filtration = Filtration::new(&complex, values).unwrap();
+        for prime in [2, 3] {
+            let diagram = persistence(&complex, &filtration, Coefficients::Modulo(prime.into())).unwrap();
+            let found = persistent_cycles(&complex, &filtration, &diagram, 5.0).unwrap();
+            let hole = found.iter().find(|one| one.pair().degree() == 1).unwrap();
+            assert_eq!((hole.pair().birth(), hole.cycle().terms().len()), (3.0, n / 2 + 1));
+            assert_proved(&complex, &filtration, prime, hole);
+            assert_short(&complex, &filtration, prime, hole);
+        }
+    }
+}
+
 proptest! {
     /// Invariant 112.
     #[test]
@@ -77,6 +135,7 @@ proptest! {
         for (found, pair) in all.iter().zip(diagram.pairs()) {
             prop_assert_eq!(found.pair(), pair);
             assert_proved(&complex, &filtration, prime, found);
+            assert_short(&complex, &filtration, prime, found);
         }
         // Those of long classes are the same when they alone are asked for.
         let long = persistent_cycles(&complex, &filtration, &diagram, 1.0).unwrap();

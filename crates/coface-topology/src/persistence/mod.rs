@@ -22,6 +22,7 @@ mod filtration;
 mod image;
 mod reduction;
 mod rips;
+mod shortening;
 mod torsion;
 mod vineyard;
 mod zigzag;

@@ -163,7 +163,13 @@ impl<F: Field> Level<'_, F> {
 
     /// For each face its cofaces, rising.
     fn coboundaries(&self) -> Columns<F::Unit> {
-        let numbers = self.numbers();
+        self.coboundaries_by(&|number| number)
+    }
+
+    /// For each face its cofaces, rising, at the place that its number has.
+    pub(super) fn coboundaries_by(&self, place: &dyn Fn(u32) -> u32) -> Columns<F::Unit> {
+        let mut numbers = self.numbers();
+        numbers.iter_mut().for_each(|number| *number = place(*number));
         let mut starts = vec![0; self.faces.len() + 1];
         for (row, _) in self
             .matrix
