@@ -76,7 +76,7 @@ pub struct SpatialArrangement {
     pub(super) joined: Option<JoinedFeatures>,
     /// The outlines of triangles that are there in part.
     outlines: Option<Arc<PartOutlines>>,
-    options: SpatialOptions,
+    pub(super) options: SpatialOptions,
 }
 
 impl SpatialArrangement {

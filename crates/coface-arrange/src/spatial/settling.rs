@@ -9,7 +9,7 @@ use crate::near::{
     CoordinatePrecision, HotPlaces, JoinedFeatures, NONE, NearChains, NearCounts, STEADY_ROUNDS, minus,
     reach, squared,
 };
-use coface_algebra::{EdgeId, Error, FaceId, RaggedArray, Sign, VertexId};
+use coface_algebra::{EdgeId, Error, ErrorKind, FaceId, RaggedArray, Sign, VertexId};
 use coface_geometry::{Positions, cross, dot, frame_around};
 use rayon::prelude::*;
 use std::cmp::Ordering;
@@ -21,6 +21,9 @@ const ROUNDS_WITH_TOLERANCE: usize = 8;
 /// Rounding is given up where a round has so many times the vertices of the first one, and some more.
 const GROWTH: usize = 2;
 const GROWTH_OF_SMALL: usize = 1 << 10;
+
+/// An arrangement of so many vertices has fewer cells than this times their number, but for many sheets through one point.
+const CELLS_OF_VERTEX: usize = 16;
 
 /// Triangles in patches that are to be arranged.
 #[derive(Clone, Debug)]
@@ -158,6 +161,16 @@ impl Drawing {
         let steady = if is_rounding { STEADY_ROUNDS } else { ROUNDS_WITH_TOLERANCE };
         let most = rounds_to_an_end(&drawing.points, tolerance);
         let most_vertices = GROWTH * drawing.points.len() + GROWTH_OF_SMALL;
+        let given_up = |makes: String, tolerance: f64, points: usize| {
+            Error::invalid(format!(
+                "putting features together that are less than {tolerance:e} apart makes {makes} where there were {points} vertices"
+            ))
+            .with_cure("scale the model up, or remove polygons that nearly coincide")
+        };
+        // A round that makes too much ends while its points are counted: all of them would take minutes, and gigabytes.
+        let most_cells = CELLS_OF_VERTEX * most_vertices;
+        let is_own = is_rounding && options.max_cells.is_none_or(|asked| asked > most_cells);
+        let bounded = if is_own { options.max_cells(most_cells) } else { *options };
         let mut hot = Vec::new();
         for round in 0..most {
             joined.tolerance = reach(tolerance, round);
@@ -167,19 +180,20 @@ impl Drawing {
             joined.counts.add(&drawing.join(everywhere, places, joined.tolerance, precision));
             let Self { points, triangles, patches, first, place, .. } = drawing;
             let positions = Positions::from_flat(3, points.into_flattened())?;
-            let mut arrangement =
-                SpatialArrangement::of_triangles(&positions, &triangles, patches, None, options)?;
+            let found = SpatialArrangement::of_triangles(&positions, &triangles, patches, None, &bounded);
+            let mut arrangement = found.map_err(|error| match error.kind() {
+                ErrorKind::TooLarge if is_own => {
+                    given_up(format!("more than {most_cells} cells"), joined.tolerance, first.len())
+                }
+                _ => error,
+            })?;
+            arrangement.options = *options;
             hot = arrangement.new_places();
             let is_settled = hot.is_empty()
                 || (is_rounding && arrangement.is_exactly_rounded() && arrangement.is_held(precision));
             let vertex_count = arrangement.cut.complex().vertex_count();
             if !is_settled && is_rounding && vertex_count > most_vertices {
-                return Err(Error::invalid(format!(
-                    "putting features together that are less than {:e} apart makes {vertex_count} vertices of {}",
-                    joined.tolerance,
-                    first.len()
-                ))
-                .with_cure("scale the model up, or remove polygons that nearly coincide"));
+                return Err(given_up(format!("{vertex_count} vertices"), joined.tolerance, first.len()));
             }
             if is_settled {
                 joined.tell(&first, &place, positions.as_flat().as_chunks().0);

@@ -699,3 +699,42 @@ fn exact_results_are_input_again() {
     assert_eq!(run.status, 1, "{}", run.stdout);
     assert!(run.stderr.contains("exact"), "{}", run.stderr);
 }
+
+/// A tube of 2,400 triangles that runs around an axis three times, and wobbles: rounding its crossings makes more of them in each round.
+#[test]
+fn a_tube_that_lies_on_itself_three_times_ends_with_a_remark() {
+    let [steps, around] = [60, 20];
+    let mut text = format!("OFF\n{} {} 0\n", steps * around, 2 * steps * around);
+    let angle = |i: usize, count: usize| std::f64::consts::TAU * i as f64 / count as f64;
+    for i in 0..steps {
+        let (s, c) = (3.0 * angle(i, steps)).sin_cos();
+        let wobble = 0.05 * angle(i, steps).sin();
+        for j in 0..around {
+            let (v, u) = angle(j, around).sin_cos();
+            let radius = 2.0 + wobble + 0.5 * u;
+            text += &format!("{} {} {}\n", radius * c, radius * s, 0.5 * v + wobble);
+        }
+    }
+    for i in 0..steps {
+        for j in 0..around {
+            let at = |i: usize, j: usize| i % steps * around + j % around;
+            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            text += &format!("3 {a} {b} {c}\n3 {a} {c} {d}\n");
+        }
+    }
+    let folder = Folder::new();
+    let tube = folder.text("tube.off", &text);
+    let union = |more: &[&str]| {
+        let words = ["boolean", "union", argument(&tube), "--rule", "positive", "--json"];
+        coface(&[&words[..], more].concat()).json()
+    };
+    let (rounded, exact) = (union(&[]), union(&["--exact"]));
+    for answer in [&rounded, &exact] {
+        let volume = answer["measure"].as_f64().unwrap();
+        assert!((volume - 10.975_684_385_942_976).abs() < 1e-9, "{volume}");
+    }
+    // Whether it is valid is told, whatever it is.
+    let is_told =
+        rounded["remarks"].as_array().unwrap().iter().any(|remark| remark["code"] == "rounded-invalid");
+    assert_eq!(rounded["rounding"]["valid"] == json!(false), is_told, "{}", rounded["remarks"]);
+}
