@@ -1,7 +1,8 @@
 //! Streams whose bytes count as progress.
 
-use coface_algebra::escaped;
 use coface_algebra::progress::{Steps, stage_of_bytes};
+use coface_algebra::{Error, ErrorKind, escaped};
+use std::fs::File;
 use std::io::{Read, Write};
 use std::path::Path;
 
@@ -48,4 +49,25 @@ impl<W: Write> Write for CountedStream<W> {
     fn flush(&mut self) -> std::io::Result<()> {
         self.stream.flush()
     }
+}
+
+/// Opens a file to read it.
+///
+/// # Errors
+/// [`ErrorKind::Io`] for what is not there, is no file, or may not be read.
+pub(crate) fn open(path: &Path) -> Result<File, Error> {
+    // Some systems say of a directory that it may not be read.
+    if path.is_dir() {
+        return Err(Error::new(ErrorKind::Io, "is a directory, not a file").with_cure("name a file in it"));
+    }
+    let fault = |error: &std::io::Error| match error.kind() {
+        std::io::ErrorKind::NotFound => {
+            Error::new(ErrorKind::Io, "there is no such file").with_cure("check the path")
+        }
+        std::io::ErrorKind::PermissionDenied => Error::new(ErrorKind::Io, "the file may not be read")
+            .with_cure("change its permissions, or copy it"),
+        _ => Error::new(ErrorKind::Io, format!("the file cannot be opened: {error}"))
+            .with_cure("check the path"),
+    };
+    File::open(path).map_err(|error| fault(&error))
 }

@@ -1,6 +1,6 @@
 //! Reading and writing models by path or stream, whatever the format.
 
-use super::counted_stream::{CountedStream, name_of, reading};
+use super::counted_stream::{CountedStream, name_of, open, reading};
 use super::files::{Companions, replace_file};
 use super::scratch_mesh::{self, ScratchMesh, ScratchStream};
 use super::tail::Tail;
@@ -787,27 +787,6 @@ pub(crate) fn counted(path: &Path) -> Result<CountedStream<File>, Error> {
     let file = open(path)?;
     let total = file.metadata().map_or(0, |metadata| metadata.len());
     Ok(reading(&name_of(path), file, total))
-}
-
-/// Opens a file to read it.
-///
-/// # Errors
-/// [`ErrorKind::Io`] for what is not there, is no file, or may not be read.
-pub(crate) fn open(path: &Path) -> Result<File, Error> {
-    // Some systems say of a directory that it may not be read.
-    if path.is_dir() {
-        return Err(Error::new(ErrorKind::Io, "is a directory, not a file").with_cure("name a file in it"));
-    }
-    let fault = |error: &std::io::Error| match error.kind() {
-        std::io::ErrorKind::NotFound => {
-            Error::new(ErrorKind::Io, "there is no such file").with_cure("check the path")
-        }
-        std::io::ErrorKind::PermissionDenied => Error::new(ErrorKind::Io, "the file may not be read")
-            .with_cure("change its permissions, or copy it"),
-        _ => Error::new(ErrorKind::Io, format!("the file cannot be opened: {error}"))
-            .with_cure("check the path"),
-    };
-    File::open(path).map_err(|error| fault(&error))
 }
 
 /// Reads a mesh of simplices from a file into two streams, those of its vertices and of its elements, without keeping it in memory: three

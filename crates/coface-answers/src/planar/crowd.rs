@@ -451,6 +451,16 @@ mod tests {
         assert!(20 * cut < all, "{cut} of {all} vertices");
     }
 
+    /// Boxes along sides that lie on each other stay few: each cut would make twice as many.
+    #[test]
+    fn sides_that_lie_on_each_other_are_not_cut_without_end() {
+        let texts: Vec<String> = (1..=12)
+            .map(f64::from)
+            .map(|i| polygon(&[[0.0, 0.0], [7.0, 3.0], [7.0 - 0.3 * i, 3.0 + 0.7 * i], [-0.3 * i, 0.7 * i]]))
+            .collect();
+        compare(&texts, &BooleanFormula::union(12), &BooleanRequest::default());
+    }
+
     /// Closed lines are regions as well: what lies within others is not cut.
     #[test]
     fn most_sides_within_a_union_of_closed_lines_are_not_cut() {

@@ -5,16 +5,14 @@ use super::numbers::{Decode, Test, Values, Words};
 use super::rule::{VolumeReading, VoxelRule};
 use super::{metaimage, nifti, npy, nrrd, pgm};
 use crate::Format;
-use crate::counted_stream::{name_of, reading};
+use crate::counted_stream::{name_of, open, reading};
 use crate::features::{GZIP, gunzipped, inflated};
 use crate::files::Companions;
-use crate::readers::open;
 use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::cubical::{CubicalVolume, VoxelBoxes, VoxelWindow};
 use std::cell::Cell;
 use std::collections::BTreeMap;
-use std::fs::File;
 use std::io::{BufReader, Read};
 use std::path::{Path, PathBuf};
 

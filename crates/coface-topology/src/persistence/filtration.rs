@@ -291,7 +291,8 @@ impl Filtration {
         let _steps = stage("sorting cells", 0);
         // Numbers whose order is that of the values: sorting them reads memory in a row.
         let key = |value: f64| {
-            let bits = value.to_bits();
+            // Zeros of both signs are equal.
+            let bits = (value + 0.0).to_bits();
             let rising = if bits >> 63 == 1 { !bits } else { bits | 1 << 63 };
             if self.is_falling { !rising } else { rising }
         };
