@@ -464,7 +464,8 @@ mod tests {
     /// Closed lines are regions as well: what lies within others is not cut.
     #[test]
     fn most_sides_within_a_union_of_closed_lines_are_not_cut() {
-        let radii = |i: u32| (0..24).map(|k| if (i + k) % 3 == 0 { 0.7 } else { 1.4 }).collect::<Vec<f64>>();
+        let radii =
+            |i: u32| (0..24).map(|k| if (i + k).is_multiple_of(3) { 0.7 } else { 1.4 }).collect::<Vec<f64>>();
         let texts: Vec<String> = (0..100u32)
             .map(|i| polygon(&star([f64::from(i % 10) * 0.61, f64::from(i / 10) * 0.57], &radii(i))))
             .map(|text| text.replace("POLYGON ((", "LINESTRING (").replace("))", ")"))

@@ -116,7 +116,7 @@ impl<'a, F: Field, N: Fn(F::Unit) -> i64> Shortening<'a, F, N> {
         }
         *cycle = present.into_iter().collect();
         // As it was: the cell that makes the class first.
-        cycle.sort_unstable_by(|a, b| b.0.cmp(&a.0));
+        cycle.sort_unstable_by_key(|&(number, _)| std::cmp::Reverse(number));
         if let Some(bounding) = bounding {
             for &(number, unit) in bounding.iter() {
                 let sum = match added.get(&number) {
