@@ -347,7 +347,9 @@ def test_meshio_and_pyvista_take_data_with_them() -> None:
     again = coface.as_model(coface.to_meshio(WITH_DATA))
     assert data_of(again) == data_of(WITH_DATA) and len(again.data) == 3
     mixed = meshio.Mesh(SQUARE, [("line", [[0, 1]]), ("triangle", [[0, 1, 2]])], point_data={"a": np.arange(4), "text": np.array(list("abcd"))}, cell_data={"b": [[1], [2]]})
-    assert data_of(coface.as_model(mixed)) == {("a", "vertices"): [0, 1, 2, 3]}
+    with pytest.warns(coface.AssumptionWarning) as told:
+        assert data_of(coface.as_model(mixed)) == {("a", "vertices"): [0, 1, 2, 3]}
+    assert [str(one.message).split(",")[0] for one in told] == ["left out of the data of the vertices: 'text'", "left out of the data of the cells: 'b'"]
     pyvista = pytest.importorskip("pyvista")
     for grid in (False, True):
         made = coface.to_pyvista(WITH_DATA, grid=grid)

@@ -22,8 +22,8 @@ const ROUNDS_WITH_TOLERANCE: usize = 8;
 const GROWTH: usize = 2;
 const GROWTH_OF_SMALL: usize = 1 << 10;
 
-/// An arrangement of so many vertices has fewer cells than this times their number, but for many sheets through one point.
-const CELLS_OF_VERTEX: usize = 16;
+/// A round may make so many cells for each vertex that it may have. Tetrahedra that fill space have 26: 1 vertex, 7 edges, 12 triangles, 6 tetrahedra.
+const CELLS_OF_VERTEX: usize = 32;
 
 /// Triangles in patches that are to be arranged.
 #[derive(Clone, Debug)]

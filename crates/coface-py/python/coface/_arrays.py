@@ -26,6 +26,8 @@ CORNERS = {
     "wedge": 6,
     "hexahedron": 8,
 }
+#: Why data of cells are left out.
+MIXED = "which are taken where all cells are faces"
 #: The kinds of 3-cells.
 SOLID = ("tetra", "pyramid", "wedge", "hexahedron")
 
@@ -242,16 +244,20 @@ def with_numbers(model: Model, values: Any, on: str, count: int) -> Model:
         is_integer = array.dtype.kind in "biu"
         exceeds = is_integer and array.size and int(array.max()) > np.iinfo(np.int64).max
         if array.dtype.kind not in "biuf" or array.ndim == 0 or len(array) != count or not array.size or exceeds:
-            left_out.append(str(name))
-            continue
-        model = model.with_data(str(name), array.astype(np.int64 if is_integer else np.float64), on)
+            left_out.append(name)
+        else:
+            model = model.with_data(str(name), array.astype(np.int64 if is_integer else np.float64), on)
+    warn_of_data_left_out(left_out, on, "which are no numbers of 64 bits, one row for each")
+    return model
+
+
+def warn_of_data_left_out(names: Iterable[Any], on: str, why: str) -> None:
+    """A warning that names data that are left out; none if there are none."""
+    left_out = ", ".join(repr(str(name)) for name in names)
     if left_out:
         from coface._coface import AssumptionWarning
 
-        names = ", ".join(map(repr, left_out))
-        text = f"left out of the data of the {on}: {names}, which are no numbers of 64 bits, one row for each"
-        warnings.warn(text, AssumptionWarning, stacklevel=3)
-    return model
+        warnings.warn(f"left out of the data of the {on}: {left_out}, {why}", AssumptionWarning, stacklevel=4)
 
 
 def numbers_on(model: Model, on: str) -> dict[str, Any]:

@@ -91,25 +91,13 @@ impl<'a, F: Field, N: Fn(F::Unit) -> i64> Shortening<'a, F, N> {
                 let Some(unit) = self.field.unit(x) else { continue };
                 let number = here.numbers[face];
                 let part = self.field.product(factor, unit);
-                let sum = match present.get(&number) {
-                    Some(&old) => self.field.sum(old, part),
-                    None => Some(part),
-                };
-                match sum {
+                match self.sum(present.get(&number), part) {
                     Some(sum) => present.insert(number, sum),
                     None => present.remove(&number),
                 };
                 offer(number, &mut queue, &mut is_waiting);
             }
-            let number = next.numbers[cell as usize];
-            let sum = match added.get(&number) {
-                Some(&old) => self.field.sum(old, factor),
-                None => Some(factor),
-            };
-            match sum {
-                Some(sum) => added.insert(number, sum),
-                None => added.remove(&number),
-            };
+            self.add(&mut added, next.numbers[cell as usize], factor);
         }
         if added.is_empty() {
             return;
@@ -118,18 +106,21 @@ impl<'a, F: Field, N: Fn(F::Unit) -> i64> Shortening<'a, F, N> {
         // As it was: the cell that makes the class first.
         cycle.sort_unstable_by_key(|&(number, _)| std::cmp::Reverse(number));
         if let Some(bounding) = bounding {
-            for &(number, unit) in bounding.iter() {
-                let sum = match added.get(&number) {
-                    Some(&old) => self.field.sum(old, unit),
-                    None => Some(unit),
-                };
-                match sum {
-                    Some(sum) => added.insert(number, sum),
-                    None => added.remove(&number),
-                };
-            }
+            bounding.iter().for_each(|&(number, unit)| self.add(&mut added, number, unit));
             *bounding = added.into_iter().rev().collect();
         }
+    }
+
+    /// A coefficient after a change; `None` for zero.
+    fn sum(&self, old: Option<&F::Unit>, part: F::Unit) -> Option<F::Unit> {
+        old.map_or(Some(part), |&old| self.field.sum(old, part))
+    }
+
+    fn add(&self, chain: &mut BTreeMap<u32, F::Unit>, number: u32, part: F::Unit) {
+        match self.sum(chain.get(&number), part) {
+            Some(sum) => chain.insert(number, sum),
+            None => chain.remove(&number),
+        };
     }
 
     /// 1 or -1, if the cell may be added with it and that makes the cycle shorter.
@@ -148,10 +139,8 @@ impl<'a, F: Field, N: Fn(F::Unit) -> i64> Shortening<'a, F, N> {
                 .iter()
                 .filter_map(|(face, x)| {
                     let part = self.field.product(factor, self.field.unit(x)?);
-                    Some(match present.get(&number(face)) {
-                        Some(&old) => self.field.sum(old, part).map_or(0, size) - size(old),
-                        None => size(part),
-                    })
+                    let old = present.get(&number(face));
+                    Some(self.sum(old, part).map_or(0, size) - old.map_or(0, |&old| size(old)))
                 })
                 .sum();
             change < 0

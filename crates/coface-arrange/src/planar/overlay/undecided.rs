@@ -175,7 +175,8 @@ impl UndecidedRings {
         windings.dedup();
         let search = Search { sides: &sides, condition: &condition };
         let all = (0..count as u32).collect();
-        let root = search.branch(bounds, Progress::new(), all, windings, (Vec::new(), &[]), &mut condition());
+        let progress = Progress::new(count);
+        let root = search.branch(bounds, progress, all, windings, (Vec::new(), &[]), &mut condition());
         let mut remains: Vec<bool> =
             sides.numbers.iter().map(|number| kept.binary_search(number).is_ok()).collect();
         root.mark_undecided(&mut remains);
@@ -508,7 +509,7 @@ impl<D: FnMut(&[(u32, i32)], &[u32]) -> Option<bool>, C: Fn() -> D + Sync> Searc
     fn branch(
         &self,
         bounds: [[f64; 2]; 2],
-        mut progress: Progress,
+        progress: Progress,
         sides: Vec<u32>,
         windings: Numbers,
         (known, own): (Numbers, &[(u32, i32)]),
@@ -519,7 +520,8 @@ impl<D: FnMut(&[(u32, i32)], &[u32]) -> Option<bool>, C: Fn() -> D + Sync> Searc
         let [low, high] = bounds;
         let middle = [0, 1].map(|axis| low[axis] + (high[axis] - low[axis]) * 0.5);
         let can_be_cut = (0..2).all(|axis| low[axis] < middle[axis] && middle[axis] < high[axis]);
-        if is_decided || sides.len() <= FEW_SIDES || !progress.goes_on(sides.len()) || !can_be_cut {
+        let progress = progress.with(sides.len());
+        if is_decided || sides.len() <= FEW_SIDES || progress.is_futile() || !can_be_cut {
             return Branch { known, content: Content::Sides { sides, windings, is_decided } };
         }
         let parts = [0, 1, 2, 3].map(|part: usize| {
@@ -585,7 +587,8 @@ impl<D: FnMut(&[(u32, i32)], &[u32]) -> Option<bool>, C: Fn() -> D + Sync> Searc
     }
 }
 
-/// How often a box was cut, and what came of it.
+/// How often a box was cut, and what came of it. Sides that lie on each other, or nearly, come into all boxes along them: cut to the end these
+/// would be millions.
 #[derive(Clone, Copy)]
 struct Progress {
     cuts: u32,
@@ -595,17 +598,18 @@ struct Progress {
 }
 
 impl Progress {
-    fn new() -> Self {
-        Self { cuts: 0, sides: usize::MAX, cuts_until: 0 }
+    fn new(sides: usize) -> Self {
+        Self { cuts: 0, sides, cuts_until: 0 }
     }
 
-    /// Whether a box with so many sides is worth a cut. Sides that lie on each other, or nearly, come into all boxes along them: cut to
-    /// the end these would be millions.
-    fn goes_on(&mut self, sides: usize) -> bool {
-        if sides <= self.sides / 4 * 3 {
-            (self.sides, self.cuts_until) = (sides, self.cuts);
-        }
-        self.cuts < MOST_CUTS && self.cuts - self.cuts_until < FUTILE_CUTS
+    /// The same when a box has so many sides.
+    fn with(self, sides: usize) -> Self {
+        if sides <= self.sides / 4 * 3 { Self { sides, cuts_until: self.cuts, ..self } } else { self }
+    }
+
+    /// Whether cuts did not help, or there were many.
+    fn is_futile(self) -> bool {
+        self.cuts == MOST_CUTS || self.cuts - self.cuts_until == FUTILE_CUTS
     }
 
     fn cut(self) -> Self {

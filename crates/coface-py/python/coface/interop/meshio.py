@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from coface._coface import Model
-from coface._arrays import CORNERS, blocks, numbers_on, polygons, positions, ragged, raise_invalid, steps, with_numbers
+from coface._arrays import CORNERS, MIXED, blocks, numbers_on, polygons, positions, ragged, raise_invalid, steps, warn_of_data_left_out, with_numbers
 from coface.interop import needed
 
 FACES = ("triangle", "quad", "polygon")
@@ -38,7 +38,8 @@ def to_model(value: Any) -> Model:
     model = with_numbers(model, value.point_data, "vertices", len(value.points))
     if set(cells) == {"polygon"}:
         joined = {name: np.concatenate([np.asarray(part) for part in parts]) for name, parts in value.cell_data.items()}
-        model = with_numbers(model, joined, "faces", len(ragged(model.faces)[1]) - 1)
+        return with_numbers(model, joined, "faces", len(ragged(model.faces)[1]) - 1)
+    warn_of_data_left_out(value.cell_data, "cells", MIXED)
     return model
 
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from coface._coface import Model
-from coface._arrays import SOLID, lists, numbers_on, padded, polygons, positions, ragged, raise_invalid, unpadded, with_numbers
+from coface._arrays import MIXED, SOLID, lists, numbers_on, padded, polygons, positions, ragged, raise_invalid, unpadded, warn_of_data_left_out, with_numbers
 from coface.interop import needed
 
 #: The numbers that VTK has for kinds of cells.
@@ -89,7 +89,10 @@ def to_model(value: Any) -> Model:
 def _with_data(model: Model, value: Any, has_faces_alone: bool) -> Model:
     """The model with the numbers on points, and with those on cells where all are faces."""
     model = with_numbers(model, value.point_data, "vertices", len(value.points))
-    return with_numbers(model, value.cell_data, "faces", len(ragged(model.faces)[1]) - 1) if has_faces_alone else model
+    if has_faces_alone:
+        return with_numbers(model, value.cell_data, "faces", len(ragged(model.faces)[1]) - 1)
+    warn_of_data_left_out(value.cell_data.keys(), "cells", MIXED)
+    return model
 
 
 def _data_of(mesh: Any, model: Model, has_faces_alone: bool) -> Any:
