@@ -15,6 +15,10 @@ impl<C: Coefficient> Combination<C> {
     /// The combination of these terms in any order; those of one cell are added.
     pub(super) fn from_terms(degree: usize, mut terms: Vec<(CellId, C)>) -> Result<Self, Error> {
         terms.sort_by_key(|&(cell, _)| cell);
+        if terms.is_sorted_by(|a, b| a.0 < b.0) && terms.iter().all(|(_, coefficient)| !coefficient.is_zero())
+        {
+            return Ok(Self { degree, terms });
+        }
         let mut sum: Vec<(CellId, C)> = Vec::with_capacity(terms.len());
         for (cell, coefficient) in terms {
             match sum.last_mut() {

@@ -4,6 +4,7 @@ use coface_algebra::chains::{Chain, ChainComplex};
 use coface_algebra::{CellId, Integer};
 use coface_complexes::simplicial::SimplicialComplex;
 use proptest::prelude::*;
+use std::collections::BTreeMap;
 
 /// That chains over F_p prove what they say of a class; cells are compared by value and then by the order of entrance.
 pub(super) fn assert_proved(
@@ -216,6 +217,131 @@ proptest! {
         let large = pairs(1_000_003);
         for prime in [2u32, 3, 5, 7] {
             prop_assert_eq!(pairs(prime.into()) != large, named.contains(&prime), "{} {:?}", prime, named);
+        }
+    }
+}
+
+/// A column by its rows, residues that are not zero.
+type Dense = BTreeMap<usize, i64>;
+
+/// The columns reduced in their order by those before them, and for each the combination of columns that it is: the textbook's way.
+fn reduced_in_order(columns: Vec<Dense>, prime: i64) -> Vec<(Dense, Dense)> {
+    let add = |to: &mut Dense, factor: i64, other: &Dense| {
+        for (&row, &x) in other {
+            let sum = (to.get(&row).unwrap_or(&0) + factor * x).rem_euclid(prime);
+            if sum == 0 {
+                to.remove(&row)
+            } else {
+                to.insert(row, sum)
+            };
+        }
+    };
+    let mut owners: BTreeMap<usize, usize> = BTreeMap::new();
+    let mut done: Vec<(Dense, Dense)> = Vec::new();
+    for (j, mut column) in columns.into_iter().enumerate() {
+        let mut combination = Dense::from([(j, 1)]);
+        while let Some((&row, &x)) = column.last_key_value() {
+            let Some(&owner) = owners.get(&row) else {
+                owners.insert(row, j);
+                break;
+            };
+            let (other, sum) = &done[owner];
+            let lead = other[&row];
+            let factor = (1..prime).find(|factor| (x + factor * lead) % prime == 0).expect("a field");
+            add(&mut column, factor, other);
+            add(&mut combination, factor, sum);
+        }
+        done.push((column, combination));
+    }
+    done
+}
+
+proptest! {
+    /// Against the reduction of all boundaries and all coboundaries, each in its order: cocycles are the same, and cycles differ by boundaries of cells that
+    /// are there at the birth.
+    #[test]
+    fn cycles_are_those_of_whole_reductions(
+        facets in prop::collection::vec(prop::collection::btree_set(0..8u32, 1..5), 1..14),
+        heights in prop::collection::vec(-3..4i32, 8),
+        prime in prop_oneof![Just(2u32), Just(3), Just(5)],
+    ) {
+        let facets = facets.iter().map(|facet| facet.iter().copied().collect::<Vec<_>>());
+        let complex = SimplicialComplex::from_facets(facets).unwrap().chain_complex().unwrap();
+        let values: Vec<f64> = heights.iter().take(complex.cell_count(0)).map(|&x| f64::from(x)).collect();
+        let filtration = Filtration::lower_star(&complex, &values).unwrap();
+        let diagram = persistence(&complex, &filtration, Coefficients::Modulo(prime.into())).unwrap();
+        let order = |degree: usize| {
+            let mut cells: Vec<usize> = (0..complex.cell_count(degree)).collect();
+            cells.sort_by(|&a, &b| filtration.values(degree)[a].total_cmp(&filtration.values(degree)[b]));
+            cells
+        };
+        let modulus = i64::from(prime);
+        for found in persistent_cycles(&complex, &filtration, &diagram, -1.0).unwrap() {
+            let (pair, degree) = (found.pair(), found.pair().degree());
+            let (faces, cells) = (order(degree), order(degree + 1));
+            let place = |cells: &[usize], cell: usize| cells.iter().position(|&one| one == cell).unwrap();
+            let mut boundaries = vec![Dense::new(); cells.len()];
+            let mut coboundaries = vec![Dense::new(); faces.len()];
+            for (j, &cell) in cells.iter().enumerate() {
+                for (face, x) in complex.boundary_matrix(degree + 1).unwrap().column(cell).iter() {
+                    let (i, x) = (place(&faces, face), i64::from(x).rem_euclid(modulus));
+                    boundaries[j].insert(i, x);
+                    coboundaries[faces.len() - 1 - i].insert(cells.len() - 1 - j, x);
+                }
+            }
+            let residues = |cells: &[usize], terms: &[(CellId, Integer)]| -> Dense {
+                let residue = |x: &Integer| x.to_i64().unwrap().rem_euclid(modulus);
+                terms.iter().map(|(cell, x)| (place(cells, cell.index()), residue(x))).collect()
+            };
+            let birth = place(&faces, pair.birth_cell().index());
+            let cocycle = &reduced_in_order(coboundaries, modulus)[faces.len() - 1 - birth].1;
+            let cocycle: Dense = cocycle.iter().map(|(&i, &x)| (faces.len() - 1 - i, x)).collect();
+            prop_assert_eq!(residues(&faces, found.cocycle().terms()), cocycle);
+            let Some(death) = pair.death_cell() else { continue };
+            let death = place(&cells, death.index());
+            let (column, combination) = &reduced_in_order(boundaries, modulus)[death];
+            prop_assert_eq!(column.last_key_value().map(|(&i, _)| i), Some(birth));
+            // The factor that makes the coefficient of the birth 1 is that of the death in the bounding chain.
+            let bounding = residues(&cells, found.bounding_chain().unwrap().terms());
+            prop_assert_eq!(bounding[&death] * column[&birth] % modulus, 1);
+            for (j, &cell) in cells.iter().enumerate() {
+                let expected = combination.get(&j).unwrap_or(&0) * bounding[&death] % modulus;
+                let is_there = filtration.values(degree + 1)[cell] <= pair.birth();
+                prop_assert!(is_there || *bounding.get(&j).unwrap_or(&0) == expected);
+            }
+        }
+    }
+}
+
+/// Surfaces and a solid that can be oriented, and some that cannot: whatever the order, primes are found where they are.
+#[test]
+fn primes_of_manifolds_are_those_of_their_torsion() {
+    use coface_complexes::known_spaces::{
+        klein_grid, lens_space, projective_plane, real_projective_space, torus_grid,
+    };
+    let spaces = [
+        (torus_grid(&[4, 5]), vec![]),
+        (torus_grid(&[3, 4, 3]), vec![]),
+        (klein_grid(4, 5), vec![2]),
+        (projective_plane(), vec![2]),
+        (real_projective_space(3), vec![2]),
+        (lens_space(3, 1), vec![3]),
+    ];
+    for (space, torsion) in spaces {
+        let complex = space.unwrap().chain_complex().unwrap();
+        let count = complex.cell_count(0);
+        for step in [1, 2, 3] {
+            let values: Vec<f64> = (0..count).map(|i| (i * (2 * step + 1) % (count + 1)) as f64).collect();
+            let filtration = Filtration::lower_star(&complex, &values).unwrap();
+            let named = torsion_primes(&complex, &filtration).unwrap();
+            assert!(torsion.iter().all(|prime| named.contains(prime)), "{named:?} {torsion:?}");
+            let pairs = |prime: u64| {
+                persistence(&complex, &filtration, Coefficients::Modulo(prime)).unwrap().pairs().to_vec()
+            };
+            let large = pairs(1_000_003);
+            for prime in [2u32, 3, 5] {
+                assert_eq!(pairs(prime.into()) != large, named.contains(&prime), "{prime} {named:?}");
+            }
         }
     }
 }

@@ -5,6 +5,7 @@ use coface_algebra::progress::stage;
 use coface_algebra::{CellId, Error, ErrorKind};
 use rayon::prelude::*;
 use std::cmp::Ordering;
+use std::sync::OnceLock;
 
 /// The value at which each cell of a complex enters; no face enters after a coface.
 ///
@@ -25,11 +26,19 @@ use std::cmp::Ordering;
 /// assert!(error.message().contains("its face c1"));
 /// # Ok(()) }
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Filtration {
     /// The value of each cell of degree k at position k.
     values: Vec<Vec<f64>>,
     is_falling: bool,
+    /// For each degree the cells in the order of entrance, from when they are asked for.
+    entrances: Vec<OnceLock<Vec<u32>>>,
+}
+
+impl PartialEq for Filtration {
+    fn eq(&self, other: &Self) -> bool {
+        (&self.values, self.is_falling) == (&other.values, other.is_falling)
+    }
 }
 
 impl Filtration {
@@ -60,7 +69,7 @@ impl Filtration {
         for (degree, values) in values.iter_mut().enumerate() {
             check_finite(degree, values)?;
         }
-        let filtration = Self { values, is_falling: false };
+        let filtration = Self::of_values(values, false);
         filtration.check(complex)?;
         Ok(filtration)
     }
@@ -141,7 +150,7 @@ impl Filtration {
             let level = steps.each(matrix.columns().enumerate()).map(value).collect::<Result<_, Error>>()?;
             values.push(level);
         }
-        Ok(Self { values, is_falling })
+        Ok(Self::of_values(values, is_falling))
     }
 
     /// The filtration in which some cells have a given value and each other cell enters with the first of its cofaces.
@@ -286,8 +295,21 @@ impl Filtration {
     }
 
     /// The cells of a degree in the order in which they enter; ties by rising ids.
-    pub(super) fn entrance(&self, degree: usize) -> Vec<u32> {
-        let values = self.values(degree);
+    pub(super) fn entrance(&self, degree: usize) -> &[u32] {
+        let Some(order) = self.entrances.get(degree) else { return &[] };
+        order.get().unwrap_or_else(|| {
+            // Sorted before the lock is taken: a thread that waits for others while it sorts may be given work that asks for the same order.
+            let sorted = self.sorted(degree);
+            order.get_or_init(|| sorted)
+        })
+    }
+
+    fn of_values(values: Vec<Vec<f64>>, is_falling: bool) -> Self {
+        let entrances = values.iter().map(|_| OnceLock::new()).collect();
+        Self { values, is_falling, entrances }
+    }
+
+    fn sorted(&self, degree: usize) -> Vec<u32> {
         let _steps = stage("sorting cells", 0);
         // Numbers whose order is that of the values: sorting them reads memory in a row.
         let key = |value: f64| {
@@ -297,7 +319,7 @@ impl Filtration {
             if self.is_falling { !rising } else { rising }
         };
         let mut cells: Vec<(u64, u32)> =
-            values.iter().enumerate().map(|(cell, &value)| (key(value), cell as u32)).collect();
+            self.values[degree].iter().enumerate().map(|(cell, &value)| (key(value), cell as u32)).collect();
         cells.par_sort_unstable();
         cells.into_iter().map(|(_, cell)| cell).collect()
     }
@@ -361,7 +383,7 @@ mod tests {
         assert_eq!((lower.values(1), lower.values(2)), (&[3.0, 1.0, 3.0][..], &[3.0][..]));
         let upper = Filtration::upper_star(&triangle(), &[3.0, 0.0, 1.0]).unwrap();
         assert_eq!((upper.values(1), upper.values(2)), (&[0.0, 0.0, 1.0][..], &[0.0][..]));
-        assert_eq!((lower.entrance(0), upper.entrance(0)), (vec![1, 2, 0], vec![0, 2, 1]));
+        assert_eq!((lower.entrance(0), upper.entrance(0)), (&[1, 2, 0][..], &[0, 2, 1][..]));
         lower.check(&triangle()).unwrap();
         upper.check(&triangle()).unwrap();
         assert!(lower.values(3).is_empty());

@@ -23,7 +23,9 @@ mod image;
 mod reduction;
 mod rips;
 mod shortening;
+mod sum;
 mod torsion;
+mod trees;
 mod vineyard;
 mod zigzag;
 

@@ -1,13 +1,12 @@
 //! Persistent homology by reduction of coboundaries.
 
+use super::sum::Sum;
 use super::{Filtration, PersistenceDiagram, PersistencePair};
 use crate::homology::Coefficients;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::progress::stage;
 use coface_algebra::{Binary, Field, Odd, SparseMatrix, UnionFind, is_prime};
 use coface_algebra::{Error, ErrorKind};
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
 
 /// The persistent homology of a filtered complex over a prime field: every pair of birth and death, also those of
 /// persistence zero (see [`PersistenceDiagram::longer_than`]).
@@ -17,7 +16,7 @@ use std::collections::BinaryHeap;
 ///
 /// Vertices are paired with edges by union-find. From degree 1 on coboundaries are reduced, from the last cell to the
 /// first, with clearing: a cell that kills a class of the degree below brings none. A cell whose first coface is still
-/// free is paired with it at once; only the others are worked on, as heaps over flat arrays.
+/// free is paired with it at once; only the others are worked on, as sums with a place for each cell.
 ///
 /// # Errors
 /// [`ErrorKind::Coefficient`] unless the coefficients are modulo a prime below 2^31; those of [`Filtration::check`]
@@ -91,9 +90,10 @@ fn over<F: Field>(
         let partner = match complex.boundary_matrix(degree + 1) {
             None => Vec::new(),
             Some(matrix) => {
-                let level = Level { field, matrix, cells: &next, faces: &entrance };
-                let merged = if degree == 0 { level.merge() } else { None };
-                merged.unwrap_or_else(|| level.reduce(&is_death))
+                let level = Level { field, matrix, cells: next, faces: entrance };
+                let merged = if degree == 0 { level.merge(|_, _| ()) } else { None };
+                merged
+                    .unwrap_or_else(|| level.reduce(&is_death, |_| true).expect("units of a field are leads"))
             }
         };
         let mut killer = vec![NONE; entrance.len()];
@@ -133,8 +133,9 @@ impl<F: Field> Level<'_, F> {
     }
 
     /// The pairs of a graph, for each edge its vertex or [`NONE`]: an edge that joins two trees kills the younger one.
-    /// `None` unless the boundary of each edge is zero or a multiple of a difference of two vertices.
-    pub(super) fn merge(&self) -> Option<Vec<u32>> {
+    /// `None` unless the boundary of each edge is zero or a multiple of a difference of two vertices. What is called has the oldest vertices of two trees
+    /// that are joined, the older one first.
+    pub(super) fn merge(&self, mut joined: impl FnMut(u32, u32)) -> Option<Vec<u32>> {
         let numbers = self.numbers();
         let mut trees = UnionFind::new(self.faces.len());
         // The oldest vertex of the tree of each root.
@@ -156,20 +157,15 @@ impl<F: Field> Level<'_, F> {
             if trees.unite(a, b) {
                 oldest[trees.find(a) as usize] = a.min(b);
                 partner[edge] = a.max(b);
+                joined(a.min(b), a.max(b));
             }
         }
         Some(partner)
     }
 
     /// For each face its cofaces, rising.
-    fn coboundaries(&self) -> Columns<F::Unit> {
-        self.coboundaries_by(&|number| number)
-    }
-
-    /// For each face its cofaces, rising, at the place that its number has.
-    pub(super) fn coboundaries_by(&self, place: &dyn Fn(u32) -> u32) -> Columns<F::Unit> {
-        let mut numbers = self.numbers();
-        numbers.iter_mut().for_each(|number| *number = place(*number));
+    pub(super) fn coboundaries(&self) -> Columns<F::Unit> {
+        let numbers = self.numbers();
         let mut starts = vec![0; self.faces.len() + 1];
         for (row, _) in self
             .matrix
@@ -202,47 +198,9 @@ impl<F: Field> Level<'_, F> {
     }
 
     /// The pairs, for each cell the face that it kills or [`NONE`], by reduction of the coboundaries of all faces but
-    /// those that kill.
-    fn reduce(&self, is_death: &[bool]) -> Vec<u32> {
-        let coboundaries = self.coboundaries();
-        let mut partner = vec![NONE; self.cells.len()];
-        // Where the reduced coboundary is that begins with a cell; NONE for the coboundary as it was.
-        let mut place = vec![NONE; self.cells.len()];
-        let mut reduced = Columns { starts: vec![0], entries: Vec::new() };
-        let mut sum = Sum { field: self.field, terms: BinaryHeap::new() };
-        let steps = stage("pairing cells", self.faces.len());
-        for face in steps.each((0..self.faces.len()).rev()).filter(|&face| !is_death[face]) {
-            let coboundary = coboundaries.column(face);
-            let Some(&(first, _)) = coboundary.first() else { continue };
-            if partner[first as usize] == NONE {
-                partner[first as usize] = face as u32;
-                continue;
-            }
-            sum.terms.extend(coboundary.iter().map(|&term| Reverse(term)));
-            while let Some((first, coefficient)) = sum.pop() {
-                // A single coboundary may take long.
-                steps.advance(0);
-                let other = match (partner[first as usize], place[first as usize]) {
-                    (NONE, _) => {
-                        partner[first as usize] = face as u32;
-                        place[first as usize] = reduced.starts.len() as u32 - 1;
-                        reduced.entries.push((first, coefficient));
-                        while let Some(term) = sum.pop() {
-                            reduced.entries.push(term);
-                        }
-                        reduced.starts.push(reduced.entries.len());
-                        break;
-                    }
-                    (face, NONE) => coboundaries.column(face as usize),
-                    (_, place) => reduced.column(place as usize),
-                };
-                let factor = self.field.eliminator(coefficient, other[0].1);
-                sum.terms.extend(
-                    other[1..].iter().map(|&(cell, x)| Reverse((cell, self.field.product(factor, x)))),
-                );
-            }
-        }
-        partner
+    /// those that kill. `None` at the first leading coefficient with which it may not go on.
+    pub(super) fn reduce(&self, is_death: &[bool], may_lead: impl Fn(F::Unit) -> bool) -> Option<Vec<u32>> {
+        self.coboundaries().partners(self.field, self.cells.len(), is_death, may_lead)
     }
 }
 
@@ -252,46 +210,73 @@ pub(super) struct Columns<U> {
     pub(super) entries: Vec<(u32, U)>,
 }
 
-impl<U> Columns<U> {
-    /// The columns with these entries, the rows of each rising.
-    pub(super) fn of(columns: impl Iterator<Item = Vec<(u32, U)>>) -> Self {
-        let (mut starts, mut entries) = (vec![0], Vec::new());
-        for column in columns {
-            entries.extend(column);
-            starts.push(entries.len());
-        }
-        Self { starts, entries }
+impl<U: Copy> Columns<U> {
+    pub(super) fn new() -> Self {
+        Self { starts: vec![0], entries: Vec::new() }
+    }
+
+    /// The entries that were added since the last column are one.
+    pub(super) fn end_column(&mut self) {
+        self.starts.push(self.entries.len());
     }
 
     pub(super) fn column(&self, j: usize) -> &[(u32, U)] {
         &self.entries[self.starts[j]..self.starts[j + 1]]
     }
-}
 
-/// A sum of columns whose terms are only added up when they are taken out.
-pub(super) struct Sum<'a, F: Field> {
-    pub(super) field: &'a F,
-    pub(super) terms: BinaryHeap<Reverse<(u32, F::Unit)>>,
-}
-
-impl<F: Field> Sum<'_, F> {
-    /// Takes the first term out whose coefficient is not zero.
-    pub(super) fn pop(&mut self) -> Option<(u32, F::Unit)> {
-        while let Some(Reverse((row, first))) = self.terms.pop() {
-            let mut total = Some(first);
-            while let Some(&Reverse((next, x))) = self.terms.peek()
-                && next == row
-            {
-                self.terms.pop();
-                total = match total {
-                    Some(sum) => self.field.sum(sum, x),
-                    None => Some(x),
-                };
+    /// For each row the column that it leads, or [`NONE`], when columns are reduced from the last one to the first; those that are known to become zero are
+    /// left out. `None` at the first leading coefficient with which it may not go on.
+    pub(super) fn partners<F: Field<Unit = U>>(
+        &self,
+        field: &F,
+        row_count: usize,
+        is_zero: &[bool],
+        may_lead: impl Fn(U) -> bool,
+    ) -> Option<Vec<u32>> {
+        let count = self.starts.len() - 1;
+        let mut partner = vec![NONE; row_count];
+        // Where the reduced column is that begins with a row; NONE for the column as it was.
+        let mut place = vec![NONE; row_count];
+        let mut reduced = Columns::new();
+        let mut sum = Sum::new(row_count);
+        let steps = stage("pairing cells", count);
+        for j in steps.each((0..count).rev()).filter(|&j| !is_zero[j]) {
+            let column = self.column(j);
+            let Some(&(first, lead)) = column.first() else { continue };
+            if partner[first as usize] == NONE {
+                if !may_lead(lead) {
+                    return None;
+                }
+                partner[first as usize] = j as u32;
+                continue;
             }
-            if let Some(total) = total {
-                return Some((row, total));
+            column.iter().for_each(|&(row, x)| sum.add(field, row, x));
+            while let Some((first, coefficient)) = sum.pop() {
+                // A single column may take long.
+                steps.advance(0);
+                let other = match (partner[first as usize], place[first as usize]) {
+                    (NONE, _) => {
+                        if !may_lead(coefficient) {
+                            return None;
+                        }
+                        partner[first as usize] = j as u32;
+                        place[first as usize] = reduced.starts.len() as u32 - 1;
+                        reduced.entries.push((first, coefficient));
+                        while let Some(term) = sum.pop() {
+                            reduced.entries.push(term);
+                        }
+                        reduced.end_column();
+                        break;
+                    }
+                    (owner, NONE) => self.column(owner as usize),
+                    (_, place) => reduced.column(place as usize),
+                };
+                let factor = field.eliminator(coefficient, other[0].1);
+                for &(row, x) in &other[1..] {
+                    sum.add(field, row, field.product(factor, x));
+                }
             }
         }
-        None
+        Some(partner)
     }
 }

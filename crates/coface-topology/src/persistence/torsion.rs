@@ -1,11 +1,13 @@
 //! The primes on which a persistence diagram depends.
 
-use super::reduction::{Level, NONE, persistence};
+use super::reduction::{Columns, Level, NONE, persistence};
+use super::trees::DualGraph;
 use super::{Filtration, PersistenceDiagram};
 use crate::homology::Coefficients;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::progress::stage;
-use coface_algebra::{Error, Integer, Odd, SparseMatrix};
+use coface_algebra::{Binary, Error, Field, Integer, SparseMatrix};
+use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The primes p below 2^31 for which the diagram over the field of p elements pairs other cells than the one over the rational numbers.
@@ -13,13 +15,16 @@ use std::collections::{BTreeMap, BTreeSet};
 /// They are the primes of torsion that comes or goes somewhere along the filtration. Where there are none, cycles over any field have the births and the
 /// deaths of integral cycles.
 ///
-/// Coboundaries are reduced over the integers; a prime that divides no leading coefficient changes nothing. Diagrams over the others are compared.
+/// Coboundaries are reduced over the integers; a prime that divides no leading coefficient changes nothing. Diagrams over the others are compared. The
+/// matrix of a graph is totally unimodular, and so is the one of the last degree where each face has at most two cells, which can be oriented
+/// coherently: there no field matters, and nothing is reduced.
 ///
 /// # Errors
 /// Those of [`Filtration::check`].
 ///
 /// # Complexity
-/// That of [`persistence`], in integers of any size, and once more for each prime that divides a leading coefficient.
+/// That of [`persistence`] while numbers have 32 bits and leading coefficients divide what they eliminate; else that in integers of any size. Once more
+/// for each prime that divides a leading coefficient.
 ///
 /// # References
 /// I. Obayashi, M. Yoshiwaki, *Field choice problem in persistent homology* (2023).
@@ -39,50 +44,191 @@ use std::collections::{BTreeMap, BTreeSet};
 pub fn torsion_primes(complex: &ChainComplex, filtration: &Filtration) -> Result<Vec<u32>, Error> {
     filtration.check(complex)?;
     let mut leads = BTreeSet::new();
-    let mut pairs = Vec::with_capacity(complex.degree_count());
-    let mut entrance = filtration.entrance(0);
-    let mut is_death = vec![false; entrance.len()];
-    for degree in 0..complex.degree_count() {
-        let next = filtration.entrance(degree + 1);
-        let partner = match complex.boundary_matrix(degree + 1) {
-            None => Vec::new(),
-            Some(matrix) => {
-                let merged = if degree == 0 { merged(matrix, &entrance, &next) } else { None };
-                merged.unwrap_or_else(|| reduce(matrix, &entrance, &next, &is_death, &mut leads))
-            }
-        };
-        let mut of_degree: Vec<(u32, u32)> = partner
-            .iter()
-            .enumerate()
-            .filter(|&(_, &face)| face != NONE)
-            .map(|(cell, &face)| (entrance[face as usize], next[cell]))
-            .collect();
-        of_degree.sort_unstable();
-        pairs.push(of_degree);
+    let matrices = complex.boundary_matrices();
+    // The matrices of the last degree and of the first do not depend on the field where they are totally unimodular.
+    let last = matrices.last().and_then(coherent_graph);
+    let count = matrices.len() - usize::from(last.is_some());
+    let is_graph = matrices.first().is_some_and(is_graph);
+    // The pairs of the other ones.
+    let mut partners = Vec::new();
+    let mut is_death = vec![false; complex.cell_count(0)];
+    for (degree, matrix) in matrices.iter().enumerate().take(count).skip(usize::from(is_graph && count == 1))
+    {
+        let (faces, cells) = (filtration.entrance(degree), filtration.entrance(degree + 1));
+        let graph = last.as_ref().filter(|_| degree + 1 == count);
+        let merged = if degree == 0 && is_graph { merged(matrix, faces, cells) } else { None };
+        let partner = merged
+            .or_else(|| {
+                by_boundaries(matrix, faces, cells, graph?, filtration.entrance(degree + 2), &mut leads)
+            })
+            .or_else(|| by_coboundaries(matrix, faces, cells, &is_death, &mut leads))
+            .unwrap_or_else(|| reduce(matrix, faces, cells, &is_death, &mut leads));
         is_death = partner.iter().map(|&face| face != NONE).collect();
-        entrance = next;
+        if degree > 0 || !is_graph {
+            partners.push((degree, partner));
+        }
     }
     let mut primes = BTreeSet::new();
     for lead in &leads {
         primes.extend(prime_divisors(lead));
     }
+    if primes.is_empty() {
+        return Ok(Vec::new());
+    }
+    let pairs =
+        partners.iter().map(|(degree, partner)| (degree, pairs_of_partner(partner, filtration, *degree)));
+    let pairs: Vec<_> = pairs.collect();
     let mut found = Vec::new();
     for prime in primes {
         let diagram = persistence(complex, filtration, Coefficients::Modulo(u64::from(prime)))?;
-        if (0..complex.degree_count()).any(|degree| pairs_of(&diagram, degree) != pairs[degree]) {
+        if pairs.iter().any(|(degree, pairs)| pairs_of(&diagram, **degree) != *pairs) {
             found.push(prime);
         }
     }
     Ok(found)
 }
 
-/// The pairs of vertices and edges, if each edge joins two vertices or none: those of a graph, which has no torsion.
+/// The graph of cells and faces, if each face has at most two cells, with coefficients 1 and -1, and the cells can be oriented so that the two have
+/// opposite ones. Such a matrix is totally unimodular: whatever the order of the cells, all leading coefficients are 1 and -1.
+fn coherent_graph(matrix: &SparseMatrix) -> Option<DualGraph> {
+    DualGraph::of(matrix).filter(|graph| graph.orientations().is_some())
+}
+
+/// The cells that make and end the classes of a degree that die, by rising cells that make one.
+fn pairs_of_partner(partner: &[u32], filtration: &Filtration, degree: usize) -> Vec<(u32, u32)> {
+    let (faces, cells) = (filtration.entrance(degree), filtration.entrance(degree + 1));
+    let dying = partner.iter().zip(cells).filter(|&(&face, _)| face != NONE);
+    let mut pairs: Vec<(u32, u32)> = dying.map(|(&face, &cell)| (faces[face as usize], cell)).collect();
+    pairs.sort_unstable();
+    pairs
+}
+
+/// Whether each edge joins two vertices or none: a matrix that is totally unimodular, too.
+fn is_graph(matrix: &SparseMatrix) -> bool {
+    matrix.columns().all(|column| {
+        let mut entries = column.iter().map(|(_, x)| x);
+        match [entries.next(), entries.next(), entries.next()] {
+            [None, ..] => true,
+            [Some(x), Some(y), None] => x.abs() == 1 && x + y == 0,
+            _ => false,
+        }
+    })
+}
+
+/// The pairs of the vertices and edges of a graph.
 fn merged(matrix: &SparseMatrix, vertices: &[u32], edges: &[u32]) -> Option<Vec<u32>> {
-    /// Large enough that 1 and -1 alone have the sum zero.
-    const PRIME: u32 = (1 << 31) - 1;
-    let is_graph = matrix.entries().iter().all(|x| x.abs() == 1);
-    let field = Odd::new(PRIME);
-    is_graph.then(|| Level { field: &field, matrix, cells: edges, faces: vertices }.merge()).flatten()
+    // Over one field as over the others.
+    Level { field: &Binary, matrix, cells: edges, faces: vertices }.merge(|_, _| ())
+}
+
+/// The pairs over the rational numbers, if coboundaries can be reduced in integers of 32 bits without division; leading coefficients other than 1 and -1
+/// are noted.
+fn by_coboundaries(
+    matrix: &SparseMatrix,
+    faces: &[u32],
+    cells: &[u32],
+    is_death: &[bool],
+    leads: &mut BTreeSet<Integer>,
+) -> Option<Vec<u32>> {
+    let integers = Small::default();
+    let level = Level { field: &integers, matrix, cells, faces };
+    let partner = level.reduce(is_death, |lead| integers.may_lead(lead))?;
+    integers.note(leads)?;
+    Some(partner)
+}
+
+/// The same by boundaries, where the cells are the faces of a graph of cells of the next degree. Those whose classes end there are left out, which leaves
+/// shorter columns than coboundaries are.
+fn by_boundaries(
+    matrix: &SparseMatrix,
+    faces: &[u32],
+    cells: &[u32],
+    graph: &DualGraph,
+    next: &[u32],
+    leads: &mut BTreeSet<Integer>,
+) -> Option<Vec<u32>> {
+    let integers = Small::default();
+    // Both are counted from the last one to enter.
+    let mut is_zero = vec![false; cells.len()];
+    graph.join(cells.iter().rev().copied(), &numbers(next), |place, _, _| is_zero[place] = true);
+    let numbers = numbers(faces);
+    let mut columns = Columns::new();
+    for &cell in cells.iter().rev() {
+        let start = columns.entries.len();
+        let column = matrix.column(cell as usize);
+        columns.entries.extend(column.iter().map(|(face, x)| (faces.len() as u32 - 1 - numbers[face], x)));
+        columns.entries[start..].sort_unstable();
+        columns.end_column();
+    }
+    let owners = columns.partners(&integers, faces.len(), &is_zero, |lead| integers.may_lead(lead))?;
+    integers.note(leads)?;
+    let mut partner = vec![NONE; cells.len()];
+    for (face, &cell) in owners.iter().enumerate().filter(|&(_, &cell)| cell != NONE) {
+        partner[cells.len() - 1 - cell as usize] = (faces.len() - 1 - face) as u32;
+    }
+    Some(partner)
+}
+
+/// The number of each cell in an order.
+fn numbers(order: &[u32]) -> Vec<u32> {
+    let mut numbers = vec![0; order.len()];
+    order.iter().enumerate().for_each(|(number, &cell)| numbers[cell as usize] = number as u32);
+    numbers
+}
+
+/// The integers of 32 bits, as far as they are enough: multiples of a column are added to others, and no column is multiplied.
+#[derive(Default)]
+struct Small {
+    /// Whether a number left the range, or was to be eliminated by one that does not divide it: results are not valid then.
+    is_left: Cell<bool>,
+    /// The leading coefficients other than 1 and -1.
+    leads: RefCell<BTreeSet<i32>>,
+}
+
+impl Small {
+    fn may_lead(&self, lead: i32) -> bool {
+        if lead.unsigned_abs() != 1 {
+            self.leads.borrow_mut().insert(lead);
+        }
+        !self.is_left.get()
+    }
+
+    /// Notes the leading coefficients; `None` if results are not valid.
+    fn note(&self, leads: &mut BTreeSet<Integer>) -> Option<()> {
+        if self.is_left.get() {
+            return None;
+        }
+        leads.extend(self.leads.borrow().iter().map(|&lead| Integer::from(lead).abs()));
+        Some(())
+    }
+
+    fn checked(&self, value: Option<i32>) -> i32 {
+        value.unwrap_or_else(|| {
+            self.is_left.set(true);
+            1
+        })
+    }
+}
+
+impl Field for Small {
+    type Unit = i32;
+
+    fn unit(&self, value: i32) -> Option<i32> {
+        (value != 0).then_some(value)
+    }
+
+    fn sum(&self, a: i32, b: i32) -> Option<i32> {
+        Some(self.checked(a.checked_add(b))).filter(|&sum| sum != 0)
+    }
+
+    fn product(&self, a: i32, b: i32) -> i32 {
+        self.checked(a.checked_mul(b))
+    }
+
+    fn eliminator(&self, a: i32, b: i32) -> i32 {
+        let is_multiple = a.checked_rem(b) == Some(0);
+        self.checked(if is_multiple { a.checked_div(b).and_then(i32::checked_neg) } else { None })
+    }
 }
 
 /// The cells that make and end the classes of a degree that die.
@@ -106,8 +252,7 @@ fn reduce(
     is_death: &[bool],
     leads: &mut BTreeSet<Integer>,
 ) -> Vec<u32> {
-    let mut numbers = vec![0; faces.len()];
-    faces.iter().enumerate().for_each(|(number, &face)| numbers[face as usize] = number as u32);
+    let numbers = numbers(faces);
     let mut columns: Vec<Vec<(u32, i32)>> = vec![Vec::new(); faces.len()];
     for (cell, &id) in cells.iter().enumerate() {
         for (face, x) in matrix.column(id as usize).iter() {
