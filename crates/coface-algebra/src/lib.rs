@@ -60,6 +60,7 @@ pub mod progress;
 #[cfg(any(test, feature = "samples"))]
 #[doc(hidden)]
 pub mod samples;
+mod spread;
 #[doc(hidden)]
 pub mod threads;
 
@@ -84,3 +85,5 @@ pub use ids::narrow;
 pub use integers::{Binary, Field, Odd, is_prime, large_primes};
 #[doc(hidden)]
 pub use matrices::{ColumnBlock, combination, inner_product, joined_columns, linear_combination};
+#[doc(hidden)]
+pub use spread::{SpreadHasher, SpreadMap};

@@ -3,7 +3,7 @@
 //!
 //! A certificate has a value for each vertex, or for each cell, the cells in their order, and chains. [`check`] tests that all chains have different
 //! last cells, and their boundaries too: then the last cell of a boundary makes a class that the last cell of its chain ends. `docs/certificates.md` has
-//! each rule and why it proves the claim. Certificates of other kinds are handed to [`coface_check`].
+//! each rule and why it proves the claim. Certificates of other kinds are handed to [`coface_check_congruence`].
 
 mod pairs;
 mod values;
@@ -17,13 +17,13 @@ use std::collections::HashMap;
 const KNOWN: [&str; 6] = ["file", "field", "star", "diagram", "betti", "remarks"];
 const PAIR_KEYS: [&str; 5] = ["degree", "birth", "death", "birth_cell", "death_cell"];
 
-/// Checks a certificate of persistence, or of what [`coface_check`] knows, against the bytes of its inputs, in their order.
+/// Checks a certificate of persistence, or of what [`coface_check_congruence`] knows, against the bytes of its inputs, in their order.
 ///
 /// # Errors
 /// A [`Fault`] with the first step that fails.
 ///
 /// # Complexity
-/// For n cells O(n log n), and the sizes of the chains and of their boundaries; certificates of other kinds as [`coface_check::check`].
+/// For n cells O(n log n), and the sizes of the chains and of their boundaries; certificates of other kinds as [`coface_check_congruence::check`].
 ///
 /// # Examples
 /// Vertices 0 and 2 enter before vertex 1, which is joined to both: one of two components ends.
@@ -45,7 +45,7 @@ pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     let whole = coface_check::opened(certificate, inputs)?;
     match text(field(&whole, "kind", "certificate")?, "\"kind\"", "certificate")? {
         "persistence" => diagram(&whole, inputs),
-        _ => coface_check::check(certificate, inputs),
+        _ => coface_check_congruence::check(certificate, inputs),
     }
 }
 

@@ -49,7 +49,10 @@ mod reading {
     use gltf::accessor::{DataType, Dimensions};
     use gltf::buffer::Source;
     use gltf::mesh::Mode;
+    use serde_json::Value;
+    use std::collections::HashSet;
     use std::io::Read;
+    use std::ops::Range;
     use std::path::Path;
 
     /// Beyond so many, all primitives together may have `RATIO` numbers for each byte of the buffers: they may share them.
@@ -68,9 +71,9 @@ mod reading {
         input.read_to_end(&mut bytes)?;
         check_accessors(&bytes)?;
         let file = gltf::Gltf::from_slice(&bytes);
-        // A scene without nodes need not list them, and the parser asks for the list.
-        let listed = if file.is_err() { with_lists_of_nodes(&bytes) } else { None };
-        let file = listed.map_or(file, |listed| gltf::Gltf::from_slice(&listed)).map_err(|error| {
+        // The parser is stricter than a reader of shapes needs to be.
+        let repaired = if file.is_err() { repaired(&bytes)? } else { None };
+        let file = repaired.map_or(file, |repaired| gltf::Gltf::from_slice(&repaired)).map_err(|error| {
             let message: String =
                 error.to_string().chars().take(200).flat_map(char::escape_default).collect();
             Error::parse(format!("this is no sound glTF: {message}")).with_cure("export the file again")
@@ -111,7 +114,7 @@ mod reading {
     const CHUNK: usize = 8;
 
     /// Where the JSON of a file stands: all of a `.gltf`, the first chunk of a GLB.
-    fn json_range(bytes: &[u8]) -> Option<std::ops::Range<usize>> {
+    fn json_range(bytes: &[u8]) -> Option<Range<usize>> {
         if !bytes.starts_with(b"glTF") {
             return Some(0..bytes.len());
         }
@@ -143,21 +146,81 @@ mod reading {
         }
     }
 
-    /// The same file with an empty list of nodes in each scene that has none; `None` if there is no such scene.
-    fn with_lists_of_nodes(bytes: &[u8]) -> Option<Vec<u8>> {
-        let is_binary = bytes.starts_with(b"glTF");
-        let std::ops::Range { start, end } = json_range(bytes)?;
-        let mut root: serde_json::Value = serde_json::from_slice(&bytes[start..end]).ok()?;
+    /// Extensions without which there are no positions or corners to read.
+    const COMPRESSIONS: [&str; 3] =
+        ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
+
+    /// The same file with what the parser misses and shapes do not need: an empty list of nodes in scenes that have none, bounds of positions; and without
+    /// the demand for extensions of materials and textures. `None` if nothing was to be done.
+    ///
+    /// # Errors
+    /// `UnsupportedFormat` for glTF 1.0, and for meshes that are compressed.
+    fn repaired(bytes: &[u8]) -> Result<Option<Vec<u8>>, Error> {
+        let Some(range) = json_range(bytes) else { return Ok(None) };
+        let Ok(mut root) = serde_json::from_slice::<Value>(&bytes[range.clone()]) else { return Ok(None) };
+        let unsupported = |message: String, cure: &str| {
+            Err(Error::new(ErrorKind::UnsupportedFormat, message).with_cure(cure))
+        };
+        // There meshes, nodes and the like are objects by name, not lists.
+        if root.get("meshes").is_some_and(Value::is_object) {
+            return unsupported("this is glTF 1.0, which is not read".to_owned(), "convert it to glTF 2.0");
+        }
         let mut is_changed = false;
-        for scene in
-            root.get_mut("scenes")?.as_array_mut()?.iter_mut().filter_map(|scene| scene.as_object_mut())
-        {
+        if let Some(required) = root.get_mut("extensionsRequired").and_then(Value::as_array_mut) {
+            let compression =
+                required.iter().filter_map(Value::as_str).find(|name| COMPRESSIONS.contains(name));
+            if let Some(name) = compression {
+                let message = format!("the meshes are compressed ({name}), which is not read");
+                return unsupported(message, "export the file without compression of meshes");
+            }
+            let is_of_paint = |name: &str| {
+                ["_material", "_texture", "_technique", "_lights"].iter().any(|word| name.contains(word))
+            };
+            let count = required.len();
+            required.retain(|name| !name.as_str().is_some_and(is_of_paint));
+            is_changed |= required.len() < count;
+        }
+        for scene in objects(&mut root, "scenes") {
             scene.entry("nodes").or_insert_with(|| {
                 is_changed = true;
-                serde_json::Value::Array(Vec::new())
+                Value::Array(Vec::new())
             });
         }
-        let mut text = serde_json::to_vec(&root).ok().filter(|_| is_changed)?;
+        let primitives =
+            root["meshes"].as_array().into_iter().flatten().filter_map(|mesh| mesh["primitives"].as_array());
+        let positions: HashSet<u64> = primitives
+            .flatten()
+            .filter_map(|primitive| primitive["attributes"]["POSITION"].as_u64())
+            .collect();
+        for (number, accessor) in (0..).zip(objects(&mut root, "accessors")) {
+            if positions.contains(&number) {
+                for bound in ["min", "max"] {
+                    accessor.entry(bound).or_insert_with(|| {
+                        is_changed = true;
+                        serde_json::json!([0.0, 0.0, 0.0])
+                    });
+                }
+            }
+        }
+        Ok(if is_changed { with_json(bytes, range, &root) } else { None })
+    }
+
+    /// The objects in a list of the root.
+    fn objects<'a>(
+        root: &'a mut Value,
+        list: &str,
+    ) -> impl Iterator<Item = &'a mut serde_json::Map<String, Value>> {
+        root.get_mut(list)
+            .and_then(Value::as_array_mut)
+            .into_iter()
+            .flatten()
+            .filter_map(Value::as_object_mut)
+    }
+
+    /// The same file with other JSON in this place.
+    fn with_json(bytes: &[u8], Range { start, end }: Range<usize>, root: &Value) -> Option<Vec<u8>> {
+        let is_binary = bytes.starts_with(b"glTF");
+        let mut text = serde_json::to_vec(root).ok()?;
         if !is_binary {
             return Some(text);
         }

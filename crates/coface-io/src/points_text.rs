@@ -2,8 +2,8 @@
 
 use crate::numbers::Numbers;
 use crate::oddities::Oddities;
-use crate::scanner::{Scanner, parse_coordinate};
-use crate::{CellData, GroupKind, Model};
+use crate::scanner::{Scanner, parse_coordinate, quoted};
+use crate::{CellData, GroupKind, Model, Remark, RemarkCode};
 use coface_algebra::{Error, VertexId};
 use std::io::Read;
 
@@ -12,7 +12,7 @@ const MOST_COLUMNS: usize = 256;
 
 /// Reads points: the numbers of a line are separated by blanks, commas or semicolons. A first line of words names the columns; those named
 /// `x`, `y` and `z` are the coordinates, without such names the first three or, if there are only two, both. Other columns are data on the
-/// vertices. A line with the count of the points, a line of words behind it and a word before the coordinates, as files of atoms have, are
+/// vertices, and columns of words are left out with a remark. A line with the count of the points, a line of words behind it and a word before the coordinates, as files of atoms have, are
 /// passed over, and so are lines that begin with `#` or `//`.
 ///
 /// # Errors
@@ -35,6 +35,8 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
     let mut columns: Vec<Vec<f64>> = Vec::new();
     let mut count = 0usize;
     let mut has_count = false;
+    // The columns that have words, which are left out.
+    let mut has_words: Vec<bool> = Vec::new();
     // Points with a number that is not finite, and their lines.
     let mut suspects: Vec<(usize, u64)> = Vec::new();
     while let Some(line) = scanner.next_line()? {
@@ -80,8 +82,22 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
             let message = format!("a line has {} numbers, and the first has {}", words.len(), columns.len());
             return Err(scanner.error(message).with_cure("give each point as many numbers"));
         }
-        let values: Result<Vec<f64>, Error> =
-            words.iter().map(|word| parse_coordinate(word, "a coordinate")).collect();
+        // Columns that begin with a word have words.
+        if count == 0 {
+            has_words = words.iter().map(|word| !is_number(word)).collect();
+            if has_words.iter().filter(|has_words| !**has_words).count() < 2 {
+                has_words.fill(false);
+            }
+        }
+        let value = |(word, &has_words): (&&[u8], &bool)| match has_words {
+            true if is_number(word) => {
+                let message = format!("{} is a number, and the column begins with a word", quoted(word));
+                Err(Error::parse(message).with_cure("write numbers into all lines of a column, or words"))
+            }
+            true => Ok(0.0),
+            false => parse_coordinate(word, "a coordinate"),
+        };
+        let values: Result<Vec<f64>, Error> = words.iter().zip(&has_words).map(value).collect();
         let values = values.map_err(|error| error.at_line(scanner.line_number()))?;
         if !values.iter().all(|value| value.is_finite()) {
             suspects.push((count, scanner.line_number()));
@@ -91,7 +107,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
         }
         count += 1;
     }
-    model(columns, names, count, &suspects)
+    model(columns, &has_words, names, count, &suspects)
 }
 
 fn is_separator(byte: u8) -> bool {
@@ -100,6 +116,7 @@ fn is_separator(byte: u8) -> bool {
 
 fn model(
     columns: Vec<Vec<f64>>,
+    has_words: &[bool],
     names: Option<Vec<String>>,
     count: usize,
     suspects: &[(usize, u64)],
@@ -108,11 +125,14 @@ fn model(
         return Err(Error::parse("the file has no point").with_cure("write 2 or 3 coordinates a line"));
     }
     let names = names.filter(|names| names.len() == columns.len());
-    let named = |name: &str| names.as_ref().and_then(|names| names.iter().position(|other| other == name));
+    let named = |name: &str| {
+        let place = names.as_ref()?.iter().position(|other| other == name)?;
+        (!has_words[place]).then_some(place)
+    };
     let axes: Vec<usize> = match (named("x"), named("y"), named("z")) {
         (Some(x), Some(y), Some(z)) => vec![x, y, z],
         (Some(x), Some(y), None) => vec![x, y],
-        _ => (0..columns.len().min(3)).collect(),
+        _ => (0..columns.len()).filter(|&column| !has_words[column]).take(3).collect(),
     };
     let mut coordinates = Vec::with_capacity(count * axes.len());
     let mut rows: Vec<_> = axes.iter().map(|&axis| columns[axis].iter().copied()).collect();
@@ -120,8 +140,11 @@ fn model(
         coordinates.extend(rows.iter_mut().filter_map(Iterator::next));
     }
     let mut data = Vec::new();
-    for (i, column) in columns.into_iter().enumerate().filter(|(i, _)| !axes.contains(i)) {
-        let name = names.as_ref().map_or_else(|| format!("column_{}", i + 1), |names| names[i].clone());
+    let name_of =
+        |i: usize| names.as_ref().map_or_else(|| format!("column_{}", i + 1), |names| names[i].clone());
+    let left_out: Vec<String> = (0..columns.len()).filter(|&i| has_words[i]).map(name_of).collect();
+    for (i, column) in columns.into_iter().enumerate().filter(|(i, _)| !axes.contains(i) && !has_words[*i]) {
+        let name = name_of(i);
         let mut numbers = Numbers::UInt8(Vec::new());
         column.into_iter().for_each(|value| numbers.push_real(value));
         data.push(CellData::of_file(name, GroupKind::Vertices, 1, numbers));
@@ -140,6 +163,12 @@ fn model(
         points: (0..count).map(VertexId::new).collect(),
         ..Model::default()
     };
+    if !left_out.is_empty() {
+        let columns = if left_out.len() == 1 { "a column of words is" } else { "columns of words are" };
+        let shown: Vec<String> = left_out.iter().take(5).map(|name| quoted(name.as_bytes())).collect();
+        let message = format!("{columns} left out: {}", shown.join(", "));
+        model.remarks.push(Remark::new(RemarkCode::DataLeftOut, message).at(left_out.len(), []));
+    }
     model.data = crate::data::without_repeated_names(data, &mut model.remarks);
     Ok(model)
 }

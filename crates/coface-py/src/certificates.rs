@@ -2,16 +2,18 @@
 
 use crate::arrangement::{formula, rule_of};
 use crate::chain_complex::ring;
+use crate::congruence::checked_tolerance;
 use crate::errors::{OrRaise, invalid, raised};
 use crate::work::run;
 use coface::Error;
 use coface::algebra::ErrorKind;
 use coface::answers::{
-    ArrangementRequest, BooleanRequest, CocyclesRequest, CutRequest, DrawingArrangement, GroupsRequest,
-    Growth, HomologyRequest, PersistenceRequest, PlanarDrawing, Producer, RegionBoolean, RegionSource,
-    RelativeTo, Report, ReportRequest, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest,
-    SurfaceModel, VertexFunction, are_planar,
+    ArrangementRequest, BooleanRequest, CocyclesRequest, CongruenceRequest, CutRequest, DrawingArrangement,
+    GroupsRequest, Growth, HomologyRequest, ModelCongruence, PersistenceRequest, PlanarDrawing, Producer,
+    RegionBoolean, RegionSource, RelativeTo, Report, ReportRequest, SceneArrangement, SolidBoolean,
+    SolidRequest, SpatialRequest, SurfaceModel, VertexFunction, are_planar,
 };
+use coface::arrange::congruence::ClassRule;
 use coface::io::{Format, read_path};
 use coface::topology::CoverExtent;
 use pyo3::prelude::*;
@@ -47,7 +49,7 @@ pub(crate) fn _certificate(
             return Err(invalid(
                 py,
                 message,
-                "give of=\"homology\", \"info\", \"persistence\", \"cut\", \"cover\", \"cocycles\" or \"pi1\"",
+                "give of=\"homology\", \"info\", \"persistence\", \"arrange\", \"boolean\", \"congruence\", \"cut\", \"cover\", \"cocycles\" or \"pi1\"",
             ));
         }
     };
@@ -220,6 +222,28 @@ pub(crate) fn _drawing_certificate(
         (request.rule, request.exact) = (rule, exact);
         let formula = formula(operation, paths.len())?;
         RegionBoolean::new(drawing, &formula, &request)?.certificate(&inputs)
+    })
+}
+
+/// The certificate of a congruence of models in files, as text.
+#[pyfunction]
+#[pyo3(signature = (paths, tolerance, greedy, progress=None))]
+pub(crate) fn _congruence_certificate(
+    py: Python<'_>,
+    paths: Vec<PathBuf>,
+    tolerance: f64,
+    greedy: bool,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<String> {
+    let mut request = CongruenceRequest::within(checked_tolerance(py, tolerance)?);
+    request.rule = if greedy { ClassRule::Greedy } else { ClassRule::Transitive };
+    run(py, progress, || {
+        let names: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
+        let models = paths.iter().map(|path| read_path(path, None)).collect::<Result<Vec<_>, Error>>()?;
+        let bytes = paths.iter().map(|path| content(path)).collect::<Result<Vec<_>, Error>>()?;
+        let inputs = names.iter().map(String::as_str).zip(bytes.iter().map(Vec::as_slice));
+        let congruence = ModelCongruence::of(names.iter().cloned().zip(models).collect(), &request)?;
+        congruence.certificate(&inputs.collect::<Vec<(&str, &[u8])>>())
     })
 }
 

@@ -113,14 +113,7 @@ pub(crate) fn congruence(
     method: &str,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Congruence> {
-    if !tolerance.is_finite() || tolerance < 0.0 {
-        return Err(invalid(
-            py,
-            format!("the tolerance is {tolerance}"),
-            "give a finite length that is not negative",
-        ));
-    }
-    let mut request = CongruenceRequest::within(tolerance);
+    let mut request = CongruenceRequest::within(checked_tolerance(py, tolerance)?);
     request.rule = if greedy { ClassRule::Greedy } else { ClassRule::Transitive };
     let places = [
         ("lowest", Representative::Lowest),
@@ -210,5 +203,17 @@ answer! { Congruence {
     fn __repr__(&self) -> String {
         let [after, before] = [&self.answer.f_vector, &self.answer.f_vector_before].map(text_of);
         format!("Congruence({after} from {before})")
+    }
+}
+
+/// A tolerance that is one.
+pub(crate) fn checked_tolerance(py: Python<'_>, tolerance: f64) -> PyResult<f64> {
+    match tolerance.is_finite() && tolerance >= 0.0 {
+        true => Ok(tolerance),
+        false => Err(invalid(
+            py,
+            format!("the tolerance is {tolerance}"),
+            "give a finite length that is not negative",
+        )),
     }
 }

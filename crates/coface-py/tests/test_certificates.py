@@ -129,3 +129,19 @@ def test_cuts_covers_cocycles_and_groups_are_proved(plane: Path, tmp_path: Path)
     assert "it is the universal cover: a covering of degree 2 that is simply connected" in claims
     with pytest.raises(coface.InvalidInputError, match="radius=2"):
         coface.certificate(plane, "cover")
+
+
+def test_congruences_are_proved(tmp_path: Path) -> None:
+    left, right = tmp_path / "left.off", tmp_path / "right.off"
+    left.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+    right.write_text("OFF\n3 1 0\n1 0 0\n1 1 0\n0 1 0.001\n3 0 1 2\n")
+    proof = coface.certificate([left, right], "congruence", tolerance=0.01)
+    verified = coface.check(proof, left, right)
+    assert "cells become those of a complex with the f-vector [4, 5, 2] by a chain map onto it" in verified["proved"]
+    assert "tolerance" not in verified["unchecked"]
+    assert verified["files"] == [str(left), str(right)]
+    assert "in order" in coface.check(coface.certificate(left, "congruence", tolerance=0.5, greedy=True))["proved"][0]
+    with pytest.raises(coface.InvalidInputError, match="a congruence has a tolerance"):
+        coface.certificate(left, "congruence")
+    with pytest.raises(coface.InvalidInputError, match="the tolerance is -1"):
+        coface.certificate(left, "congruence", tolerance=-1)

@@ -2,6 +2,7 @@
 //! machine. All of it is tests; cargo itself enforces that a crate sees only what it depends on.
 
 mod dialect;
+mod examples;
 mod imports;
 
 use crate::root;
@@ -20,7 +21,8 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("coface-arrange", &["coface-algebra", "coface-geometry"]),
     ("coface-yin", &["coface-algebra", "coface-geometry", "coface-complexes", "coface-arrange"]),
     ("coface-check", &[]),
-    ("coface-check-persistence", &["coface-check"]),
+    ("coface-check-congruence", &["coface-check"]),
+    ("coface-check-persistence", &["coface-check", "coface-check-congruence"]),
     ("coface-check-plane", &["coface-check", "coface-check-persistence"]),
     ("coface-check-space", &["coface-check", "coface-check-plane"]),
     ("coface-check-loops", &["coface-check", "coface-check-space"]),

@@ -2,6 +2,7 @@
 //!
 //! Several models are taken together: their cells are numbered one model after the other, and each model is a **block**.
 
+mod certificate;
 mod json;
 mod merging;
 mod mesh;

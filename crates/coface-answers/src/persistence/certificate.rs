@@ -7,7 +7,6 @@ use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, SparseMatrix};
 use coface_topology::{Coefficients, persistence, persistent_cycles};
 use serde::Serialize;
-use std::collections::HashMap;
 
 /// A certificate of a diagram, as `docs/certificates.md` describes it.
 #[derive(Serialize)]
@@ -63,7 +62,9 @@ impl FoundDiagram<'_> {
             (pair.cycle, pair.bounding_chain, pair.cocycle) = (None, None, None);
         }
         answer.torsion_primes = None;
-        let places = self.places_on(&read)?;
+        let cell_counts: Vec<usize> =
+            (0..read.counts().len()).map(|degree| self.filtration.values(degree).len()).collect();
+        let places = self.producer.places_on(&read, &cell_counts)?;
         let complex = renumbered(&read, &places)?;
         let whole =
             persistence(&complex, &self.filtration, Coefficients::Modulo(self.diagram.prime().into()))?;
@@ -113,28 +114,6 @@ impl FoundDiagram<'_> {
         let mut cells: Vec<u32> = (0..values.len() as u32).collect();
         cells.sort_by(|&a, &b| key(a).partial_cmp(&key(b)).expect("values are numbers"));
         cells
-    }
-
-    /// For each degree the numbers that the checker gives to the cells.
-    fn places_on(&self, read: &coface_check::Complex) -> Result<Vec<Vec<u32>>, Error> {
-        let name = |mut vertices: Vec<u32>| {
-            vertices.sort_unstable();
-            vertices
-        };
-        let of_degree = |(degree, &count): (usize, &usize)| {
-            if read.counts()[degree] > 0 && read.vertices(degree, 0).is_none() {
-                return Some((0..count as u32).collect());
-            }
-            let known = (0..count)
-                .filter_map(|cell| Some((name(read.vertices(degree, cell)?.to_vec()), cell as u32)));
-            let known: HashMap<Vec<u32>, u32> = known.collect();
-            let own = 0..self.filtration.values(degree).len();
-            own.map(|cell| known.get(&name(self.producer.cell_vertices(degree, CellId::new(cell)))).copied())
-                .collect::<Option<Vec<u32>>>()
-                .filter(|places| places.len() == count)
-        };
-        let places = read.counts().iter().enumerate().map(of_degree).collect::<Option<_>>();
-        places.ok_or_else(|| refused("the checker reads other cells than the library"))
     }
 }
 

@@ -14,6 +14,7 @@ mod lookup;
 mod names;
 mod ordered_simplices;
 mod pair;
+mod places;
 
 use bounded::bounded;
 pub use cycles::Term;

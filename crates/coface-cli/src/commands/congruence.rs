@@ -1,6 +1,7 @@
 //! `coface congruence`: what coincides within a tolerance becomes one.
 
 use crate::arguments::{Common, length};
+use crate::certified;
 use crate::classes::{ClassFormat, write_classes};
 use crate::failure::Failure;
 use crate::input::{self, Loaded};
@@ -61,6 +62,10 @@ pub(crate) struct Congruence {
     /// Write the class and the sign of every cell: .json or .arrow
     #[arg(long, value_name = "FILE")]
     classes: Option<PathBuf>,
+    /// A certificate of the congruence, which coface check verifies: the classes of the vertices by the tolerance, the map of cells to classes as a chain
+    /// map, and the boundaries of the classes; of surfaces as plain OFF or OBJ; in the binary form if its name ends in .bin
+    #[arg(long, value_name = "OUT")]
+    certificate: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -107,6 +112,9 @@ impl Congruence {
             Ok::<_, Failure>((path, Format::from_path(path).ok_or_else(unknown)?))
         });
         let output = output.transpose()?;
+        if let Some(place) = &self.certificate {
+            certified::check_place(place, &self.inputs, "congruence", common)?;
+        }
         let progress = Progress::start(common.quiet);
         let mut models = Vec::new();
         let mut left_out = 0;
@@ -133,6 +141,10 @@ impl Congruence {
         match (&self.classes, class_format) {
             (Some(path), Some(format)) => write_classes(&congruence, path, format, write_model)?,
             _ => write_model()?,
+        }
+        if let Some(place) = &self.certificate {
+            progress.stage("proving");
+            certified::save(place, &self.inputs, |inputs| congruence.certificate(inputs))?;
         }
         drop(progress);
         if left_out > 0 && output.is_some() {

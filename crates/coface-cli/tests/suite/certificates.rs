@@ -152,19 +152,21 @@ pub(crate) fn lie_about(certificate: &Path, inputs: &[&Path]) {
     let truth = verdict(&honest).expect("the program wrote it");
     let mut all = Vec::new();
     places(&honest, "", &mut all);
-    // Another bound between the same pairs is another true claim, and another path may leave the same pieces.
-    all.retain(|place| place != "/min_persistence" && !place.starts_with("/along"));
+    // Another bound between the same pairs, or another tolerance with the same classes, is another true claim, and another path may leave the same
+    // pieces.
+    let other_claims = ["/min_persistence", "/answer/tolerance"];
+    all.retain(|place| !other_claims.contains(&&place[..]) && !place.starts_with("/along"));
     let mut state = 29u64;
     let mut random = || {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (state >> 33) as usize
     };
-    let mut refused = 0;
+    let (mut refused, mut lie) = (0, honest);
     for _ in 0..10_000 {
         let place = &all[random() % all.len()];
-        let mut lie = honest.clone();
         let at = lie.pointer_mut(place).unwrap();
-        *at = changed(at, random(), random());
+        let lied = changed(at, random(), random());
+        let truth_there = std::mem::replace(at, lied);
         match verdict(&lie) {
             Ok(found) => assert!(
                 found.proved().iter().all(|line| truth.proved().contains(line)),
@@ -173,6 +175,7 @@ pub(crate) fn lie_about(certificate: &Path, inputs: &[&Path]) {
             ),
             Err(_) => refused += 1,
         }
+        *lie.pointer_mut(place).expect("it was just changed") = truth_there;
     }
     assert!(refused > 3_000, "{refused} of 10,000 changes are refused");
 }
@@ -538,4 +541,90 @@ fn booleans_of_solids_are_proved() {
     let run =
         coface(&["boolean", "union", a, b, "--method", "congruence", "--certificate", argument(&place)]);
     assert!(run.fails_with(1).contains("--certificate"), "{}", run.stderr);
+}
+
+/// Two strips of triangles, whose sides are 0.001 apart and whose short edges are shorter than that in one of them.
+#[test]
+fn congruences_are_proved_and_lies_about_them_are_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let [left, right, certificate] =
+        ["left.off", "right.obj", "merged.cert"].map(|name| folder.path().join(name));
+    fs::write(&left, "OFF\n5 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1.0005 0.0002 0\n3 0 1 2\n3 0 2 3\n3 1 4 2\n")
+        .unwrap();
+    fs::write(
+        &right,
+        "v 1 0 0.001\nv 2 0 0\nv 2 1 0\nv 1 1.001 0\nv 3 0 0\nv 3 0.0005 0\nf 1 2 3 4\nf 2 5 6 3\nl 5 1\n",
+    )
+    .unwrap();
+    let words = [
+        "congruence",
+        argument(&left),
+        argument(&right),
+        "--tolerance",
+        "0.01",
+        "--certificate",
+        argument(&certificate),
+        "--json",
+    ];
+    let inputs = [&left, &right].map(|input| input.as_path());
+    let verdict = |certificate: &Path| {
+        coface(&["check", argument(certificate), argument(&left), argument(&right), "--json"]).json()
+    };
+    for (options, classes) in [
+        (
+            &[][..],
+            "11 vertices are 7 classes: within each from vertex to vertex by steps of at most, and to others farther than, 0.01",
+        ),
+        (
+            &["--greedy", "--collisions", "keep"],
+            "11 vertices are 7 classes: in order, each with those that have none before within 0.01",
+        ),
+        (
+            &["--representative", "mean", "--stable"],
+            "cells become those of a complex with the f-vector [7, 11, 4] by a chain map onto it",
+        ),
+    ] {
+        let answer = coface(&[&words[..], options].concat()).json();
+        assert_eq!(answer["f_vector"][0], 7, "{answer}");
+        let verdict = verdict(&certificate);
+        assert_eq!(verdict["proved"][0], classes, "{options:?}");
+        let unchecked: Vec<&str> =
+            verdict["unchecked"].as_array().unwrap().iter().filter_map(Value::as_str).collect();
+        let is_stable = options.contains(&"--stable");
+        assert_eq!(unchecked.contains(&"tolerance"), is_stable, "{unchecked:?}");
+        assert!(unchecked.iter().all(|key| {
+            ["changed", "largest_class_diameter", "merged_within_blocks", "tolerance"].contains(key)
+        }));
+        lie_about(&certificate, &inputs);
+    }
+    // Vertices that are near, in two classes, with everything else as it has to be then.
+    let apart = coface(&[
+        "congruence",
+        argument(&left),
+        argument(&right),
+        "--tolerance",
+        "0",
+        "--certificate",
+        argument(&certificate),
+    ]);
+    assert_eq!(apart.status, 0, "{}", apart.stderr);
+    let mut lie: Value = serde_json::from_slice(&fs::read(&certificate).unwrap()).unwrap();
+    lie["answer"]["tolerance"] = json!(0.01);
+    fs::write(&certificate, lie.to_string()).unwrap();
+    let refused = coface(&["check", argument(&certificate), argument(&left), argument(&right)]);
+    assert_eq!(refused.status, 1);
+    assert!(refused.stderr.contains("are near, and in different classes"), "{}", refused.stderr);
+    // A file that the checker does not read.
+    let stl = folder.path().join("left.stl");
+    assert_eq!(coface(&["convert", argument(&left), "-o", argument(&stl)]).status, 0);
+    let refused = coface(&[
+        "congruence",
+        argument(&stl),
+        "--tolerance",
+        "0.1",
+        "--certificate",
+        argument(&certificate),
+    ]);
+    assert_eq!(refused.status, 1);
+    assert!(refused.stderr.contains("leave --certificate out, or give a facet list"), "{}", refused.stderr);
 }

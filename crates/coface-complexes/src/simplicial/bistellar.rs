@@ -1,8 +1,8 @@
 //! Bistellar moves: changing a triangulation of a manifold into a smaller one, as a certificate that it is a sphere or a ball.
 
 use super::{Simplex, SimplicialComplex};
-use coface_algebra::{Error, RaggedArray};
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use coface_algebra::{Error, RaggedArray, SpreadMap};
+use std::hash::{Hash, Hasher};
 
 /// A bistellar move: a simplex A whose link is the boundary of a simplex B that is not in the complex gives way to B.
 ///
@@ -196,10 +196,19 @@ const MOST_VERTICES: usize = MOST_DIMENSIONS + 1;
 const PATIENCE: usize = 200;
 
 /// The vertices of a simplex, rising, without memory of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Face {
     vertices: [u32; MOST_VERTICES],
     len: u8,
+}
+
+impl Hash for Face {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        // Two vertices are one number; behind the last there are zeros.
+        for pair in self.vertices[..usize::from(self.len).next_multiple_of(2)].as_chunks::<2>().0 {
+            state.write_u64(u64::from(pair[0]) << 32 | u64::from(pair[1]));
+        }
+    }
 }
 
 impl Face {
@@ -259,13 +268,79 @@ impl Face {
 struct Triangulation {
     dimension: usize,
     /// In how many facets each face lies.
-    degrees: HashMap<Face, u32>,
-    /// The facets at each vertex, in order, so that every run is the same.
-    stars: BTreeMap<u32, BTreeSet<Face>>,
+    degrees: SpreadMap<Face, u32>,
+    facets: Facets,
     /// For each number of vertices, faces whose link has the size of the boundary of a simplex, among others that had once.
     candidates: Vec<Vec<Face>>,
-    facet_count: usize,
     random: u64,
+}
+
+/// The facets of a triangulation, and those at each vertex. The order of these depends on the moves that were made.
+#[derive(Default)]
+struct Facets {
+    /// Each with its places in the stars of its vertices.
+    faces: Vec<(Face, [u32; MOST_VERTICES])>,
+    numbers: SpreadMap<Face, u32>,
+    /// The numbers of the facets at each vertex.
+    stars: SpreadMap<u32, Vec<u32>>,
+}
+
+impl Facets {
+    fn insert(&mut self, facet: Face) {
+        let number = self.faces.len() as u32;
+        let mut places = [0; MOST_VERTICES];
+        for (place, &vertex) in places.iter_mut().zip(facet.numbers()) {
+            let star = self.stars.entry(vertex).or_default();
+            *place = star.len() as u32;
+            star.push(number);
+        }
+        self.faces.push((facet, places));
+        self.numbers.insert(facet, number);
+    }
+
+    fn remove(&mut self, facet: &Face) {
+        let number = self.numbers.remove(facet).expect("only what is there is removed");
+        let (_, places) = self.faces[number as usize];
+        for (&place, &vertex) in places.iter().zip(facet.numbers()) {
+            let star = self.stars.get_mut(&vertex).expect("a facet is in the stars of its vertices");
+            star.swap_remove(place as usize);
+            if star.is_empty() {
+                self.stars.remove(&vertex);
+            } else if let Some(&moved) = star.get(place as usize) {
+                let (face, places) = &mut self.faces[moved as usize];
+                let corner = face.numbers().iter().position(|&corner| corner == vertex);
+                places[corner.expect("a facet is in the stars of its vertices only")] = place;
+            }
+        }
+        self.faces.swap_remove(number as usize);
+        if let Some((moved, places)) = self.faces.get(number as usize) {
+            self.numbers.insert(*moved, number);
+            for (&place, vertex) in places.iter().zip(moved.numbers()) {
+                self.stars.get_mut(vertex).expect("a facet is in the stars of its vertices")
+                    [place as usize] = number;
+            }
+        }
+    }
+
+    fn len(&self) -> usize {
+        self.faces.len()
+    }
+
+    fn vertex_count(&self) -> usize {
+        self.stars.len()
+    }
+
+    /// The facets around a face, in no order.
+    fn around(&self, face: &Face) -> impl Iterator<Item = &Face> {
+        let stars = face.numbers().iter().filter_map(|vertex| self.stars.get(vertex));
+        let star = stars.min_by_key(|star| star.len()).map_or(&[][..], Vec::as_slice);
+        star.iter().map(|&number| &self.faces[number as usize].0).filter(|facet| face.is_face_of(facet))
+    }
+
+    /// The least number that no vertex has.
+    fn unused_vertex(&self) -> u32 {
+        (0..).find(|vertex| !self.stars.contains_key(vertex)).expect("there are fewer vertices than numbers")
+    }
 }
 
 impl Triangulation {
@@ -291,7 +366,7 @@ impl Triangulation {
 
     /// Adds a cone over these ridges; gives its apex.
     fn close(&mut self, rim: &[Face]) -> u32 {
-        let apex = self.unused_vertex();
+        let apex = self.facets.unused_vertex();
         let point = Face::of(&[apex]).expect("one vertex fits");
         rim.iter().for_each(|ridge| self.insert(ridge.join(&point)));
         apex
@@ -315,10 +390,9 @@ impl Triangulation {
     fn of_faces(dimension: usize, facets: impl Iterator<Item = Face>) -> Result<(Self, Vec<Face>), Error> {
         let mut triangulation = Self {
             dimension,
-            degrees: HashMap::new(),
-            stars: BTreeMap::new(),
+            degrees: SpreadMap::default(),
+            facets: Facets::default(),
             candidates: vec![Vec::new(); dimension + 2],
-            facet_count: 0,
             random: 0x9e37_79b9_7f4a_7c15,
         };
         facets.for_each(|facet| triangulation.insert(facet));
@@ -337,17 +411,8 @@ impl Triangulation {
         Ok((triangulation, rim))
     }
 
-    /// The least number that no vertex has.
-    fn unused_vertex(&self) -> u32 {
-        let mut used = (0u32..).zip(self.stars.keys());
-        used.find(|(number, vertex)| number != *vertex).map_or(self.stars.len() as u32, |(number, _)| number)
-    }
-
     fn insert(&mut self, facet: Face) {
-        self.facet_count += 1;
-        for &vertex in facet.numbers() {
-            self.stars.entry(vertex).or_default().insert(facet);
-        }
+        self.facets.insert(facet);
         for bits in 1..1u32 << facet.len {
             let face = facet.choose(bits);
             let degree = self.degrees.entry(face).or_insert(0);
@@ -360,14 +425,7 @@ impl Triangulation {
     }
 
     fn remove(&mut self, facet: Face) {
-        self.facet_count -= 1;
-        for &vertex in facet.numbers() {
-            let star = self.stars.get_mut(&vertex).expect("a facet is in the stars of its vertices");
-            star.remove(&facet);
-            if star.is_empty() {
-                self.stars.remove(&vertex);
-            }
-        }
+        self.facets.remove(&facet);
         for bits in 1..1u32 << facet.len {
             let face = facet.choose(bits);
             let degree = self.degrees.get_mut(&face).expect("a facet is there with all its faces");
@@ -386,13 +444,8 @@ impl Triangulation {
         if self.degrees.get(face).copied().unwrap_or(0) as usize != size {
             return None;
         }
-        let star = face
-            .numbers()
-            .iter()
-            .filter_map(|vertex| self.stars.get(vertex))
-            .min_by_key(|star| star.len())?;
         let mut others: Vec<u32> = Vec::with_capacity(size * size);
-        for facet in star.iter().filter(|facet| face.is_face_of(facet)) {
+        for facet in self.facets.around(face) {
             others.extend(facet.numbers().iter().filter(|&&vertex| !face.contains(vertex)));
         }
         others.sort_unstable();
@@ -427,7 +480,7 @@ impl Triangulation {
     }
 
     fn is_simplex_boundary(&self) -> bool {
-        self.facet_count == self.dimension + 2 && self.stars.len() == self.dimension + 2
+        [self.facets.len(), self.facets.vertex_count()] == [self.dimension + 2; 2]
     }
 
     /// The next of a fixed sequence of numbers that look random (SplitMix64).
@@ -455,7 +508,7 @@ impl Triangulation {
                 continue;
             }
             if len == self.dimension + 1 {
-                return Some((face, Face::of(&[self.unused_vertex()])?));
+                return Some((face, Face::of(&[self.facets.unused_vertex()])?));
             }
             looked += 1;
             if let Some(added) = self.link_simplex(&face).filter(|added| !self.degrees.contains_key(added)) {
@@ -473,7 +526,7 @@ impl Triangulation {
         // A face of n vertices gives way to one of dimension + 2 - n: facets become fewer if n is the smaller.
         let most = self.dimension.div_ceil(2);
         let heating = (self.dimension + 2).div_ceil(2);
-        let mut fewest = self.facet_count;
+        let mut fewest = self.facets.len();
         let mut since = 0;
         loop {
             if self.is_simplex_boundary() {
@@ -492,8 +545,8 @@ impl Triangulation {
                     self.make(&removed, &added, &mut moves);
                 }
             }
-            if self.facet_count < fewest {
-                fewest = self.facet_count;
+            if self.facets.len() < fewest {
+                fewest = self.facets.len();
                 since = 0;
             } else {
                 since += 1;

@@ -10,6 +10,8 @@ use std::io::Read;
 pub(super) struct Header {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element>,
+    /// The first line that is none of a header, with its number.
+    pub(super) unknown: Option<(u64, String)>,
 }
 
 /// Things of one kind: how many, and what is said of each.
@@ -124,6 +126,7 @@ pub(super) fn read_header<R: Read>(input: &mut Scanner<R>) -> Result<Header, Err
     const CURE: &str = "a PLY file begins with \"ply\" and a header up to \"end_header\"";
     let mut encoding = None;
     let mut elements: Vec<Element> = Vec::new();
+    let mut unknown = None;
     let mut first = true;
     while let Some(line) = input.next_line()? {
         let words: Vec<&[u8]> = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).collect();
@@ -140,7 +143,7 @@ pub(super) fn read_header<R: Read>(input: &mut Scanner<R>) -> Result<Header, Err
                         .error("the header names no format")
                         .with_cure("write \"format ascii 1.0\""));
                 };
-                return Ok(Header { encoding, elements });
+                return Ok(Header { encoding, elements, unknown });
             }
             [b"format", name, ..] => parse_encoding(name).map(|name| encoding = Some(name)),
             [b"element", name, count] => parse_element(name, count).and_then(|element| {
@@ -158,6 +161,12 @@ pub(super) fn read_header<R: Read>(input: &mut Scanner<R>) -> Result<Header, Err
                     None => Err(Error::parse("a property before the first element")
                         .with_cure("put the element first")),
                 }
+            }
+            // Before anything is promised, a line of other words can only be a comment.
+            _ if elements.is_empty() => {
+                let text = quoted(line);
+                unknown.get_or_insert((input.line_number(), text));
+                Ok(())
             }
             _ => Err(Error::parse(format!("{} is no line of a PLY header", quoted(line))).with_cure(CURE)),
         };

@@ -43,7 +43,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
 
 pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model, Error> {
     let mut scanner = Scanner::new(input);
-    let Header { encoding, elements } = read_header(&mut scanner)?;
+    let Header { encoding, elements, unknown } = read_header(&mut scanner)?;
     let mut reader = Reader { scanner, encoding };
     let vertex_count =
         elements.iter().find(|element| element.name == "vertex").map_or(0, |vertex| vertex.count);
@@ -70,6 +70,10 @@ pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model
     } else if reader.has_more()? {
         let message = "the file goes on behind the last element of its header; that is left out";
         model.remarks.push(Remark::new(RemarkCode::TrailingContent, message));
+    }
+    if let Some((line, text)) = unknown {
+        let message = format!("{text} is no line of a PLY header, and is taken as a comment");
+        model.remarks.push(Remark::new(RemarkCode::UnknownSection, message).at(1, [Place::line(line)]));
     }
     model.remarks.extend(found.oddities.into_remarks());
     (model.positions, model.partial_positions) = crate::model::placed(found.dimension, found.coordinates)?;

@@ -2,6 +2,7 @@
 
 use super::curves::Pen;
 use super::path;
+use super::viewport::{Extent, Viewport};
 use coface_arrange::boolean::InsideRule;
 use roxmltree::Node;
 
@@ -56,8 +57,15 @@ pub(super) fn style_of<'a>(node: Node<'a, '_>, property: &str) -> Option<&'a str
 }
 
 /// Draws an element if it is a shape.
-pub(super) fn draw(node: Node<'_, '_>, pen: &mut Pen) -> Result<(), String> {
-    let length = |name: &str| length_of(node, name);
+pub(super) fn draw(node: Node<'_, '_>, viewport: &Viewport, pen: &mut Pen) -> Result<(), String> {
+    let length = |name: &str| {
+        let of = match name {
+            "x" | "x1" | "x2" | "cx" | "rx" | "width" => Extent::Width,
+            "r" => Extent::Diagonal,
+            _ => Extent::Height,
+        };
+        viewport.length(node, name, of)
+    };
     match node.tag_name().name() {
         "path" => path::draw(node.attribute("d").unwrap_or_default(), pen),
         "polygon" => path::draw_points(node.attribute("points").unwrap_or_default(), true, pen),
@@ -127,16 +135,4 @@ fn rectangle(
     }
     pen.close();
     Ok(())
-}
-
-/// A length in the unit of the user; `px` is that unit. Absent attributes and `auto` are `None`.
-fn length_of(node: Node<'_, '_>, name: &str) -> Result<Option<f64>, String> {
-    let Some(text) = node.attribute(name).map(str::trim).filter(|text| !matches!(*text, "" | "auto")) else {
-        return Ok(None);
-    };
-    let number = text.strip_suffix("px").unwrap_or(text);
-    match number.trim().parse().ok().filter(|x: &f64| x.is_finite()) {
-        Some(number) => Ok(Some(number)),
-        None => Err(format!("{name}=\"{text}\" is no length in the unit of the drawing")),
-    }
 }

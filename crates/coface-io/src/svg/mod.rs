@@ -5,10 +5,11 @@
 //! array, `fill_rule`, says what is inside: 0 for what winds around, 1 for what winds around an odd number of times, -1 for lines
 //! that are no rings. Open subpaths, polylines and lines are lines. The `id` of an element names a group of its lines.
 //!
-//! Coordinates are those of the user: transformations are applied, `viewBox`, `width` and `height` are not. The second axis points
-//! down in a picture and is not turned around. Curves are replaced by chords within a tolerance: the one that is given, or a thousandth
-//! of the diagonal of the box around the drawing, with a remark. What is defined but not drawn (`defs`, `symbol`, `clipPath`, `mask`, `pattern`, `marker`) is passed over, and so are text, images and `use`, with
-//! a warning.
+//! Coordinates are those of the user: transformations are applied, `viewBox`, `width` and `height` of the outermost element are not. The second axis points
+//! down in a picture and is not turned around. Lengths have the units of CSS, of which an inch has 96, and percentages are of the `viewBox`, or of `width` and `height`
+//! without one. A `use` is drawn as what it names in the same file, an `svg` inside is moved and scaled to its place, and neither is clipped. Curves are replaced by chords within a tolerance: the one that is given, or a thousandth
+//! of the diagonal of the box around the drawing, with a remark. What is defined but not drawn (`defs`, `symbol`, `clipPath`, `mask`, `pattern`, `marker`) is passed over, and so are text, images and copies from other files, with
+//! a remark.
 
 #[cfg(feature = "xml")]
 mod curves;
@@ -24,6 +25,8 @@ mod regions;
 mod tests;
 #[cfg(feature = "xml")]
 mod transformation;
+#[cfg(feature = "xml")]
+mod viewport;
 #[cfg(not(feature = "xml"))]
 mod without_xml;
 mod writing;

@@ -3,12 +3,14 @@
 use super::curves::{Curves, FilledPath, Pen, Subpath};
 use super::elements::{self, FillRule};
 use super::transformation::Transformation;
+use super::viewport::{Extent, Viewport};
 use crate::drawing::{Drawing, Place};
 use crate::yin::{NO_BOUNDS, check_tolerance, default_tolerance, flattening_remark};
 use crate::{CellData, GroupKind, Model};
 use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use roxmltree::{Document, Node, ParsingOptions};
+use std::collections::HashMap;
 use std::io::Read;
 
 /// The longest file that is read.
@@ -84,8 +86,9 @@ pub(crate) fn read_with(input: impl Read, tolerance: Option<f64>) -> Result<Mode
     }
     if passed_over > 0 {
         let what = if passed_over == 1 { "element is" } else { "elements are" };
-        let message =
-            format!("{passed_over} {what} no lines or shapes and passed over: text, images or copies");
+        let message = format!(
+            "{passed_over} {what} no lines or shapes and passed over: text, images or copies from other files"
+        );
         model.remarks.push(Remark::new(RemarkCode::ElementsLeftOut, message).at(passed_over, []));
     }
     if model.data_named("ring", GroupKind::Lines).is_none() {
@@ -143,6 +146,13 @@ fn line_of(node: Node<'_, '_>) -> u64 {
     u64::from(node.document().text_pos_at(node.range().start).row)
 }
 
+/// What is wrong with an element.
+fn fault(node: Node<'_, '_>, text: &str) -> Error {
+    Error::parse(format!("<{}>: {}", shortened(node.tag_name().name()), shortened(text)))
+        .at_line(line_of(node))
+        .with_cure(CURE)
+}
+
 /// A text from the file, safe and short enough for an error message.
 fn shortened(text: &str) -> String {
     let start: String = text.chars().take(120).collect();
@@ -158,6 +168,22 @@ struct Painting {
     is_filled: bool,
 }
 
+/// What holds around an element.
+#[derive(Clone, Copy)]
+struct Around {
+    map: Transformation,
+    painting: Painting,
+    viewport: Viewport,
+    depth: usize,
+}
+
+/// The elements that others can name.
+type Ids<'a, 'input> = HashMap<&'a str, Node<'a, 'input>>;
+
+/// Elements may be copied so often for each one that the file has, and this often in any file: copies of copies can be many.
+const COPIES_FOR_EACH: usize = 64;
+const FEW_COPIES: usize = 1 << 20;
+
 struct Reader {
     curves: Curves,
     /// What is drawn, unless curves are kept.
@@ -168,6 +194,8 @@ struct Reader {
     /// The rule of each line that the drawing keeps.
     fill_rules: Vec<i64>,
     passed_over: usize,
+    /// How many elements may still be drawn as copies.
+    copies_left: usize,
     /// The number of shapes with curves, and the box around all that is drawn, if curves are kept.
     curve_count: usize,
     bounds: [[f64; 2]; 2],
@@ -182,6 +210,7 @@ impl Reader {
             outlines: Vec::new(),
             fill_rules: Vec::new(),
             passed_over: 0,
+            copies_left: 0,
             curve_count: 0,
             bounds: NO_BOUNDS,
         }
@@ -198,38 +227,57 @@ impl Reader {
                 format!("the outermost element is <{}>, not <svg>", shortened(root.tag_name().name()));
             return Err(Error::parse(message).at_line(line_of(root)).with_cure(CURE));
         }
-        let painting = Painting { rule: FillRule::Nonzero, is_filled: true };
-        self.element(root, &Transformation::IDENTITY, painting, 0)
+        let (mut ids, mut count) = (Ids::new(), 0);
+        for node in document.descendants().filter(Node::is_element) {
+            count += 1;
+            if let Some(id) = node.attribute("id") {
+                ids.entry(id).or_insert(node);
+            }
+        }
+        self.copies_left = FEW_COPIES.max(COPIES_FOR_EACH * count);
+        let around = Around {
+            map: Transformation::IDENTITY,
+            painting: Painting { rule: FillRule::Nonzero, is_filled: true },
+            viewport: Viewport::of_root(root).map_err(|text| fault(root, &text))?,
+            depth: 0,
+        };
+        self.element(root, &ids, &around, false)
     }
 
     fn element(
         &mut self,
         node: Node<'_, '_>,
-        map: &Transformation,
-        painting: Painting,
-        depth: usize,
+        ids: &Ids<'_, '_>,
+        around: &Around,
+        is_copy: bool,
     ) -> Result<(), Error> {
+        let Around { map, painting, viewport, depth } = *around;
         if depth > DEEPEST {
             let message = format!("elements are nested deeper than {DEEPEST}");
             return Err(Error::new(ErrorKind::TooLarge, message)
                 .at_line(line_of(node))
                 .with_cure("nest them less"));
         }
+        if is_copy {
+            self.copies_left = self.copies_left.checked_sub(1).ok_or_else(|| {
+                let message = "<use> makes more copies of copies than are drawn";
+                Error::new(ErrorKind::TooLarge, message)
+                    .at_line(line_of(node))
+                    .with_cure("draw them as paths")
+            })?;
+        }
         let name = node.tag_name().name();
         if elements::is_definition(name) || elements::style_of(node, "display") == Some("none") {
             return Ok(());
         }
-        if matches!(name, "text" | "image" | "use" | "foreignObject") {
+        if matches!(name, "text" | "image" | "foreignObject") {
             self.passed_over += 1;
             return Ok(());
         }
-        let fault = |text: String| {
-            Error::parse(format!("<{}>: {}", shortened(name), shortened(&text)))
-                .at_line(line_of(node))
-                .with_cure(CURE)
-        };
+        let fault = |text: String| fault(node, &text);
+        let viewport = viewport.within(node).map_err(fault)?;
         let map = match node.attribute("transform") {
-            None => *map,
+            None => map,
             Some(text) => map.after(&Transformation::parse(text).map_err(fault)?),
         };
         let rule = match elements::style_of(node, "fill-rule") {
@@ -242,7 +290,7 @@ impl Reader {
             Some(paint) => paint != "none",
         };
         let mut pen = Pen::new(map, self.curves);
-        match elements::draw(node, &mut pen) {
+        match elements::draw(node, &viewport, &mut pen) {
             Ok(()) => {}
             Err(text) => return Err(fault(text)),
         }
@@ -276,8 +324,43 @@ impl Reader {
             self.subpaths(&pen.subpaths, rule, node).map_err(|error| error.at_line(line_of(node)))?;
             self.drawing.begin_feature(None);
         }
+        let mut within = Around { map, painting: Painting { rule, is_filled }, viewport, depth: depth + 1 };
+        if name == "use" {
+            return self.used(node, ids, &within);
+        }
+        if name == "svg" && depth > 0 {
+            let Some((inner, viewport)) = viewport.inner(node, None).map_err(fault)? else { return Ok(()) };
+            (within.map, within.viewport) = (map.after(&inner), viewport);
+        }
         for child in node.children().filter(Node::is_element) {
-            self.element(child, &map, Painting { rule, is_filled }, depth + 1)?;
+            self.element(child, ids, &within, is_copy)?;
+        }
+        Ok(())
+    }
+
+    /// Draws what an element names where that stands.
+    fn used(&mut self, node: Node<'_, '_>, ids: &Ids<'_, '_>, around: &Around) -> Result<(), Error> {
+        let fault = |text: String| fault(node, &text);
+        let link = node.attributes().find(|attribute| attribute.name() == "href");
+        let target = link.and_then(|link| ids.get(link.value().trim().strip_prefix('#')?)).copied();
+        let Some(target) = target else {
+            self.passed_over += 1;
+            return Ok(());
+        };
+        let viewport = &around.viewport;
+        let at = |name: &str, of: Extent| viewport.length(node, name, of).map(Option::unwrap_or_default);
+        let [e, f] = [at("x", Extent::Width), at("y", Extent::Height)];
+        let moved = Transformation { e: e.map_err(fault)?, f: f.map_err(fault)?, ..Transformation::IDENTITY };
+        let mut within = Around { map: around.map.after(&moved), ..*around };
+        if !matches!(target.tag_name().name(), "svg" | "symbol") {
+            return self.element(target, ids, &within, true);
+        }
+        let Some((inner, viewport)) = viewport.inner(target, Some(node)).map_err(fault)? else {
+            return Ok(());
+        };
+        (within.map, within.viewport) = (within.map.after(&inner), viewport);
+        for child in target.children().filter(Node::is_element) {
+            self.element(child, ids, &within, true)?;
         }
         Ok(())
     }

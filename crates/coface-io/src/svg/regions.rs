@@ -61,7 +61,7 @@ pub(crate) fn read_regions(input: impl Read) -> Result<BoundaryDrawing, Error> {
     if passed_over > 0 {
         let what = if passed_over == 1 { "element is" } else { "elements are" };
         drawing.remark(Remark::new(RemarkCode::ElementsLeftOut, format!(
-            "{passed_over} {what} not filled and passed over: lines, paths without fill, text, images or copies"
+            "{passed_over} {what} not filled and passed over: lines, paths without fill, text, images or copies from other files"
         )));
     }
     Ok(drawing)

@@ -167,7 +167,7 @@ fn faults_have_a_line_and_a_cure() {
         ("<path d='M1 nan'/>", "number is missing"),
         ("<path d='M1 1e999'/>", "number is missing"),
         ("<polygon points='1 1 2'/>", "number is missing"),
-        ("<rect width='5%' height='1'/>", "\"5%\" is no length"),
+        ("<rect width='5%' height='1'/>", "\"5%\" is of the size of the drawing"),
         ("<g transform='turn(5)'/>", "not a transformation"),
         ("<g transform='scale(1'/>", "not closed"),
         ("<g transform='scale(x)'/>", "not all numbers"),
@@ -211,4 +211,74 @@ fn what_is_written_reads_back() {
     assert_eq!((back.lines().list(0), back.points().len()), (&[0, 1, 2, 0][..], 1));
     let steep = crate::obj::read(&b"v 0 0 1\nv 1 0 0\nl 1 2\n"[..]).unwrap();
     assert_eq!(write(&steep, &mut Vec::new()).unwrap_err().kind(), ErrorKind::UnsupportedFormat);
+}
+
+#[test]
+fn lengths_have_units_and_percentages() {
+    let sized = |attributes: &str, inner: &str| {
+        read(format!("<svg xmlns='http://www.w3.org/2000/svg' {attributes}>{inner}</svg>").as_bytes())
+    };
+    for (attributes, inner, expected) in [
+        ("viewBox='0 0 20 10'", "<rect width='50%' height='100%'/>", 100.0),
+        ("width='40' height='1in'", "<rect width='50%' height='50%'/>", 20.0 * 48.0),
+        ("", "<rect width='1in' height='25.4mm'/>", 96.0 * 96.0),
+        ("", "<rect width='2.54cm' height='72pt'/>", 96.0 * 96.0),
+        ("", "<rect width='1e1px' height='1em'/>", 160.0),
+        ("", "<g font-size='10'><g style='font-size: 50%'><rect width='1em' height='2ex'/></g></g>", 25.0),
+        ("viewBox='0 0 3 4'", "<rect width='100vw' height='100vh'/>", 12.0),
+        // A background of a drawing whose size is that of the page has its box.
+        ("width='100%' height='100%' viewBox='0 0 8 8'", "<rect width='100%' height='100%'/>", 64.0),
+    ] {
+        let found = area(&sized(attributes, inner).unwrap());
+        assert!((found - expected).abs() < 1e-9, "{attributes} {inner}: {found}");
+    }
+    let error = sized("", "<rect width='50%' height='1'/>").unwrap_err();
+    assert!(error.to_string().contains("neither viewBox nor width and height"), "{error}");
+    let error = sized("", "<rect width='5furlongs' height='1'/>").unwrap_err();
+    assert!(error.to_string().contains("width=\"5furlongs\" is no length"), "{error}");
+}
+
+#[test]
+fn copies_and_drawings_inside_are_at_their_places() {
+    let square = "<defs><rect id='r' width='2' height='2'/></defs>";
+    let twice = parsed(&format!("{square}<use href='#r' x='5'/><use href='#r' transform='scale(2)'/>"));
+    assert_eq!((area(&twice), twice.lines().len(), twice.remarks().len()), (20.0, 2, 0));
+    let of_group = parsed("<g id='g'><rect width='1' height='1'/></g><use href='#g' y='3'/>");
+    assert_eq!(area(&of_group), 2.0);
+    let inner = parsed(
+        "<svg x='10' y='20' width='20' height='20' viewBox='0 0 10 10'><rect width='5' height='5'/></svg>",
+    );
+    assert_eq!((area(&inner), &inner.positions().as_flat()[..2]), (100.0, &[10.0, 20.0][..]));
+    // The box is wider than what is in it, which stands in the middle, or is cut, or is stretched.
+    let placed = |how: &str| {
+        let text = format!(
+            "<svg width='40' height='20' viewBox='0 0 1 1' preserveAspectRatio='{how}'><rect width='1' height='1'/></svg>"
+        );
+        let model = parsed(&text);
+        let flat = model.positions().as_flat();
+        [flat[0], flat[1], area(&model)]
+    };
+    assert_eq!(placed("xMidYMid"), [10.0, 0.0, 400.0]);
+    assert_eq!(placed("xMaxYMin meet"), [20.0, 0.0, 400.0]);
+    assert_eq!(placed("xMidYMid slice"), [0.0, -10.0, 1600.0]);
+    assert_eq!(placed("none"), [0.0, 0.0, 800.0]);
+    let symbol = parsed(
+        "<symbol id='s' viewBox='0 0 1 1'><rect width='1' height='1'/></symbol><use href='#s' width='3' height='3'/>",
+    );
+    assert_eq!(area(&symbol), 9.0);
+    let elsewhere = parsed("<rect width='1' height='1'/><use href='other.svg#s'/><use href='#nothing'/>");
+    assert_eq!((area(&elsewhere), elsewhere.remarks()[0].code), (1.0, RemarkCode::ElementsLeftOut));
+}
+
+#[test]
+fn copies_of_copies_end() {
+    let mut text = "<g id='g0'><rect width='1' height='1'/></g>".to_owned();
+    for level in 1..40 {
+        let below = level - 1;
+        text += &format!("<g id='g{level}'><use href='#g{below}'/><use href='#g{below}'/></g>");
+    }
+    let error = read(svg(&text).as_bytes()).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::TooLarge, "{error}");
+    let of_itself = read(svg("<g id='g'><use href='#g'/></g>").as_bytes()).unwrap_err();
+    assert_eq!(of_itself.kind(), ErrorKind::TooLarge, "{of_itself}");
 }

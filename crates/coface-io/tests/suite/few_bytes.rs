@@ -106,6 +106,35 @@ fn a_scene_of_gltf_without_nodes_is_empty() {
 }
 
 #[test]
+fn gltf_is_read_without_what_shapes_do_not_need() {
+    // Three points and their triangle, in base64, without bounds of the positions.
+    let file = |more: &str| {
+        format!(
+            r#"{{"asset":{{"version":"2.0"}},{more}"buffers":[{{"byteLength":36,"uri":"data:;base64,{}"}}],
+            "bufferViews":[{{"buffer":0,"byteLength":36}}],
+            "accessors":[{{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}}],
+            "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}]}}"#,
+            "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"
+        )
+    };
+    for more in
+        ["", r#""extensionsUsed":["KHR_technique_webgl"],"extensionsRequired":["KHR_technique_webgl"],"#]
+    {
+        let model = io::read(file(more).as_bytes(), Format::Gltf).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(model.positions().as_flat(), [0., 0., 0., 1., 0., 0., 0., 1., 0.]);
+        assert_eq!(model.polygons().len(), 1);
+    }
+    let error =
+        io::read(file(r#""extensionsRequired":["KHR_draco_mesh_compression"],"#).as_bytes(), Format::Gltf)
+            .unwrap_err();
+    assert!(error.to_string().contains("compressed (KHR_draco_mesh_compression)"), "{error}");
+    let error =
+        io::read(&br#"{"asset":{"version":"1.0"},"meshes":{"box":{"primitives":[]}}}"#[..], Format::Gltf)
+            .unwrap_err();
+    assert!(error.to_string().contains("glTF 1.0"), "{error}");
+}
+
+#[test]
 fn positions_of_gltf_must_be_an_accessor_that_is_there() {
     for accessors in
         ["", r#""accessors":[{"componentType":5126,"count":1,"type":"VEC3","min":[0,0,0],"max":[0,0,0]}],"#]

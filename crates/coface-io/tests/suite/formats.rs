@@ -190,7 +190,7 @@ const FAULTS: [(Format, &str, &str, &str); 49] = [
     (Format::Wkt, "0 1,", "0 nan,", "nan"),
     (Format::Wkt, "POINT", "PINT", "\"PINT\""),
     (Format::Svg, "h1", "h1e999", "number is missing"),
-    (Format::Svg, "\"5\"", "\"5cm\"", "no length"),
+    (Format::Svg, "\"5\"", "\"5ells\"", "no length"),
     (Format::Svg, "</svg>", "", "root"),
 ];
 

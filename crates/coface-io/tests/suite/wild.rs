@@ -24,6 +24,36 @@ fn lists(lists: &coface_algebra::RaggedArray) -> Vec<Vec<u32>> {
 }
 
 #[test]
+fn comments_of_ply_without_their_word_are_passed_over() {
+    let data = "element vertex 1\nproperty float x\nproperty float y\nend_header\n1 2\n";
+    let model = read(
+        format!("ply\nformat ascii 1.0\nCreated by Blender3D 247 - www.blender.org\n{data}").as_bytes(),
+        Format::Ply,
+        RemarkCode::UnknownSection,
+    );
+    assert_eq!(model.positions().as_flat(), [1.0, 2.0]);
+    // Behind an element it may be a property, without which all that follows is read wrongly.
+    let text = format!(
+        "ply\nformat ascii 1.0\n{}",
+        data.replace("property float y", "property float y\nprop float z")
+    );
+    assert!(io::read(text.as_bytes(), Format::Ply).is_err());
+}
+
+#[test]
+fn columns_of_words_are_left_out_of_points() {
+    let text = "x,y,kind\n1,2,setosa\n3,4,virginica\n";
+    let model = io::read(text.as_bytes(), Format::Points).unwrap();
+    assert_eq!(model.remarks()[0].code, RemarkCode::DataLeftOut);
+    assert_eq!((model.positions().as_flat(), model.data().len()), (&[1.0, 2.0, 3.0, 4.0][..], 0));
+    let model = io::read(&b"0.5,1,2,a09\n1.5,1,2,a09\n"[..], Format::Points).unwrap();
+    assert_eq!(model.positions().as_flat(), [0.5, 1.0, 2.0, 1.5, 1.0, 2.0]);
+    // A word where the first point has a number is a fault.
+    assert!(io::read(&b"1,2,3\n1,2,x\n"[..], Format::Points).is_err());
+    assert!(io::read(&b"1,2,x\n1,2,3\n"[..], Format::Points).is_err());
+}
+
+#[test]
 fn faces_that_repeat_a_vertex_lose_the_repetition() {
     let points = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
     let model = read(

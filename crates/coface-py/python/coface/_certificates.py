@@ -26,7 +26,7 @@ class Verified(TypedDict):
 @in_words
 def certificate(
     path: _Path | Sequence[_Path],
-    of: Literal["homology", "info", "persistence", "arrange", "boolean", "cut", "cover", "cocycles", "pi1"] = "homology",
+    of: Literal["homology", "info", "persistence", "arrange", "boolean", "congruence", "cut", "cover", "cocycles", "pi1"] = "homology",
     *,
     coefficients: str | int | None = None,
     cohomology: bool = False,
@@ -37,6 +37,8 @@ def certificate(
     upper_star: bool = False,
     min_persistence: float = 0.0,
     operation: str | None = None,
+    tolerance: float | None = None,
+    greedy: bool = False,
     rule: str | None = None,
     exact: bool = False,
     simplify: bool = False,
@@ -54,14 +56,15 @@ def certificate(
     path
         The file: a facet list or a chain complex in JSON, or a surface as plain OFF or OBJ. A certificate has the hash of a file; write a model
         first: ``model.write("model.json")``. For ``"arrange"`` and ``"boolean"`` one or several drawings in the plane: WKT or GeoJSON of two
-        coordinates, or lines of four numbers. In space surfaces as plain OFF or OBJ.
+        coordinates, or lines of four numbers. In space, and for ``"congruence"``, surfaces as plain OFF or OBJ.
     of
         ``"homology"``; ``"info"`` for the report: counts, components, manifold up to dimension 3, orientability, boundary loops and genus;
         ``"persistence"`` for the diagram of a function on the vertices: pairs with their cells, and Betti numbers;
         ``"arrange"`` for the cells of drawings: counts, areas, and which files contain each face; ``"boolean"`` for a result of drawings: area,
         components, holes and pinches; or of solids: volume, and that what is inside is what the operation says; ``"arrange"`` in space for the cells with their volumes; of surfaces ``"cut"`` for the disks that components are cut to, with the words around them, or what a path leaves, and
         ``"cover"`` for copies of the universal cover and their words, or the orientation double cover; ``"cocycles"`` for a basis of the first cohomology;
-        ``"pi1"`` for the presentations of the fundamental groups.
+        ``"pi1"`` for the presentations of the fundamental groups; ``"congruence"`` for one or several models merged within a tolerance: the classes
+        of the vertices, and the map of cells to classes.
     coefficients, cohomology, reduced, generators
         As for :func:`homology` and :func:`cohomology`; with generators it is proved that they generate the groups. ``None`` are the integers, for
         persistence the field of two elements.
@@ -72,6 +75,8 @@ def certificate(
         to low ones; pairs whose persistence is not greater are left out.
     operation
         Of a Boolean: ``"union"``, ``"intersection"``, ``"difference"``, ``"xor"``, or a formula of the files such as ``"(a | b) - c"``.
+    tolerance, greedy
+        Of a congruence: as for :func:`congruence`.
     rule, exact
         As for :func:`arrange` and :func:`boolean`. Where rounding moves vertices, only the exact result has a certificate.
     simplify, along
@@ -104,6 +109,11 @@ def certificate(
         if of == "boolean" and operation is None:
             raise _coface.InvalidInputError("a Boolean has an operation; give operation=\"union\" or a formula of the files")
         return _coface._drawing_certificate(paths, operation if of == "boolean" else None, rule, exact, progress)
+    if of == "congruence":
+        paths = [path] if isinstance(path, (str, os.PathLike)) else list(path)
+        if tolerance is None:
+            raise _coface.InvalidInputError("a congruence has a tolerance; give tolerance=0.01, the length within which vertices are one")
+        return _coface._congruence_certificate(paths, tolerance, greedy, progress)
     if not isinstance(path, (str, os.PathLike)):
         raise _coface.InvalidInputError(f"a certificate of {of} is of one file; give its path")
     if of in ("cut", "cover", "cocycles", "pi1"):

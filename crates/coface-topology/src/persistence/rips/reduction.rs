@@ -4,35 +4,13 @@ use super::diagram::RipsPair;
 use super::near::{FAR, Near};
 use super::simplices::{Simplex, Simplices};
 use coface_algebra::progress::stage;
-use coface_algebra::{Field, UnionFind, VertexId};
+use coface_algebra::{Field, SpreadMap, UnionFind, VertexId};
 use rayon::prelude::*;
 use std::cmp::Reverse;
-use std::collections::{BinaryHeap, HashMap};
-use std::hash::{BuildHasherDefault, Hasher};
-
-/// Indices are spread by one multiplication.
-#[derive(Default)]
-struct IndexHasher(u64);
-
-impl Hasher for IndexHasher {
-    fn finish(&self) -> u64 {
-        self.0
-    }
-
-    fn write(&mut self, bytes: &[u8]) {
-        for &byte in bytes {
-            self.write_u64(self.0 ^ u64::from(byte));
-        }
-    }
-
-    fn write_u64(&mut self, number: u64) {
-        let spread = number.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-        self.0 = spread ^ (spread >> 32);
-    }
-}
+use std::collections::BinaryHeap;
 
 /// The simplices that end a class, by their index: which column has them as its first, and with which coefficient.
-type Pivots<U> = HashMap<u64, (u32, U), BuildHasherDefault<IndexHasher>>;
+type Pivots<U> = SpreadMap<u64, (u32, U)>;
 
 pub(super) struct Reduction<'a, N, F> {
     pub(super) simplices: &'a Simplices<N>,
@@ -155,7 +133,7 @@ where
         columns: Vec<Simplex>,
         with_pivots: bool,
     ) -> (Vec<RipsPair>, Pivots<F::Unit>) {
-        let mut pivots: Pivots<F::Unit> = HashMap::default();
+        let mut pivots: Pivots<F::Unit> = SpreadMap::default();
         let mut sums = Summands { starts: vec![0], terms: Vec::new() };
         let mut pairs = Vec::new();
         let steps = stage("pairing simplices", columns.len());
@@ -208,7 +186,7 @@ where
         }
         pairs.reverse();
         if !with_pivots {
-            pivots = HashMap::default();
+            pivots = SpreadMap::default();
         }
         (pairs, pivots)
     }
