@@ -120,7 +120,7 @@ impl AlphaReading {
         if let Some(bound) = self.bound {
             complex = complex.up_to(bound);
         }
-        let remarks = hidden_points(complex.hidden()).into_iter().collect();
+        let remarks = hidden_points(complex.hidden()).into_iter().chain(table.left_out()).collect();
         Ok(AlphaPoints { positions, complex, remarks })
     }
 }

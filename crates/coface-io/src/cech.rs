@@ -78,7 +78,8 @@ impl CechReading {
                 .with_cure("scale the points down"));
         }
         let complex = FilteredComplex::cech(&positions, radius, self.dimension.unwrap_or(DIMENSION))?;
-        let remarks = skeleton_remark(self.dimension, complex.complex().dimension()).into_iter().collect();
+        let remarks = skeleton_remark(self.dimension, complex.complex().dimension());
+        let remarks = remarks.into_iter().chain(table.left_out()).collect();
         Ok(CechPoints { positions, complex, radius, remarks })
     }
 }

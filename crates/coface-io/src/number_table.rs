@@ -4,7 +4,7 @@ use crate::counted_stream::{name_of, reading};
 use crate::files::open_regular;
 use crate::scanner::{Scanner, parse_coordinate};
 use crate::volume::{NPY_MAGIC, write_npy_header};
-use crate::{Format, VolumeStream};
+use crate::{Format, Remark, RemarkCode, VolumeStream};
 use coface_algebra::Error;
 use std::io::{Read, Write};
 use std::path::Path;
@@ -27,6 +27,8 @@ pub struct NumberTable {
     starts: Vec<usize>,
     /// Empty where there are no lines.
     lines: Vec<u64>,
+    /// How many columns of words were left out.
+    word_columns: usize,
 }
 
 impl NumberTable {
@@ -45,7 +47,8 @@ impl NumberTable {
     }
 
     /// The table of a stream: a NumPy array of one or two axes, or text. A row is a line of numbers with blanks, commas or semicolons between
-    /// them. Empty lines and lines that begin with `#` or `//` are passed over, and so is a first line of words.
+    /// them. Empty lines and lines that begin with `#` or `//` are passed over, and so are a first line of words and columns of words, of which
+    /// [`Self::left_out`] tells.
     ///
     /// # Errors
     /// As of [`Self::read_path`], without the name.
@@ -82,39 +85,93 @@ impl NumberTable {
             let place = |at: usize| (at % columns) * rows + at / columns;
             numbers = (0..numbers.len()).map(|at| numbers[place(at)]).collect();
         }
-        Ok(Self { numbers, starts: (0..=rows).map(|row| row * columns).collect(), lines: Vec::new() })
+        Ok(Self {
+            numbers,
+            starts: (0..=rows).map(|row| row * columns).collect(),
+            lines: Vec::new(),
+            word_columns: 0,
+        })
     }
 
     fn of_text(input: impl Read) -> Result<Self, Error> {
         let mut scanner = Scanner::new(input);
         let mut table = Self { starts: vec![0], ..Self::default() };
-        let mut has_names = false;
+        let (mut has_names, mut has_words) = (false, Vec::new());
         while let Some(line) = scanner.next_line()? {
             let line = line.trim_ascii();
             if line.starts_with(b"#") || line.starts_with(b"//") {
                 continue;
             }
             let is_separator = |byte: &u8| matches!(byte, b' ' | b'\t' | b',' | b';');
-            let words = line.split(is_separator).filter(|word| !word.is_empty());
+            let words: Vec<&[u8]> = line.split(is_separator).filter(|word| !word.is_empty()).collect();
+            let is_word = |word: &&[u8]| parse_coordinate(word, "").is_err();
+            if table.numbers.is_empty() && !words.is_empty() {
+                // Columns whose first entry is a word have words, unless all have: then these are their names.
+                has_words = words.iter().map(is_word).collect();
+                if !has_words.contains(&false) {
+                    if std::mem::replace(&mut has_names, true) {
+                        has_words.fill(false);
+                    } else {
+                        continue;
+                    }
+                }
+                table.word_columns = has_words.iter().filter(|has_words| **has_words).count();
+            }
+            let is_left_out = |column: usize, word: &[u8]| {
+                words.len() == has_words.len() && has_words[column] && is_word(&word)
+            };
+            let entries = words.iter().enumerate().filter(|(column, word)| !is_left_out(*column, word));
             let numbers: Result<Vec<f64>, Error> =
-                words.clone().map(|word| parse_coordinate(word, "each entry of a table")).collect();
-            let is_first = table.numbers.is_empty() && !has_names;
-            match numbers {
-                Ok(numbers) if numbers.is_empty() => {}
-                Ok(numbers) => {
-                    table.push_row(&numbers, scanner.line_number());
-                }
-                Err(_) if is_first && words.clone().all(|word| parse_coordinate(word, "").is_err()) => {
-                    has_names = true;
-                }
-                Err(error) => {
-                    return Err(error
-                        .at_line(scanner.line_number())
-                        .with_cure("write numbers with blanks or commas between them"));
-                }
+                entries.map(|(_, word)| parse_coordinate(word, "each entry of a table")).collect();
+            let left_out = words.len() - numbers.as_ref().map_or(0, Vec::len);
+            let place = scanner.line_number();
+            let numbers = numbers.map_err(|error| {
+                error.at_line(place).with_cure("write numbers with blanks or commas between them")
+            })?;
+            if left_out < table.word_columns && !numbers.is_empty() {
+                return Err(Error::parse("a number stands in a column that begins with a word")
+                    .at_line(place)
+                    .with_cure("write numbers into all lines of a column, or words"));
+            }
+            if !numbers.is_empty() {
+                table.push_row(&numbers, scanner.line_number());
             }
         }
         Ok(table)
+    }
+
+    /// What was left out: columns of words, such as names, labels and dates.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::NumberTable;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let table = NumberTable::read(&b"length,width,species\n5.1,3.5,setosa\n4.9,3.0,setosa\n"[..])?;
+    /// assert_eq!((table.row(1), table.left_out().expect("the species").count), (&[4.9, 3.0][..], 1));
+    /// # Ok(()) }
+    /// ```
+    pub fn left_out(&self) -> Option<Remark> {
+        let columns = if self.word_columns == 1 { "a column of words is" } else { "columns of words are" };
+        let remark = Remark::new(RemarkCode::DataLeftOut, format!("{columns} left out of the table"));
+        (self.word_columns > 0).then(|| remark.at(self.word_columns, []))
+    }
+
+    /// The same table, which must not have had words.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) if columns of words were left out.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::NumberTable;
+    /// let table = NumberTable::read(&b"1,a\n2,b\n"[..]).expect("numbers with letters");
+    /// assert!(table.of_numbers_only().is_err());
+    /// ```
+    pub fn of_numbers_only(self) -> Result<Self, Error> {
+        match self.left_out() {
+            None => Ok(self),
+            Some(_) => Err(Error::parse("the table has a column of words").with_cure("write numbers alone")),
+        }
     }
 
     /// The table with these rows.

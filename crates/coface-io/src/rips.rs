@@ -96,6 +96,7 @@ impl RipsReading {
             (None, Some(form)) => (None, (form, None)),
             (None, None) => (None, TableForm::of(table)),
         };
+        let left_out = table.left_out();
         let table = delayed.as_ref().unwrap_or(table);
         let distances = form.distances(table)?;
         let columns = if table.row_count() == 0 { 0 } else { table.row(0).len() };
@@ -106,7 +107,7 @@ impl RipsReading {
             }
             _ => Positions::default(),
         };
-        Ok(RipsPoints { distances, positions, remarks: said.into_iter().collect() })
+        Ok(RipsPoints { distances, positions, remarks: said.into_iter().chain(left_out).collect() })
     }
 
     /// The complex of points as a model, as [`ReadOptions::rips`] says.

@@ -91,8 +91,10 @@ impl WitnessReading {
         let bound = self.bound.unwrap_or(f64::INFINITY);
         let dimension = self.dimension.unwrap_or(DIMENSION);
         let complex = FilteredComplex::witness(&points, &positions, self.rule, bound, dimension)?;
-        let mut remarks: Vec<Remark> =
-            skeleton_remark(self.dimension, complex.complex().dimension()).into_iter().collect();
+        let mut remarks: Vec<Remark> = skeleton_remark(self.dimension, complex.complex().dimension())
+            .into_iter()
+            .chain(table.left_out())
+            .collect();
         if chosen.len() < self.landmarks {
             let message = format!(
                 "{} landmarks were asked for, and there are {} different points",

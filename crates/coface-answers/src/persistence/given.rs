@@ -131,7 +131,7 @@ impl GivenDiagram {
             return Ok(found);
         }
         if bytes.starts_with(b"\x93NUMPY") {
-            return Self::of_rows(name, &NumberTable::read(bytes)?, None);
+            return Self::of_rows(name, &NumberTable::read(bytes)?.of_numbers_only()?, None);
         }
         let text = std::str::from_utf8(bytes).map_err(|_| no_diagram("the file is no text"))?;
         if text.contains("persistence intervals in dim") {

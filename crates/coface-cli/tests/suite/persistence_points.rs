@@ -180,3 +180,36 @@ fn memory_is_foretold_with_a_threshold_that_fits() {
     let run = ask(&["--threshold", threshold]);
     assert_eq!(run.status, 0, "{}", run.stderr);
 }
+
+/// Tables of other people have names in front, and labels or dates beside the numbers.
+#[test]
+fn columns_of_words_are_left_out_with_a_remark() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    let numbers = ["0,0", "2,0", "2,2", "0,2.5"];
+    let table = |row: &dyn Fn(&str) -> String| numbers.map(row).join("\n");
+    std::fs::write(place.join("plain.csv"), table(&|row| row.to_owned())).unwrap();
+    let labelled = table(&|row| format!("{row},setosa"));
+    std::fs::write(place.join("labelled.csv"), format!("length,width,species\n{labelled}\n")).unwrap();
+    std::fs::write(place.join("dated.csv"), table(&|row| format!("2026-11-29,{row}"))).unwrap();
+    for kind in [&["--rips"][..], &["--alpha"], &["--cech"], &["--landmarks", "3"]] {
+        let diagram = |name: &str| {
+            let mut answer = coface_in(place, &[&["persistence", name, "--json"], kind].concat()).json();
+            let remarks = answer["remarks"].take();
+            (answer["diagram"].take(), remarks)
+        };
+        let (plain, none) = diagram("plain.csv");
+        assert!(!none.to_string().contains("data-left-out"), "{none}");
+        for name in ["labelled.csv", "dated.csv"] {
+            let (found, remarks) = diagram(name);
+            assert_eq!(found, plain, "{name} {kind:?}");
+            assert!(
+                remarks.to_string().contains("a column of words is left out"),
+                "{name} {kind:?}: {remarks}"
+            );
+        }
+    }
+    std::fs::write(place.join("mixed.csv"), "0,0,a\n1,1,2\n").unwrap();
+    let said = coface_in(place, &["persistence", "mixed.csv", "--rips"]).fails_with(1).to_owned();
+    assert!(said.contains("mixed.csv:2: a number stands in a column that begins with a word"), "{said}");
+}

@@ -125,7 +125,7 @@ impl FileGraph {
         let first = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&start).trim_ascii_start().first().copied();
         let whole = std::io::Cursor::new(start).chain(input);
         if is_array {
-            return Self::of_table(&NumberTable::read(whole)?, directed);
+            return Self::of_table(&NumberTable::read(whole)?.of_numbers_only()?, directed);
         }
         if first == Some(b'<') {
             return graph_of_xml(whole, directed);

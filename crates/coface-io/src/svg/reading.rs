@@ -180,8 +180,8 @@ struct Around {
 /// The elements that others can name.
 type Ids<'a, 'input> = HashMap<&'a str, Node<'a, 'input>>;
 
-/// Elements may be copied so often for each one that the file has, and this often in any file: copies of copies can be many.
-const COPIES_FOR_EACH: usize = 64;
+/// The text of all copies together may be so many times as long as the file, and this long in any file: copies of copies can be many.
+const COPIES_OF_FILE: usize = 64;
 const FEW_COPIES: usize = 1 << 20;
 
 struct Reader {
@@ -194,7 +194,7 @@ struct Reader {
     /// The rule of each line that the drawing keeps.
     fill_rules: Vec<i64>,
     passed_over: usize,
-    /// How many elements may still be drawn as copies.
+    /// How many bytes of text may still be drawn as copies.
     copies_left: usize,
     /// The number of shapes with curves, and the box around all that is drawn, if curves are kept.
     curve_count: usize,
@@ -227,14 +227,13 @@ impl Reader {
                 format!("the outermost element is <{}>, not <svg>", shortened(root.tag_name().name()));
             return Err(Error::parse(message).at_line(line_of(root)).with_cure(CURE));
         }
-        let (mut ids, mut count) = (Ids::new(), 0);
-        for node in document.descendants().filter(Node::is_element) {
-            count += 1;
+        let mut ids = Ids::new();
+        for node in document.descendants() {
             if let Some(id) = node.attribute("id") {
                 ids.entry(id).or_insert(node);
             }
         }
-        self.copies_left = FEW_COPIES.max(COPIES_FOR_EACH * count);
+        self.copies_left = FEW_COPIES.max(COPIES_OF_FILE * text.len());
         let around = Around {
             map: Transformation::IDENTITY,
             painting: Painting { rule: FillRule::Nonzero, is_filled: true },
@@ -259,7 +258,10 @@ impl Reader {
                 .with_cure("nest them less"));
         }
         if is_copy {
-            self.copies_left = self.copies_left.checked_sub(1).ok_or_else(|| {
+            // Its tag, with all its attributes.
+            let end = node.first_child().map_or(node.range().end, |child| child.range().start);
+            let size = end - node.range().start;
+            self.copies_left = self.copies_left.checked_sub(size).ok_or_else(|| {
                 let message = "<use> makes more copies of copies than are drawn";
                 Error::new(ErrorKind::TooLarge, message)
                     .at_line(line_of(node))
@@ -343,6 +345,8 @@ impl Reader {
         let fault = |text: String| fault(node, &text);
         let link = node.attributes().find(|attribute| attribute.name() == "href");
         let target = link.and_then(|link| ids.get(link.value().trim().strip_prefix('#')?)).copied();
+        // What contains itself is nothing.
+        let target = target.filter(|target| node.ancestors().all(|around| around != *target));
         let Some(target) = target else {
             self.passed_over += 1;
             return Ok(());

@@ -246,9 +246,9 @@ impl PhaseOptions {
             if let Some(format) = label_format(path) {
                 progress.stage(format!("reading {name}"));
                 let image = match format {
-                    Format::Npy => {
-                        NumberTable::read_path(path).and_then(|table| LabelImage::of_table(&table))
-                    }
+                    Format::Npy => NumberTable::read_path(path)
+                        .and_then(NumberTable::of_numbers_only)
+                        .and_then(|table| LabelImage::of_table(&table)),
                     _ => {
                         let read = std::fs::read(path).map_err(coface::Error::from);
                         read.and_then(|bytes| LabelImage::read(&bytes, format)).map(|(image, said)| {
