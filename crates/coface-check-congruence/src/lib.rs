@@ -70,12 +70,7 @@ fn congruence(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
         let tolerance =
             tolerance.ok_or_else(|| Fault::new("answer", "\"tolerance\" is no number from 0 on"))?;
         near::check(&sum.points, quotient.class_of_vertex(), tolerance, rule)?;
-        let classes = quotient.counts()[0];
-        proved.push(format!(
-            "{} vertices are {classes} classes: {} {tolerance}",
-            sum.points.len(),
-            rule.meaning()
-        ));
+        proved.push(rule.claim(sum.points.len(), quotient.counts()[0], tolerance));
         known.push("tolerance");
     }
     counted("f_vector_before", &sum.counts)?;

@@ -27,12 +27,17 @@ impl Rule {
         }
     }
 
-    pub(crate) fn meaning(self) -> &'static str {
+    /// What was proved of so many classes.
+    pub(crate) fn claim(self, vertices: usize, classes: usize, tolerance: f64) -> String {
         match self {
-            Self::Transitive => {
-                "within each from vertex to vertex by steps of at most, and to others farther than,"
+            Self::Transitive => format!(
+                "{vertices} vertices are {classes} classes: joined by steps of at most {tolerance}, and no two of different classes that near"
+            ),
+            Self::Greedy => {
+                format!(
+                    "{vertices} vertices are {classes} classes: in order, each with those that have none before within {tolerance}"
+                )
             }
-            Self::Greedy => "in order, each with those that have none before within",
         }
     }
 }
@@ -88,7 +93,7 @@ fn transitive(near: &Near<'_>, class_of: &[u32], class_count: usize) -> Result<(
         Ok(())
     };
     for (place, members) in &cells {
-        // All points of a cell are near its first.
+        // All points of a cell are near its first: its diagonal is less than the tolerance, with rounding too.
         for &vertex in &members[1..] {
             meet(vertex, members[0])?;
         }
@@ -156,9 +161,11 @@ struct Near<'a> {
 
 type Place = [i64; 3];
 
-/// Near points are in cells at most so many apart: two that are within the tolerance, one because the first point can be anywhere in its cell, and none
-/// for rounding, which is below 2^-10 of a cell.
+/// Near points are in cells at most so many apart: two that are within the tolerance, and one because the first point can be anywhere in its cell, also
+/// with rounding, which is at most a sixteenth of a cell.
 const REACH: i64 = 3;
+/// Farther than so many cells from the origin rounding is more.
+const FARTHEST: f64 = (1u64 << 49) as f64;
 
 impl Near<'_> {
     fn nearness(&self, a: u32, b: u32) -> Nearness {
@@ -192,11 +199,11 @@ impl Near<'_> {
             return Ok(point.map(|x| (x + 0.0).to_bits() as i64));
         }
         let place = point.map(|x| (x / (0.5 * self.tolerance)).floor());
-        match place.iter().all(|x| x.abs() < f64::powi(2.0, 40)) {
+        match place.iter().all(|x| x.abs() < FARTHEST) {
             true => Ok(place.map(|x| x as i64)),
             false => Err(Fault::new(
                 STEP,
-                "the tolerance is below 2^-40 of the coordinates, too small for the checker",
+                "the tolerance is below 2^-48 of the coordinates, too small for the checker",
             )),
         }
     }
@@ -214,4 +221,83 @@ fn places_around(place: Place) -> impl Iterator<Item = Place> {
 /// One of each two opposite places around a place, and not the place itself.
 fn places_behind(place: Place) -> impl Iterator<Item = Place> {
     places_around(place).skip((2 * REACH as usize + 1).pow(3) / 2 + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Rule, check};
+
+    type Points = Vec<[f64; 3]>;
+
+    /// Points in a cube of this side, somewhere.
+    fn cloud(count: usize, side: f64, corner: f64, mut state: u64) -> Points {
+        let mut next = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            corner + side * (state >> 40) as f64 / f64::from(1 << 24)
+        };
+        (0..count).map(|_| [next(), next(), next()]).collect()
+    }
+
+    fn is_near(points: &Points, a: usize, b: usize, tolerance: f64) -> bool {
+        let square: f64 = points[a].iter().zip(points[b]).map(|(x, y)| (x - y) * (x - y)).sum();
+        square <= tolerance * tolerance
+    }
+
+    /// The classes by comparing each with each, numbered by their first vertices.
+    fn classes(points: &Points, tolerance: f64, rule: Rule) -> Vec<u32> {
+        let mut class_of: Vec<Option<u32>> = vec![None; points.len()];
+        let mut count = 0;
+        for first in 0..points.len() {
+            if class_of[first].is_some() {
+                continue;
+            }
+            class_of[first] = Some(count);
+            let mut open = vec![first];
+            while let Some(at) = open.pop() {
+                for other in 0..points.len() {
+                    if class_of[other].is_none() && is_near(points, at, other, tolerance) {
+                        class_of[other] = Some(count);
+                        if let Rule::Transitive = rule {
+                            open.push(other);
+                        }
+                    }
+                }
+            }
+            count += 1;
+        }
+        class_of.into_iter().flatten().collect()
+    }
+
+    #[test]
+    fn classes_are_those_of_each_with_each() {
+        for seed in 0..24 {
+            // Far from the origin too, where a cell is a few of the least differences of doubles.
+            for (tolerance, corner) in [(0.0, 0.0), (0.08, 0.0), (0.15, -1.0), (0.3, 1e13), (2.0, -4e14)] {
+                let mut points = cloud(120, 1f64.max(8.0 * tolerance), corner, seed);
+                points.extend(points.clone().into_iter().take(9));
+                for rule in [Rule::Transitive, Rule::Greedy] {
+                    let truth = classes(&points, tolerance, rule);
+                    check(&points, truth.clone(), tolerance, rule)
+                        .unwrap_or_else(|fault| panic!("{seed} {tolerance} {corner}: {fault}"));
+                    // A class that loses its last member, and two classes that are one.
+                    let count = truth.iter().max().map_or(0, |last| last + 1);
+                    let mut split = truth.clone();
+                    if let Some(at) = (0..truth.len()).rev().find(|&at| truth[..at].contains(&truth[at])) {
+                        split[at] = count;
+                        assert!(
+                            check(&points, split, tolerance, rule).is_err(),
+                            "{seed} {tolerance} {corner}"
+                        );
+                    }
+                    if count > 1 {
+                        let joined = truth.iter().map(|&class| class.min(count - 2)).collect();
+                        assert!(
+                            check(&points, joined, tolerance, rule).is_err(),
+                            "{seed} {tolerance} {corner}"
+                        );
+                    }
+                }
+            }
+        }
+    }
 }

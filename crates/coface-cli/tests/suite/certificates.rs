@@ -573,7 +573,7 @@ fn congruences_are_proved_and_lies_about_them_are_not() {
     for (options, classes) in [
         (
             &[][..],
-            "11 vertices are 7 classes: within each from vertex to vertex by steps of at most, and to others farther than, 0.01",
+            "11 vertices are 7 classes: joined by steps of at most 0.01, and no two of different classes that near",
         ),
         (
             &["--greedy", "--collisions", "keep"],
