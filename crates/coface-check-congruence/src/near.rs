@@ -270,7 +270,7 @@ mod tests {
 
     #[test]
     fn classes_are_those_of_each_with_each() {
-        for seed in 0..24 {
+        for seed in 0..8 {
             // Far from the origin too, where a cell is a few of the least differences of doubles.
             for (tolerance, corner) in [(0.0, 0.0), (0.08, 0.0), (0.15, -1.0), (0.3, 1e13), (2.0, -4e14)] {
                 let mut points = cloud(120, 1f64.max(8.0 * tolerance), corner, seed);

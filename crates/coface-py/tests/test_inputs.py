@@ -71,6 +71,14 @@ def test_generators_are_lists() -> None:
     assert coface.boolean("union", (coface.polygon(CORNERS), coface.polygon(CORNERS))).measure == 0.5
 
 
+def test_polygons_without_area_are_told() -> None:
+    with pytest.raises(coface.InvalidInputError, match="ring 1 of the polygon has 2 points"):
+        coface.polygon(CORNERS, [[0, 0], [1, 1]])
+    flat = coface.boolean("union", coface.polygon([[0, 0], [1, 1], [2, 2]]))
+    assert flat.measure == 0.0
+    assert "has no area in the plane" in flat.to_dict()["remarks"][0]["message"]
+
+
 def test_features_bring_their_attributes() -> None:
     ring = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]]
     feature = {"type": "Feature", "properties": {"kind": "field"}, "geometry": {"type": "Polygon", "coordinates": (tuple(map(tuple, ring)),)}}

@@ -86,7 +86,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ),
     ("coface-cli", &["coface", "coface-allocator", "coface-check", "coface-check-binary"]),
     ("coface-py", &["coface", "coface-allocator", "coface-check", "coface-check-binary"]),
-    ("coface-bench", &["coface"]),
+    ("coface-bench", &["coface", "coface-check-binary"]),
 ];
 
 /// Words that the code of a crate never has: algebra sees neither coordinates nor files, topology no files.

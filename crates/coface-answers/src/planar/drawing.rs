@@ -248,7 +248,8 @@ impl PlanarDrawing {
             .filter(|&(ring, _)| ring != NO_RING && !self.rings[ring as usize].is_hole)
             .filter(|(ring, _)| {
                 let polygon = self.polygons[self.rings[*ring as usize].polygon as usize];
-                polygon.filling == Filling::OuterWithoutHoles
+                // Of several rings that wind around together one may be flat.
+                !matches!(polygon.filling, Filling::Stated(_))
             })
             .filter(|(_, segments)| self.are_on_one_line(segments))
             .map(|(_, segments)| segments[0][0])

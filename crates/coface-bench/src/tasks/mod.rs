@@ -5,6 +5,7 @@
 
 mod boundary_matrices;
 mod boxes;
+mod certificates;
 mod congruence;
 mod edges;
 mod generators;
@@ -97,6 +98,10 @@ pub(crate) const ALL: &[Task] = &[
     solids::INTERSECTION,
     solids::UNION,
     solids::CHECKS,
+    certificates::CERTIFY,
+    certificates::CHECK,
+    certificates::CERTIFY_SOLIDS,
+    certificates::CHECK_SOLIDS,
     boxes::ROW,
     boxes::BLOCK,
     boxes::DOLLS,

@@ -65,7 +65,7 @@ fn checked(path: &Path, clock: &mut Clock) -> Result<String, Error> {
 }
 
 /// The first or second half of the vertices and triangles.
-fn half(mesh: &Mesh, part: usize) -> Result<Model, Error> {
+pub(super) fn half(mesh: &Mesh, part: usize) -> Result<Model, Error> {
     let (vertices, triangles) = (mesh.vertex_count / 2, mesh.lists.len() / 2);
     let flat = mesh.coordinates[part * 3 * vertices..][..3 * vertices].to_vec();
     let shift = (part * vertices) as u32;

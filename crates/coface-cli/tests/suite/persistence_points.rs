@@ -170,7 +170,7 @@ fn memory_is_foretold_with_a_threshold_that_fits() {
     write(folder.path(), "many.csv", (0..400).map(point), ",");
     let ask = |more: &[&str]| {
         let all =
-            [&["persistence", "many.csv", "--rips", "--dimension", "3", "--memory", "64M"], more].concat();
+            [&["persistence", "many.csv", "--rips", "--dimension", "3", "--memory", "32M"], more].concat();
         coface_in(folder.path(), &all)
     };
     let run = ask(&[]);

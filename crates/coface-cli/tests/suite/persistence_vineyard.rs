@@ -33,7 +33,10 @@ fn at(object: &Value, parameter: f64) -> Vec<String> {
 fn vines_of_a_mesh_pass_its_diagrams() {
     let folder = tempfile::tempdir().unwrap();
     let place = folder.path();
-    assert_eq!(coface_in(place, &["generate", "torus", "-o", "torus.off"]).status, 0);
+    assert_eq!(
+        coface_in(place, &["generate", "torus", "--columns", "24", "--rows", "16", "-o", "torus.off"]).status,
+        0
+    );
     let count = coface_in(place, &["info", "torus.off", "--json"]).json()["f_vector"][0].as_u64().unwrap();
     let values: String = (0..count).map(|i| format!("{}\n", (i * 37 % 101) as f64 / 10.0)).collect();
     std::fs::write(place.join("f.txt"), values).unwrap();

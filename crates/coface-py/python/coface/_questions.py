@@ -1859,6 +1859,11 @@ def polygon(*rings: Any) -> Model:
     Model
         A closed line for each ring.
 
+    Raises
+    ------
+    InvalidInputError
+        For a ring of fewer than three points.
+
     Examples
     --------
     >>> import coface
@@ -1867,6 +1872,12 @@ def polygon(*rings: Any) -> Model:
     8.0
     """
     points = [np.asarray(ring, np.float64).reshape(-1, 2) for ring in rings]
+    for number, ring in enumerate(points):
+        if len(ring) < 3:
+            raise_invalid(
+                f"ring {number} of the polygon has {len(ring)} {'point' if len(ring) == 1 else 'points'}",
+                "give three or more, or a line as coface.Model.from_arrays(points, cells={'polyline': [[0, 1]]})",
+            )
     starts = np.cumsum([0, *map(len, points)])
     lines = [[*range(start, start + len(ring)), start] for start, ring in zip(starts, points)]
     return Model.from_arrays(np.concatenate(points) if points else np.zeros((0, 2)), cells={"polyline": lines})
