@@ -69,7 +69,7 @@ fn congruence(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
         let tolerance = field(answer, "tolerance", "answer")?.as_f64().filter(|tolerance| *tolerance >= 0.0);
         let tolerance =
             tolerance.ok_or_else(|| Fault::new("answer", "\"tolerance\" is no number from 0 on"))?;
-        near::check(&sum.points, quotient.class_of_vertex(), tolerance, rule)?;
+        near::check(&sum.points, &quotient.class_of_vertex(), tolerance, rule)?;
         proved.push(rule.claim(sum.points.len(), quotient.counts()[0], tolerance));
         known.push("tolerance");
     }

@@ -46,15 +46,10 @@ impl Rule {
 ///
 /// Distances are computed in doubles, with an error below 2^-50 of the tolerance. Where that leaves open whether two points are within it, either is
 /// taken.
-pub(crate) fn check(
-    points: &[[f64; 3]],
-    class_of: Vec<u32>,
-    tolerance: f64,
-    rule: Rule,
-) -> Result<(), Fault> {
+pub(crate) fn check(points: &[[f64; 3]], class_of: &[u32], tolerance: f64, rule: Rule) -> Result<(), Fault> {
     // The first vertex of each class.
     let mut firsts: Vec<u32> = Vec::new();
-    for (vertex, &class) in (0u32..).zip(&class_of) {
+    for (vertex, &class) in (0u32..).zip(class_of) {
         match (class as usize).cmp(&firsts.len()) {
             std::cmp::Ordering::Less => (),
             std::cmp::Ordering::Equal => firsts.push(vertex),
@@ -66,8 +61,8 @@ pub(crate) fn check(
     }
     let near = Near { points, tolerance };
     match rule {
-        Rule::Transitive => transitive(&near, &class_of, firsts.len()),
-        Rule::Greedy => greedy(&near, &class_of, &firsts),
+        Rule::Transitive => transitive(&near, class_of, firsts.len()),
+        Rule::Greedy => greedy(&near, class_of, &firsts),
     }
 }
 
@@ -92,12 +87,15 @@ fn transitive(near: &Near<'_>, class_of: &[u32], class_count: usize) -> Result<(
         }
         Ok(())
     };
-    for (place, members) in &cells {
+    let mut places: Vec<Place> = cells.keys().copied().collect();
+    places.sort_unstable();
+    for place in places {
+        let members = &cells[&place];
         // All points of a cell are near its first: its diagonal is less than the tolerance, with rounding too.
         for &vertex in &members[1..] {
             meet(vertex, members[0])?;
         }
-        for other in places_behind(*place).filter_map(|place| cells.get(&place)) {
+        for other in places_behind(place).filter_map(|place| cells.get(&place)) {
             for &a in members {
                 for &b in other {
                     meet(a, b)?;
@@ -254,9 +252,9 @@ mod tests {
             class_of[first] = Some(count);
             let mut open = vec![first];
             while let Some(at) = open.pop() {
-                for other in 0..points.len() {
-                    if class_of[other].is_none() && is_near(points, at, other, tolerance) {
-                        class_of[other] = Some(count);
+                for (other, class) in class_of.iter_mut().enumerate() {
+                    if class.is_none() && is_near(points, at, other, tolerance) {
+                        *class = Some(count);
                         if let Rule::Transitive = rule {
                             open.push(other);
                         }
@@ -277,7 +275,7 @@ mod tests {
                 points.extend(points.clone().into_iter().take(9));
                 for rule in [Rule::Transitive, Rule::Greedy] {
                     let truth = classes(&points, tolerance, rule);
-                    check(&points, truth.clone(), tolerance, rule)
+                    check(&points, &truth, tolerance, rule)
                         .unwrap_or_else(|fault| panic!("{seed} {tolerance} {corner}: {fault}"));
                     // A class that loses its last member, and two classes that are one.
                     let count = truth.iter().max().map_or(0, |last| last + 1);
@@ -285,14 +283,14 @@ mod tests {
                     if let Some(at) = (0..truth.len()).rev().find(|&at| truth[..at].contains(&truth[at])) {
                         split[at] = count;
                         assert!(
-                            check(&points, split, tolerance, rule).is_err(),
+                            check(&points, &split, tolerance, rule).is_err(),
                             "{seed} {tolerance} {corner}"
                         );
                     }
                     if count > 1 {
-                        let joined = truth.iter().map(|&class| class.min(count - 2)).collect();
+                        let joined: Vec<u32> = truth.iter().map(|&class| class.min(count - 2)).collect();
                         assert!(
-                            check(&points, joined, tolerance, rule).is_err(),
+                            check(&points, &joined, tolerance, rule).is_err(),
                             "{seed} {tolerance} {corner}"
                         );
                     }
