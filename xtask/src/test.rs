@@ -240,7 +240,7 @@ fn follow(mut command: Command, counts: &mut Tally, begun: impl Fn()) -> std::io
     let mut child = command.spawn()?;
     // The command has ends of the pipe, which would stay open.
     drop(command);
-    let mut program = String::new();
+    let (mut program, mut package) = (String::new(), String::new());
     for line in BufReader::new(reader).lines().map_while(Result::ok) {
         println!("{line}");
         counts.add_line(&line);
@@ -248,7 +248,7 @@ fn follow(mut command: Command, counts: &mut Tally, begun: impl Fn()) -> std::io
         if let Some(what) =
             words.strip_prefix("Running ").or_else(|| words.strip_prefix("Doc-tests ").map(|_| words))
         {
-            program = named(what);
+            program = named(what, &mut package);
             begun();
         }
         let time = line.strip_prefix("test result: ").and_then(|rest| rest.rsplit_once("finished in "));
@@ -259,13 +259,19 @@ fn follow(mut command: Command, counts: &mut Tally, begun: impl Fn()) -> std::io
     Ok(child.wait()?.success())
 }
 
-/// A program of tests by its crate: cargo says `unittests src/lib.rs (target/debug/deps/coface_io-0123456789abcdef)`.
-fn named(what: &str) -> String {
+/// A program of tests by its crate: cargo says `unittests src/lib.rs (target/debug/deps/coface_io-0123456789abcdef)`. Behind it follow the other tests of
+/// the same crate, whose programs have names of their own.
+fn named(what: &str, package: &mut String) -> String {
     let Some((target, path)) = what.split_once(" (") else { return what.to_owned() };
     let file =
         Path::new(path.trim_end_matches(')')).file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let program = file.rsplit_once('-').map_or(file.as_str(), |(name, _)| name);
-    format!("{program}: {}", target.trim_start_matches("unittests "))
+    match target.strip_prefix("unittests ") {
+        Some(source) => {
+            file.rsplit_once('-').map_or(file.as_str(), |(name, _)| name).clone_into(package);
+            format!("{package}: {source}")
+        }
+        None => format!("{package}: {target}"),
+    }
 }
 
 /// All features: those of the tests that need the C library GraphBLAS, and those that are not in the default build of the program.
@@ -377,9 +383,17 @@ mod tests {
 
     #[test]
     fn programs_are_named_by_their_crate() {
-        let what = "unittests src/lib.rs (target/debug/deps/coface_io-0123456789abcdef)";
-        assert_eq!(named(what), "coface_io: src/lib.rs");
-        assert_eq!(named("Doc-tests coface_io"), "Doc-tests coface_io");
+        let mut package = String::new();
+        for (what, name) in [
+            ("unittests src/lib.rs (target/debug/deps/coface_io-0123456789abcdef)", "coface_io: src/lib.rs"),
+            (
+                "tests/suite/main.rs (target/debug/deps/suite-0123456789abcdef)",
+                "coface_io: tests/suite/main.rs",
+            ),
+            ("Doc-tests coface_io", "Doc-tests coface_io"),
+        ] {
+            assert_eq!(named(what, &mut package), name);
+        }
     }
 
     #[test]

@@ -50,11 +50,18 @@ pub fn packed(certificate: &[u8]) -> Result<Vec<u8>, Fault> {
 /// assert!(coface_check_binary::unpacked(&packed[..packed.len() - 1]).is_err());
 /// ```
 pub fn unpacked(certificate: &[u8]) -> Result<Cow<'_, [u8]>, Fault> {
-    let Some(bytes) = certificate.strip_prefix(MARK) else { return Ok(Cow::Borrowed(certificate)) };
+    match certificate.strip_prefix(MARK) {
+        None => Ok(Cow::Borrowed(certificate)),
+        Some(bytes) => Ok(Cow::Owned(value_of(bytes)?.to_string().into_bytes())),
+    }
+}
+
+/// The value whose binary form this is.
+fn value_of(bytes: &[u8]) -> Result<Value, Fault> {
     let mut reader = Reader(bytes);
     let value = reader.value(0)?;
     match reader.0 {
-        [] => Ok(Cow::Owned(value.to_string().into_bytes())),
+        [] => Ok(value),
         _ => Err(Fault::new("certificate", "the binary form goes on behind its end")),
     }
 }
@@ -80,7 +87,11 @@ pub fn unpacked(certificate: &[u8]) -> Result<Cow<'_, [u8]>, Fault> {
 /// assert!(coface_check_binary::check(&packed, &[input]).is_ok());
 /// ```
 pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
-    coface_check_loops::check(&unpacked(certificate)?, inputs)
+    let whole = match certificate.strip_prefix(MARK) {
+        None => coface_check::opened(certificate, inputs)?,
+        Some(bytes) => coface_check::opened_value(value_of(bytes)?, inputs)?,
+    };
+    coface_check_loops::check_opened(&whole, inputs)
 }
 
 /// The names of the inputs of a certificate of either form; none where they are not there.

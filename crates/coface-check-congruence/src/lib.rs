@@ -48,10 +48,23 @@ const PROVED: [&str; 7] = [
 /// assert!(coface_check_congruence::check(certificate(0.0001).as_bytes(), &[input]).is_err());
 /// ```
 pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
-    let whole = coface_check::opened(certificate, inputs)?;
-    match text(field(&whole, "kind", "certificate")?, "\"kind\"", "certificate")? {
-        "congruence" => congruence(&whole, inputs),
-        _ => coface_check::check(certificate, inputs),
+    check_opened(&coface_check::opened(certificate, inputs)?, inputs)
+}
+
+/// The same for a certificate that [`coface_check::opened`] gave for these inputs.
+///
+/// # Errors
+/// A [`Fault`] with the first step that fails.
+///
+/// # Complexity
+/// That of [`check`].
+///
+/// # Examples
+/// See [`check`].
+pub fn check_opened(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
+    match text(field(whole, "kind", "certificate")?, "\"kind\"", "certificate")? {
+        "congruence" => congruence(whole, inputs),
+        _ => coface_check::check_opened(whole, inputs),
     }
 }
 

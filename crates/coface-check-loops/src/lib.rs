@@ -16,6 +16,7 @@ mod words;
 
 use coface_check::json::{field, text};
 use coface_check::{Fault, Verdict};
+use serde_json::Value;
 
 /// Checks a certificate of any kind against the bytes of its inputs, in their order.
 ///
@@ -41,13 +42,26 @@ use coface_check::{Fault, Verdict};
 /// assert!(coface_check_loops::check(certificate("[0,2]").as_bytes(), &[input]).is_err());
 /// ```
 pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
-    let whole = coface_check::opened(certificate, inputs)?;
-    match text(field(&whole, "kind", "certificate")?, "\"kind\"", "certificate")? {
-        "cut" => cut::check(&whole, inputs),
-        "cover" => cover::universal(&whole, inputs),
-        "orientation cover" => cover::orientation(&whole, inputs),
-        "pi1" => pi1::check(&whole, inputs),
-        "cocycles" => cocycles::check(&whole, inputs),
-        _ => coface_check_space::check(certificate, inputs),
+    check_opened(&coface_check::opened(certificate, inputs)?, inputs)
+}
+
+/// The same for a certificate that [`coface_check::opened`] gave for these inputs.
+///
+/// # Errors
+/// A [`Fault`] with the first step that fails.
+///
+/// # Complexity
+/// That of [`check`].
+///
+/// # Examples
+/// See [`check`].
+pub fn check_opened(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
+    match text(field(whole, "kind", "certificate")?, "\"kind\"", "certificate")? {
+        "cut" => cut::check(whole, inputs),
+        "cover" => cover::universal(whole, inputs),
+        "orientation cover" => cover::orientation(whole, inputs),
+        "pi1" => pi1::check(whole, inputs),
+        "cocycles" => cocycles::check(whole, inputs),
+        _ => coface_check_space::check_opened(whole, inputs),
     }
 }

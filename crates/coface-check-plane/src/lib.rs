@@ -25,6 +25,7 @@ pub use formula::{Formula, Rule};
 pub use point::parts;
 
 use coface_check::json::{field, text};
+use serde_json::Value;
 
 /// Checks a certificate of any kind against the bytes of its inputs, in their order.
 ///
@@ -50,10 +51,23 @@ use coface_check::json::{field, text};
 /// assert!(coface_check_plane::check(certificate(2.1).as_bytes(), &[input]).is_err());
 /// ```
 pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
-    let whole = coface_check::opened(certificate, inputs)?;
-    match text(field(&whole, "kind", "certificate")?, "\"kind\"", "certificate")? {
-        "arrangement" => claims::check(&whole, inputs),
-        "boolean" => boolean::check(&whole, inputs),
-        _ => coface_check_persistence::check(certificate, inputs),
+    check_opened(&coface_check::opened(certificate, inputs)?, inputs)
+}
+
+/// The same for a certificate that [`coface_check::opened`] gave for these inputs.
+///
+/// # Errors
+/// A [`Fault`] with the first step that fails.
+///
+/// # Complexity
+/// That of [`check`].
+///
+/// # Examples
+/// See [`check`].
+pub fn check_opened(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
+    match text(field(whole, "kind", "certificate")?, "\"kind\"", "certificate")? {
+        "arrangement" => claims::check(whole, inputs),
+        "boolean" => boolean::check(whole, inputs),
+        _ => coface_check_persistence::check_opened(whole, inputs),
     }
 }

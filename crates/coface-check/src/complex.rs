@@ -53,23 +53,30 @@ impl Complex {
             Some(b'{' | b'[') => {
                 let value: Value = serde_json::from_slice(bytes)
                     .map_err(|error| Fault::new(step, format!("this is not one value of JSON: {error}")))?;
-                Self::of_json(&value, bytes.len())
+                Self::of_json(value, bytes.len())
             }
             Some(_) => polygons::read(bytes),
             None => Err(Fault::new(step, "the file is empty")),
         }
     }
 
-    fn of_json(value: &Value, size: usize) -> Result<Self, Fault> {
-        let Some(object) = value.as_object() else {
-            return simplices::of_facets(&facets_of(value)?, &[], size);
+    fn of_json(value: Value, size: usize) -> Result<Self, Fault> {
+        let of_facets = |list: Value| {
+            let facets = facets_of(&list)?;
+            // What the list was read from is not needed while the faces are made.
+            drop(list);
+            simplices::of_facets(&facets, &[], size)
+        };
+        let mut object = match value {
+            Value::Object(object) => object,
+            list => return of_facets(list),
         };
         let of_other = object.keys().find(|key| !["name", "facets", "boundaries"].contains(&key.as_str()));
         if let Some(key) = of_other {
             return Err(Fault::new("input", format!("the checker does not know the key {key:?}")));
         }
-        match (object.get("facets"), object.get("boundaries")) {
-            (Some(facets), None) => simplices::of_facets(&facets_of(facets)?, &[], size),
+        match (object.remove("facets"), object.get("boundaries")) {
+            (Some(facets), None) => of_facets(facets),
             (None, Some(matrices)) => Self::of_matrices(list(matrices, "\"boundaries\"", "input")?),
             _ => Err(Fault::new("input", "the object needs one of \"facets\" and \"boundaries\"")),
         }

@@ -99,11 +99,24 @@ impl Verdict {
 /// assert!(coface_check::check(certificate.as_bytes(), &[b"[[1]]"]).is_err());
 /// ```
 pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
+    check_opened(&opened(certificate, inputs)?, inputs)
+}
+
+/// The same for a certificate that [`opened`] gave for these inputs.
+///
+/// # Errors
+/// A [`Fault`] with the first step that fails.
+///
+/// # Complexity
+/// That of [`check`].
+///
+/// # Examples
+/// See [`check`].
+pub fn check_opened(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     let step = "certificate";
-    let whole = opened(certificate, inputs)?;
-    match text(field(&whole, "kind", step)?, "\"kind\"", step)? {
-        "homology" => homology::check(&whole, inputs),
-        "info" => info::check(&whole, inputs),
+    match text(field(whole, "kind", step)?, "\"kind\"", step)? {
+        "homology" => homology::check(whole, inputs),
+        "info" => info::check(whole, inputs),
         other => {
             Err(Fault::new(step, format!("{other:?} is no kind of certificate that this checker knows")))
         }
@@ -125,8 +138,19 @@ pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
 /// assert!(coface_check::opened(certificate.as_bytes(), &[b"[[1]]"]).is_err());
 /// ```
 pub fn opened(certificate: &[u8], inputs: &[&[u8]]) -> Result<Value, Fault> {
+    opened_value(parsed(certificate)?, inputs)
+}
+
+/// The same for a certificate that is a value already.
+///
+/// # Errors
+/// A [`Fault`] for another form, or another input.
+///
+/// # Examples
+/// See [`opened`].
+pub fn opened_value(whole: Value, inputs: &[&[u8]]) -> Result<Value, Fault> {
     let step = "certificate";
-    let whole = parsed(certificate)?;
+    check_version(&whole)?;
     let hashes = list(field(&whole, "inputs", step)?, "\"inputs\"", step)?;
     if hashes.len() != inputs.len() || inputs.is_empty() {
         let message =
@@ -151,12 +175,19 @@ fn parsed(certificate: &[u8]) -> Result<Value, Fault> {
     let step = "certificate";
     let whole: Value = serde_json::from_slice(certificate)
         .map_err(|error| Fault::new(step, format!("this is no JSON: {error}")))?;
-    let version = field(&whole, "coface_certificate", step)?;
-    if version.as_u64() != Some(VERSION) {
-        let message = format!("form {version} is not known; this checker reads form {VERSION}");
-        return Err(Fault::new(step, message));
-    }
+    check_version(&whole)?;
     Ok(whole)
+}
+
+fn check_version(whole: &Value) -> Result<(), Fault> {
+    let version = field(whole, "coface_certificate", "certificate")?;
+    match version.as_u64() == Some(VERSION) {
+        true => Ok(()),
+        false => {
+            let message = format!("form {version} is not known; this checker reads form {VERSION}");
+            Err(Fault::new("certificate", message))
+        }
+    }
 }
 
 /// The names of the inputs of a certificate; none where they are not there.
