@@ -1,7 +1,7 @@
 //! Cycles, bounding chains and cocycles of the classes of a diagram.
 
 use super::elimination::Elimination;
-use super::reduction::{Columns, Level, NONE};
+use super::reduction::{Columns, Level, NONE, numbers};
 use super::shortening::Shortening;
 use super::sum::Sum;
 use super::trees::{DualGraph, Trees};
@@ -155,11 +155,7 @@ pub(super) struct Entrance<'a> {
 impl<'a> Entrance<'a> {
     fn new(filtration: &'a Filtration, degree: usize) -> Self {
         let cells = filtration.entrance(degree);
-        let mut numbers = vec![0; cells.len()];
-        for (number, &cell) in cells.iter().enumerate() {
-            numbers[cell as usize] = number as u32;
-        }
-        Self { cells, numbers }
+        Self { cells, numbers: numbers(cells) }
     }
 
     pub(super) fn number(&self, cell: CellId) -> u32 {

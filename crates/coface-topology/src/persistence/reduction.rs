@@ -122,21 +122,19 @@ pub(super) struct Level<'a, F> {
     pub(super) faces: &'a [u32],
 }
 
-impl<F: Field> Level<'_, F> {
-    /// The number of each face by its id.
-    fn numbers(&self) -> Vec<u32> {
-        let mut numbers = vec![0; self.faces.len()];
-        for (number, &face) in self.faces.iter().enumerate() {
-            numbers[face as usize] = number as u32;
-        }
-        numbers
-    }
+/// The number of each cell in an order.
+pub(super) fn numbers(order: &[u32]) -> Vec<u32> {
+    let mut numbers = vec![0; order.len()];
+    (0..).zip(order).for_each(|(number, &cell)| numbers[cell as usize] = number);
+    numbers
+}
 
+impl<F: Field> Level<'_, F> {
     /// The pairs of a graph, for each edge its vertex or [`NONE`]: an edge that joins two trees kills the younger one.
     /// `None` unless the boundary of each edge is zero or a multiple of a difference of two vertices. What is called has the oldest vertices of two trees
     /// that are joined, the older one first.
     pub(super) fn merge(&self, mut joined: impl FnMut(u32, u32)) -> Option<Vec<u32>> {
-        let numbers = self.numbers();
+        let numbers = numbers(self.faces);
         let mut trees = UnionFind::new(self.faces.len());
         // The oldest vertex of the tree of each root.
         let mut oldest: Vec<u32> = (0..self.faces.len() as u32).collect();
@@ -165,7 +163,7 @@ impl<F: Field> Level<'_, F> {
 
     /// For each face its cofaces, rising.
     pub(super) fn coboundaries(&self) -> Columns<F::Unit> {
-        let numbers = self.numbers();
+        let numbers = numbers(self.faces);
         let mut starts = vec![0; self.faces.len() + 1];
         for (row, _) in self
             .matrix

@@ -1,6 +1,6 @@
 //! The primes on which a persistence diagram depends.
 
-use super::reduction::{Columns, Level, NONE, persistence};
+use super::reduction::{Columns, Level, NONE, numbers, persistence};
 use super::trees::DualGraph;
 use super::{Filtration, PersistenceDiagram};
 use crate::homology::Coefficients;
@@ -167,13 +167,6 @@ fn by_boundaries(
         partner[cells.len() - 1 - cell as usize] = (faces.len() - 1 - face) as u32;
     }
     Some(partner)
-}
-
-/// The number of each cell in an order.
-fn numbers(order: &[u32]) -> Vec<u32> {
-    let mut numbers = vec![0; order.len()];
-    order.iter().enumerate().for_each(|(number, &cell)| numbers[cell as usize] = number as u32);
-    numbers
 }
 
 /// The integers of 32 bits, as far as they are enough: multiples of a column are added to others, and no column is multiplied.
