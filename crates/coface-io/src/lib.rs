@@ -88,6 +88,7 @@ pub mod vtk;
 mod witness;
 pub mod wkb;
 pub mod wkt;
+mod word_columns;
 #[cfg(feature = "xml")]
 mod xml_text;
 pub mod yin;

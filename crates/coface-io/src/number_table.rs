@@ -2,9 +2,10 @@
 
 use crate::counted_stream::{name_of, reading};
 use crate::files::open_regular;
-use crate::scanner::{Scanner, parse_coordinate};
+use crate::scanner::Scanner;
 use crate::volume::{NPY_MAGIC, write_npy_header};
-use crate::{Format, Remark, RemarkCode, VolumeStream};
+use crate::word_columns::{WordColumns, is_word};
+use crate::{Format, Remark, VolumeStream};
 use coface_algebra::Error;
 use std::io::{Read, Write};
 use std::path::Path;
@@ -27,8 +28,8 @@ pub struct NumberTable {
     starts: Vec<usize>,
     /// Empty where there are no lines.
     lines: Vec<u64>,
-    /// How many columns of words were left out.
-    word_columns: usize,
+    /// That columns of words were left out.
+    left_out: Option<Remark>,
 }
 
 impl NumberTable {
@@ -89,14 +90,14 @@ impl NumberTable {
             numbers,
             starts: (0..=rows).map(|row| row * columns).collect(),
             lines: Vec::new(),
-            word_columns: 0,
+            left_out: None,
         })
     }
 
     fn of_text(input: impl Read) -> Result<Self, Error> {
         let mut scanner = Scanner::new(input);
         let mut table = Self { starts: vec![0], ..Self::default() };
-        let (mut has_names, mut has_words) = (false, Vec::new());
+        let (mut has_names, mut columns) = (false, WordColumns::default());
         while let Some(line) = scanner.next_line()? {
             let line = line.trim_ascii();
             if line.starts_with(b"#") || line.starts_with(b"//") {
@@ -104,39 +105,25 @@ impl NumberTable {
             }
             let is_separator = |byte: &u8| matches!(byte, b' ' | b'\t' | b',' | b';');
             let words: Vec<&[u8]> = line.split(is_separator).filter(|word| !word.is_empty()).collect();
-            let is_word = |word: &&[u8]| parse_coordinate(word, "").is_err();
-            if table.numbers.is_empty() && !words.is_empty() {
-                // Columns whose first entry is a word have words, unless all have: then these are their names.
-                has_words = words.iter().map(is_word).collect();
-                if !has_words.contains(&false) {
-                    if std::mem::replace(&mut has_names, true) {
-                        has_words.fill(false);
-                    } else {
-                        continue;
-                    }
+            if words.is_empty() {
+                continue;
+            }
+            if table.numbers.is_empty() {
+                // The first line of words has the names of the columns.
+                if words.iter().all(|word| is_word(word)) && !std::mem::replace(&mut has_names, true) {
+                    continue;
                 }
-                table.word_columns = has_words.iter().filter(|has_words| **has_words).count();
+                columns = WordColumns::of(&words);
             }
-            let is_left_out = |column: usize, word: &[u8]| {
-                words.len() == has_words.len() && has_words[column] && is_word(&word)
-            };
-            let entries = words.iter().enumerate().filter(|(column, word)| !is_left_out(*column, word));
-            let numbers: Result<Vec<f64>, Error> =
-                entries.map(|(_, word)| parse_coordinate(word, "each entry of a table")).collect();
-            let left_out = words.len() - numbers.as_ref().map_or(0, Vec::len);
-            let place = scanner.line_number();
+            let numbers = columns.numbers(&words, "each entry of a table");
             let numbers = numbers.map_err(|error| {
-                error.at_line(place).with_cure("write numbers with blanks or commas between them")
+                let cure =
+                    error.cure().unwrap_or("write numbers with blanks or commas between them").to_owned();
+                error.at_line(scanner.line_number()).with_cure(cure)
             })?;
-            if left_out < table.word_columns && !numbers.is_empty() {
-                return Err(Error::parse("a number stands in a column that begins with a word")
-                    .at_line(place)
-                    .with_cure("write numbers into all lines of a column, or words"));
-            }
-            if !numbers.is_empty() {
-                table.push_row(&numbers, scanner.line_number());
-            }
+            table.push_row(&numbers, scanner.line_number());
         }
+        table.left_out = (columns.count() > 0).then(|| columns.remark(" of the table"));
         Ok(table)
     }
 
@@ -151,9 +138,7 @@ impl NumberTable {
     /// # Ok(()) }
     /// ```
     pub fn left_out(&self) -> Option<Remark> {
-        let columns = if self.word_columns == 1 { "a column of words is" } else { "columns of words are" };
-        let remark = Remark::new(RemarkCode::DataLeftOut, format!("{columns} left out of the table"));
-        (self.word_columns > 0).then(|| remark.at(self.word_columns, []))
+        self.left_out.clone()
     }
 
     /// The same table, which must not have had words.
@@ -168,7 +153,7 @@ impl NumberTable {
     /// assert!(table.of_numbers_only().is_err());
     /// ```
     pub fn of_numbers_only(self) -> Result<Self, Error> {
-        match self.left_out() {
+        match self.left_out {
             None => Ok(self),
             Some(_) => Err(Error::parse("the table has a column of words").with_cure("write numbers alone")),
         }

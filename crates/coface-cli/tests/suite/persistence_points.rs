@@ -209,7 +209,14 @@ fn columns_of_words_are_left_out_with_a_remark() {
             );
         }
     }
-    std::fs::write(place.join("mixed.csv"), "0,0,a\n1,1,2\n").unwrap();
-    let said = coface_in(place, &["persistence", "mixed.csv", "--rips"]).fails_with(1).to_owned();
-    assert!(said.contains("mixed.csv:2: a number stands in a column that begins with a word"), "{said}");
+    for (text, fault) in [
+        ("0,0,a\n1,1,2\n", "mixed.csv:2: \"2\" is a number, and the column begins with a word"),
+        ("0,0,a\n1,1,\n", "mixed.csv:2: a line has 2 entries, and the first has 3"),
+    ] {
+        std::fs::write(place.join("mixed.csv"), text).unwrap();
+        for options in [&["persistence", "mixed.csv", "--rips"][..], &["info", "mixed.csv"]] {
+            let said = coface_in(place, options).fails_with(1).to_owned();
+            assert!(said.contains(fault), "{said}");
+        }
+    }
 }

@@ -175,6 +175,8 @@ struct Around {
     painting: Painting,
     viewport: Viewport,
     depth: usize,
+    /// Whether it is drawn by a `use`.
+    is_copy: bool,
 }
 
 /// The elements that others can name.
@@ -239,18 +241,20 @@ impl Reader {
             painting: Painting { rule: FillRule::Nonzero, is_filled: true },
             viewport: Viewport::of_root(root).map_err(|text| fault(root, &text))?,
             depth: 0,
+            is_copy: false,
         };
-        self.element(root, &ids, &around, false)
+        self.element(root, &ids, &around, None)
     }
 
+    /// Draws an element with all that is in it; `user` is the `use` that names it, if one does.
     fn element(
         &mut self,
         node: Node<'_, '_>,
         ids: &Ids<'_, '_>,
         around: &Around,
-        is_copy: bool,
+        user: Option<Node<'_, '_>>,
     ) -> Result<(), Error> {
-        let Around { map, painting, viewport, depth } = *around;
+        let Around { map, painting, viewport, depth, is_copy } = *around;
         if depth > DEEPEST {
             let message = format!("elements are nested deeper than {DEEPEST}");
             return Err(Error::new(ErrorKind::TooLarge, message)
@@ -269,7 +273,10 @@ impl Reader {
             })?;
         }
         let name = node.tag_name().name();
-        if elements::is_definition(name) || elements::style_of(node, "display") == Some("none") {
+        // A symbol is drawn where it is used.
+        let is_symbol = name == "symbol" && user.is_some();
+        let is_definition = elements::is_definition(name) && !is_symbol;
+        if is_definition || elements::style_of(node, "display") == Some("none") {
             return Ok(());
         }
         if matches!(name, "text" | "image" | "foreignObject") {
@@ -326,16 +333,17 @@ impl Reader {
             self.subpaths(&pen.subpaths, rule, node).map_err(|error| error.at_line(line_of(node)))?;
             self.drawing.begin_feature(None);
         }
-        let mut within = Around { map, painting: Painting { rule, is_filled }, viewport, depth: depth + 1 };
+        let painting = Painting { rule, is_filled };
+        let mut within = Around { map, painting, viewport, depth: depth + 1, is_copy };
         if name == "use" {
             return self.used(node, ids, &within);
         }
-        if name == "svg" && depth > 0 {
-            let Some((inner, viewport)) = viewport.inner(node, None).map_err(fault)? else { return Ok(()) };
+        if is_symbol || name == "svg" && depth > 0 {
+            let Some((inner, viewport)) = viewport.inner(node, user).map_err(fault)? else { return Ok(()) };
             (within.map, within.viewport) = (map.after(&inner), viewport);
         }
         for child in node.children().filter(Node::is_element) {
-            self.element(child, ids, &within, is_copy)?;
+            self.element(child, ids, &within, None)?;
         }
         Ok(())
     }
@@ -355,18 +363,8 @@ impl Reader {
         let at = |name: &str, of: Extent| viewport.length(node, name, of).map(Option::unwrap_or_default);
         let [e, f] = [at("x", Extent::Width), at("y", Extent::Height)];
         let moved = Transformation { e: e.map_err(fault)?, f: f.map_err(fault)?, ..Transformation::IDENTITY };
-        let mut within = Around { map: around.map.after(&moved), ..*around };
-        if !matches!(target.tag_name().name(), "svg" | "symbol") {
-            return self.element(target, ids, &within, true);
-        }
-        let Some((inner, viewport)) = viewport.inner(target, Some(node)).map_err(fault)? else {
-            return Ok(());
-        };
-        (within.map, within.viewport) = (within.map.after(&inner), viewport);
-        for child in target.children().filter(Node::is_element) {
-            self.element(child, ids, &within, true)?;
-        }
-        Ok(())
+        let within = Around { map: around.map.after(&moved), is_copy: true, ..*around };
+        self.element(target, ids, &within, Some(node))
     }
 
     /// The closed subpaths are rings of one polygon, the others lines.

@@ -266,6 +266,12 @@ fn copies_and_drawings_inside_are_at_their_places() {
         "<symbol id='s' viewBox='0 0 1 1'><rect width='1' height='1'/></symbol><use href='#s' width='3' height='3'/>",
     );
     assert_eq!(area(&symbol), 9.0);
+    let turned = parsed(
+        "<symbol id='s' viewBox='0 0 1 1' transform='scale(2)'><rect width='1' height='1'/></symbol>\
+         <symbol id='h' display='none'><rect width='9' height='9'/></symbol>\
+         <use href='#s' width='3' height='3'/><use href='#h'/>",
+    );
+    assert_eq!(area(&turned), 36.0);
     let elsewhere = parsed("<rect width='1' height='1'/><use href='other.svg#s'/><use href='#nothing'/>");
     assert_eq!((area(&elsewhere), elsewhere.remarks()[0].code), (1.0, RemarkCode::ElementsLeftOut));
 }

@@ -48,6 +48,8 @@ fn columns_of_words_are_left_out_of_points() {
     assert_eq!((model.positions().as_flat(), model.data().len()), (&[1.0, 2.0, 3.0, 4.0][..], 0));
     let model = io::read(&b"0.5,1,2,a09\n1.5,1,2,a09\n"[..], Format::Points).unwrap();
     assert_eq!(model.positions().as_flat(), [0.5, 1.0, 2.0, 1.5, 1.0, 2.0]);
+    let atoms = io::read(&b"2\nwater\nO 0 0 0\nH 1 0 0\n"[..], Format::Points).unwrap();
+    assert_eq!((atoms.vertex_count(), atoms.remarks()[0].code), (2, RemarkCode::DataLeftOut));
     // A word where the first point has a number is a fault.
     assert!(io::read(&b"1,2,3\n1,2,x\n"[..], Format::Points).is_err());
     assert!(io::read(&b"1,2,x\n1,2,3\n"[..], Format::Points).is_err());

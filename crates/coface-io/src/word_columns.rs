@@ -1,0 +1,65 @@
+//! Columns of words in tables of numbers: names, labels, dates.
+
+use crate::scanner::{parse_coordinate, quoted};
+use crate::{Remark, RemarkCode};
+use coface_algebra::Error;
+
+/// Which columns of a table have words: those whose first entry is one.
+#[derive(Debug, Default)]
+pub(crate) struct WordColumns {
+    has_words: Vec<bool>,
+}
+
+impl WordColumns {
+    /// By the first row. A row of words alone is not a row of such columns.
+    pub(crate) fn of(row: &[&[u8]]) -> Self {
+        let mut has_words: Vec<bool> = row.iter().map(|word| is_word(word)).collect();
+        if !has_words.contains(&false) {
+            has_words.clear();
+        }
+        Self { has_words }
+    }
+
+    /// Whether a column has words.
+    pub(crate) fn has_words(&self, column: usize) -> bool {
+        self.has_words.get(column).is_some_and(|&has_words| has_words)
+    }
+
+    pub(crate) fn count(&self) -> usize {
+        self.has_words.iter().filter(|&&has_words| has_words).count()
+    }
+
+    /// That these columns are left out, and what else is said.
+    pub(crate) fn remark(&self, more: &str) -> Remark {
+        let columns = if self.count() == 1 { "a column of words is" } else { "columns of words are" };
+        Remark::new(RemarkCode::DataLeftOut, format!("{columns} left out{more}")).at(self.count(), [])
+    }
+
+    /// The numbers of a row; `what` is one of them.
+    ///
+    /// # Errors
+    /// `Parse` for a word where a number should be, and where columns have words for a number among them and for a row of another length.
+    pub(crate) fn numbers(&self, row: &[&[u8]], what: &str) -> Result<Vec<f64>, Error> {
+        if self.count() > 0 && row.len() != self.has_words.len() {
+            let message =
+                format!("a line has {} entries, and the first has {}", row.len(), self.has_words.len());
+            return Err(Error::parse(message).with_cure("give each line as many entries"));
+        }
+        let mut numbers = Vec::with_capacity(row.len());
+        for (column, word) in row.iter().enumerate() {
+            if !self.has_words(column) {
+                numbers.push(parse_coordinate(word, what)?);
+            } else if !is_word(word) {
+                let message = format!("{} is a number, and the column begins with a word", quoted(word));
+                return Err(
+                    Error::parse(message).with_cure("write numbers into all lines of a column, or words")
+                );
+            }
+        }
+        Ok(numbers)
+    }
+}
+
+pub(crate) fn is_word(entry: &[u8]) -> bool {
+    parse_coordinate(entry, "").is_err()
+}
