@@ -233,12 +233,12 @@ impl PlanarDrawing {
             }
         }
         drawing.positions = Positions::from_flat(2, flat)?;
-        drawing.remarks.extend(drawing.remark_of_flat_polygons());
+        drawing.remarks.extend(drawing.remark_of_flat_polygons(Filling::OuterWithoutHoles));
         Ok(drawing)
     }
 
-    /// That polygons have no area, seen from above: all corners of each are on one line.
-    fn remark_of_flat_polygons(&self) -> Option<Remark> {
+    /// That polygons of this filling have no area, seen from above: all corners of each are on one line.
+    fn remark_of_flat_polygons(&self, filling: Filling) -> Option<Remark> {
         let flat: Vec<u32> = (self.ring_of_segment.chunk_by(|a, b| a == b))
             .scan(0, |start, ring| {
                 let segments = &self.segments[*start..*start + ring.len()];
@@ -248,18 +248,18 @@ impl PlanarDrawing {
             .filter(|&(ring, _)| ring != NO_RING && !self.rings[ring as usize].is_hole)
             .filter(|(ring, _)| {
                 let polygon = self.polygons[self.rings[*ring as usize].polygon as usize];
-                // Of several rings that wind around together one may be flat.
-                !matches!(polygon.filling, Filling::Stated(_))
+                polygon.filling == filling
             })
             .filter(|(_, segments)| self.are_on_one_line(segments))
             .map(|(_, segments)| segments[0][0])
             .collect();
         let (first, count) = (*flat.first()?, flat.len());
         let [x, y] = self.place(first);
+        let what = if filling == Filling::Lines { "closed line" } else { "polygon" };
         let message = match count {
-            1 => format!("the polygon at ({x}, {y}) has no area in the plane and bounds nothing"),
+            1 => format!("the {what} at ({x}, {y}) has no area in the plane and bounds nothing"),
             _ => format!(
-                "{count} polygons, the first at ({x}, {y}), have no area in the plane and bound nothing"
+                "{count} {what}s, the first at ({x}, {y}), have no area in the plane and bound nothing"
             ),
         };
         let places = flat.iter().map(|&vertex| Place::point(&self.place(vertex)));
@@ -638,6 +638,8 @@ impl PlanarDrawing {
             let message = format!("{} left out: a point bounds nothing", text::count(count, "point"));
             remarks.push(Remark::new(RemarkCode::UnboundedSegments, message).at(count, []));
         }
+        // Lines that enclose nothing are lines still, unless an inside is asked for.
+        remarks.extend(self.remark_of_flat_polygons(Filling::Lines).filter(|_| is_region));
         let by_parity = self.polygons.iter().filter(|polygon| polygon.filling == Filling::Lines).count();
         if by_parity > 0 && rule.is_some_and(|rule| rule != InsideRule::Odd) {
             let message = format!(
