@@ -1,4 +1,4 @@
-//! A hash map for keys that nobody chooses to harm: one multiplication a key, and the same order in each run.
+//! A hash map that spreads keys by multiplication: faster than that of the standard library, which resists keys chosen to collide.
 
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};

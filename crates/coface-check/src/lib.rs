@@ -170,15 +170,12 @@ pub fn opened_value(whole: Value, inputs: &[&[u8]]) -> Result<Value, Fault> {
     Ok(whole)
 }
 
-/// A certificate of the form that is known.
 fn parsed(certificate: &[u8]) -> Result<Value, Fault> {
-    let step = "certificate";
-    let whole: Value = serde_json::from_slice(certificate)
-        .map_err(|error| Fault::new(step, format!("this is no JSON: {error}")))?;
-    check_version(&whole)?;
-    Ok(whole)
+    let fault = |error| Fault::new("certificate", format!("this is no JSON: {error}"));
+    serde_json::from_slice(certificate).map_err(fault)
 }
 
+/// Whether the certificate has the form that is known.
 fn check_version(whole: &Value) -> Result<(), Fault> {
     let version = field(whole, "coface_certificate", "certificate")?;
     match version.as_u64() == Some(VERSION) {
@@ -203,6 +200,7 @@ fn check_version(whole: &Value) -> Result<(), Fault> {
 /// ```
 pub fn input_names(certificate: &[u8]) -> Result<Vec<String>, Fault> {
     let whole = parsed(certificate)?;
+    check_version(&whole)?;
     let inputs = whole.get("inputs").and_then(Value::as_array).into_iter().flatten();
     Ok(inputs.filter_map(|input| Some(input.get("name")?.as_str()?.to_owned())).collect())
 }

@@ -14,7 +14,7 @@ use coface::answers::{
     SolidRequest, SpatialRequest, SurfaceModel, VertexFunction, are_planar,
 };
 use coface::arrange::congruence::ClassRule;
-use coface::io::{Format, read_path};
+use coface::io::{Format, Model, read_path};
 use coface::topology::CoverExtent;
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
@@ -185,6 +185,32 @@ pub(crate) enum Function {
     Values(Vec<f64>),
 }
 
+/// Files with what they hold.
+struct Files {
+    names: Vec<String>,
+    models: Vec<Model>,
+    bytes: Vec<Vec<u8>>,
+}
+
+impl Files {
+    fn read(paths: &[PathBuf]) -> Result<Self, Error> {
+        Ok(Self {
+            names: paths.iter().map(|path| path.display().to_string()).collect(),
+            models: paths.iter().map(|path| read_path(path, None)).collect::<Result<_, Error>>()?,
+            bytes: paths.iter().map(|path| content(path)).collect::<Result<_, Error>>()?,
+        })
+    }
+
+    fn named_models(&self) -> impl Iterator<Item = (&str, &Model)> {
+        self.names.iter().map(String::as_str).zip(&self.models)
+    }
+
+    /// What a certificate is of.
+    fn inputs(&self) -> Vec<(&str, &[u8])> {
+        self.names.iter().map(String::as_str).zip(self.bytes.iter().map(Vec::as_slice)).collect()
+    }
+}
+
 /// The certificate of an arrangement of drawings in files, or with an operation of a Boolean of drawings or solids, as text.
 #[pyfunction]
 #[pyo3(signature = (paths, operation, rule, exact, progress=None))]
@@ -198,13 +224,10 @@ pub(crate) fn _drawing_certificate(
 ) -> PyResult<String> {
     let rule = rule_of(py, rule)?;
     run(py, progress, || {
-        let names: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
-        let models = paths.iter().map(|path| read_path(path, None)).collect::<Result<Vec<_>, Error>>()?;
-        let bytes = paths.iter().map(|path| content(path)).collect::<Result<Vec<_>, Error>>()?;
-        let named = || names.iter().map(String::as_str);
-        let inputs: Vec<(&str, &[u8])> = named().zip(bytes.iter().map(Vec::as_slice)).collect();
-        if !are_planar(&models) {
-            let arrangement = SceneArrangement::of(named().zip(&models), &SpatialRequest::default())?;
+        let files = Files::read(&paths)?;
+        let inputs = files.inputs();
+        if !are_planar(&files.models) {
+            let arrangement = SceneArrangement::of(files.named_models(), &SpatialRequest::default())?;
             let Some(operation) = operation else {
                 return arrangement.certificate(rule.unwrap_or_default(), &inputs);
             };
@@ -212,7 +235,7 @@ pub(crate) fn _drawing_certificate(
             request.rule = rule.unwrap_or_default();
             return SolidBoolean::of(&arrangement, &request)?.certificate(&inputs);
         }
-        let drawing = PlanarDrawing::new(named().zip(&models), RegionSource::Models)?;
+        let drawing = PlanarDrawing::new(files.named_models(), RegionSource::Models)?;
         let Some(operation) = operation else {
             let mut request = ArrangementRequest::default();
             (request.rule, request.exact) = (rule, exact);
@@ -238,12 +261,10 @@ pub(crate) fn _congruence_certificate(
     let mut request = CongruenceRequest::within(checked_tolerance(py, tolerance)?);
     request.rule = if greedy { ClassRule::Greedy } else { ClassRule::Transitive };
     run(py, progress, || {
-        let names: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
-        let models = paths.iter().map(|path| read_path(path, None)).collect::<Result<Vec<_>, Error>>()?;
-        let bytes = paths.iter().map(|path| content(path)).collect::<Result<Vec<_>, Error>>()?;
-        let inputs = names.iter().map(String::as_str).zip(bytes.iter().map(Vec::as_slice));
-        let congruence = ModelCongruence::of(names.iter().cloned().zip(models).collect(), &request)?;
-        congruence.certificate(&inputs.collect::<Vec<(&str, &[u8])>>())
+        let mut files = Files::read(&paths)?;
+        let models = std::mem::take(&mut files.models);
+        let congruence = ModelCongruence::of(files.names.iter().cloned().zip(models).collect(), &request)?;
+        congruence.certificate(&files.inputs())
     })
 }
 

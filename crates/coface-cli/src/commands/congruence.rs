@@ -133,6 +133,10 @@ impl Congruence {
         };
         let mut answer = congruence.answer()?;
         accept(&answer.remarks, common)?;
+        if let Some(place) = &self.certificate {
+            progress.stage(format!("proving {}", place.display()));
+            certified::save(place, &self.inputs, |inputs| congruence.certificate(inputs))?;
+        }
         progress.stage("writing");
         let write_model = || match (output, &model) {
             (Some((path, format)), Some(model)) => io::write_path(model, path, Some(format)),
@@ -141,10 +145,6 @@ impl Congruence {
         match (&self.classes, class_format) {
             (Some(path), Some(format)) => write_classes(&congruence, path, format, write_model)?,
             _ => write_model()?,
-        }
-        if let Some(place) = &self.certificate {
-            progress.stage("proving");
-            certified::save(place, &self.inputs, |inputs| congruence.certificate(inputs))?;
         }
         drop(progress);
         if left_out > 0 && output.is_some() {

@@ -614,7 +614,7 @@ fn congruences_are_proved_and_lies_about_them_are_not() {
     let refused = coface(&["check", argument(&certificate), argument(&left), argument(&right)]);
     assert_eq!(refused.status, 1);
     assert!(refused.stderr.contains("are near, and in different classes"), "{}", refused.stderr);
-    // A file that the checker does not read.
+    // A file that the checker does not read: nothing is written then.
     let stl = folder.path().join("left.stl");
     assert_eq!(coface(&["convert", argument(&left), "-o", argument(&stl)]).status, 0);
     let refused = coface(&[
@@ -624,7 +624,10 @@ fn congruences_are_proved_and_lies_about_them_are_not() {
         "0.1",
         "--certificate",
         argument(&certificate),
+        "-o",
+        argument(&folder.path().join("merged.off")),
     ]);
+    assert!(!folder.path().join("merged.off").exists());
     assert_eq!(refused.status, 1);
     assert!(refused.stderr.contains("leave --certificate out, or give a facet list"), "{}", refused.stderr);
 }
