@@ -53,7 +53,7 @@ pub(crate) fn check(tally: &mut Tally) {
     found.iter().for_each(|fault| println!("{fault}"));
     tally.count(found.is_empty());
     if !found.is_empty() {
-        tally.fail("advisories");
+        tally.fail("advisories", &found);
     }
     println!("== advisories: {} packages with known faults", found.len());
 }

@@ -45,7 +45,7 @@ pub(crate) fn packages(tally: &mut Tally) {
     }
     tally.count(faults.is_empty());
     if !faults.is_empty() {
-        tally.fail("packages");
+        tally.fail("packages", &faults);
     }
     println!("== packages: {} faults in {:.0} s", faults.len(), begin.elapsed().as_secs_f64());
 }

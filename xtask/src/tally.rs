@@ -8,13 +8,18 @@ pub(crate) struct Tally {
     pub(crate) skipped: usize,
     /// Stages and programs of tests with their seconds.
     times: Vec<(String, f64)>,
-    failures: Vec<String>,
+    /// Stages that failed with what they said.
+    failures: Vec<(String, Vec<String>)>,
 }
 
 impl Tally {
     /// A run that did not come to its end.
     pub(crate) fn of_panic() -> Self {
-        Self { failed: 1, failures: vec!["the checks themselves panicked".to_owned()], ..Self::default() }
+        Self {
+            failed: 1,
+            failures: vec![("the checks themselves panicked".to_owned(), Vec::new())],
+            ..Self::default()
+        }
     }
 
     /// Adds another run.
@@ -37,17 +42,20 @@ impl Tally {
         self.times.push((name.to_owned(), seconds));
     }
 
-    /// Keeps the name of a stage that failed.
-    pub(crate) fn fail(&mut self, name: &str) {
-        self.failures.push(name.to_owned());
+    /// Keeps the name of a stage that failed, and what it said.
+    pub(crate) fn fail(&mut self, name: &str, said: &[String]) {
+        self.failures.push((name.to_owned(), abridged(said)));
     }
 
-    /// The slowest of all, and what failed.
+    /// The slowest of all, and what failed: a log is often cut, and its end is read first.
     pub(crate) fn to_text(&self) -> String {
         let mut times: Vec<&(String, f64)> = self.times.iter().collect();
         times.sort_by(|a, b| b.1.total_cmp(&a.1));
         let slowest = times.iter().take(10).map(|(name, seconds)| format!("  {seconds:>7.1} s  {name}\n"));
-        let failures = self.failures.iter().map(|name| format!("  failed: {name}\n"));
+        let failures = self.failures.iter().map(|(name, said)| {
+            let said: String = said.iter().map(|line| format!("    {line}\n")).collect();
+            format!("  failed: {name}\n{said}")
+        });
         format!("slowest:\n{}{}", slowest.collect::<String>(), failures.collect::<String>())
     }
 
@@ -85,9 +93,69 @@ impl Tally {
     }
 }
 
+/// At most 100 lines: the first ones, and those of the end, where the names stand.
+fn abridged(said: &[String]) -> Vec<String> {
+    const FIRST: usize = 60;
+    const LAST: usize = 40;
+    if said.len() <= FIRST + LAST {
+        return said.to_vec();
+    }
+    let between = format!("... {} more lines ...", said.len() - FIRST - LAST);
+    [&said[..FIRST], &[between], &said[said.len() - LAST..]].concat()
+}
+
+/// What tests that failed say: Rust's and pytest's lines between the word `failures` and the closing line.
+#[derive(Default)]
+pub(crate) struct Failures {
+    lines: Vec<String>,
+    is_within: bool,
+}
+
+impl Failures {
+    /// Looks at the next line.
+    pub(crate) fn add_line(&mut self, line: &str) {
+        let title = line.trim_matches(['=', ' ']);
+        if ["failures:", "FAILURES", "ERRORS"].contains(&title) {
+            self.is_within = true;
+        } else if line.starts_with("test result: ") {
+            self.is_within = false;
+        } else if self.is_within && !line.trim().is_empty() {
+            self.lines.push(line.to_owned());
+        }
+    }
+
+    /// All that was said.
+    pub(crate) fn into_lines(self) -> Vec<String> {
+        self.lines
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_failed_is_told_at_the_end() {
+        let mut failures = Failures::default();
+        let said = "test a ... ok\ntest b ... FAILED\n\nfailures:\n\n---- b stdout ----\nthread 'b' panicked\n\nfailures:\n    b\n\n\
+                    test result: FAILED. 1 passed; 1 failed; 0 ignored\ntest c ... ok";
+        said.lines().for_each(|line| failures.add_line(line));
+        let lines = failures.into_lines();
+        assert_eq!(lines, ["---- b stdout ----", "thread 'b' panicked", "    b"]);
+        let mut tally = Tally::default();
+        tally.fail("tests", &lines);
+        assert!(
+            tally
+                .to_text()
+                .ends_with("failed: tests\n    ---- b stdout ----\n    thread 'b' panicked\n        b\n")
+        );
+        let many: Vec<String> = (0..150).map(|i| i.to_string()).collect();
+        let few = abridged(&many);
+        assert_eq!(
+            [&few[0], &few[59], &few[60], &few[61], &few[100]],
+            ["0", "59", "... 50 more lines ...", "110", "149"]
+        );
+    }
 
     #[test]
     fn closing_lines_are_added_up() {
@@ -116,7 +184,7 @@ mod tests {
         }
         let mut other = Tally::default();
         other.time("lints", 100.0);
-        other.fail("lints");
+        other.fail("lints", &[]);
         tally.add(other);
         let text = tally.to_text();
         let lines: Vec<&str> = text.lines().map(str::trim).collect();

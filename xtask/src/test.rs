@@ -2,7 +2,7 @@
 
 use crate::packages::packages;
 use crate::python::python;
-use crate::tally::Tally;
+use crate::tally::{Failures, Tally};
 use crate::viewer::{browser, viewer};
 use crate::{cargo, root};
 use std::io::{BufRead, BufReader};
@@ -177,7 +177,8 @@ pub(crate) fn check(tally: &mut Tally, name: &str, command: &mut Command) {
     tally.count(has_passed);
     tally.time(name, seconds);
     if !has_passed {
-        tally.fail(name);
+        let lines: Vec<String> = said.lines().map(str::to_owned).collect();
+        tally.fail(name, &lines);
     }
     println!("{said}== {name}: {} in {seconds:.0} s", verdict(has_passed));
 }
@@ -215,7 +216,8 @@ pub(crate) fn run_counted(tally: &mut Tally, name: &str, command: Command, begun
     println!("== {name}: {}", words(&command));
     let begin = Instant::now();
     let mut counts = Tally::default();
-    let is_done = follow(command, &mut counts, begun).unwrap_or_else(|error| {
+    let mut failures = Failures::default();
+    let is_done = follow(command, &mut counts, &mut failures, begun).unwrap_or_else(|error| {
         println!("cannot run: {error}");
         false
     });
@@ -226,14 +228,19 @@ pub(crate) fn run_counted(tally: &mut Tally, name: &str, command: Command, begun
     let seconds = begin.elapsed().as_secs_f64();
     println!("== {name}: {} in {seconds:.0} s", counts.to_line());
     if counts.failed > 0 {
-        counts.fail(name);
+        counts.fail(name, &failures.into_lines());
     }
     counts.time(name, seconds);
     tally.add(counts);
 }
 
 /// Runs tests, prints what they say, and keeps the time of each program. Whether all went well.
-fn follow(mut command: Command, counts: &mut Tally, begun: impl Fn()) -> std::io::Result<bool> {
+fn follow(
+    mut command: Command,
+    counts: &mut Tally,
+    failures: &mut Failures,
+    begun: impl Fn(),
+) -> std::io::Result<bool> {
     // One pipe for both: cargo says on standard error which program it runs, and the program on standard output how long it took.
     let (reader, writer) = std::io::pipe()?;
     command.stdin(Stdio::null()).stdout(writer.try_clone()?).stderr(writer);
@@ -244,6 +251,7 @@ fn follow(mut command: Command, counts: &mut Tally, begun: impl Fn()) -> std::io
     for line in BufReader::new(reader).lines().map_while(Result::ok) {
         println!("{line}");
         counts.add_line(&line);
+        failures.add_line(&line);
         let words = line.trim();
         if let Some(what) =
             words.strip_prefix("Running ").or_else(|| words.strip_prefix("Doc-tests ").map(|_| words))

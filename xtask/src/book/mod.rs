@@ -71,7 +71,7 @@ pub(crate) fn check(tally: &mut Tally) {
     tally.count(faults.is_empty());
     tally.time("book", begin.elapsed().as_secs_f64());
     if !faults.is_empty() {
-        tally.fail("book");
+        tally.fail("book", &faults);
     }
     println!("== book: {}", if faults.is_empty() { "passed" } else { "failed" });
 }
