@@ -1,8 +1,10 @@
 //! How points, distances and graphs become complexes: options that every verb takes.
 
+use crate::arguments;
 use crate::failure::Failure;
 use clap::Args;
 use clap::error::ErrorKind;
+use coface::complexes::alpha::PeriodicBox;
 use coface::complexes::filtered::WitnessRule;
 use coface::io::{
     AlphaReading, CechReading, FlagReading, ReadOptions, RipsReading, TableForm, WitnessReading,
@@ -22,6 +24,11 @@ pub(crate) struct PointArguments {
     /// A and all values are radii instead of squared radii (GUDHI: output_squared_values=False)
     #[arg(long, global = true, help_heading = "Points and graphs", requires = "alpha", conflicts_with_all = ["rips", "flag", "cech", "landmarks"])]
     radii: bool,
+    /// The points repeat after these lengths, one for each coordinate, as 10,10,12.5 in a crystal or a simulation: the complex is that of a flat torus, with each
+    /// simplex once, and has no positions
+    #[arg(long, value_name = "LENGTHS", global = true, help_heading = "Points and graphs", requires = "alpha",
+          conflicts_with_all = ["rips", "flag", "cech", "landmarks"], value_parser = periodic_box)]
+    periods: Option<PeriodicBox>,
     /// Take points (any number of coordinates) or a table of distances as their Vietoris-Rips complex: each set of points enters at the largest distance of two
     /// of them. --threshold T ends it at diameter T instead of the enclosing radius, behind which nothing changes
     #[arg(long, global = true, help_heading = "Points and graphs", group = "complex")]
@@ -68,6 +75,13 @@ pub(crate) struct PointArguments {
     embedding: Option<u32>,
 }
 
+/// The sides of a periodic box, with commas between them.
+fn periodic_box(sides: &str) -> Result<PeriodicBox, String> {
+    let sides: Result<Vec<f64>, String> =
+        sides.split(',').map(|side| arguments::number(side.trim())).collect();
+    PeriodicBox::new(&sides?).map_err(|error| error.to_string())
+}
+
 fn form(name: &str) -> Result<TableForm, String> {
     TableForm::from_name(name).map_err(|error| error.to_string())
 }
@@ -76,7 +90,7 @@ impl PointArguments {
     /// How points are read as their alpha complex, if they are to be.
     pub(crate) fn alpha(self) -> Option<AlphaReading> {
         let bound = self.alpha?;
-        Some(AlphaReading { bound, weighted: self.weighted, radii: self.radii })
+        Some(AlphaReading { bound, weighted: self.weighted, radii: self.radii, periods: self.periods })
     }
 
     /// How points are read as their Vietoris-Rips complex, if they are to be.

@@ -1,11 +1,11 @@
 //! Points that are read as their alpha complex.
 
-use crate::filtered_model::mesh_of;
+use crate::filtered_model::{mesh_of, model_of_facets};
 use crate::number_table::NumberTable;
 use crate::readers::{ReadOptions, read_path_with};
-use crate::{Format, Model, Remark, RemarkCode};
+use crate::{Format, Model, ModelParts, Remark, RemarkCode, Structure};
 use coface_algebra::{Error, VertexId, memory};
-use coface_complexes::alpha::AlphaComplex;
+use coface_complexes::alpha::{AlphaComplex, PeriodicAlphaComplex, PeriodicBox};
 use coface_geometry::Positions;
 use std::path::Path;
 
@@ -18,6 +18,8 @@ pub struct AlphaReading {
     pub weighted: bool,
     /// Whether values, and the bound, are radii instead of squared radii.
     pub radii: bool,
+    /// The lengths after which points repeat; without them they do not.
+    pub periods: Option<PeriodicBox>,
 }
 
 impl AlphaReading {
@@ -63,7 +65,7 @@ impl AlphaReading {
     /// The alpha complex of the rows of a table.
     ///
     /// # Errors
-    /// Those of [`NumberTable::point_dimension`] and [`AlphaComplex::new`]; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a bound that is
+    /// Those of [`NumberTable::point_dimension`], [`AlphaComplex::new`] and [`PeriodicAlphaComplex::new`]; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a bound that is
     /// no number, where squared radii are beyond the range of numbers, and where
     /// points with weights are to have radii, which may be roots of negative numbers; [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) where the memory
     /// that is free would not do.
@@ -108,9 +110,13 @@ impl AlphaReading {
         let flat = rows().flat_map(|row| row[..dimension].iter().copied()).collect();
         let positions = Positions::from_flat(if columns == 0 { 0 } else { dimension }, flat)?;
         let weights: Option<Vec<f64>> = self.weighted.then(|| rows().map(|row| row[dimension]).collect());
-        let mut complex = AlphaComplex::new(&positions, weights.as_deref())?;
-        let top = complex.values(complex.complex().dimension().unwrap_or(0));
-        if top.iter().any(|value| value.is_infinite()) {
+        let mut complex = match &self.periods {
+            None => AlphaCells::Plain(AlphaComplex::new(&positions, weights.as_deref())?),
+            Some(domain) => {
+                AlphaCells::Periodic(PeriodicAlphaComplex::new(&positions, domain, weights.as_deref())?)
+            }
+        };
+        if complex.values(complex.dimension().unwrap_or(0)).iter().any(|value| value.is_infinite()) {
             return Err(Error::invalid("a squared radius is beyond the range of numbers")
                 .with_cure("scale the points down"));
         }
@@ -177,11 +183,84 @@ pub fn vertices_of_path(
     Ok(Some((table, model.remarks().to_vec())))
 }
 
+/// The alpha complex of points, or of points that repeat.
+#[derive(Clone, Debug)]
+pub enum AlphaCells {
+    /// Of points as they are.
+    Plain(AlphaComplex),
+    /// Of points and all of their copies.
+    Periodic(PeriodicAlphaComplex),
+}
+
+impl AlphaCells {
+    /// The dimension of the complex; `None` if there is no point.
+    ///
+    /// # Examples
+    /// See [`Self::values`].
+    pub fn dimension(&self) -> Option<usize> {
+        match self {
+            Self::Plain(alpha) => alpha.complex().dimension(),
+            Self::Periodic(alpha) => alpha.complex().dimension(),
+        }
+    }
+
+    /// The values of the simplices of a degree: squared radii, or radii. Empty beyond the dimension.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::alpha::PeriodicBox;
+    /// use coface_io::{AlphaReading, NumberTable};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let table = NumberTable::from_rows([[1.0], [4.0]]);
+    /// let reading = AlphaReading { radii: true, ..AlphaReading::default() };
+    /// assert_eq!(reading.points(&table)?.complex().values(1), [1.5]);
+    /// let circle = AlphaReading { periods: Some(PeriodicBox::new(&[8.0])?), ..reading };
+    /// let points = circle.points(&table)?;
+    /// assert_eq!((points.complex().dimension(), points.complex().values(1)), (Some(1), &[2.5, 1.5][..]));
+    /// # Ok(()) }
+    /// ```
+    pub fn values(&self, degree: usize) -> &[f64] {
+        match self {
+            Self::Plain(alpha) => alpha.values(degree),
+            Self::Periodic(alpha) => alpha.values(degree),
+        }
+    }
+
+    /// The points in no simplex of the triangulation, rising.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{AlphaReading, NumberTable};
+    /// let found = AlphaReading::default().points(&NumberTable::from_rows([[0.0], [6.0], [6.0]]));
+    /// assert_eq!(found.expect("an alpha complex").complex().hidden()[0].index(), 2);
+    /// ```
+    pub fn hidden(&self) -> &[VertexId] {
+        match self {
+            Self::Plain(alpha) => alpha.hidden(),
+            Self::Periodic(alpha) => alpha.hidden(),
+        }
+    }
+
+    fn with_radii(self) -> Self {
+        match self {
+            Self::Plain(alpha) => Self::Plain(alpha.with_radii()),
+            Self::Periodic(alpha) => Self::Periodic(alpha.with_radii()),
+        }
+    }
+
+    fn up_to(&self, bound: f64) -> Self {
+        match self {
+            Self::Plain(alpha) => Self::Plain(alpha.up_to(bound)),
+            Self::Periodic(alpha) => Self::Periodic(alpha.up_to(bound)),
+        }
+    }
+}
+
 /// Points with their alpha complex, up to a bound if there is one.
 #[derive(Clone, Debug)]
 pub struct AlphaPoints {
     positions: Positions,
-    complex: AlphaComplex,
+    complex: AlphaCells,
     remarks: Vec<Remark>,
 }
 
@@ -202,7 +281,7 @@ impl AlphaPoints {
     ///
     /// # Examples
     /// See [`AlphaReading::points`].
-    pub fn complex(&self) -> &AlphaComplex {
+    pub fn complex(&self) -> &AlphaCells {
         &self.complex
     }
 
@@ -227,22 +306,44 @@ impl AlphaPoints {
     /// let (positions, complex) = found.expect("an alpha complex").into_parts();
     /// assert_eq!((positions.len(), complex.values(1)), (2, &[9.0][..]));
     /// ```
-    pub fn into_parts(self) -> (Positions, AlphaComplex) {
+    pub fn into_parts(self) -> (Positions, AlphaCells) {
         (self.positions, self.complex)
     }
 
     /// The complex as a mesh: tetrahedra, the triangles and edges that are in none, and points. Triangles of the plane run counterclockwise, and
     /// tetrahedra are positive. Where points are in no simplex, the others are numbered anew, and data `point` has their numbers.
     ///
+    /// Of points that repeat it is the list of simplices if these are known by their points, else the chain complex; both have no positions, since simplices
+    /// reach across the sides of the box.
+    ///
+    /// # Errors
+    /// Those of [`DeltaComplex::chain_complex`](coface_complexes::simplicial::DeltaComplex::chain_complex), of points that repeat.
+    ///
     /// # Examples
     /// ```
     /// use coface_io::{AlphaReading, NumberTable};
     /// let found = AlphaReading::default().points(&NumberTable::from_rows([[0.0, 0.0], [6.0, 0.0], [0.0, 8.0]]));
-    /// let model = found.expect("an alpha complex").into_model();
+    /// let model = found.and_then(|points| points.into_model()).expect("an alpha complex");
     /// assert_eq!((model.vertex_count(), model.polygons().len()), (3, 1));
     /// ```
-    pub fn into_model(self) -> Model {
-        mesh_of(&self.positions, &self.complex.into_filtered(), self.remarks)
+    pub fn into_model(self) -> Result<Model, Error> {
+        let alpha = match self.complex {
+            AlphaCells::Plain(alpha) => {
+                return Ok(mesh_of(&self.positions, &alpha.into_filtered(), self.remarks));
+            }
+            AlphaCells::Periodic(alpha) => alpha,
+        };
+        if let Some(complex) = alpha.simplicial() {
+            return Ok(model_of_facets(complex.facets_up_to(f64::INFINITY), self.remarks));
+        }
+        let structure = Some(Structure::Chains(alpha.complex().chain_complex()?));
+        let parts = ModelParts {
+            format: Some(Format::Points),
+            structure,
+            remarks: self.remarks,
+            ..ModelParts::default()
+        };
+        Ok(parts.into_model())
     }
 }
 

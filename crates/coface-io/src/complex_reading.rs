@@ -18,7 +18,8 @@ pub(crate) enum ComplexReading {
 
 /// How points and graphs become complexes: of several options the last one counts.
 impl ReadOptions {
-    /// Reads points, rows of numbers or the vertices of a model, as their alpha complex: a mesh of tetrahedra, triangles, edges and points.
+    /// Reads points, rows of numbers or the vertices of a model, as their alpha complex: a mesh of tetrahedra, triangles, edges and points; of points
+    /// that repeat, a list of simplices, or a chain complex where there are few points.
     ///
     /// # Examples
     /// The edges of a triangle, of which two are there at the squared radius 16.
@@ -88,7 +89,7 @@ impl ComplexReading {
     fn of_path(self, path: &Path, options: &ReadOptions) -> Result<Model, Error> {
         let named = |error: Error| error.in_file(path.display().to_string());
         match self {
-            Self::Alpha(alpha) => Ok(alpha.points_of_path(path, options)?.into_model()),
+            Self::Alpha(alpha) => alpha.points_of_path(path, options)?.into_model().map_err(named),
             Self::Rips(rips) => rips.model(rips.distances_of_path(path, options)?).map_err(named),
             Self::Flag(flag) => flag.model(&flag.graph_of_path(path)?).map_err(named),
             Self::Cech(cech) => Ok(cech.points_of_path(path, options)?.into_model()),
@@ -98,7 +99,7 @@ impl ComplexReading {
 
     fn of_stream(self, input: &mut dyn Read) -> Result<Model, Error> {
         match self {
-            Self::Alpha(alpha) => Ok(alpha.points(&NumberTable::read(input)?)?.into_model()),
+            Self::Alpha(alpha) => alpha.points(&NumberTable::read(input)?)?.into_model(),
             Self::Rips(rips) => rips.model(rips.distances(&NumberTable::read(input)?)?),
             Self::Flag(flag) => flag.model(&flag.graph(input)?),
             Self::Cech(cech) => Ok(cech.points(&NumberTable::read(input)?)?.into_model()),

@@ -26,7 +26,8 @@ pub(crate) fn model_with_numbers(complex: &FilteredComplex, numbers: &[u32], rem
     model_of_facets(facets, remarks)
 }
 
-fn model_of_facets(facets: RaggedArray, remarks: Vec<Remark>) -> Model {
+/// A complex as the list of its facets.
+pub(crate) fn model_of_facets(facets: RaggedArray, remarks: Vec<Remark>) -> Model {
     let structure = Some(Structure::Facets(facets));
     ModelParts { format: Some(Format::Points), structure, remarks, ..ModelParts::default() }.into_model()
 }

@@ -93,7 +93,7 @@ mod word_columns;
 mod xml_text;
 pub mod yin;
 
-pub use alpha::{AlphaPoints, AlphaReading, vertices_of_path};
+pub use alpha::{AlphaCells, AlphaPoints, AlphaReading, vertices_of_path};
 pub use cech::{CechPoints, CechReading};
 pub use cells_not_balls::cells_not_balls;
 pub use data::CellData;

@@ -7,15 +7,16 @@ use crate::model::Model;
 use crate::persistence::{Diagram, Persistence};
 use crate::source::{Names, Naming};
 use crate::work::run;
-use coface::Error;
 use coface::answers::RipsRequest;
+use coface::complexes::alpha::PeriodicBox;
 use coface::complexes::filtered::{DirectedFlagComplex, FilteredComplex, WitnessRule};
 use coface::io::{
-    AlphaReading, CechReading, FileGraph, FlagReading, NumberTable, Remark, RipsReading, TableForm,
-    WitnessReading,
+    AlphaCells, AlphaReading, CechReading, FileGraph, FlagReading, NumberTable, Remark, RipsReading,
+    TableForm, WitnessReading,
 };
 use coface::topology;
 use coface::topology::{Coefficients, Filtration};
+use coface::{ChainComplex, Error};
 use pyo3::prelude::*;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -330,17 +331,37 @@ fn of_simplices(
     (field, least, degree): (Coefficients, f64, Option<usize>),
     make: impl FnOnce() -> Result<FilteredComplex, Error> + Send,
 ) -> PyResult<Persistence> {
-    let (diagram, simplices, complex, filtration) = run(py, progress, || {
-        let (simplices, values) = make()?.into_parts();
-        let complex = simplices.chain_complex()?;
+    of_cells(py, progress, (field, least, degree), || named_by_vertices(make()?))
+}
+
+/// The chain complex of simplices, their values, and their vertices as names.
+fn named_by_vertices(complex: FilteredComplex) -> Result<(ChainComplex, Vec<Vec<f64>>, Names), Error> {
+    let (simplices, values) = complex.into_parts();
+    Ok((simplices.chain_complex()?, values, Names::Simplices(Arc::new(simplices))))
+}
+
+/// The sides of a periodic box.
+fn periodic_box(sides: &Bound<'_, PyAny>) -> PyResult<PeriodicBox> {
+    PeriodicBox::new(&arrays::real_list(sides, "periods")?).or_raise(sides.py())
+}
+
+/// The diagram of cells with values and names, up to a degree.
+fn of_cells(
+    py: Python<'_>,
+    progress: Option<&Bound<'_, PyAny>>,
+    (field, least, degree): (Coefficients, f64, Option<usize>),
+    make: impl FnOnce() -> Result<(ChainComplex, Vec<Vec<f64>>, Names), Error> + Send,
+) -> PyResult<Persistence> {
+    let (diagram, names, complex, filtration) = run(py, progress, || {
+        let (complex, values, names) = make()?;
         let filtration = Filtration::new(&complex, values)?;
         let mut diagram = topology::persistence(&complex, &filtration, field)?;
         if let Some(degree) = degree {
             diagram = diagram.up_to_degree(degree);
         }
-        Ok((diagram.longer_than(least), simplices, complex, filtration))
+        Ok((diagram.longer_than(least), names, complex, filtration))
     })?;
-    let naming = Arc::new(Naming::of(Names::Simplices(Arc::new(simplices))));
+    let naming = Arc::new(Naming::of(names));
     let (complex, filtration) = (Arc::new(complex), Arc::new(filtration));
     Ok(Persistence { diagram: Diagram::Complex { diagram, naming, complex, filtration, least } })
 }
@@ -357,6 +378,8 @@ fn of_simplices(
 ///     The value at which the complex ends.
 /// radii : bool
 ///     Whether values are radii instead of squared radii.
+/// periods : array_like of float, optional
+///     The lengths after which the points repeat, one for each coordinate.
 /// coefficients : str or int
 ///     A prime field: ``"f2"``, ``"f3"``, ...
 /// least : float
@@ -369,7 +392,7 @@ fn of_simplices(
 /// Persistence
 ///     The diagram.
 #[pyfunction]
-#[pyo3(signature = (table, *, weighted=false, bound=None, radii=false, coefficients=None, least=0.0, progress=None), text_signature = "(table, *, weighted=False, bound=None, radii=False, coefficients='f2', least=0.0, progress=False)")]
+#[pyo3(signature = (table, *, weighted=false, bound=None, radii=false, periods=None, coefficients=None, least=0.0, progress=None), text_signature = "(table, *, weighted=False, bound=None, radii=False, periods=None, coefficients='f2', least=0.0, progress=False)")]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn alpha(
     py: Python<'_>,
@@ -377,15 +400,32 @@ pub(crate) fn alpha(
     weighted: bool,
     bound: Option<f64>,
     radii: bool,
+    periods: Option<&Bound<'_, PyAny>>,
     coefficients: Option<&Bound<'_, PyAny>>,
     least: f64,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Persistence> {
     let table = rows(table)?;
     let field = coefficients.map_or(Ok(Coefficients::Modulo(2)), ring)?;
-    of_simplices(py, progress, (field, least, None), || {
-        let points = AlphaReading { bound, weighted, radii }.points(&table)?;
-        Ok(points.into_parts().1.into_filtered())
+    let periods = periods.map(periodic_box).transpose()?;
+    of_cells(py, progress, (field, least, None), || {
+        let points = AlphaReading { bound, weighted, radii, periods }.points(&table)?;
+        let alpha = match points.into_parts().1 {
+            AlphaCells::Plain(alpha) => return named_by_vertices(alpha.into_filtered()),
+            AlphaCells::Periodic(alpha) => alpha,
+        };
+        if let Some(complex) = alpha.simplicial() {
+            return named_by_vertices(complex);
+        }
+        let degrees = 0..alpha.complex().f_vector().len();
+        let values = degrees.clone().map(|degree| alpha.values(degree).to_vec()).collect();
+        let points = degrees.flat_map(|degree| {
+            let count = alpha.complex().simplex_count(degree);
+            let alpha = &alpha;
+            (0..count).map(move |i| ((degree, i), alpha.points(degree, i).to_vec()))
+        });
+        let names = Names::Given(Arc::new(points.collect()));
+        Ok((alpha.complex().chain_complex()?, values, names))
     })
 }
 
@@ -401,22 +441,27 @@ pub(crate) fn alpha(
 ///     As of :func:`alpha`.
 /// radii : bool
 ///     As of :func:`alpha`.
+/// periods : array_like of float, optional
+///     As of :func:`alpha`.
 ///
 /// Returns
 /// -------
 /// Model
-///     Tetrahedra, triangles, edges and points.
+///     Tetrahedra, triangles, edges and points; with periods a list of simplices, or of few points a chain complex, without positions.
 #[pyfunction]
-#[pyo3(signature = (table, *, weighted=false, bound=None, radii=false))]
+#[pyo3(signature = (table, *, weighted=false, bound=None, radii=false, periods=None))]
 pub(crate) fn alpha_complex(
     py: Python<'_>,
     table: &Bound<'_, PyAny>,
     weighted: bool,
     bound: Option<f64>,
     radii: bool,
+    periods: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Model> {
     let table = rows(table)?;
-    let model = run(py, None, || Ok(AlphaReading { bound, weighted, radii }.points(&table)?.into_model()))?;
+    let periods = periods.map(periodic_box).transpose()?;
+    let model =
+        run(py, None, || AlphaReading { bound, weighted, radii, periods }.points(&table)?.into_model())?;
     given(py, model)
 }
 

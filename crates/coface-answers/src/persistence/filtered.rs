@@ -2,10 +2,10 @@
 
 use super::Growth;
 use crate::Producer;
-use crate::producer::{Cells, Labels};
+use crate::producer::{Cells, Labels, OrderedCells};
 use coface_complexes::filtered::{DirectedFlagComplex, FilteredComplex};
 use coface_geometry::Positions;
-use coface_io::{AlphaPoints, CechPoints, FileGraph, Remark, WitnessPoints};
+use coface_io::{AlphaCells, AlphaPoints, CechPoints, FileGraph, Remark, WitnessPoints};
 
 /// Points with the simplices of a complex that they make and the values at which these enter: what a
 /// [`PersistenceRequest`](super::PersistenceRequest) is put to.
@@ -33,7 +33,7 @@ pub struct PointFiltration {
 }
 
 impl PointFiltration {
-    /// The alpha complex of points, whose values are said to be radii, or squared radii.
+    /// The alpha complex of points, whose values are said to be radii, or squared radii. Of points that repeat it has no positions.
     ///
     /// # Examples
     /// See [`PointFiltration`].
@@ -41,7 +41,19 @@ impl PointFiltration {
         let remarks = points.remarks().to_vec();
         let (positions, alpha) = points.into_parts();
         let place = if radii { "radii of the alpha complex" } else { "squared radii of the alpha complex" };
-        Self::new(positions, alpha.into_filtered(), remarks, place)
+        let alpha = match alpha {
+            AlphaCells::Plain(alpha) => {
+                return Self::new(positions, alpha.into_filtered(), remarks, place);
+            }
+            AlphaCells::Periodic(alpha) => alpha,
+        };
+        // Simplices reach across the sides of the box, so that positions tell nothing of them.
+        if let Some(complex) = alpha.simplicial() {
+            return Self::new(Positions::default(), complex, remarks, place);
+        }
+        let degrees = 0..alpha.complex().f_vector().len();
+        let values = degrees.map(|degree| alpha.values(degree).to_vec()).collect();
+        Self::of_ordered(OrderedCells::Periodic(alpha), values, Labels::default(), remarks, place)
     }
 
     /// The Čech complex of points, whose values are radii.
@@ -106,15 +118,23 @@ impl PointFiltration {
     pub fn of_directed(graph: &FileGraph, complex: DirectedFlagComplex) -> Self {
         let degrees = 0..complex.complex().f_vector().len();
         let values = degrees.map(|degree| complex.values(degree).to_vec()).collect();
-        let cells = Cells::Ordered(Box::new(complex));
-        let producer = Producer {
-            cells,
-            labels: Labels::of_graph(graph),
-            positions: Positions::default(),
-            partial_positions: None,
-            remarks: graph.remarks().to_vec(),
-        };
-        Self { producer, values, place: "directed flag complex" }
+        let (cells, remarks) = (OrderedCells::Directed(complex), graph.remarks().to_vec());
+        Self::of_ordered(cells, values, Labels::of_graph(graph), remarks, "directed flag complex")
+    }
+
+    fn of_ordered(
+        cells: OrderedCells,
+        values: Vec<Vec<f64>>,
+        labels: Labels,
+        remarks: Vec<Remark>,
+        place: &'static str,
+    ) -> Self {
+        let (cells, positions) = (Cells::Ordered(Box::new(cells)), Positions::default());
+        Self {
+            producer: Producer { cells, labels, positions, partial_positions: None, remarks },
+            values,
+            place,
+        }
     }
 
     /// The simplices of a Vietoris-Rips filtration, or of the flag complex of a graph, that are needed for the cycles of its diagram.

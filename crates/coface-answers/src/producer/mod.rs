@@ -12,6 +12,7 @@ mod groups;
 mod labels;
 mod lookup;
 mod names;
+mod ordered_cells;
 mod ordered_simplices;
 mod pair;
 mod places;
@@ -21,6 +22,7 @@ pub use cycles::Term;
 pub use groups::{group_chain, named_groups};
 pub(crate) use labels::Labels;
 pub use names::CellNames;
+pub(crate) use ordered_cells::OrderedCells;
 pub use ordered_simplices::OrderedSimplices;
 pub use pair::Pair;
 
@@ -31,7 +33,6 @@ use coface_algebra::chains::{ChainComplex, TwoSkeleton};
 use coface_algebra::{CellId, EdgeId, FaceId};
 use coface_complexes::cell_mesh::CellMesh;
 use coface_complexes::cubical::CubicalVolume;
-use coface_complexes::filtered::DirectedFlagComplex;
 use coface_complexes::gluing::{FaceClasses, GluingTable};
 use coface_complexes::lar::LarModel;
 use coface_complexes::simplicial::FrozenComplex;
@@ -82,7 +83,7 @@ pub(crate) enum Cells {
     /// Voxels with their faces.
     Voxels(Box<VolumeCells>),
     /// Lists of vertices.
-    Ordered(Box<DirectedFlagComplex>),
+    Ordered(Box<OrderedCells>),
 }
 
 impl Producer {
@@ -375,7 +376,7 @@ impl Producer {
             Cells::Simplices(complex) => return self.labels.of_all(complex.numbers(degree, cell).to_vec()),
             Cells::Halfedges(_) | Cells::Gluings(_) | Cells::Chains(_) => return vec![cell as u32],
             Cells::Voxels(cells) => return cells.vertices(degree, cell),
-            Cells::Ordered(complex) => return self.labels.of_all(complex.simplex(degree, cell).to_vec()),
+            Cells::Ordered(complex) => return self.labels.of_all(complex.vertices(degree, cell).to_vec()),
         };
         self.labels.of_all(match degree {
             0 => vec![cell as u32],

@@ -119,17 +119,16 @@ impl<'a, const N: usize> Cells<'a, N> {
 
     /// Whether a point lies inside the sphere of a cell; of one that reaches to infinity, beyond its facet, or in the flat of the facet and inside the
     /// sphere of the facet.
-    fn conflicts_with(&self, cell: u32, point: WeightedPoint) -> bool {
-        let bounded = |cell: u32| self.corners[cell as usize].map(|id| self.point(id));
+    fn conflicts_with(&self, cell: u32, id: u32) -> bool {
         let Some(place) = self.infinite_place(cell) else {
-            return self.space.is_inside(&bounded(cell), point);
+            return self.space.is_inside(self.corners[cell as usize], id);
         };
-        match self.space.orientation(&self.with(cell, place, point)) {
+        match self.space.orientation(&self.with(cell, place, self.point(id))) {
             std::cmp::Ordering::Greater => true,
             std::cmp::Ordering::Less => false,
             std::cmp::Ordering::Equal => {
                 let inner = self.neighbors[cell as usize][place];
-                self.space.is_inside(&bounded(inner), point)
+                self.space.is_inside(self.corners[inner as usize], id)
             }
         }
     }
@@ -139,9 +138,8 @@ impl<'a, const N: usize> Cells<'a, N> {
     /// # References
     /// A. Bowyer, *Computing Dirichlet tessellations* (1981); D. Watson, *Computing the n-dimensional Delaunay tessellation* (1981).
     pub(super) fn insert(&mut self, id: u32) {
-        let point = self.point(id);
-        let first = self.located(point);
-        if !self.conflicts_with(first, point) {
+        let first = self.located(self.point(id));
+        if !self.conflicts_with(first, id) {
             return;
         }
         self.find_conflicts(first, id);
@@ -178,7 +176,6 @@ impl<'a, const N: usize> Cells<'a, N> {
 
     /// Finds all cells that conflict with a point, from one of them on, and the facets around them.
     fn find_conflicts(&mut self, first: u32, id: u32) {
-        let point = self.point(id);
         self.round += 2;
         let (conflicting, other) = (self.round, self.round + 1);
         self.conflicts.clear();
@@ -196,7 +193,7 @@ impl<'a, const N: usize> Cells<'a, N> {
                     continue;
                 }
                 if mark != other {
-                    if self.conflicts_with(across, point) {
+                    if self.conflicts_with(across, id) {
                         self.marks[across as usize] = conflicting;
                         self.conflicts.push(across);
                         continue;

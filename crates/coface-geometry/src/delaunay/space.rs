@@ -4,12 +4,15 @@ use crate::predicates::{
     WeightedPoint, circle_side, ordinary_circle_side, ordinary_sphere_side, orientation, spatial_orientation,
     sphere_side,
 };
-use std::cmp::Ordering;
+use rayon::prelude::*;
+use std::cmp::{Ordering, Reverse};
 
 /// Points in the order of their insertion, and what makes a flat of less dimension whole: points outside of it. With them a simplex of the flat becomes
 /// one of the plane or of space, whose orientation, and whose sphere where it meets the flat, are those of the simplex.
 pub(super) struct Space {
     pub(super) points: Vec<WeightedPoint>,
+    /// The places of the points in lexicographic order of their coordinates, which decide where spheres pass through further points.
+    ranks: Vec<u32>,
     is_planar: bool,
     /// None, one or two points, by what the dimension of the flat is short of.
     outside: [WeightedPoint; 2],
@@ -21,7 +24,8 @@ impl Space {
     pub(super) fn new(points: Vec<WeightedPoint>, is_planar: bool) -> (Self, Vec<u32>) {
         let is_ordinary = points.iter().all(WeightedPoint::is_ordinary);
         let outside = [WeightedPoint::new([0.0; 3], 0.0); 2];
-        let mut space = Self { points, is_planar, outside, is_ordinary };
+        let ranks = lexicographic_ranks(&points);
+        let mut space = Self { points, ranks, is_planar, outside, is_ordinary };
         let mut corners: Vec<[f64; 3]> = Vec::new();
         let mut spanning = Vec::new();
         for (id, point) in space.points.iter().enumerate() {
@@ -96,8 +100,45 @@ impl Space {
     }
 
     /// Whether a point of the flat lies inside the sphere of a positive simplex of it.
-    pub(super) fn is_inside<const N: usize>(&self, corners: &[WeightedPoint; N], q: WeightedPoint) -> bool {
-        let side = if self.is_planar {
+    ///
+    /// A point on the sphere lies inside if it does when each point is moved away a little, as by less weight: a later one in lexicographic order
+    /// more than all earlier ones together. So what is inside depends neither on the numbers of points nor on where all of them are moved to.
+    ///
+    /// # References
+    /// O. Devillers, M. Teillaud, *Perturbations for Delaunay and weighted Delaunay 3D triangulations* (2011): no simplex is flat then.
+    pub(super) fn is_inside<const N: usize>(&self, ids: [u32; N], id: u32) -> bool {
+        let corners = ids.map(|id| self.points[id as usize]);
+        match self.side(&corners, self.points[id as usize]) {
+            Ordering::Greater => true,
+            Ordering::Less => false,
+            Ordering::Equal => self.is_inside_moved(ids, corners, id),
+        }
+    }
+
+    /// Whether a point on the sphere of a positive simplex lies inside when points are moved away.
+    fn is_inside_moved<const N: usize>(&self, ids: [u32; N], corners: [WeightedPoint; N], id: u32) -> bool {
+        let rank = |id: u32| self.ranks[id as usize];
+        let mut places: [usize; N] = std::array::from_fn(|place| place);
+        places.sort_unstable_by_key(|&place| Reverse(rank(ids[place])));
+        for place in places {
+            if rank(ids[place]) < rank(id) {
+                return false;
+            }
+            // The sphere grows on that side of the facet without the corner where the corner is.
+            let mut replaced = corners;
+            replaced[place] = self.points[id as usize];
+            match self.orientation(&replaced) {
+                Ordering::Greater => return true,
+                Ordering::Less => return false,
+                Ordering::Equal => {}
+            }
+        }
+        false
+    }
+
+    /// On which side of the sphere of a positive simplex a point of the flat lies: greater inside.
+    fn side<const N: usize>(&self, corners: &[WeightedPoint; N], q: WeightedPoint) -> Ordering {
+        if self.is_planar {
             let triangle = [0, 1, 2].map(|i| self.corner(corners, i));
             let filtered = if self.is_ordinary { ordinary_circle_side(triangle, q) } else { None };
             filtered.unwrap_or_else(|| circle_side(triangle, q))
@@ -105,7 +146,20 @@ impl Space {
             let tetrahedron = [0, 1, 2, 3].map(|i| self.corner(corners, i));
             let filtered = if self.is_ordinary { ordinary_sphere_side(tetrahedron, q) } else { None };
             filtered.unwrap_or_else(|| sphere_side(tetrahedron, q))
-        };
-        side.is_gt()
+        }
     }
+}
+
+/// The place of each of different points in lexicographic order of their coordinates.
+fn lexicographic_ranks(points: &[WeightedPoint]) -> Vec<u32> {
+    let mut order: Vec<u32> = (0..points.len() as u32).collect();
+    order.par_sort_unstable_by(|&a, &b| {
+        let [a, b] = [a, b].map(|id| points[id as usize].point());
+        a.partial_cmp(&b).expect("coordinates are numbers")
+    });
+    let mut ranks = vec![0; points.len()];
+    for (rank, &id) in (0..).zip(&order) {
+        ranks[id as usize] = rank;
+    }
+    ranks
 }

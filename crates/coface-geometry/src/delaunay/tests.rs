@@ -138,6 +138,45 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+    /// Points in another order, and all of them elsewhere, have the same cells; so do points that repeat, in each period.
+    #[test]
+    fn the_order_and_the_place_of_points_do_not_matter((dimension, flat, weights) in points(), turn in 0usize..60) {
+        // Of equal points with equal weights the first one stays.
+        let mut rows: Vec<(Vec<f64>, f64)> = flat
+            .chunks(dimension)
+            .enumerate()
+            .map(|(i, point)| (point.to_vec(), weights.as_ref().map_or(0.0, |weights| weights[i])))
+            .collect();
+        rows.sort_by(|a, b| a.partial_cmp(b).unwrap());
+        rows.dedup_by(|a, b| a.0 == b.0);
+        let cells = |rows: &[(Vec<f64>, f64)], shift: f64| {
+            let moved = rows.iter().flat_map(|(point, _)| point.iter().map(|x| (x * 1024.0).round() / 1024.0 + shift));
+            let positions = Positions::from_flat(dimension, moved.collect()).unwrap();
+            let weights: Vec<f64> = rows.iter().map(|row| row.1).collect();
+            let found = RegularTriangulation::new(&positions, Some(&weights)).unwrap();
+            let cell = |cell: &[u32]| {
+                let mut cell: Vec<&(Vec<f64>, f64)> = cell.iter().map(|&id| &rows[id as usize]).collect();
+                cell.sort_by(|a, b| a.partial_cmp(b).unwrap());
+                cell.into_iter().cloned().collect::<Vec<_>>()
+            };
+            let mut cells: Vec<_> = found.cells().iter().map(cell).collect();
+            cells.sort_by(|a, b| a.partial_cmp(b).unwrap());
+            cells
+        };
+        let expected = cells(&rows, 0.0);
+        let mut turned = rows.clone();
+        if !turned.is_empty() {
+            let turn = turn % turned.len();
+            turned.rotate_left(turn);
+        }
+        prop_assert_eq!(&cells(&turned, 0.0), &expected);
+        turned.reverse();
+        prop_assert_eq!(cells(&turned, -5.0), expected);
+    }
+}
+
 #[test]
 fn a_grid_of_space() {
     let flat: Vec<f64> = (0..1000).flat_map(|i| [i / 100, i / 10 % 10, i % 10].map(f64::from)).collect();

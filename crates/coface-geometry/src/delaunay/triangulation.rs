@@ -9,9 +9,10 @@ use coface_algebra::progress::stage;
 use coface_algebra::{Error, ErrorKind, RaggedArray, VertexId};
 
 /// The Delaunay triangulation of points, or, if they have weights, their regular triangulation, exactly. Of points on one sphere one triangulation
-/// of several is taken.
+/// of several is taken: the one that is left when each point is moved away by a little, those later in lexicographic order of coordinates by much more.
 ///
-/// Points may lie on one line or in one plane, be equal, and be any in number.
+/// Points may lie on one line or in one plane, be equal, and be any in number. The triangulation does not depend on the order of the points, and moves with
+/// them.
 ///
 /// # Examples
 /// The corners of a square and its middle: four triangles.
@@ -49,7 +50,7 @@ impl RegularTriangulation {
     /// # References
     /// H. Edelsbrunner, N. Shah, *Incremental topological flipping works for regular triangulations* (1996), for weights; N. Amenta, S. Choi, G. Rote,
     /// *Incremental constructions con BRIO* (2003), for the order; O. Devillers, M. Teillaud, *Perturbations for Delaunay and weighted Delaunay 3D
-    /// triangulations* (2011), for points on one sphere, with another order here.
+    /// triangulations* (2011), for points on one sphere.
     ///
     /// # Examples
     /// See [`RegularTriangulation`].

@@ -4682,7 +4682,7 @@ def persistence(complex: ChainComplex, *, vertex_values: ArrayLike | None = None
     """
     ...
 def _diagram_distance(first: Any, second: Any, *, order: float | None = None, internal_p: float = ..., degree: int | None = None) -> tuple[float, list[NDArray[np.int64]]]: ...
-def alpha(table: Any, *, weighted: bool = False, bound: float | None = None, radii: bool = False, coefficients: str | int = ..., least: float = 0.0, progress: _Progress = ...) -> Persistence:
+def alpha(table: Any, *, weighted: bool = False, bound: float | None = None, radii: bool = False, periods: ArrayLike | None = None, coefficients: str | int = ..., least: float = 0.0, progress: _Progress = ...) -> Persistence:
     """Persistent homology of the alpha complex of points.
 
     Parameters
@@ -4708,7 +4708,7 @@ def alpha(table: Any, *, weighted: bool = False, bound: float | None = None, rad
         The diagram.
     """
     ...
-def alpha_complex(table: Any, *, weighted: bool = False, bound: float | None = None, radii: bool = False) -> Model:
+def alpha_complex(table: Any, *, weighted: bool = False, bound: float | None = None, radii: bool = False, periods: ArrayLike | None = None) -> Model:
     """The alpha complex of points as a model.
 
     Parameters

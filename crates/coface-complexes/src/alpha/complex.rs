@@ -1,4 +1,4 @@
-//! Alpha complexes: the simplices of a Delaunay triangulation with the squared radii at which they enter.
+//! Alpha complexes of points.
 
 use crate::filtered::FilteredComplex;
 use crate::simplicial::FrozenComplex;
