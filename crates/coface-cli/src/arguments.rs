@@ -65,7 +65,7 @@ pub(crate) struct Common {
 #[derive(Args, Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct VoxelArguments {
     /// Of a volume (.npy, NRRD, NIfTI, MetaImage, PGM, PNG) take the voxels of T and above, instead of all that are not 0; of points and graphs (--rips, --cech, --flag) the simplices
-    /// up to the diameter, radius or value T
+    /// up to the diameter, radius or value T, and with --mapper neighbors within T
     #[arg(long, value_name = "T", global = true, help_heading = "Volumes", allow_negative_numbers = true,
           value_parser = number, conflicts_with_all = ["below", "between", "value"])]
     threshold: Option<f64>,

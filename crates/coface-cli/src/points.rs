@@ -5,9 +5,10 @@ use crate::failure::Failure;
 use clap::Args;
 use clap::error::ErrorKind;
 use coface::complexes::alpha::PeriodicBox;
-use coface::complexes::filtered::WitnessRule;
+use coface::complexes::filtered::{IntervalCover, WitnessRule};
 use coface::io::{
-    AlphaReading, CechReading, FlagReading, ReadOptions, RipsReading, TableForm, WitnessReading,
+    AlphaReading, CechReading, FlagReading, Lens, MapperReading, ReadOptions, RipsReading, TableForm,
+    WitnessReading,
 };
 
 /// What is made of points and graphs.
@@ -19,15 +20,15 @@ pub(crate) struct PointArguments {
           allow_negative_numbers = true, value_parser = super::arguments::number)]
     alpha: Option<Option<f64>>,
     /// The last number of each row is the weight of the point, a squared radius: the simplices are those of the regular triangulation
-    #[arg(long, global = true, help_heading = "Points and graphs", requires = "alpha", conflicts_with_all = ["rips", "flag", "cech", "landmarks"])]
+    #[arg(long, global = true, help_heading = "Points and graphs", requires = "alpha", conflicts_with_all = ["rips", "flag", "cech", "landmarks", "mapper"])]
     weighted: bool,
     /// A and all values are radii instead of squared radii (GUDHI: output_squared_values=False)
-    #[arg(long, global = true, help_heading = "Points and graphs", requires = "alpha", conflicts_with_all = ["rips", "flag", "cech", "landmarks"])]
+    #[arg(long, global = true, help_heading = "Points and graphs", requires = "alpha", conflicts_with_all = ["rips", "flag", "cech", "landmarks", "mapper"])]
     radii: bool,
     /// The points repeat after these lengths, one for each coordinate, as 10,10,12.5 in a crystal or a simulation: the complex is that of a flat torus, with each
     /// simplex once, and has no positions
     #[arg(long, value_name = "LENGTHS", global = true, help_heading = "Points and graphs", requires = "alpha",
-          conflicts_with_all = ["rips", "flag", "cech", "landmarks"], value_parser = periodic_box)]
+          conflicts_with_all = ["rips", "flag", "cech", "landmarks", "mapper"], value_parser = periodic_box)]
     periods: Option<PeriodicBox>,
     /// Take points (any number of coordinates) or a table of distances as their Vietoris-Rips complex: each set of points enters at the largest distance of two
     /// of them. --threshold T ends it at diameter T instead of the enclosing radius, behind which nothing changes
@@ -40,7 +41,7 @@ pub(crate) struct PointArguments {
     flag: bool,
     /// The edges of the graph have directions, and simplices are lists of vertices with an edge from each to each later one (directed flag complex): u v and v u are
     /// two edges, and make a loop
-    #[arg(long, global = true, help_heading = "Points and graphs", requires = "flag", conflicts_with_all = ["alpha", "rips", "cech", "landmarks"])]
+    #[arg(long, global = true, help_heading = "Points and graphs", requires = "flag", conflicts_with_all = ["alpha", "rips", "cech", "landmarks", "mapper"])]
     directed: bool,
     /// Take points (any number of coordinates) as their Čech complex: each set of points enters at the radius of the smallest ball that holds it, as in GUDHI's
     /// CechComplex. --threshold R ends it at the radius R instead of that of a ball that holds all
@@ -53,8 +54,23 @@ pub(crate) struct PointArguments {
           value_parser = clap::value_parser!(u32).range(1..))]
     landmarks: Option<u32>,
     /// All landmarks of a set are as near to a witness as the nearest one, but for the value (GUDHI: EuclideanStrongWitnessComplex)
-    #[arg(long, global = true, help_heading = "Points and graphs", requires = "landmarks", conflicts_with_all = ["alpha", "rips", "cech", "flag"])]
+    #[arg(long, global = true, help_heading = "Points and graphs", requires = "landmarks", conflicts_with_all = ["alpha", "rips", "cech", "flag", "mapper"])]
     strong: bool,
+    /// Take points (any number of coordinates) as their Mapper complex: the range of a function (--lens) is covered by N intervals that overlap; its vertices are the
+    /// clusters of points over each, and its simplices the clusters with a point in common. Points within --threshold T are neighbors [default: the least T at which all are
+    /// connected]. Classes enter at the means of the function
+    #[arg(long, value_name = "N", global = true, help_heading = "Points and graphs", group = "complex",
+          value_parser = clap::value_parser!(u32).range(1..=1 << 20))]
+    mapper: Option<u32>,
+    /// How much of each interval of --mapper lies in the next, from 0 to 0.9 [default: 0.3]
+    #[arg(long, value_name = "PART", global = true, help_heading = "Points and graphs", requires = "mapper", conflicts_with_all = ["alpha", "rips", "cech", "flag", "landmarks"],
+          value_parser = overlap)]
+    overlap: Option<f64>,
+    /// The function of --mapper: a coordinate (x, y, z, or its number from 0), the number behind the coordinates in each row (last), or the largest distance to another point
+    /// (eccentricity) [default: x]
+    #[arg(long, value_name = "FUNCTION", global = true, help_heading = "Points and graphs", requires = "mapper", conflicts_with_all = ["alpha", "rips", "cech", "flag", "landmarks"],
+          value_parser = lens)]
+    lens: Option<Lens>,
     /// With --rips, --flag, --cech and --landmarks: of persistence the highest degree of classes [default: 1], of a complex the highest dimension of simplices [default: 2]
     #[arg(id = "points_dimension", long = "dimension", value_name = "K", global = true, help_heading = "Points and graphs",
           value_parser = clap::value_parser!(u8).range(..=15))]
@@ -62,11 +78,11 @@ pub(crate) struct PointArguments {
     /// The table has distances: lower or upper (those of a triangle, one row after the other), square, or sparse (rows
     /// i j distance, points from 0 on; all others are infinitely far apart); or points, which is meant without this option
     /// unless the table is symmetric with zeros on its diagonal
-    #[arg(long, value_name = "FORM", requires = "rips", global = true, help_heading = "Points and graphs", value_parser = form, conflicts_with_all = ["alpha", "flag", "cech", "landmarks"])]
+    #[arg(long, value_name = "FORM", requires = "rips", global = true, help_heading = "Points and graphs", value_parser = form, conflicts_with_all = ["alpha", "flag", "cech", "landmarks", "mapper"])]
     distances: Option<TableForm>,
     /// The table is a time series, a row for each time: a point is the rows at times t, t + D, t + 2D, .. one after the other
     /// (embedding by delays)
-    #[arg(long, value_name = "D", requires = "rips", conflicts_with_all = ["distances", "alpha", "flag", "cech", "landmarks"], global = true, help_heading = "Points and graphs",
+    #[arg(long, value_name = "D", requires = "rips", conflicts_with_all = ["distances", "alpha", "flag", "cech", "landmarks", "mapper"], global = true, help_heading = "Points and graphs",
           value_parser = clap::value_parser!(u32).range(1..))]
     delay: Option<u32>,
     /// How many times a point of a time series has [default: 2]
@@ -80,6 +96,26 @@ fn periodic_box(sides: &str) -> Result<PeriodicBox, String> {
     let sides: Result<Vec<f64>, String> =
         sides.split(',').map(|side| arguments::number(side.trim())).collect();
     PeriodicBox::new(&sides?).map_err(|error| error.to_string())
+}
+
+fn overlap(part: &str) -> Result<f64, String> {
+    let part = arguments::number(part)?;
+    IntervalCover::new(1, part).map(|_| part).map_err(|error| error.to_string())
+}
+
+fn lens(name: &str) -> Result<Lens, String> {
+    Ok(match name {
+        "x" => Lens::Coordinate(0),
+        "y" => Lens::Coordinate(1),
+        "z" => Lens::Coordinate(2),
+        "last" => Lens::Last,
+        "eccentricity" => Lens::Eccentricity,
+        number => Lens::Coordinate(
+            number
+                .parse()
+                .map_err(|_| "give x, y, z, the number of a coordinate, last or eccentricity".to_owned())?,
+        ),
+    })
 }
 
 fn form(name: &str) -> Result<TableForm, String> {
@@ -117,6 +153,17 @@ impl PointArguments {
         Some(WitnessReading { landmarks, rule, bound, dimension: self.dimension() })
     }
 
+    /// How points are read as their Mapper complex, if they are to be.
+    pub(crate) fn mapper(self, threshold: Option<f64>) -> Option<MapperReading> {
+        let intervals = self.mapper? as usize;
+        let cover = match self.overlap {
+            None => MapperReading::of_count(intervals).map(|reading| reading.cover),
+            Some(overlap) => IntervalCover::new(intervals, overlap),
+        };
+        let cover = cover.expect("numbers have been looked at");
+        Some(MapperReading { cover, lens: self.lens.unwrap_or(Lens::Coordinate(0)), threshold })
+    }
+
     /// The highest dimension or degree.
     pub(crate) fn dimension(self) -> Option<usize> {
         self.dimension.map(usize::from)
@@ -130,6 +177,7 @@ impl PointArguments {
             .flag(self.flag(threshold))
             .cech(self.cech(threshold))
             .witness(self.witness(threshold))
+            .mapper(self.mapper(threshold))
     }
 
     /// The option that makes a complex of the input, if there is one.
@@ -140,13 +188,14 @@ impl PointArguments {
             ("--flag", self.flag),
             ("--cech", self.cech),
             ("--landmarks", self.landmarks.is_some()),
+            ("--mapper", self.mapper.is_some()),
         ];
         given.into_iter().find(|&(_, is_given)| is_given).map(|(name, _)| name)
     }
 
     /// Refuses options of complexes that are made of points or graphs where none is.
     pub(crate) fn check(self) -> Result<(), Failure> {
-        if self.dimension.is_some() && matches!(self.given(), None | Some("--alpha")) {
+        if self.dimension.is_some() && matches!(self.given(), None | Some("--alpha" | "--mapper")) {
             let message = "--dimension is for complexes of points and graphs; give --rips, --cech, --landmarks or --flag";
             return Err(Failure::Usage(ErrorKind::MissingRequiredArgument, message.to_owned()));
         }

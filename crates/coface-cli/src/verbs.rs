@@ -207,7 +207,7 @@ const ALL_TAKE: [&str; 4] = ["alpha", "weighted", "radii", "points_dimension"];
 const WITHOUT_INPUTS: [&str; 4] = ["check", "diagram", "completions", "man"];
 
 /// The options that say how a model is read.
-const OF_INPUTS: [&str; 20] = [
+const OF_INPUTS: [&str; 24] = [
     "format",
     "flatten",
     "strict",
@@ -218,12 +218,16 @@ const OF_INPUTS: [&str; 20] = [
     "alpha",
     "weighted",
     "radii",
+    "periods",
     "rips",
     "flag",
     "directed",
     "cech",
     "landmarks",
     "strong",
+    "mapper",
+    "overlap",
+    "lens",
     "points_dimension",
     "distances",
     "delay",

@@ -1,7 +1,9 @@
 //! Files that are no models by themselves: points, distances and graphs that make a complex.
 
 use crate::readers::ReadOptions;
-use crate::{AlphaReading, CechReading, FlagReading, Model, NumberTable, RipsReading, WitnessReading};
+use crate::{
+    AlphaReading, CechReading, FlagReading, MapperReading, Model, NumberTable, RipsReading, WitnessReading,
+};
 use coface_algebra::Error;
 use std::io::Read;
 use std::path::Path;
@@ -14,6 +16,7 @@ pub(crate) enum ComplexReading {
     Flag(FlagReading),
     Cech(CechReading),
     Witness(WitnessReading),
+    Mapper(MapperReading),
 }
 
 /// How points and graphs become complexes: of several options the last one counts.
@@ -73,6 +76,15 @@ impl ReadOptions {
         self.with_complex(witness.into().map(ComplexReading::Witness))
     }
 
+    /// Reads points as the Mapper complex of a function on them, whose vertices are clusters of points, at their means, as [`Self::rips`] does.
+    ///
+    /// # Examples
+    /// See [`MapperReading`].
+    #[must_use]
+    pub fn mapper(self, mapper: impl Into<Option<MapperReading>>) -> Self {
+        self.with_complex(mapper.into().map(ComplexReading::Mapper))
+    }
+
     fn with_complex(mut self, complex: Option<ComplexReading>) -> Self {
         self.complex = complex.or(self.complex);
         self
@@ -94,6 +106,7 @@ impl ComplexReading {
             Self::Flag(flag) => flag.model(&flag.graph_of_path(path)?).map_err(named),
             Self::Cech(cech) => Ok(cech.points_of_path(path, options)?.into_model()),
             Self::Witness(witness) => Ok(witness.points_of_path(path, options)?.into_model()),
+            Self::Mapper(mapper) => Ok(mapper.points_of_path(path, options)?.into_model()),
         }
     }
 
@@ -104,6 +117,7 @@ impl ComplexReading {
             Self::Flag(flag) => flag.model(&flag.graph(input)?),
             Self::Cech(cech) => Ok(cech.points(&NumberTable::read(input)?)?.into_model()),
             Self::Witness(witness) => Ok(witness.points(&NumberTable::read(input)?)?.into_model()),
+            Self::Mapper(mapper) => Ok(mapper.points(&NumberTable::read(input)?)?.into_model()),
         }
     }
 }

@@ -50,6 +50,7 @@ mod json_text;
 mod limits;
 pub mod lines_text;
 mod lists;
+mod mapper;
 pub mod matrix_market;
 pub mod medit;
 #[cfg(test)]
@@ -111,6 +112,7 @@ pub use format::Format;
 pub use graph::FileGraph;
 pub use group::{Group, GroupKind, GroupRole};
 pub use isosig::{SignatureLine, SignatureLines};
+pub use mapper::{Lens, MapperPoints, MapperReading};
 pub use model::repeated_vertex;
 pub use model::{Model, Structure};
 #[doc(hidden)]

@@ -19,6 +19,7 @@ use coface::answers::{
     DrawingArrangement, DrawingOptions, PlanarDrawing, RegionBoolean, RegionSource, SceneArrangement,
     SolidBoolean, SolidRequest, SpatialRequest, SpatialScene, are_planar, welded,
 };
+use coface::arrange::CoordinatePrecision;
 use coface::arrange::boolean::{BooleanFormula, InsideRule};
 use coface::arrange::spatial::NonPlanar;
 use coface::io;
@@ -107,6 +108,8 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 ///     In space, whether polygons that are not flat are split into triangles; otherwise they are refused.
 /// merge_coplanar : bool
 ///     In space, whether faces of polygons in one plane are merged.
+/// precision : {"double", "single"}
+///     In space, which numbers coordinates of the result are, of 64 bits or of 32: it is valid with these.
 /// progress : bool or callable, optional
 ///     ``True`` shows a bar; a function is called with (stage, done, total).
 ///
@@ -127,7 +130,7 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 /// >>> arranged.f_vector, sorted(zip(arranged.measures, arranged.inside))
 /// ([10, 12, 3], [(1.0, [0, 1]), (3.0, [0]), (3.0, [1])])
 #[pyfunction]
-#[pyo3(signature = (models, *, dimension=None, rule=None, features=false, inputs=None, prune=false, snap=false, exact=false, grid=None, close=false, tolerance=None, weld=None, method=None, max_cells=None, split=true, merge_coplanar=true, progress=None))]
+#[pyo3(signature = (models, *, dimension=None, rule=None, features=false, inputs=None, prune=false, snap=false, exact=false, grid=None, close=false, tolerance=None, weld=None, method=None, max_cells=None, split=true, merge_coplanar=true, precision="double", progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn arrange<'py>(
     py: Python<'py>,
@@ -147,13 +150,18 @@ pub(crate) fn arrange<'py>(
     #[pyo3(from_py_with = whole_or_none)] max_cells: Option<usize>,
     split: bool,
     merge_coplanar: bool,
+    precision: &str,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let models = welded_models(py, named_models(models)?, weld)?;
     let inputs = inputs_of(py, inputs, features)?;
     let rule = rule_of(py, rule)?;
     let method = method_of(py, method)?;
+    let precision = precision_of(py, precision)?;
     if is_flat(py, &models, dimension)? {
+        if precision != CoordinatePrecision::default() {
+            return Err(invalid(py, "precision is for polygons in space", "leave it out in the plane"));
+        }
         let mut request = ArrangementRequest::default();
         (request.rule, request.prune, request.snap, request.max_cells) = (rule, prune, snap, max_cells);
         (request.exact, request.grid, request.tolerance) = (exact, grid, tolerance);
@@ -181,7 +189,7 @@ pub(crate) fn arrange<'py>(
         })?;
         if snap || exact {
             // Exact cells of what is glued.
-            let request = spatial_request(snap, None, max_cells, true, merge_coplanar);
+            let request = spatial_request(snap, None, max_cells, true, merge_coplanar, precision);
             let (arranged, answer) = run(py, None, || {
                 let mut arranged = SceneArrangement::of_scene(glued.glued_scene(), &request)?;
                 if !exact && !arranged.is_valid()? {
@@ -202,7 +210,7 @@ pub(crate) fn arrange<'py>(
         let arranged = Arranged::Congruent(Box::new(arranged));
         return Ok(Bound::new(py, SpatialArrangement { arranged, rule, answer, exact })?.into_any());
     }
-    let request = spatial_request(snap, tolerance, max_cells, split, merge_coplanar);
+    let request = spatial_request(snap, tolerance, max_cells, split, merge_coplanar, precision);
     let (arranged, answer) = run(py, progress, || {
         let mut arranged = SceneArrangement::of_scene(scene_of(&models, inputs, 1, true)?, &request)?;
         if !exact && !arranged.is_valid()? {
@@ -291,12 +299,19 @@ fn spatial_request(
     max_cells: Option<usize>,
     split: bool,
     merge_coplanar: bool,
+    precision: CoordinatePrecision,
 ) -> SpatialRequest {
     let mut request = SpatialRequest::default();
     request.non_planar = if split { NonPlanar::Split } else { NonPlanar::Refuse };
     (request.merge_coplanar, request.snap, request.max_cells) = (merge_coplanar, snap, max_cells);
-    request.tolerance = tolerance;
+    (request.tolerance, request.precision) = (tolerance, precision);
     request
+}
+
+/// The numbers that coordinates of results are, by their name.
+fn precision_of(py: Python<'_>, name: &str) -> PyResult<CoordinatePrecision> {
+    let all = [("double", CoordinatePrecision::Double), ("single", CoordinatePrecision::Single)];
+    choice(py, "precision", name, &all)
 }
 
 /// Combines regions of the plane, or solids, exactly.
@@ -344,6 +359,8 @@ fn spatial_request(
 ///     In space, what becomes of an input with a rim: it is refused, or its mouths are closed with patches of least area.
 /// split_pinches : bool
 ///     In space, whether edges and vertices where the result is no surface are duplicated.
+/// precision : {"double", "single"}
+///     In space, which numbers coordinates of the result are, of 64 bits or of 32: it is valid with these.
 /// progress : bool or callable, optional
 ///     ``True`` shows a bar; a function is called with (stage, done, total).
 ///
@@ -365,7 +382,7 @@ fn spatial_request(
 /// >>> coface._coface.boolean("intersection", [cube, moved]).measure
 /// 0.125
 #[pyfunction]
-#[pyo3(signature = (operation, models, *, dimension=None, rule=None, features=false, inputs=None, keep_walls=false, snap=false, exact=false, grid=None, close=false, tolerance=None, weld=None, method=None, max_cells=None, split=true, merge_coplanar=true, triangles=None, open="refuse", split_pinches=false, progress=None))]
+#[pyo3(signature = (operation, models, *, dimension=None, rule=None, features=false, inputs=None, keep_walls=false, snap=false, exact=false, grid=None, close=false, tolerance=None, weld=None, method=None, max_cells=None, split=true, merge_coplanar=true, triangles=None, open="refuse", split_pinches=false, precision="double", progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn boolean<'py>(
     py: Python<'py>,
@@ -389,14 +406,19 @@ pub(crate) fn boolean<'py>(
     triangles: Option<bool>,
     open: &str,
     split_pinches: bool,
+    precision: &str,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let models = welded_models(py, named_models(models)?, weld)?;
     let inputs = inputs_of(py, inputs, features)?;
     let rule = rule_of(py, rule)?;
     let method = method_of(py, method)?;
+    let precision = precision_of(py, precision)?;
     let closes_mouths = choice(py, "open", open, &[("refuse", false), ("close", true), ("winding", true)])?;
     if is_flat(py, &models, dimension)? {
+        if precision != CoordinatePrecision::default() {
+            return Err(invalid(py, "precision is for polygons in space", "leave it out in the plane"));
+        }
         let mut request = BooleanRequest::default();
         (request.rule, request.keep_walls, request.snap, request.max_cells) =
             (rule, keep_walls, snap, max_cells);
@@ -433,7 +455,7 @@ pub(crate) fn boolean<'py>(
                 (request.rule, request.keep_walls) = (rule.unwrap_or_default(), keep_walls);
                 request.split_pinches = split_pinches;
                 request.merge_coplanar = merge_coplanar && !exact;
-                let spatial = spatial_request(snap, None, max_cells, true, merge_coplanar);
+                let spatial = spatial_request(snap, None, max_cells, true, merge_coplanar, precision);
                 let combined = combined(scene, &spatial, request, exact)?;
                 let (done, joined) = glued.gluing()?;
                 let mut answer = combined.0;
@@ -459,7 +481,7 @@ pub(crate) fn boolean<'py>(
         })?;
         return solid_result(py, glued);
     }
-    let spatial = spatial_request(snap, tolerance, max_cells, split, merge_coplanar);
+    let spatial = spatial_request(snap, tolerance, max_cells, split, merge_coplanar, precision);
     let solid = run(py, progress, || {
         let mut scene = scene_of(&models, inputs, least_inputs(operation), keep_walls)?;
         if closes_mouths {

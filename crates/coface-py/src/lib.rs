@@ -112,6 +112,7 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(points::rips_complex, module)?)?;
     module.add_function(wrap_pyfunction!(points::witness, module)?)?;
     module.add_function(wrap_pyfunction!(points::witness_complex, module)?)?;
+    module.add_function(wrap_pyfunction!(points::mapper, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::cubical, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::_values_of_volume, module)?)?;
     module.add_function(wrap_pyfunction!(congruence::congruence, module)?)?;

@@ -9,14 +9,15 @@ use crate::source::{Names, Naming};
 use crate::work::run;
 use coface::answers::RipsRequest;
 use coface::complexes::alpha::PeriodicBox;
-use coface::complexes::filtered::{DirectedFlagComplex, FilteredComplex, WitnessRule};
+use coface::complexes::filtered::{DirectedFlagComplex, FilteredComplex, IntervalCover, WitnessRule};
 use coface::io::{
-    AlphaCells, AlphaReading, CechReading, FileGraph, FlagReading, NumberTable, Remark, RipsReading,
-    TableForm, WitnessReading,
+    AlphaCells, AlphaReading, CechReading, FileGraph, FlagReading, Lens, MapperReading, NumberTable, Remark,
+    RipsReading, TableForm, WitnessReading,
 };
 use coface::topology;
 use coface::topology::{Coefficients, Filtration};
 use coface::{ChainComplex, Error};
+use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -318,6 +319,52 @@ pub(crate) fn witness_complex(
     let reading = WitnessReading { landmarks, rule: rule_of(strong), bound: threshold, dimension };
     let model = run(py, None, || Ok(reading.points(&table)?.into_model()))?;
     given(py, model)
+}
+
+/// The Mapper complex of points as a model, and the points of its vertices.
+///
+/// Parameters
+/// ----------
+/// table : array_like of float
+///     Rows of coordinates.
+/// values : array_like of float, optional
+///     The function on the points; the largest distance to another point if not given.
+/// intervals : int
+///     How many intervals cover the range of the function.
+/// overlap : float
+///     How much of each interval lies in the next.
+/// threshold : float, optional
+///     Points within this distance are neighbors.
+///
+/// Returns
+/// -------
+/// tuple of Model and list of numpy.ndarray
+///     The model, and for each vertex the numbers of its points.
+#[pyfunction]
+#[pyo3(signature = (table, values, *, intervals, overlap, threshold=None))]
+pub(crate) fn mapper<'py>(
+    py: Python<'py>,
+    table: &Bound<'py, PyAny>,
+    values: Option<&Bound<'py, PyAny>>,
+    #[pyo3(from_py_with = whole)] intervals: usize,
+    overlap: f64,
+    threshold: Option<f64>,
+) -> PyResult<(Model, Vec<Bound<'py, PyArray1<i64>>>)> {
+    let table = rows(table)?;
+    let values = values.map(|values| arrays::real_list(values, "function")).transpose()?;
+    let (model, clusters) = run(py, None, || {
+        let cover = IntervalCover::new(intervals, overlap)?;
+        let reading = MapperReading { cover, lens: Lens::Eccentricity, threshold };
+        let found = match values {
+            None => reading.points(&table)?,
+            Some(values) => reading.points_of_values(&table, &values)?,
+        };
+        let clusters = found.clusters().clone();
+        Ok((found.into_model(), clusters))
+    })?;
+    let numbers = |cluster: &[u32]| cluster.iter().map(|&point| i64::from(point)).collect::<Vec<_>>();
+    let clusters = clusters.iter().map(|cluster| numbers(cluster).into_pyarray(py)).collect();
+    Ok((given(py, model)?, clusters))
 }
 
 fn rule_of(strong: bool) -> WitnessRule {

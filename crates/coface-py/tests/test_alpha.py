@@ -98,3 +98,60 @@ def test_cycles_of_rips_and_flag() -> None:
     ((cycle, bounding_chain, _),) = graph.cycles(1)
     assert cycle.simplices.tolist() == [[10, 30], [10, 40], [20, 30], [20, 40]]
     assert len(coface.cech(square).cycles(1)) == 1
+
+
+def test_points_that_repeat() -> None:
+    crystal = [[0, 0, 0], [1, 1, 1]]
+    found = coface.alpha(crystal, periods=[2, 2, 2])
+    assert found.betti_numbers == (1, 3, 3, 1)
+    np.testing.assert_array_equal(found.diagram(0), [[0, np.inf], [0, 0.75]])
+    # The same of eight copies in a box of twice the size, where each class is there eight times at least.
+    copies = [[x + 2 * i, y + 2 * j, z + 2 * k] for x, y, z in crystal for i in (0, 1) for j in (0, 1) for k in (0, 1)]
+    twice = coface.alpha(copies, periods=(4, 4, 4))
+    assert twice.betti_numbers == (1, 3, 3, 1)
+    assert sorted(set(twice.diagram(2)[:, 0])) == sorted(set(found.diagram(2)[:, 0]))
+    points = np.random.default_rng(3).random((500, 3))
+    model = coface.alpha_complex(points, periods=np.ones(3))
+    assert (model.f_vector[0], coface.homology(model).betti_numbers) == (500, (1, 3, 3, 1))
+    moved = coface.alpha(points + [0.25, -3, 7.5], periods=[1, 1, 1], radii=True)
+    for degree in range(3):
+        np.testing.assert_allclose(
+            np.sort(moved.diagram(degree), axis=0),
+            np.sort(coface.alpha(points, periods=[1, 1, 1], radii=True).diagram(degree), axis=0),
+            atol=1e-12,
+        )
+    with pytest.raises(coface.Error, match="2 sides"):
+        coface.alpha(points, periods=[1, 1])
+    with pytest.raises(coface.Error, match="a side of a periodic box is 0"):
+        coface.alpha(points, periods=[1, 1, 0])
+
+
+def test_mapper() -> None:
+    t = np.linspace(0, 2 * np.pi, 60, endpoint=False)
+    circle = np.column_stack([np.cos(t), np.sin(t)])
+    model, clusters = coface.mapper(circle, 1, intervals=4, threshold=0.2)
+    assert coface.homology(model).betti_numbers == (1, 1)
+    assert sum(len(points) for points in clusters) > 60
+    sizes = next(values for name, _, values in model.data if name == "points")
+    np.testing.assert_array_equal(np.ravel(sizes), [len(points) for points in clusters])
+    for vertex, points in zip(model.vertices, clusters, strict=True):
+        np.testing.assert_allclose(vertex[:2], circle[points].mean(axis=0), atol=1e-12)
+    _, same = coface.mapper(circle, lambda points: points[:, 1], intervals=4, threshold=0.2)
+    assert [list(points) for points in same] == [list(points) for points in clusters]
+    with pytest.warns(UserWarning, match="least distance at which all are connected"):
+        assert coface.homology(coface.mapper(circle, circle[:, 1], intervals=4)[0]).betti_numbers == (1, 1)
+    with pytest.warns(UserWarning):
+        assert len(coface.mapper(circle, "eccentricity", intervals=1)[1]) == 1
+    # Points of many dimensions have no positions to draw.
+    model, clusters = coface.mapper(np.eye(5), np.arange(5), intervals=2, overlap=0.5, threshold=2.0)
+    assert len(clusters) == model.f_vector[0] == 2
+    for wrong, match in (
+        (lambda: coface.mapper(circle, 2), "no coordinate 2"),
+        (lambda: coface.mapper(circle, "height"), "eccentricity"),
+        (lambda: coface.mapper(circle, [1.0]), "1 values for 60 points"),
+        (lambda: coface.mapper(circle, 0, overlap=1), "from 0 to 0.9"),
+        (lambda: coface.mapper(circle, 0, intervals=0), "0 intervals"),
+        (lambda: coface.mapper(circle, 0, threshold=-1), "the threshold is -1"),
+    ):
+        with pytest.raises(coface.Error, match=match):
+            wrong()

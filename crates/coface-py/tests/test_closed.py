@@ -51,3 +51,26 @@ def test_a_gap_within_the_tolerance_closes() -> None:
     assert joined.joined["largest_movement"] == pytest.approx(0.0005)
     union = coface.boolean("union", [cube, beside], tolerance=0.01)
     assert (union.solids, union.rounding["valid"]) == (1, True)
+
+
+def test_results_are_valid_with_the_bits_of_an_stl_file(tmp_path) -> None:
+    sphere = coface.generate("sphere")
+    turned = sphere.vertices @ np.array([[0.8, -0.6, 0.0], [0.6, 0.8, 0.0], [0.0, 0.0, 1.0]])
+    moved = coface.Model(turned / 3 + 0.7, sphere.faces)
+    for found in (
+        coface.boolean("union", sphere, moved, precision="single"),
+        coface.arrange(sphere, moved, precision="single"),
+    ):
+        vertices = coface.as_model(found).vertices
+        np.testing.assert_array_equal(vertices, vertices.astype(np.float32))
+    found = coface.boolean("union", sphere, moved, precision="single")
+    path = tmp_path / "union.stl"
+    coface.as_model(found).write(path)
+    again = coface.boolean("union", path)
+    assert again.measure == pytest.approx(found.measure, rel=1e-12)
+    assert len(coface.as_model(again).faces) == len(coface.as_model(found).faces)
+    with pytest.raises(coface.Error, match="give one of double, single"):
+        coface.boolean("union", sphere, moved, precision="half")
+    square = coface.polygon([[0, 0], [1, 0], [1, 1]])
+    with pytest.raises(coface.Error, match="leave it out in the plane"):
+        coface.boolean("union", square, square, precision="single")

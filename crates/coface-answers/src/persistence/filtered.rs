@@ -5,7 +5,7 @@ use crate::Producer;
 use crate::producer::{Cells, Labels, OrderedCells};
 use coface_complexes::filtered::{DirectedFlagComplex, FilteredComplex};
 use coface_geometry::Positions;
-use coface_io::{AlphaCells, AlphaPoints, CechPoints, FileGraph, Remark, WitnessPoints};
+use coface_io::{AlphaCells, AlphaPoints, CechPoints, FileGraph, MapperPoints, Remark, WitnessPoints};
 
 /// Points with the simplices of a complex that they make and the values at which these enter: what a
 /// [`PersistenceRequest`](super::PersistenceRequest) is put to.
@@ -95,6 +95,25 @@ impl PointFiltration {
         let remarks = points.remarks().to_vec();
         let (positions, complex) = points.into_parts();
         Self::new(positions, complex, remarks, "squared distances of the witness complex")
+    }
+
+    /// The Mapper complex of points, whose vertices are clusters and whose values are means of the function.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::{PersistenceRequest, PointFiltration};
+    /// use coface_io::{MapperReading, NumberTable};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let line = NumberTable::from_rows([[0.0], [1.0], [2.0]]);
+    /// let mapper = PointFiltration::of_mapper(MapperReading::of_count(2)?.points(&line)?);
+    /// let request = PersistenceRequest::new().growth(mapper.growth());
+    /// assert_eq!(request.found("line.csv", mapper.producer())?.answer().diagram[0].birth, 0.5);
+    /// # Ok(()) }
+    /// ```
+    pub fn of_mapper(points: MapperPoints) -> Self {
+        let remarks = points.remarks().to_vec();
+        let (positions, complex) = points.into_parts();
+        Self::new(positions, complex, remarks, "means of the function over clusters")
     }
 
     /// The directed flag complex of a graph, whose simplices are named by the numbers of their vertices, each before those that it has an edge to.

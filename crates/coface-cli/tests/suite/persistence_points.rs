@@ -220,3 +220,89 @@ fn columns_of_words_are_left_out_with_a_remark() {
         }
     }
 }
+
+/// The Betti numbers in a report.
+fn betti(report: &Value) -> Vec<u64> {
+    let groups = report["homology"].as_array().unwrap().iter();
+    groups.map(|group| group["betti"].as_u64().unwrap()).collect()
+}
+
+/// A crystal whose atoms are at the corners and centers of cubes: all tetrahedra between them are alike.
+#[test]
+fn points_that_repeat_are_a_torus() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    write(place, "crystal.csv", [vec![0.0, 0.0, 0.0], vec![1.0, 1.0, 1.0]], ",");
+    let ask = |words: &[&str]| coface_in(place, &[words, &["--periods", "2,2,2", "--json"]].concat()).json();
+    let answer = ask(&["persistence", "crystal.csv", "--alpha"]);
+    assert_eq!(answer["betti"], json!([1, 3, 3, 1]));
+    let merged = &answer["diagram"][1];
+    assert_eq!([&merged["death"], &merged["death_cell"]], [&json!(0.75), &json!([0, 1])]);
+    let last = answer["diagram"].as_array().unwrap().last().unwrap();
+    assert_eq!([&last["birth"], &last["degree"]], [&json!(1.25), &json!(3)]);
+    assert_eq!(
+        ask(&["persistence", "crystal.csv", "--alpha", "--radii"])["diagram"][1]["death"],
+        0.75f64.sqrt()
+    );
+    // At the value where atoms touch.
+    assert_eq!(ask(&["info", "crystal.csv", "--alpha", "0.75"])["f_vector"], json!([2, 8]));
+    let many =
+        (0..300).map(|i| vec![f64::from(i * 37 % 101), f64::from(i * 53 % 103), f64::from(i * 71 % 107)]);
+    write(place, "many.csv", many, ",");
+    let run =
+        coface_in(place, &["convert", "many.csv", "--alpha", "--periods", "101,103,107", "-o", "many.json"]);
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    let torus = coface_in(place, &["info", "many.json", "--json"]).json();
+    assert_eq!((&torus["f_vector"][0], betti(&torus)), (&json!(300), vec![1, 3, 3, 1]));
+    for (words, fault) in [
+        (
+            &["--alpha", "--periods", "1,2"][..],
+            "points of 3 coordinates in a periodic box of 2 sides; give one length",
+        ),
+        (&["--alpha", "--periods", "1,2,0"], "a side of a periodic box is 0; give positive lengths"),
+        (&["--rips", "--periods", "1,2,3"], "--periods"),
+    ] {
+        let run = coface_in(place, &[&["info", "crystal.csv"], words].concat());
+        assert!(run.status > 0 && run.stderr.contains(fault), "{}", run.stderr);
+    }
+}
+
+#[test]
+fn mapper_of_a_circle_is_a_circle() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    let circle = |i: u32| {
+        let (y, x) = (f64::from(i) * std::f64::consts::TAU / 60.0).sin_cos();
+        vec![x, y, 10.0 * y]
+    };
+    write(place, "circle.csv", (0..60).map(circle), ",");
+    let ask = |words: &[&str]| coface_in(place, &[words, &["--mapper", "4", "--json"]].concat()).json();
+    let answer = ask(&["info", "circle.csv", "--lens", "last", "--threshold", "0.2"]);
+    assert_eq!((&answer["f_vector"], betti(&answer)), (&json!([6, 6]), vec![1, 1]));
+    let answer = ask(&["info", "circle.csv", "--lens", "y", "--overlap", "0.5"]);
+    assert_eq!(betti(&answer), [1, 1]);
+    assert!(answer["remarks"].to_string().contains("the least distance at which all are connected"));
+    let answer = ask(&["persistence", "circle.csv", "--lens", "1", "--threshold", "1.2"]);
+    assert_eq!(answer["betti"], json!([1, 1]));
+    assert!((answer["diagram"][0]["birth"].as_f64().unwrap() + 0.83).abs() < 0.1, "{answer}");
+    let run =
+        coface_in(place, &["convert", "circle.csv", "--mapper", "4", "--lens", "y", "--threshold", "1.2", "-o", "graph.vtk"]);
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    assert_eq!(coface_in(place, &["info", "graph.vtk", "--json"]).json()["f_vector"], json!([6, 6]));
+    for (words, status, fault) in [
+        (&["--mapper", "4", "--lens", "3"][..], 1, "points of 3 coordinates have no coordinate 3"),
+        (
+            &["--mapper", "4", "--lens", "w"],
+            2,
+            "give x, y, z, the number of a coordinate, last or eccentricity",
+        ),
+        (&["--mapper", "4", "--overlap", "1"], 2, "give a number from 0 to 0.9"),
+        (&["--mapper", "0"], 2, "0"),
+        (&["--mapper", "4", "--threshold", "-1"], 1, "distances are not negative"),
+    ] {
+        assert!(
+            coface_in(place, &[&["info", "circle.csv"], words].concat()).fails_with(status).contains(fault),
+            "{words:?}"
+        );
+    }
+}

@@ -461,7 +461,8 @@ mod tests {
             let shifts = || (-4..=4).flat_map(|x| (-4..=4).map(move |y| [f64::from(x), f64::from(y) * sides[1]]));
             let all: Vec<[f64; 2]> =
                 points.iter().flat_map(|p| shifts().map(|s| [p[0] + s[0], p[1] + s[1]])).collect();
-            // No empty circle is wider than the diagonal.
+            // No empty circle is wider than the diagonal; those of points on one line are not finite, but for rounding.
+            let most = 0.26 * (sides[0] * sides[0] + sides[1] * sides[1]);
             let near = |p: [f64; 2], q: [f64; 2]| (p[0] - q[0]).hypot(p[1] - q[1]) <= sides[0].hypot(sides[1]);
             let mut squares = Vec::new();
             for &a in &points {
@@ -476,7 +477,7 @@ mod tests {
                         let is_out = |q: &[f64; 2]| {
                             (q[0] - a[0] - x).powi(2) + (q[1] - a[1] - y).powi(2) > square * (1.0 - 1e-9)
                         };
-                        if square.is_finite() && all.iter().all(is_out) {
+                        if square <= most && all.iter().all(is_out) {
                             squares.push(square);
                         }
                     }
@@ -484,6 +485,7 @@ mod tests {
             }
             // Each triangle was met at each of its three points.
             let (values, squares) = (sorted(&found.values(2).repeat(3)), sorted(&squares));
+            prop_assume!(found.hidden().is_empty());
             prop_assert_eq!(values.len(), squares.len());
             let is_near = |(value, square): (&f64, &f64)| (value - square).abs() <= 1e-9 * square;
             prop_assert!(values.iter().zip(&squares).all(is_near), "{values:?} {squares:?}");

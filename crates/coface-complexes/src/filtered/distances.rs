@@ -1,7 +1,7 @@
 //! Distances between finitely many points.
 
 use super::WeightedGraph;
-use coface_algebra::{Error, ErrorKind};
+use coface_algebra::{Error, ErrorKind, UnionFind};
 
 /// The distances between points that are numbered from 0 on: all of them, or those that are known, where the others are
 /// infinite.
@@ -179,6 +179,51 @@ impl Distances {
             });
             largest
         })
+    }
+
+    /// The least distance at which the points are connected, each to others within it: the longest edge of a shortest spanning tree. 0 for fewer than two points; `None` if they
+    /// are at no distance.
+    ///
+    /// # Complexity
+    /// $O(n^2)$ for n points, or $O(m \log m)$ for m known distances.
+    ///
+    /// # References
+    /// R. Prim, *Shortest connection networks and some generalizations* (1957); J. Kruskal, *On the shortest spanning subtree of a graph* (1956).
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::filtered::Distances;
+    /// let line = Distances::from_lower_triangle(3, vec![1.0, 3.0, 2.0]).expect("three distances");
+    /// assert_eq!(line.connecting_distance(), Some(2.0));
+    /// ```
+    pub fn connecting_distance(&self) -> Option<f64> {
+        let mut longest = 0.0f64;
+        match &self.kind {
+            Kind::All(distances) => {
+                let between = |i: usize, j: usize| distances[i.max(j) * (i.max(j) - 1) / 2 + i.min(j)];
+                let mut left: Vec<(usize, f64)> = (1..self.count).map(|i| (i, between(i, 0))).collect();
+                while !left.is_empty() {
+                    let nearest = (0..left.len()).min_by(|&a, &b| left[a].1.total_cmp(&left[b].1));
+                    let (next, distance) = left.swap_remove(nearest.expect("some are left"));
+                    longest = longest.max(distance);
+                    left.iter_mut().for_each(|(i, least)| *least = least.min(between(*i, next)));
+                }
+            }
+            Kind::Some(known) => {
+                let mut known = known.clone();
+                known.sort_by(|a, b| a.2.total_cmp(&b.2));
+                let mut joined = UnionFind::new(self.count);
+                for (i, j, distance) in known {
+                    if joined.unite(i, j) {
+                        longest = longest.max(distance);
+                    }
+                }
+                if joined.class_count() > 1 {
+                    return None;
+                }
+            }
+        }
+        longest.is_finite().then_some(longest)
     }
 
     /// The graph of the points that are within a distance of each other, whose edges enter at it.

@@ -8,6 +8,7 @@
 //!   [`DirectedFlagComplex`], whose simplices may have the same vertices.
 //! * The **Čech complex** of points is the nerve of balls around them: [`FilteredComplex::cech`], whose values are radii.
 //! * The **witness complex** of landmarks has the sets of landmarks that points are witnesses of: [`FilteredComplex::witness`].
+//! * The **Mapper complex** of a function has the clusters of points over overlapping intervals of its range: [`MapperComplex`].
 //! * [`Distances`] are those of points, or of pairs of points that are known.
 
 mod cech;
@@ -16,6 +17,7 @@ mod directed;
 mod distances;
 mod flag;
 mod graph;
+mod mapper;
 mod witness;
 
 pub use cech::enclosing_ball_radius;
@@ -23,4 +25,5 @@ pub use complex::FilteredComplex;
 pub use directed::DirectedFlagComplex;
 pub use distances::Distances;
 pub use graph::{WeightedDigraph, WeightedGraph};
+pub use mapper::{IntervalCover, MapperComplex};
 pub use witness::{WitnessRule, farthest_points};

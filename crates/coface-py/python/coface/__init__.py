@@ -93,6 +93,7 @@ from coface._chains import (
 )
 from coface._figures import matrix_picture, schema_picture, sequence_picture
 from coface._interfaces import interface
+from coface._mapper import mapper
 from coface._models import as_chain_complex, as_complex, as_model, as_surface
 from coface._models import geo_interface as _geo_interface
 from coface._questions import (
@@ -276,6 +277,7 @@ __all__ = [
     "is_exact",
     "laplacian",
     "long_exact_sequence",
+    "mapper",
     "maps",
     "matching",
     "matrix_picture",

@@ -236,6 +236,21 @@ def raise_invalid(message: str, cure: str, cells: Sequence[Sequence[int]] = ()) 
     raise InvalidInputError(f"{message}; {cure}", fault=message, cure=cure, cells=cells)
 
 
+def point_rows(points: Any, weights: Any = None) -> NDArray[np.float64]:
+    """Points with their weights behind them, if they have weights."""
+    rows = numbers(points, "points")
+    if rows.size == 0:
+        return np.empty((0, 0))
+    if rows.ndim != 2:
+        raise_invalid(f"points have the shape {rows.shape}", "give an array of two axes, a row for each point")
+    if weights is None:
+        return rows
+    behind = numbers(weights, "weights")
+    if behind.shape != (len(rows),):
+        raise_invalid(f"weights have the shape {behind.shape} for {len(rows)} points", "give one weight for each point")
+    return np.column_stack([rows, behind])
+
+
 def with_numbers(model: Model, values: Any, on: str, count: int) -> Model:
     """The model with the arrays of a mapping as data on its vertices or faces; a warning names those that are no numbers, one row for each."""
     left_out = []

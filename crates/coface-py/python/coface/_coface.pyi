@@ -4310,7 +4310,7 @@ class _Memory:
     """Keeps memory of the library alive as long as an array looks at it."""
     ...
 
-def arrange(models: Any, *, dimension: int | None = None, rule: str | None = None, features: bool = False, inputs: str | None = None, prune: bool = False, snap: bool = False, exact: bool = False, grid: float | None = None, close: bool = False, tolerance: float | None = None, weld: float | None = None, method: str | None = None, max_cells: int | None = None, split: bool = True, merge_coplanar: bool = True, progress: _Progress = ...) -> PlanarArrangement | SpatialArrangement:
+def arrange(models: Any, *, dimension: int | None = None, rule: str | None = None, features: bool = False, inputs: str | None = None, prune: bool = False, snap: bool = False, exact: bool = False, grid: float | None = None, close: bool = False, tolerance: float | None = None, weld: float | None = None, method: str | None = None, max_cells: int | None = None, split: bool = True, merge_coplanar: bool = True, precision: str = "double", progress: _Progress = ...) -> PlanarArrangement | SpatialArrangement:
     """What segments cut the plane into, or polygons space, exactly.
 
     Parameters
@@ -4349,6 +4349,8 @@ def arrange(models: Any, *, dimension: int | None = None, rule: str | None = Non
         In space, whether polygons that are not flat are split into triangles; otherwise they are refused.
     merge_coplanar : bool
         In space, whether faces of polygons in one plane are merged.
+    precision : {"double", "single"}
+        In space, which numbers coordinates of the result are, of 64 bits or of 32: it is valid with these.
     progress : bool or callable, optional
         ``True`` shows a bar; a function is called with (stage, done, total).
 
@@ -4372,7 +4374,7 @@ def graphml(graph: str) -> str:
         The text of the file.
     """
     ...
-def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: str | None = None, features: bool = False, inputs: str | None = None, keep_walls: bool = False, snap: bool = False, exact: bool = False, grid: float | None = None, close: bool = False, tolerance: float | None = None, weld: float | None = None, method: str | None = None, max_cells: int | None = None, split: bool = True, merge_coplanar: bool = True, triangles: bool | None = None, open: str = "refuse", split_pinches: bool = False, progress: _Progress = ...) -> PlanarBoolean | SolidBoolean:
+def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: str | None = None, features: bool = False, inputs: str | None = None, keep_walls: bool = False, snap: bool = False, exact: bool = False, grid: float | None = None, close: bool = False, tolerance: float | None = None, weld: float | None = None, method: str | None = None, max_cells: int | None = None, split: bool = True, merge_coplanar: bool = True, triangles: bool | None = None, open: str = "refuse", split_pinches: bool = False, precision: str = "double", progress: _Progress = ...) -> PlanarBoolean | SolidBoolean:
     """Combines regions of the plane, or solids, exactly.
 
     Parameters
@@ -4418,6 +4420,8 @@ def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: 
         In space, what becomes of an input with a rim: it is refused, or its mouths are closed with patches of least area.
     split_pinches : bool
         In space, whether edges and vertices where the result is no surface are duplicated.
+    precision : {"double", "single"}
+        In space, which numbers coordinates of the result are, of 64 bits or of 32: it is valid with these.
     progress : bool or callable, optional
         ``True`` shows a bar; a function is called with (stage, done, total).
 
@@ -4695,6 +4699,8 @@ def alpha(table: Any, *, weighted: bool = False, bound: float | None = None, rad
         The value at which the complex ends.
     radii : bool
         Whether values are radii instead of squared radii.
+    periods : array_like of float, optional
+        The lengths after which the points repeat, one for each coordinate.
     coefficients : str or int
         A prime field: ``"f2"``, ``"f3"``, ...
     least : float
@@ -4721,11 +4727,13 @@ def alpha_complex(table: Any, *, weighted: bool = False, bound: float | None = N
         As of :func:`alpha`.
     radii : bool
         As of :func:`alpha`.
+    periods : array_like of float, optional
+        As of :func:`alpha`.
 
     Returns
     -------
     Model
-        Tetrahedra, triangles, edges and points.
+        Tetrahedra, triangles, edges and points; with periods a list of simplices, or of few points a chain complex, without positions.
     """
     ...
 def _extended_persistence(complex: ChainComplex, vertex_values: ArrayLike, *, coefficients: str | int = ..., least: float = 0.0) -> list[tuple[str, int, float, float]]: ...
@@ -4865,6 +4873,28 @@ def witness(table: Any, landmarks: int, *, strong: bool = False, threshold: floa
     -------
     Persistence
         The diagram.
+    """
+    ...
+def mapper(table: Any, values: ArrayLike | None, *, intervals: int, overlap: float, threshold: float | None = None) -> tuple[Model, list[NDArray[np.int64]]]:
+    """The Mapper complex of points as a model, and the points of its vertices.
+
+    Parameters
+    ----------
+    table : array_like of float
+        Rows of coordinates.
+    values : array_like of float, optional
+        The function on the points; the largest distance to another point if not given.
+    intervals : int
+        How many intervals cover the range of the function.
+    overlap : float
+        How much of each interval lies in the next.
+    threshold : float, optional
+        Points within this distance are neighbors.
+
+    Returns
+    -------
+    tuple of Model and list of numpy.ndarray
+        The model, and for each vertex the numbers of its points.
     """
     ...
 def witness_complex(table: Any, landmarks: int, *, strong: bool = False, threshold: float | None = None, dimension: int | None = None) -> Model:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coface import _coface
-from coface._arrays import numbers, plain, ragged, raise_invalid
+from coface._arrays import numbers, plain, point_rows, ragged, raise_invalid
 from coface._coface import (
     ChainComplex,
     Cocycles,
@@ -605,6 +605,7 @@ def arrange(
     max_cells: int | None = None,
     split: bool = True,
     merge_coplanar: bool = True,
+    precision: Literal["double", "single"] = "double",
     progress: Any = False,
 ) -> PlanarArrangement | SpatialArrangement:
     """What segments cut the plane into, or polygons space, exactly.
@@ -648,6 +649,8 @@ def arrange(
         In space, whether polygons that are not flat are split into triangles; otherwise they are refused.
     merge_coplanar
         In space, whether faces of polygons in one plane are merged.
+    precision
+        In space, ``"single"`` makes a result that is valid with coordinates of 32 bits, which are those of an STL file.
     progress
         As for :func:`homology`.
 
@@ -683,6 +686,7 @@ def arrange(
         max_cells=max_cells,
         split=split,
         merge_coplanar=merge_coplanar,
+        precision=precision,
         progress=progress,
     )
     return found
@@ -729,6 +733,7 @@ def boolean(
     triangles: bool | None = None,
     open: str = "refuse",
     split_pinches: bool = False,
+    precision: Literal["double", "single"] = "double",
     progress: Any = False,
 ) -> PlanarBoolean | SolidBoolean:
     """Regions of the plane, or solids, combined exactly.
@@ -752,7 +757,7 @@ def boolean(
         are models.
     keep_walls
         Whether what lies inside the result is kept.
-    snap, exact, grid, close, tolerance, weld, method, max_cells, split, merge_coplanar
+    snap, exact, grid, close, tolerance, weld, method, max_cells, split, merge_coplanar, precision
         As for :func:`arrange`.
     triangles
         In space, whether faces are cut into triangles; if all inputs are triangles, if left out.
@@ -799,6 +804,7 @@ def boolean(
         triangles=triangles,
         open=open,
         split_pinches=split_pinches,
+        precision=precision,
         progress=progress,
     )
     return found
@@ -1339,21 +1345,6 @@ def flag_complex(
     return _coface.flag_complex(_edges(edges, vertex_values), directed=directed, threshold=threshold, dimension=dimension)
 
 
-def _with_weights(points: Any, weights: Any) -> NDArray[np.float64]:
-    """Points with their weights behind them, if they have weights."""
-    rows = numbers(points, "points")
-    if rows.size == 0:
-        return np.empty((0, 0))
-    if rows.ndim != 2:
-        raise_invalid(f"points have the shape {rows.shape}", "give an array of two axes, a row for each point")
-    if weights is None:
-        return rows
-    behind = numbers(weights, "weights")
-    if behind.shape != (len(rows),):
-        raise_invalid(f"weights have the shape {behind.shape} for {len(rows)} points", "give one weight for each point")
-    return np.column_stack([rows, behind])
-
-
 @in_words
 def cech(
     points: Any,
@@ -1399,7 +1390,7 @@ def cech(
     """
     found: Persistence = asked(
         "cech",
-        _with_weights(points, None),
+        point_rows(points, None),
         threshold=threshold,
         dimension=dimension,
         coefficients=coefficients,
@@ -1433,7 +1424,7 @@ def cech_complex(points: Any, threshold: float | None = None, dimension: int | N
     >>> coface.homology(coface.cech_complex([[0, 0], [6, 0], [6, 8], [0, 8]], threshold=4)).betti_numbers
     (1, 1)
     """
-    return _coface.cech_complex(_with_weights(points, None), threshold=threshold, dimension=dimension)
+    return _coface.cech_complex(point_rows(points, None), threshold=threshold, dimension=dimension)
 
 
 @in_words
@@ -1488,7 +1479,7 @@ def witness(
     """
     found: Persistence = asked(
         "witness",
-        _with_weights(points, None),
+        point_rows(points, None),
         landmarks,
         strong=strong,
         threshold=threshold,
@@ -1536,7 +1527,7 @@ def witness_complex(
     >>> coface.homology(coface.witness_complex(ring, 4, threshold=0)).betti_numbers
     (1, 1)
     """
-    return _coface.witness_complex(_with_weights(points, None), landmarks, strong=strong, threshold=threshold, dimension=dimension)
+    return _coface.witness_complex(point_rows(points, None), landmarks, strong=strong, threshold=threshold, dimension=dimension)
 
 
 @in_words
@@ -1546,6 +1537,7 @@ def alpha(
     *,
     bound: float | None = None,
     radii: bool = False,
+    periods: Any = None,
     coefficients: str | int = "f2",
     least: float = 0.0,
     progress: Any = False,
@@ -1565,6 +1557,9 @@ def alpha(
         The value at which the complex ends, as ``max_alpha_square`` of GUDHI.
     radii
         Whether values, and the bound, are radii instead of squared radii, as with ``output_squared_values=False`` of GUDHI.
+    periods
+        The lengths after which the points repeat, one for each coordinate, as those of a crystal or a simulation do: the complex is that of a flat torus.
+        Points may be few, and outside of the box.
     coefficients
         A prime field: ``"f2"``, ``"f3"``, ...
     least
@@ -1586,13 +1581,19 @@ def alpha(
     array([[16., 25.]])
     >>> coface.alpha([[0, 0], [6, 0], [6, 8], [0, 8]], radii=True).diagram(1)
     array([[4., 5.]])
+
+    A square lattice, of which one point is given: two circles and a torus for ever.
+
+    >>> coface.alpha([[0, 0]], periods=[2, 2]).betti_numbers
+    (1, 2, 1)
     """
     found: Persistence = asked(
         "alpha",
-        _with_weights(points, weights),
+        point_rows(points, weights),
         weighted=weights is not None,
         bound=bound,
         radii=radii,
+        periods=periods,
         coefficients=coefficients,
         least=least,
         progress=progress,
@@ -1601,7 +1602,14 @@ def alpha(
 
 
 @in_words
-def alpha_complex(points: Any, weights: Any = None, bound: float | None = None, *, radii: bool = False) -> Model:
+def alpha_complex(
+    points: Any,
+    weights: Any = None,
+    bound: float | None = None,
+    *,
+    radii: bool = False,
+    periods: Any = None,
+) -> Model:
     """The alpha complex of points at a value, or their whole Delaunay triangulation, as a model.
 
     Parameters
@@ -1614,12 +1622,15 @@ def alpha_complex(points: Any, weights: Any = None, bound: float | None = None, 
         The value: a squared radius, or a radius if `radii` is true. Without it the model is the whole triangulation.
     radii
         As for :func:`alpha`.
+    periods
+        As for :func:`alpha`.
 
     Returns
     -------
     Model
         Tetrahedra, the triangles and edges in none of them, and points. Where points are in no simplex, because they equal others or weights hide
-        them, the others are numbered anew, and data ``point`` has their numbers; a warning says so.
+        them, the others are numbered anew, and data ``point`` has their numbers; a warning says so. With `periods` it is a list of simplices, or a chain
+        complex if a simplex has a point twice or two have the same points, and has no positions.
 
     Examples
     --------
@@ -1630,8 +1641,8 @@ def alpha_complex(points: Any, weights: Any = None, bound: float | None = None, 
     >>> coface.alpha_complex(corners).faces.shape
     (2, 3)
     """
-    table = _with_weights(points, weights)
-    return _coface.alpha_complex(table, weighted=weights is not None, bound=bound, radii=radii)
+    table = point_rows(points, weights)
+    return _coface.alpha_complex(table, weighted=weights is not None, bound=bound, radii=radii, periods=periods)
 
 
 @in_words

@@ -2,14 +2,14 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use coface::algebra::{RaggedArray, VertexId};
-use coface::complexes::alpha::AlphaComplex;
-use coface::complexes::filtered::{FilteredComplex, enclosing_ball_radius};
+use coface::complexes::alpha::{AlphaComplex, PeriodicAlphaComplex, PeriodicBox};
+use coface::complexes::filtered::{Distances, FilteredComplex, enclosing_ball_radius};
 use coface::complexes::simplicial::FrozenComplex;
 use coface::geometry::predicates::{
     WeightedPoint, orientation, smallest_sphere, smallest_sphere_side, spatial_orientation, sphere_side,
 };
-use coface::topology::{Filtration, persistence};
-use coface::{Coefficients, Positions};
+use coface::topology::{Filtration, homology, persistence};
+use coface::{ChainComplex, Coefficients, Positions};
 use proptest::prelude::*;
 
 /// Whether points are affinely independent.
@@ -55,18 +55,20 @@ fn ball(points: &[WeightedPoint]) -> f64 {
     least
 }
 
+/// Births and deaths that differ, sorted.
+fn pairs(chains: &ChainComplex, values: Vec<Vec<f64>>) -> Vec<(usize, f64, Option<f64>)> {
+    let filtration = Filtration::new(chains, values).unwrap();
+    let found = persistence(chains, &filtration, Coefficients::Modulo(3)).unwrap().longer_than(0.0);
+    let mut pairs: Vec<_> =
+        found.pairs().iter().map(|pair| (pair.degree(), pair.birth(), pair.death())).collect();
+    pairs.sort_by(|a, b| a.partial_cmp(b).unwrap());
+    pairs
+}
+
 /// Births and deaths that differ, below a degree.
 fn diagram(complex: &FrozenComplex, values: Vec<Vec<f64>>, end: usize) -> Vec<(usize, f64, Option<f64>)> {
-    let chains = complex.chain_complex().unwrap();
-    let filtration = Filtration::new(&chains, values).unwrap();
-    let found = persistence(&chains, &filtration, Coefficients::Modulo(3)).unwrap().longer_than(0.0);
-    let mut pairs: Vec<_> = found
-        .pairs()
-        .iter()
-        .filter(|pair| pair.degree() < end)
-        .map(|pair| (pair.degree(), pair.birth(), pair.death()))
-        .collect();
-    pairs.sort_by(|a, b| a.partial_cmp(b).unwrap());
+    let mut pairs = pairs(&complex.chain_complex().unwrap(), values);
+    pairs.retain(|pair| pair.0 < end);
     pairs
 }
 
@@ -155,5 +157,60 @@ proptest! {
     fn alpha_and_cech_complexes_have_one_diagram((points, weights) in points()) {
         let weights = weights.as_deref();
         prop_assert_eq!(of_alpha(&points, weights), of_cech(&points, weights));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+    /// Points near each other in a wide box see none of their copies for a while; in the end there is the torus.
+    #[test]
+    fn a_cluster_that_repeats_is_a_cluster_first(
+        (dimension, flat) in (1usize..4).prop_flat_map(|dimension| {
+            prop::collection::vec(0i32..64, dimension..=dimension * 12).prop_map(move |flat| {
+                let rows = flat.len() / dimension * dimension;
+                (dimension, flat[..rows].iter().map(|&x| f64::from(x) / 16.0).collect::<Vec<f64>>())
+            })
+        }),
+    ) {
+        let points = Positions::from_flat(dimension, flat).unwrap();
+        // Within this value balls around points of the cluster, of diameter 7 at most, stay away from copies.
+        let (wide, within) = (64.0, 28.0 * 28.0);
+        let torus = PeriodicAlphaComplex::new(&points, &PeriodicBox::new(&vec![wide; dimension]).unwrap(), None).unwrap();
+        let degrees = 0..torus.complex().f_vector().len();
+        let values = degrees.map(|degree| torus.values(degree).to_vec()).collect();
+        let mut repeated = pairs(&torus.complex().chain_complex().unwrap(), values);
+        let ever: Vec<usize> = repeated.iter().filter(|pair| pair.2.is_none()).map(|pair| pair.0).collect();
+        let binomial = [&[0, 1][..], &[0, 1, 1, 2], &[0, 1, 1, 1, 2, 2, 2, 3]];
+        prop_assert_eq!(&ever[..], binomial[dimension - 1]);
+        repeated.retain(|pair| pair.1 < within && pair.2.is_some_and(|death| death < within));
+        let (complex, values) = AlphaComplex::new(&points, None).unwrap().into_filtered().into_parts();
+        let mut alone = pairs(&complex.chain_complex().unwrap(), values);
+        alone.retain(|pair| pair.2.is_some_and(|death| death < within));
+        prop_assert_eq!(repeated, alone);
+    }
+
+    /// Within the connecting distance the graph is connected, and within less it is not.
+    #[test]
+    fn the_connecting_distance_connects(distances in prop::collection::vec(1u32..20, 45), keep in 1usize..45) {
+        let all: Vec<f64> = distances.iter().map(|&distance| f64::from(distance)).collect();
+        let dense = Distances::from_lower_triangle(10, all.clone()).unwrap();
+        let places = (0..10usize).flat_map(|i| (0..i).map(move |j| (i, j)));
+        let known = places.zip(all).map(|((i, j), distance)| (i, j, distance)).take(keep);
+        let sparse = Distances::from_list(10, known).unwrap();
+        for distances in [dense, sparse] {
+            let component_count = |threshold: f64| {
+                let graph = distances.graph_within(threshold);
+                let lists = graph.edges().iter().map(|&(i, j, _)| vec![i, j]).chain((0..10).map(|i| vec![i]));
+                let complex = FrozenComplex::from_facets(&RaggedArray::from_lists(lists)).unwrap();
+                homology(&complex.chain_complex().unwrap()).betti_numbers()[0]
+            };
+            match distances.connecting_distance() {
+                Some(distance) => {
+                    prop_assert_eq!(component_count(distance), 1);
+                    prop_assert!(component_count(distance - 0.5) > 1);
+                }
+                None => prop_assert!(component_count(1e9) > 1),
+            }
+        }
     }
 }

@@ -123,6 +123,14 @@ pub(super) fn stored(
         };
         return Ok(Some((PointFiltration::of_cech(points), Some(degree))));
     }
+    if let Some(mapper) = common.points.mapper(threshold) {
+        progress.stage(format!("reading {name}"));
+        let points = match source {
+            Source::File(path) => mapper.points_of_path(path, &options)?,
+            Source::Bytes(bytes) => table(bytes).and_then(|table| mapper.points(&table)).map_err(in_file)?,
+        };
+        return Ok(Some((PointFiltration::of_mapper(points), None)));
+    }
     if let Some(witness) = common.points.witness(threshold) {
         progress.stage(format!("reading {name}"));
         let witness = WitnessReading { dimension: Some(degree + 1), ..witness };
