@@ -285,8 +285,10 @@ fn mapper_of_a_circle_is_a_circle() {
     let answer = ask(&["persistence", "circle.csv", "--lens", "1", "--threshold", "1.2"]);
     assert_eq!(answer["betti"], json!([1, 1]));
     assert!((answer["diagram"][0]["birth"].as_f64().unwrap() + 0.83).abs() < 0.1, "{answer}");
-    let run =
-        coface_in(place, &["convert", "circle.csv", "--mapper", "4", "--lens", "y", "--threshold", "1.2", "-o", "graph.vtk"]);
+    let run = coface_in(
+        place,
+        &["convert", "circle.csv", "--mapper", "4", "--lens", "y", "--threshold", "1.2", "-o", "graph.vtk"],
+    );
     assert_eq!(run.status, 0, "{}", run.stderr);
     assert_eq!(coface_in(place, &["info", "graph.vtk", "--json"]).json()["f_vector"], json!([6, 6]));
     for (words, status, fault) in [

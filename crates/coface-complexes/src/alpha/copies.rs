@@ -78,6 +78,15 @@ impl Copies {
     }
 }
 
+/// Whether no coordinate and no side has to be rounded for a margin.
+pub(super) fn are_exact(points: &Positions, domain: &PeriodicBox, margin: f64) -> bool {
+    let axes = Axis::of(points, domain, margin);
+    let is_multiple = |axis: &Axis, x: f64| (x / axis.unit).fract() == 0.0;
+    let all = points.as_flat().chunks(domain.dimension().max(1));
+    axes.iter().all(|axis| axis.length == axis.given)
+        && all.into_iter().all(|point| axes.iter().zip(point).all(|(axis, &x)| is_multiple(axis, x)))
+}
+
 /// Bytes for each point of space and of the plane, as measured.
 const SPATIAL_BYTES: f64 = 4000.0;
 const PLANAR_BYTES: f64 = 1000.0;

@@ -1,6 +1,6 @@
 //! Alpha complexes of points that repeat periodically.
 
-use super::copies::Copies;
+use super::copies::{Copies, are_exact};
 use super::{AlphaComplex, PeriodicBox};
 use crate::filtered::FilteredComplex;
 use crate::simplicial::{DeltaComplex, FrozenComplex};
@@ -13,7 +13,8 @@ use coface_geometry::Positions;
 /// [`AlphaComplex`] among all copies. In the whole complex, which is the torus, a simplex has its points in rising order, and a point twice if two of its copies are joined: it is a
 /// [`DeltaComplex`]. Where there are enough points, as many as some 20 in the plane and some 200 in space if they are spread evenly, it is simplicial.
 ///
-/// Coordinates and sides are rounded first, to multiples of a power of two that is at most $2^{-48}$ of a side where sides differ little.
+/// Where coordinates and sides are not multiples of one power of two, they are taken in units of the first side and rounded to such multiples, at most $2^{-48}$ of a side
+/// where sides differ little: so that points of a crystal at halves and thirds of its sides have equal distances.
 ///
 /// # Examples
 /// One point in a square of side 1: two sides and a diagonal from the point to its copies, and two triangles.
@@ -84,6 +85,24 @@ impl PeriodicAlphaComplex {
             )
             .with_cure("give one weight for each point"));
         }
+        let diagonal =
+            |domain: &PeriodicBox| domain.lengths().iter().map(|length| length * length).sum::<f64>().sqrt();
+        if are_exact(points, domain, 4.0 * diagonal(domain)) {
+            return Self::of_rounded(points, domain, weights);
+        }
+        let unit = domain.lengths()[0];
+        let scaled = |numbers: &[f64], unit: f64| numbers.iter().map(|x| x / unit).collect::<Vec<f64>>();
+        let domain = PeriodicBox::new(&scaled(domain.lengths(), unit))?;
+        let points = Positions::from_flat(dimension, scaled(points.as_flat(), unit))?;
+        let weights = weights.map(|weights| scaled(weights, unit * unit));
+        let mut found = Self::of_rounded(&points, &domain, weights.as_deref())?;
+        found.values.iter_mut().flatten().for_each(|value| *value *= unit * unit);
+        Ok(found)
+    }
+
+    /// The complex of points whose coordinates are taken as multiples of a power of two.
+    fn of_rounded(points: &Positions, domain: &PeriodicBox, weights: Option<&[f64]>) -> Result<Self, Error> {
+        let dimension = domain.dimension();
         // No sphere that is empty of points reaches further than a diagonal from its points, and to the other side twice that.
         let most = 2.01 * domain.lengths().iter().map(|length| length * length).sum::<f64>().sqrt();
         let share = domain.lengths().iter().product::<f64>() / points.len() as f64;
@@ -344,6 +363,16 @@ mod tests {
         // A long box: a point sees only its copies along the short sides for a while.
         let long = torus(&[0.0, 0.0], &[1.0, 100.0], None);
         assert_eq!((long.complex().f_vector(), sorted(long.values(1))[0]), (vec![1, 3, 2], 0.25));
+    }
+
+    #[test]
+    fn points_of_a_crystal_have_equal_distances() {
+        let iron = torus(&[0.0, 0.0, 0.0, 1.435, 1.435, 1.435], &[2.87; 3], None);
+        assert_eq!(iron.complex().f_vector(), [2, 14, 24, 12]);
+        let mut values = sorted(iron.values(1));
+        values.dedup();
+        assert_eq!(values.len(), 2, "{values:?}");
+        assert!((values[0] - 3.0 * 1.435f64.powi(2) / 4.0).abs() < 1e-14, "{values:?}");
     }
 
     #[test]

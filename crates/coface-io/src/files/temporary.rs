@@ -7,6 +7,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 /// What is there now and goes away. Files and folders are made, renamed and removed under this lock.
 static UNFINISHED: Mutex<Unfinished> =
@@ -60,6 +61,8 @@ const OWNER: &str = ".coface-owner";
 const LETTERS: usize = 12;
 /// So often a name is tried.
 const ATTEMPTS: usize = 100;
+/// After so many faults a folder is not to blame.
+const SURE: usize = 4;
 
 /// A file that is removed unless it is renamed.
 pub(super) struct TemporaryFile {
@@ -311,11 +314,19 @@ impl MadeFolders {
     /// # Errors
     /// As [`Self::of`], and what `first` says.
     pub fn with<T>(folder: &Path, first: impl Fn(&Path) -> Result<T, Error>) -> Result<(Self, T), Error> {
+        let mut faults = 0;
         for _ in 1..ATTEMPTS {
             let made = Self::of(folder)?;
             match first(folder) {
                 Ok(found) => return Ok((made, found)),
-                Err(error) if folder.exists() => return Err(error),
+                // The folder may be another one, which a further run has made at the same place: then the next attempt goes well.
+                Err(error) if folder.exists() => {
+                    faults += 1;
+                    if faults == SURE {
+                        return Err(error);
+                    }
+                    std::thread::sleep(Duration::from_millis(1));
+                }
                 Err(_) => {}
             }
         }
@@ -371,7 +382,22 @@ mod tests {
         assert!(attempts.get() == 4 && folder.exists());
         drop(made);
         assert!(!base.path().join("a").exists());
-        // What fails for another reason is said at once.
+        // Another run makes it again before the fault is looked at.
+        let attempts = std::cell::Cell::new(0);
+        let (made, ()) = MadeFolders::with(&folder, |folder| {
+            attempts.set(attempts.get() + 1);
+            if attempts.get() < SURE {
+                fs::remove_dir(folder).unwrap();
+                let fault = Err(Error::new(ErrorKind::Io, "it is gone"));
+                fs::create_dir(folder).unwrap();
+                return fault;
+            }
+            Ok(())
+        })
+        .unwrap();
+        assert_eq!(attempts.get(), SURE);
+        drop(made);
+        // What fails for another reason is said soon.
         let failed = MadeFolders::with(&folder, |_| Err::<(), _>(Error::new(ErrorKind::Io, "a full disk")));
         assert_eq!(failed.unwrap_err().to_string(), "a full disk");
         // Many threads make it and remove it all the time.
