@@ -11,6 +11,12 @@ pub(crate) fn case_count(usual: u64) -> u64 {
     std::env::var("COFACE_SOUPS").ok().and_then(|text| text.parse().ok()).unwrap_or(usual)
 }
 
+/// The seeds of the cases: from the one that the environment variable `COFACE_FIRST_SEED` names, or from 0.
+pub(crate) fn seeds(usual: u64) -> std::ops::Range<u64> {
+    let first = std::env::var("COFACE_FIRST_SEED").ok().and_then(|text| text.parse().ok()).unwrap_or(0);
+    first..first + case_count(usual)
+}
+
 /// A generator of numbers.
 pub(crate) struct Random(u64);
 
