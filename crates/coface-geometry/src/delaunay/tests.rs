@@ -140,7 +140,7 @@ proptest! {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(400))]
-    /// Points in another order, and all of them elsewhere, have the same cells; so do points that repeat, in each period.
+    /// Invariant 123: points in another order, and all of them elsewhere, have the same cells.
     #[test]
     fn the_order_and_the_place_of_points_do_not_matter((dimension, flat, weights) in points(), turn in 0usize..60) {
         // Of equal points with equal weights the first one stays.
