@@ -423,7 +423,7 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(48))]
-        /// A box of two copies beside each other has each simplex twice, with the same values.
+        /// Invariant 124: a box of two copies beside each other has each simplex twice, with the same values.
         #[test]
         fn a_box_of_two_has_all_twice((flat, sides, weights) in scenes(), axis in 0usize..3) {
             let axis = axis % sides.len();

@@ -58,7 +58,7 @@ def mapper(
     >>> coface.homology(model).betti_numbers
     (1, 1)
     >>> [len(points) for points in clusters]
-    [23, 6, 6, 6, 6, 23]
+    [23, 8, 8, 8, 8, 23]
     """
     table = point_rows(points)
     if isinstance(function, str):
