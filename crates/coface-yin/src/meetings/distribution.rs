@@ -51,7 +51,8 @@ impl Meetings {
             pieces.sort_unstable();
             pieces
         };
-        Self { points, overlaps, exhausted: self.exhausted.into_iter().map(first_pieces).collect() }
+        let exhausted = self.exhausted.into_iter().map(first_pieces).collect();
+        Self { points, overlaps, exhausted, depth: self.depth }
     }
 }
 

@@ -24,6 +24,7 @@
 //! T. W. Sederberg and T. Nishita, *Curve intersection using Bezier clipping*, Computer-Aided Design 22 (1990); R. Krawczyk,
 //! *Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken*, Computing 4 (1969).
 
+mod arc_tree;
 mod carriers;
 mod common_end;
 mod contacts;
@@ -34,7 +35,6 @@ mod isolation;
 mod line_contact;
 mod meeting;
 mod overlaps;
-mod part_tree;
 mod parts;
 mod piece_pair;
 mod polynomial;
@@ -44,10 +44,12 @@ mod search;
 mod segments;
 mod side_by_side;
 mod simple_fractions;
+mod strip;
 mod sturm;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use arc_tree::ArcTree;
 pub(crate) use carriers::Carriers;
 use frame::Frame;
 pub(crate) use frame::resolution;

@@ -1,8 +1,8 @@
 //! The meetings of all pieces.
 
+use super::arc_tree::ArcTree;
 use super::carriers::Carriers;
 use super::meeting::Found;
-use super::part_tree::PartTree;
 use super::piece_pair::PairSolver;
 use super::polynomial::is_apart;
 use super::refinement::refine;
@@ -11,13 +11,14 @@ use crate::curve::bernstein::is_straight;
 use coface_algebra::Error;
 use coface_algebra::progress::stage;
 use rayon::prelude::*;
+use std::ops::ControlFlow;
 use std::sync::atomic::AtomicUsize;
 use std::sync::atomic::Ordering::Relaxed;
 
-/// Parts are crowded if more than so many others come near each, on average.
-const CROWDED: usize = 8;
+/// Parts are crowded if the bounds of more than so many others meet those of each, on average: boxes, which cost little, and strips.
+const CROWDED: [usize; 2] = [32, 6];
 
-/// Crowded parts are halved so often at most.
+/// The bounds of crowded parts are narrowed so often at most.
 const DEEPEST: u32 = 5;
 
 /// All common points and arcs of the pieces of arenas, sorted by pieces and parameters.
@@ -29,6 +30,8 @@ pub(crate) struct Meetings {
     pub(crate) overlaps: Vec<Overlap>,
     /// Pieces that run so near to each other for so long that it was given up to find all that they have in common.
     pub(crate) exhausted: Vec<[u32; 2]>,
+    /// The depth of the [`ArcTree`] in which few arcs are near each other: 0 if boxes tell most of them apart.
+    pub(crate) depth: u32,
 }
 
 /// Puts a meeting inside of a segment along an axis on its line, which rounding may have moved it from.
@@ -46,11 +49,11 @@ fn put_on_axes(carriers: &Carriers, meeting: &mut Meeting) {
     }
 }
 
-/// The pairs of parts that are near each other, with their pieces first; nothing if they are more than that, counted by arcs.
+/// The pairs of parts that are near each other, with their pieces first; nothing if the bounds of more than that meet, counted by arcs.
 fn candidates(pieces: &Pieces<'_>, depth: u32, most: usize) -> Option<Vec<[u32; 4]>> {
-    let tree = PartTree::new(pieces, depth);
     let parts = pieces.parts();
     let resolution = pieces.frame.resolution;
+    let tree = ArcTree::new(parts.len(), |part| pieces.part_points(part as usize), depth, resolution);
     let tasks = tree.tasks();
     let steps = stage("finding pieces that are near", tasks.len());
     let count = AtomicUsize::new(0);
@@ -59,25 +62,20 @@ fn candidates(pieces: &Pieces<'_>, depth: u32, most: usize) -> Option<Vec<[u32; 
         .map(|&task| {
             steps.advance(1);
             let mut near = Vec::new();
-            if count.load(Relaxed) > most {
-                return near;
-            }
-            let mut last = 0;
-            tree.search(task, |i, j| {
-                // Counted now and then, so that threads do not wait for each other.
-                if near.len() >= last + 1024 {
-                    count.fetch_add(near.len() - last, Relaxed);
-                    last = near.len();
-                }
-                if count.load(Relaxed) > most {
-                    return;
+            let mut own_count = 0;
+            let _ = tree.search(task, |i, j| {
+                own_count += 1;
+                // Added now and then, so that threads do not wait for each other.
+                if own_count == 1024 && count.fetch_add(std::mem::take(&mut own_count), Relaxed) > most {
+                    return ControlFlow::Break(());
                 }
                 let [a, b] = [i, j].map(|part| pieces.part_points(part as usize));
                 if !is_apart(a, b, resolution) {
                     near.push([parts[i as usize].piece, parts[j as usize].piece, i, j]);
                 }
+                ControlFlow::Continue(())
             });
-            count.fetch_add(near.len() - last, Relaxed);
+            count.fetch_add(own_count, Relaxed);
             near
         })
         .collect();
@@ -107,13 +105,16 @@ impl Meetings {
 
     /// The meetings of carriers.
     pub(super) fn of_pieces(pieces: &Pieces<'_>) -> Self {
-        let parts = pieces.parts();
-        // Where parts are crowded their arcs are looked at, shorter and shorter.
-        let most = CROWDED * parts.len() + 1024;
-        let mut candidates = (0..DEEPEST)
-            .find_map(|depth| candidates(pieces, depth, most))
-            .or_else(|| candidates(pieces, DEEPEST, usize::MAX))
-            .unwrap_or_default();
+        // Where parts are crowded their arcs are looked at, shorter and shorter, in ever thinner strips.
+        let most = |depth: u32| CROWDED[usize::from(depth > 0)] * pieces.parts().len() + 1024;
+        let (depth, candidates) = (0..DEEPEST)
+            .find_map(|depth| Some((depth, candidates(pieces, depth, most(depth))?)))
+            .unwrap_or_else(|| (DEEPEST, candidates(pieces, DEEPEST, usize::MAX).unwrap_or_default()));
+        Self { depth, ..Self::among(pieces, candidates) }
+    }
+
+    /// The meetings of carriers among pairs of their parts, with the carriers first; pairs that do not meet change nothing.
+    pub(super) fn among(pieces: &Pieces<'_>, mut candidates: Vec<[u32; 4]>) -> Self {
         candidates.par_sort_unstable();
         candidates.dedup();
         let mut starts: Vec<usize> = (0..candidates.len())
@@ -146,6 +147,6 @@ impl Meetings {
             let by_place = x.at[0].total_cmp(&y.at[0]).then(x.at[1].total_cmp(&y.at[1]));
             x.pieces.cmp(&y.pieces).then(by_place)
         });
-        Self { points, overlaps, exhausted }
+        Self { points, overlaps, exhausted, depth: 0 }
     }
 }

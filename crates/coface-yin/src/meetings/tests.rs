@@ -1,6 +1,6 @@
 //! Meetings against closed forms, against a dense polyline, and against themselves after changes that change nothing.
 
-use super::polynomial::{cross, minus};
+use super::polynomial::{cross, is_apart, minus};
 use super::{Carriers, Meetings, Pieces};
 use crate::curve::bernstein;
 use crate::set::CurveArena;
@@ -382,6 +382,46 @@ fn is_alike(a: &[([(u32, i64); 2], bool)], b: &[([(u32, i64); 2], bool)]) -> boo
             // What is not certified may be anywhere in its range.
             x.1 == y.1 && (0..2).all(|k| x.0[k].0 == y.0[k].0 && (!x.1 || (x.0[k].1 - y.0[k].1).abs() <= 2))
         })
+}
+
+/// All pairs of different parts that hulls of control points do not tell apart.
+fn all_pairs(pieces: &Pieces<'_>) -> Vec<[u32; 4]> {
+    let count = pieces.parts().len();
+    let piece = |part: usize| pieces.parts()[part].piece;
+    let points = |part: usize| pieces.part_points(part);
+    let pairs = (0..count).flat_map(|i| (i + 1..count).map(move |j| [i, j]));
+    pairs
+        .filter(|&[i, j]| !is_apart(points(i), points(j), pieces.frame.resolution))
+        .map(|[i, j]| [piece(i), piece(j), i as u32, j as u32])
+        .collect()
+}
+
+/// Circles around one center, some of them squeezed or moved so that they meet others.
+fn rings() -> impl Strategy<Value = Vec<Vec<[f64; 2]>>> {
+    let change = prop_oneof![4 => Just([0.0; 3]), 1 => prop::array::uniform3(-0.03..0.03f64)];
+    (prop::collection::vec((1..4usize, 0.0..7.0f64, change), 2..40), prop::array::uniform2(-2.0..2.0f64))
+        .prop_map(|(rings, center)| {
+            let ring =
+                |(number, (n, turn, [x, y, squeeze])): (usize, (usize, f64, [f64; 3]))| -> Vec<[f64; 2]> {
+                    let controls = circle([0.0; 2], 1.0 + 0.01 * number as f64, n, turn);
+                    let place = |[p, q]: [f64; 2]| [center[0] + x + (1.0 + squeeze) * p, center[1] + y + q];
+                    controls.into_iter().map(place).collect()
+                };
+            rings.into_iter().enumerate().map(ring).collect()
+        })
+}
+
+proptest! {
+    #[test]
+    fn meetings_are_those_among_all_pairs(rings in rings(), depth in 0..3i32) {
+        let arena = arena(4, &rings);
+        let carriers = carriers(&[&arena]);
+        let pieces = Pieces::of(&carriers, 0.25f64.powi(depth)).expect("they are finite");
+        let [found, expected] = [Meetings::of_pieces(&pieces), Meetings::among(&pieces, all_pairs(&pieces))];
+        prop_assert_eq!(found.points, expected.points);
+        prop_assert_eq!(found.overlaps, expected.overlaps);
+        prop_assert_eq!(found.exhausted, expected.exhausted);
+    }
 }
 
 proptest! {

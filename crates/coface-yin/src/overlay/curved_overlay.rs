@@ -11,7 +11,6 @@ use crate::set::CurveArena;
 use coface_algebra::Error;
 use coface_arrange::planar::{Faces, Orbits, RingCells, Windings};
 use std::cmp::Ordering;
-use std::sync::OnceLock;
 
 /// The curves of several arenas laid over each other. A region is what one arena bounds.
 pub(crate) struct CurvedOverlay<'a> {
@@ -41,7 +40,7 @@ impl<'a> CurvedOverlay<'a> {
     pub(crate) fn at_coarseness(arenas: &[&'a CurveArena], coarseness: f64) -> Result<Self, Error> {
         let boundaries = Boundaries::new(arenas, coarseness)?;
         let mut report = Vec::new();
-        let Meetings { points, overlaps, exhausted } = Meetings::of(&boundaries.carriers, coarseness)?;
+        let Meetings { points, overlaps, exhausted, depth } = Meetings::of(&boundaries.carriers, coarseness)?;
         if let Some(&pieces) = exhausted.first() {
             let place = boundaries.controls(pieces[0])[0];
             return Err(undecided(
@@ -61,7 +60,7 @@ impl<'a> CurvedOverlay<'a> {
         });
         departures.finish(&mut report)?;
         check_plane(&chains, &orbits, edges.ends())?;
-        let nester = Nester { chains: &chains, edges: &edges, orbits: &orbits, heights: OnceLock::new() };
+        let nester = Nester { chains: &chains, edges: &edges, orbits: &orbits, depth };
         let nesting = nester.nesting()?;
         let orbits = orbits.with_outer_orbits(nesting.outer_orbits);
         let faces = Faces::new(&orbits, &nesting.below, 0..nesting.below.len());

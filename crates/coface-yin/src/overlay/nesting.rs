@@ -9,12 +9,11 @@ use super::chains::{Chains, undecided};
 use super::columns::{ColumnCrossing, NearDegenerate, column_crossings};
 use super::nodes::compare;
 use crate::curve::bernstein;
+use crate::meetings::ArcTree;
 use coface_algebra::Error;
 use coface_algebra::{RaggedArray, UnionFind};
 use coface_arrange::planar::{ChainEdges, Orbits};
-use coface_geometry::{AxisBox, BoxTree};
 use rayon::prelude::*;
-use std::sync::OnceLock;
 
 /// How many lines are tried through a component.
 const MOST_LINES: usize = 48;
@@ -47,8 +46,8 @@ pub(super) struct Nester<'a> {
     pub(super) chains: &'a Chains<'a>,
     pub(super) edges: &'a ChainEdges,
     pub(super) orbits: &'a Orbits,
-    /// The lowest and the highest height of all pieces, once that is known.
-    pub(super) heights: OnceLock<[f64; 2]>,
+    /// The depth of the tree of arcs in which few are near each other.
+    pub(super) depth: u32,
 }
 
 impl<'a> Nester<'a> {
@@ -67,21 +66,16 @@ impl<'a> Nester<'a> {
         };
         let chains_of = RaggedArray::grouped(count, (0..chain_count).map(component_of_chain));
         let boundaries = self.boundaries();
-        let boxes: Vec<_> = (0..boundaries.piece_count() as u32)
-            .into_par_iter()
-            .map(|piece| {
-                let [low, high] = bernstein::control_box(boundaries.controls(piece));
-                [[low[0], high[0]], [low[1], high[1]], [0.0; 2]]
-            })
-            .collect();
-        let tree = BoxTree::new(&boxes);
+        let piece_count = boundaries.piece_count();
+        let margin = 2.0 * boundaries.rounding;
+        let tree = ArcTree::new(piece_count, |piece| boundaries.controls(piece), self.depth, margin);
         let seen: Vec<Seen> = (0..count)
             .into_par_iter()
             .with_min_len(4)
-            .map(|component| self.look_down(&tree, &boxes, chains_of.list(component)))
+            .map(|component| self.look_down(&tree, chains_of.list(component)))
             .collect::<Result<_, Error>>()?;
         let outer_orbits: Vec<u32> = seen.iter().map(|seen| seen.outer_orbit).collect();
-        let below = self.settle(&tree, &boxes, &seen, &outer_orbits, &chains_of)?;
+        let below = self.settle(&tree, &seen, &outer_orbits, &chains_of)?;
         Ok(Nesting { outer_orbits, below })
     }
 
@@ -92,8 +86,7 @@ impl<'a> Nester<'a> {
     /// Brings together components that lie in one face, until it is known in which.
     fn settle(
         &self,
-        tree: &BoxTree,
-        boxes: &[AxisBox],
+        tree: &ArcTree,
         seen: &[Seen],
         outer_orbits: &[u32],
         chains_of: &RaggedArray,
@@ -133,7 +126,7 @@ impl<'a> Nester<'a> {
                 if root == component && known[root as usize].is_none() {
                     let list = chains_of.list(component as usize);
                     let mut is_own = |other: u32| groups.find(other) == root;
-                    let below = self.look_past(tree, boxes, seen[component as usize].line, &mut is_own);
+                    let below = self.look_past(tree, seen[component as usize].line, &mut is_own);
                     let below = below.map_err(|NearDegenerate| self.doubtful(list))?;
                     pending.push((component, below));
                 }
@@ -152,9 +145,12 @@ impl<'a> Nester<'a> {
     }
 
     /// The outside of a component and what is below it, on the first line that tells.
-    fn look_down(&self, tree: &BoxTree, boxes: &[AxisBox], chains: &[u32]) -> Result<Seen, Error> {
+    fn look_down(&self, tree: &ArcTree, chains: &[u32]) -> Result<Seen, Error> {
         let parts = || chains.iter().flat_map(|&chain| self.chains.parts(chain));
-        let width = |piece: u32| boxes[piece as usize][0][1] - boxes[piece as usize][0][0];
+        let width = |piece: u32| {
+            let [low, high] = bernstein::control_box(self.boundaries().controls(piece));
+            high[0] - low[0]
+        };
         let mut widest: Option<(f64, u32, [f64; 2])> = None;
         for (piece, range) in parts() {
             let own = width(piece) * (range[1] - range[0]);
@@ -172,11 +168,8 @@ impl<'a> Nester<'a> {
             // At first heights have to be farther apart than the resolution.
             let apart = if attempt < MOST_LINES / 2 { 4.0 * self.boundaries().resolution } else { 0.0 };
             crossings.clear();
-            let is_told = parts().try_for_each(|(piece, _)| {
-                let [low, high] = boxes[piece as usize][0];
-                let is_here = low <= x && x <= high;
-                if is_here { column_crossings(self.boundaries(), piece, x, &mut crossings) } else { Ok(()) }
-            });
+            let is_told = parts()
+                .try_for_each(|(piece, _)| column_crossings(self.boundaries(), piece, x, &mut crossings));
             if is_told.is_err() {
                 continue;
             }
@@ -185,7 +178,7 @@ impl<'a> Nester<'a> {
             };
             let line = Line { x, heights: lowest.heights };
             let own = self.component(halfedge);
-            let below = self.first_below(tree, boxes, line, apart, &mut |other| other == own);
+            let below = self.first_below(tree, line, apart, &mut |other| other == own);
             if let Ok(below) = below {
                 let outer_orbit = self.orbits.orbit_of()[(halfedge ^ 1) as usize];
                 return Ok(Seen { line, outer_orbit, below });
@@ -197,13 +190,13 @@ impl<'a> Nester<'a> {
     /// The halfedge above the first crossing below all components of a group on a line.
     fn look_past(
         &self,
-        tree: &BoxTree,
-        boxes: &[AxisBox],
+        tree: &ArcTree,
         line: Line,
         is_own: &mut dyn FnMut(u32) -> bool,
     ) -> Result<Option<u32>, NearDegenerate> {
         let mut crossings = Vec::new();
-        self.column(tree, line.x, [f64::NEG_INFINITY, line.heights[0]], &mut crossings)?;
+        let below = [f64::NEG_INFINITY, line.heights[0]];
+        self.column(tree, line.x, below, &mut Vec::new(), &mut crossings)?;
         let mut heights = line.heights;
         for crossing in &crossings {
             let halfedge = self.upper_halfedge(crossing)?;
@@ -211,31 +204,27 @@ impl<'a> Nester<'a> {
                 heights = [0, 1].map(|end| heights[end].min(crossing.heights[end]));
             }
         }
-        self.first_below(tree, boxes, Line { heights, ..line }, 0.0, is_own)
+        self.first_below(tree, Line { heights, ..line }, 0.0, is_own)
     }
 
     /// The halfedge that has the first crossing below the bottom of a line on its right; crossings of own components are passed over.
     fn first_below(
         &self,
-        tree: &BoxTree,
-        boxes: &[AxisBox],
+        tree: &ArcTree,
         line: Line,
         apart: f64,
         is_own: &mut dyn FnMut(u32) -> bool,
     ) -> Result<Option<u32>, NearDegenerate> {
-        let whole = *self.heights.get_or_init(|| {
-            boxes.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |whole, own| {
-                [whole[0].min(own[1][0]), whole[1].max(own[1][1])]
-            })
-        });
-        let mut crossings = Vec::new();
-        let mut others = Vec::new();
-        let mut height = (whole[1] - whole[0]) / 1024.0;
+        let [_, whole] = tree.window();
+        let (mut pieces, mut crossings, mut others) = (Vec::new(), Vec::new(), Vec::new());
+        // Few pieces are that high above each other on average.
+        let mut height = (whole[1] - whole[0]) / self.boundaries().piece_count() as f64;
+        let mut top = line.heights[1];
         loop {
             let low = line.heights[0] - height;
             let is_last = low <= whole[0];
-            crossings.clear();
-            self.column(tree, line.x, [low, line.heights[1]], &mut crossings)?;
+            self.column(tree, line.x, [low, top], &mut pieces, &mut crossings)?;
+            top = low;
             others.clear();
             for crossing in &crossings {
                 if crossing.heights[0] > line.heights[1] {
@@ -258,26 +247,33 @@ impl<'a> Nester<'a> {
                     return Ok(Some(halfedge));
                 }
                 None if is_last => return Ok(None),
-                _ => height *= 4.0,
+                _ => height *= 8.0,
             }
         }
     }
 
-    /// All crossings of pieces near a range of heights on a line.
+    /// Adds all crossings of pieces near a range of heights on a line, except of the pieces given, to which it adds them.
     fn column(
         &self,
-        tree: &BoxTree,
+        tree: &ArcTree,
         x: f64,
         heights: [f64; 2],
+        pieces: &mut Vec<u32>,
         crossings: &mut Vec<ColumnCrossing>,
     ) -> Result<(), NearDegenerate> {
-        let mut result = Ok(());
-        tree.visit(&[[x, x], heights, [0.0; 2]], |piece| {
-            if result.is_ok() {
-                result = column_crossings(self.boundaries(), piece, x, crossings);
+        let old = pieces.len();
+        tree.visit(&[[x, x], heights], |piece| pieces.push(piece));
+        let (known, new) = pieces.split_at_mut(old);
+        new.sort_unstable();
+        // Several arcs of a piece may be there.
+        for own in new.chunk_by(|a, b| a == b) {
+            if known.binary_search(&own[0]).is_err() {
+                column_crossings(self.boundaries(), own[0], x, crossings)?;
             }
-        });
-        result
+        }
+        pieces.sort_unstable();
+        pieces.dedup();
+        Ok(())
     }
 
     /// The lowest or highest of some crossings, with the halfedge that has it on its right; crossings of one edge are one.

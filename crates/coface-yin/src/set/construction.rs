@@ -1,6 +1,6 @@
 //! Yin sets from curves, with the check that they are its boundary.
 
-use super::{CurveArena, YinFault, YinSet};
+use super::{CurveArena, HasseForest, YinFault, YinSet};
 use crate::boolean::{combine_rings, curved_jordan_rings, linear_overlay};
 use crate::{Curve, Order};
 use coface_algebra::Error;
@@ -43,14 +43,7 @@ impl YinSet {
     /// # Ok(()) }
     /// ```
     pub fn new(curves: &[Curve<'_>]) -> Result<Self, Error> {
-        if curves.is_empty() {
-            return Err(Error::invalid("no curves: the empty set and the plane both have none")
-                .with_cure("take the empty set or the plane"));
-        }
-        let arena = match arena_of(curves)? {
-            Ok(arena) => arena,
-            Err(fault) => return Err(fault.into_error()),
-        };
+        let arena = some_arena_of(curves)?;
         match lying(&arena)? {
             Ok(lying) => {
                 let is_unbounded = !lying.is_positive[root(&lying.parents)];
@@ -80,27 +73,22 @@ impl YinSet {
     /// # Ok(()) }
     /// ```
     pub fn oriented(curves: &[Curve<'_>]) -> Result<Self, Error> {
-        let arena = match arena_of(curves)? {
-            Ok(arena) => arena,
-            Err(fault) => return Err(fault.into_error()),
-        };
+        let arena = some_arena_of(curves)?;
         let Lying { parents, is_positive, .. } = match lying_apart(&arena)? {
             Ok(lying) => lying,
             Err(fault) => return Err(fault.into_error()),
         };
-        let depth = |curve: usize| {
-            let around = |&at: &usize| parents[at].map(|parent| parent as usize);
-            std::iter::successors(around(&curve), around).count()
-        };
+        let forest = HasseForest::new(parents.clone());
         let turned: Vec<Curve<'static>> = curves
             .iter()
             .enumerate()
-            .map(|(at, curve)| match is_positive[at] == depth(at).is_multiple_of(2) {
+            .map(|(at, curve)| match is_positive[at] == forest.depth(at).is_multiple_of(2) {
                 true => curve.clone().into_owned(),
                 false => curve.reversed(),
             })
             .collect();
-        Self::new(&turned)
+        // Which way curves run changes nothing of how they lie.
+        Ok(Self::from_parts(some_arena_of(&turned)?, false, parents, Vec::new()))
     }
 
     /// Why curves are not the boundary of a Yin set; none if they are.
@@ -206,6 +194,18 @@ impl YinSet {
 /// A curve that lies in no other.
 fn root(parents: &[Option<u32>]) -> usize {
     parents.iter().position(Option::is_none).expect("one of finitely many curves lies in no other")
+}
+
+/// The curves of one order.
+///
+/// # Errors
+/// If there is none, or one bounds nothing.
+fn some_arena_of(curves: &[Curve<'_>]) -> Result<CurveArena, Error> {
+    if curves.is_empty() {
+        return Err(Error::invalid("no curves: the empty set and the plane both have none")
+            .with_cure("take the empty set or the plane"));
+    }
+    arena_of(curves)?.map_err(YinFault::into_error)
 }
 
 /// The curves of one order, or what is wrong with one of them.

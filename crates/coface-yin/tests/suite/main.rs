@@ -18,6 +18,7 @@ mod yin_interfaces;
 mod yin_invariance;
 mod yin_kinks;
 mod yin_lattice;
+mod yin_nesting;
 mod yin_places;
 mod yin_sets;
 mod yin_soups;
