@@ -9,6 +9,7 @@ use crate::model::{Model, format_of};
 use crate::objects::{text_of, to_python};
 use crate::solid_boolean::{Combined, solid_result};
 use crate::source::Source;
+use crate::spatial_request::{precision_of, spatial_request};
 use crate::work::run;
 use coface::answers::answer::{
     PlanarArrangementAnswer, PlanarBooleanAnswer, SolidBooleanAnswer, SolidBooleanProvenance,
@@ -291,27 +292,6 @@ fn refuse_planar(py: Python<'_>, grid: Option<f64>, close: bool) -> PyResult<()>
         Some(_) => Err(invalid(py, "grid is for drawings in the plane", "leave it out in space")),
         None => Ok(()),
     }
-}
-
-fn spatial_request(
-    snap: bool,
-    tolerance: Option<f64>,
-    max_cells: Option<usize>,
-    split: bool,
-    merge_coplanar: bool,
-    precision: CoordinatePrecision,
-) -> SpatialRequest {
-    let mut request = SpatialRequest::default();
-    request.non_planar = if split { NonPlanar::Split } else { NonPlanar::Refuse };
-    (request.merge_coplanar, request.snap, request.max_cells) = (merge_coplanar, snap, max_cells);
-    (request.tolerance, request.precision) = (tolerance, precision);
-    request
-}
-
-/// The numbers that coordinates of results are, by their name.
-fn precision_of(py: Python<'_>, name: &str) -> PyResult<CoordinatePrecision> {
-    let all = [("double", CoordinatePrecision::Double), ("single", CoordinatePrecision::Single)];
-    choice(py, "precision", name, &all)
 }
 
 /// Combines regions of the plane, or solids, exactly.

@@ -39,6 +39,7 @@ mod report;
 mod shards;
 mod solid_boolean;
 mod source;
+mod spatial_request;
 mod surface;
 mod view;
 mod volumes;
