@@ -206,9 +206,16 @@ impl PointArguments {
     pub(crate) fn refuse(self, verb: &str) -> Result<(), Failure> {
         match self.given() {
             None => Ok(()),
-            Some(option) => Err(Failure::new(format!(
-                "coface {verb} takes no {option}; write the complex first: coface convert INPUT {option} -o COMPLEX.json"
-            ))),
+            Some(option) => {
+                let given = if ["--landmarks", "--mapper"].contains(&option) {
+                    format!("{option} N")
+                } else {
+                    option.to_owned()
+                };
+                Err(Failure::new(format!(
+                    "coface {verb} takes no {option}; write the complex first: coface convert INPUT {given} -o COMPLEX.json"
+                )))
+            }
         }
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::filtered_model::{mesh_of, model_of_facets};
 use crate::number_table::NumberTable;
-use crate::readers::{ReadOptions, read_path_with};
+use crate::points_table::{is_model, points_of_path};
+use crate::readers::ReadOptions;
 use crate::{Format, Model, ModelParts, Remark, RemarkCode, Structure};
 use coface_algebra::{Error, VertexId, memory};
 use coface_complexes::alpha::{AlphaComplex, PeriodicAlphaComplex, PeriodicBox};
@@ -47,16 +48,13 @@ impl AlphaReading {
     ) -> Result<AlphaPoints, Error> {
         let path = path.as_ref();
         let named = |error: Error| error.in_file(path.display().to_string());
-        let (table, remarks) = match vertices_of_path(path, options)? {
-            Some(_) if self.weighted => {
-                return Err(named(
-                    Error::invalid("a model has no weights of its vertices here")
-                        .with_cure("give a table with a row of coordinates and the weight for each point"),
-                ));
-            }
-            Some(vertices) => vertices,
-            None => (NumberTable::read_path(path)?, Vec::new()),
-        };
+        if self.weighted && is_model(path, options) {
+            return Err(named(
+                Error::invalid("a model has no weights of its vertices here")
+                    .with_cure("give a table with a row of coordinates and the weight for each point"),
+            ));
+        }
+        let (table, remarks) = points_of_path(path, options)?;
         let mut points = self.points(&table).map_err(named)?;
         points.remarks.splice(..0, remarks);
         Ok(points)
@@ -143,45 +141,6 @@ fn require_memory(count: usize, dimension: usize) -> Result<(), Error> {
 /// Bytes for each point of space, and for each of the plane, as measured.
 const SPATIAL_BYTES: u64 = 4000;
 const PLANAR_BYTES: u64 = 1000;
-
-/// The vertices of the model in a file as a table, and what its reader assumed; `None` for a file that is a table of numbers by its name.
-///
-/// # Errors
-/// As of [`read_path_with`]; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a coordinate that is not finite.
-///
-/// # Examples
-/// ```
-/// use coface_io::{ReadOptions, vertices_of_path};
-/// # fn main() -> Result<(), coface_algebra::Error> {
-/// let path = std::env::temp_dir().join("coface-vertices.obj");
-/// std::fs::write(&path, "v 0 0 1\nv 2 0 0\n")?;
-/// let (vertices, _) = vertices_of_path(&path, &ReadOptions::new())?.expect("a model");
-/// assert_eq!(vertices.row(1), [2.0, 0.0, 0.0]);
-/// # std::fs::remove_file(&path)?;
-/// # Ok(()) }
-/// ```
-pub fn vertices_of_path(
-    path: impl AsRef<Path>,
-    options: &ReadOptions,
-) -> Result<Option<(NumberTable, Vec<Remark>)>, Error> {
-    let path = path.as_ref();
-    let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or("");
-    let format = options.format.or_else(|| Format::from_name(extension).ok());
-    let is_model = match format {
-        None | Some(Format::Npy) => false,
-        // Atoms have names, and tables of points have any number of columns.
-        Some(Format::Points) => extension.eq_ignore_ascii_case("xyz"),
-        Some(_) => true,
-    };
-    if !is_model {
-        return Ok(None);
-    }
-    let model = read_path_with(path, &options.as_file())?;
-    model.require_finite().map_err(|error| error.in_file(path.display().to_string()))?;
-    let positions = model.positions();
-    let table = NumberTable::from_rows(positions.as_flat().chunks(positions.dimension().max(1)));
-    Ok(Some((table, model.remarks().to_vec())))
-}
 
 /// The alpha complex of points, or of points that repeat.
 #[derive(Clone, Debug)]

@@ -65,6 +65,7 @@ mod oddities;
 pub mod off;
 mod parts;
 pub mod ply;
+mod points_table;
 pub mod points_text;
 mod readers;
 mod reference_system;
@@ -94,7 +95,7 @@ mod word_columns;
 mod xml_text;
 pub mod yin;
 
-pub use alpha::{AlphaCells, AlphaPoints, AlphaReading, vertices_of_path};
+pub use alpha::{AlphaCells, AlphaPoints, AlphaReading};
 pub use cech::{CechPoints, CechReading};
 pub use cells_not_balls::cells_not_balls;
 pub use data::CellData;
@@ -119,6 +120,7 @@ pub use model::{Model, Structure};
 pub use model::{ModelParts, placed, segments};
 pub use number_table::NumberTable;
 pub use parts::parts_of_path;
+pub use points_table::vertices_of_path;
 pub use readers::{
     ReadOptions, format_of_path, read, read_boundary, read_boundary_path, read_boundary_with, read_named,
     read_path, read_path_with, read_unknown, read_with, volume_of, volume_of_path, write, write_path,

@@ -1,6 +1,7 @@
 //! Points that are read as their Mapper complex.
 
 use crate::filtered_model::model_of;
+use crate::points_table::points_of_path;
 use crate::readers::ReadOptions;
 use crate::rips::RipsReading;
 use crate::{CellData, GroupKind, Model, NumberTable, Remark, RemarkCode, TableForm};
@@ -80,12 +81,8 @@ impl MapperReading {
         options: &ReadOptions,
     ) -> Result<MapperPoints, Error> {
         let path = path.as_ref();
-        let named = |error: Error| error.in_file(path.display().to_string());
-        let (table, remarks) = match crate::alpha::vertices_of_path(path, options)? {
-            Some(vertices) => vertices,
-            None => (NumberTable::read_path(path)?, Vec::new()),
-        };
-        let mut points = self.points(&table).map_err(named)?;
+        let (table, remarks) = points_of_path(path, options)?;
+        let mut points = self.points(&table).map_err(|error| error.in_file(path.display().to_string()))?;
         points.remarks.splice(..0, remarks);
         Ok(points)
     }

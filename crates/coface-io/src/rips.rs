@@ -1,8 +1,8 @@
 //! Points, distances and graphs that are read as flag complexes.
 
-use crate::alpha::vertices_of_path;
 use crate::filtered_model::{model_of, model_with_numbers};
 use crate::graph::FileGraph;
+use crate::points_table::vertices_of_path;
 use crate::readers::ReadOptions;
 use crate::{Model, ModelParts, NumberTable, Remark, RemarkCode, Structure, TableForm};
 use coface_algebra::Error;

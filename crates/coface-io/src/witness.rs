@@ -1,7 +1,7 @@
 //! Points that are read as witnesses of landmarks.
 
-use crate::alpha::vertices_of_path;
 use crate::filtered_model::model_of;
+use crate::points_table::points_of_path;
 use crate::readers::ReadOptions;
 use crate::rips::{DIMENSION, skeleton_remark};
 use crate::{Model, NumberTable, Remark, RemarkCode};
@@ -65,12 +65,8 @@ impl WitnessReading {
         options: &ReadOptions,
     ) -> Result<WitnessPoints, Error> {
         let path = path.as_ref();
-        let named = |error: Error| error.in_file(path.display().to_string());
-        let (table, remarks) = match vertices_of_path(path, options)? {
-            Some(vertices) => vertices,
-            None => (NumberTable::read_path(path)?, Vec::new()),
-        };
-        let mut points = self.points(&table).map_err(named)?;
+        let (table, remarks) = points_of_path(path, options)?;
+        let mut points = self.points(&table).map_err(|error| error.in_file(path.display().to_string()))?;
         points.remarks.splice(..0, remarks);
         Ok(points)
     }

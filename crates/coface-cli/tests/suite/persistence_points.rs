@@ -291,6 +291,8 @@ fn mapper_of_a_circle_is_a_circle() {
     );
     assert_eq!(run.status, 0, "{}", run.stderr);
     assert_eq!(coface_in(place, &["info", "graph.vtk", "--json"]).json()["f_vector"], json!([6, 6]));
+    let run = coface_in(place, &["shard", "circle.csv", "--mapper", "4", "--parts", "2", "-o", "parts"]);
+    assert!(run.fails_with(1).contains("coface convert INPUT --mapper N -o COMPLEX.json"));
     for (words, status, fault) in [
         (&["--mapper", "4", "--lens", "3"][..], 1, "points of 3 coordinates have no coordinate 3"),
         (

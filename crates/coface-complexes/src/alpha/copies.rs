@@ -70,6 +70,9 @@ impl Copies {
 
     /// Copies, moved back by a shift; none if one of them is not there.
     pub(super) fn moved_back(&self, ids: &[u32], by: [i32; 3]) -> Option<Vec<u32>> {
+        if by == [0; 3] {
+            return Some(ids.to_vec());
+        }
         let moved = |&id: &u32| {
             let shift = self.shifts[id as usize];
             self.copy(self.points[id as usize], std::array::from_fn(|axis| shift[axis] - by[axis]))

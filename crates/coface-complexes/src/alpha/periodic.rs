@@ -11,7 +11,7 @@ use coface_geometry::Positions;
 ///
 /// At the value $a$ it has the homotopy type of the union of the balls of squared radius $a$ around the points, on the torus. Values are those of
 /// [`AlphaComplex`] among all copies. In the whole complex, which is the torus, a simplex has its points in rising order, and a point twice if two of its copies are joined: it is a
-/// [`DeltaComplex`]. Where there are enough points, as many as some 20 in the plane and some 200 in space if they are spread evenly, it is simplicial.
+/// [`DeltaComplex`]. Where there are enough points, some 20 in the plane and some 80 in space if they are at random places, it is simplicial.
 ///
 /// Where coordinates and sides are not multiples of one power of two, they are taken in units of the first side and rounded to such multiples, at most $2^{-48}$ of a side
 /// where sides differ little: so that points of a crystal at halves and thirds of its sides have equal distances.
@@ -316,8 +316,9 @@ fn repeats(copies: &Copies, complex: &FrozenComplex, dimension: usize) -> bool {
         if !ids.iter().any(is_first) {
             continue;
         }
-        let is_there =
-            |by: [i32; 3]| copies.moved_back(ids, by).is_some_and(|ids| complex.index_of(&ids).is_some());
+        let is_there = |by: [i32; 3]| {
+            by == [0; 3] || copies.moved_back(ids, by).is_some_and(|ids| complex.index_of(&ids).is_some())
+        };
         if !ids.iter().all(|&id| is_there(copies.shifts[id as usize])) {
             return false;
         }

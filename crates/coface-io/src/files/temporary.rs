@@ -83,10 +83,11 @@ impl TemporaryFile {
                 .rand_bytes(LETTERS)
                 .make_in(folder, |path| OpenOptions::new().write(true).create_new(true).open(path));
             let (file, path) = made.and_then(|made| Ok(made.keep()?)).map_err(|error| unmade(&error))?;
+            // It is known before anything else is asked of it: whoever abandons files meanwhile removes it.
+            unfinished.paths.insert(path.clone());
             let hold = Hold::of(&file, &path);
             let made = Self { path, file, is_renamed: false };
             if hold.is_good() {
-                unfinished.paths.insert(made.path.clone());
                 drop(unfinished);
                 made.remove_abandoned(folder);
                 return Ok(made);

@@ -28,7 +28,7 @@ pub(super) const CASES: &[Case] = &[
         .files(POINTS)
         .refused("coface persistence points.csv --alpha --threshold 9")
         .cured(&[&["coface persistence points.csv --alpha 9"]]),
-    Case::new("src/points.rs", "write the complex first: coface convert INPUT {option} -o COMPLEX.json")
+    Case::new("src/points.rs", "write the complex first: coface convert INPUT {given} -o COMPLEX.json")
         .files(POINTS)
         .refused("coface shard points.csv --alpha --parts 1 -o parts")
         .cured(&[&[
