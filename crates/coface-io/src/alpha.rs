@@ -27,7 +27,7 @@ impl AlphaReading {
     /// The alpha complex of the points of a file: of the rows of a table, or the vertices of a model.
     ///
     /// # Errors
-    /// As of [`Self::points`] and [`read_path_with`]; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a model where
+    /// As of [`Self::points`] and [`read_path_with`](crate::read_path_with); [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a model where
     /// points have weights, which only tables have.
     ///
     /// # Examples
