@@ -342,9 +342,10 @@ fn is_counts(line: &[u8]) -> bool {
     is_some && (2..=3).contains(&count) && words.all(|word| word.iter().all(u8::is_ascii_digit))
 }
 
-/// `[ST][C][N][4][n]OFF`.
+/// `[ST][C][N][4][n]OFF`, perhaps with the first count behind it.
 fn is_off_keyword(word: &[u8]) -> bool {
-    let Some(mut rest) = word.strip_suffix(b"OFF") else { return false };
+    let digits = word.iter().rev().take_while(|byte| byte.is_ascii_digit()).count();
+    let Some(mut rest) = word[..word.len() - digits].strip_suffix(b"OFF") else { return false };
     for part in [&b"ST"[..], b"C", b"N", b"4", b"n"] {
         rest = rest.strip_prefix(part).unwrap_or(rest);
     }

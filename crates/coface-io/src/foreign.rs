@@ -15,8 +15,8 @@ const MARKS: [(&[u8], &str, &str); 46] = [
     (b"\x28\xb5\x2f\xfd", "compressed by zstd", UNPACK),
     (b"7z\xbc\xaf", "a 7-Zip archive", UNPACK),
     (b"Rar!", "a RAR archive", UNPACK),
-    (b"\xff\xfe", "text in UTF-16", "save it as plain text (UTF-8)"),
-    (b"\xfe\xff", "text in UTF-16", "save it as plain text (UTF-8)"),
+    (b"\xff\xfe", "text in UTF-16 or UTF-32 that begins with no letter", "save it as plain text (UTF-8)"),
+    (b"\xfe\xff", "text in UTF-16 that begins with no letter", "save it as plain text (UTF-8)"),
     (
         b"version https://git-lfs",
         "a pointer of Git LFS, not the file itself",

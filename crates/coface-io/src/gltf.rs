@@ -151,7 +151,7 @@ mod reading {
         ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
 
     /// The same file with what the parser misses and shapes do not need: an empty list of nodes in scenes that have none, bounds of positions; and without
-    /// the demand for extensions of materials and textures. `None` if nothing was to be done.
+    /// the demand for extensions of materials, of textures and of whole numbers. `None` if nothing was to be done.
     ///
     /// # Errors
     /// `UnsupportedFormat` for glTF 1.0, and for meshes that are compressed.
@@ -176,8 +176,10 @@ mod reading {
             let is_of_paint = |name: &str| {
                 ["_material", "_texture", "_technique", "_lights"].iter().any(|word| name.contains(word))
             };
+            // Coordinates that are whole numbers are read anyway.
+            let is_known = |name: &str| is_of_paint(name) || name == "KHR_mesh_quantization";
             let count = required.len();
-            required.retain(|name| !name.as_str().is_some_and(is_of_paint));
+            required.retain(|name| !name.as_str().is_some_and(is_known));
             is_changed |= required.len() < count;
         }
         for scene in objects(&mut root, "scenes") {

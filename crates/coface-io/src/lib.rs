@@ -84,6 +84,7 @@ mod tail;
 pub mod tetgen;
 pub mod three_mf;
 mod unpacking;
+mod utf16;
 mod values;
 pub mod volume;
 pub mod vtk;

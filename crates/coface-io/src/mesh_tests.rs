@@ -197,6 +197,21 @@ fn off_in_unusual_dress() {
         read("COFF 3 1 0\n0 0 0 255 0 0 1\n1 0 0 0 1 0 1\n0 1 0\n\n3 0 1 2 0.5 0.5 x#\nmore\n").unwrap();
     assert_eq!(model.polygons.list(0), [0, 1, 2]);
     assert_eq!(model.remarks.len(), 1);
+    // Without a blank behind the keyword, line by line and word by word.
+    for (text, remarks) in
+        [("OFF3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 0), ("OFF3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2", 1)]
+    {
+        let model = read(text).unwrap();
+        assert_eq!(
+            (model.vertex_count, model.polygons.list(0), model.remarks.len()),
+            (3, &[0, 1, 2][..], remarks)
+        );
+        let found = crate::read_unknown(text.as_bytes()).unwrap();
+        assert_eq!(found.format(), Some(crate::Format::Off));
+    }
+    for text in ["OFF3x 1 0\n", "xOFF3 1 0\n", "OFF-3 1 0\n"] {
+        assert!(read(text).is_err(), "{text}");
+    }
 }
 
 #[test]

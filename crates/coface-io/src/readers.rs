@@ -5,6 +5,7 @@ use super::files::{Companions, replace_file};
 use super::scratch_mesh::{self, ScratchMesh, ScratchStream};
 use super::tail::Tail;
 use super::unpacking::{Packing, unpacked};
+use super::utf16::{Utf8Of, is_utf16};
 use super::{
     Format, Model, Remark, Structure, VolumeReading, VolumeStream, abaqus, cityjson, collada,
     complex_reading, container, detection, format, geojson, gltf, isosig, json, lines_text, medit, msh, obj,
@@ -872,12 +873,27 @@ fn unpacked_start<'r>(mut input: impl Read + 'r) -> Result<Start<'r>, Error> {
     let (start, whole) = start_of(&mut input)?;
     // The readers of volumes unpack for themselves.
     let packing = Packing::of_content(&start).filter(|_| !volume::is_nifti(&start));
-    let Some(packing) = packing else { return Ok((start, whole, Box::new(input), false)) };
+    let Some(packing) = packing else { return decoded_start(start, whole, Box::new(input), false) };
     let mut rest = unpacked(std::io::Cursor::new(start).chain(input), packing)?;
     let (start, whole) = start_of(&mut rest).map_err(|error| {
         error.with_cure("the file was cut short: write it again, or restore it from a copy")
     })?;
-    Ok((start, whole, rest, true))
+    decoded_start(start, whole, rest, true)
+}
+
+/// The same in UTF-8 if it is text in UTF-16.
+fn decoded_start(
+    start: Vec<u8>,
+    whole: bool,
+    rest: Box<dyn Read + '_>,
+    is_unpacked: bool,
+) -> Result<Start<'_>, Error> {
+    if !is_utf16(&start) {
+        return Ok((start, whole, rest, is_unpacked));
+    }
+    let mut rest = Utf8Of::new(&start.clone(), std::io::Cursor::new(start).chain(rest))?;
+    let (start, whole) = start_of(&mut rest)?;
+    Ok((start, whole, Box::new(rest), true))
 }
 
 /// The first bytes of a stream, and whether they are all of it.

@@ -55,6 +55,14 @@ impl Keyword {
         Some(keyword)
     }
 
+    /// The keyword that a token begins with, and the count that stands behind it without a blank (`OFF8 6 12`), mostly none.
+    pub(super) fn before_count(token: &[u8]) -> Option<(Self, &[u8])> {
+        let end = memchr::memmem::find(token, b"OFF")? + 3;
+        let (keyword, count) = token.split_at(end);
+        let is_count = count.iter().all(u8::is_ascii_digit);
+        Some((Self::parse(keyword).filter(|_| is_count)?, count))
+    }
+
     /// The keyword of a binary file, and where its numbers begin.
     fn of_binary(bytes: &[u8]) -> Option<(Self, usize)> {
         let end = memchr::memchr(b'\n', bytes)?;
@@ -224,11 +232,13 @@ fn read_header<R: Read>(blocks: &mut Blocks<R>) -> Result<Start, Error> {
             }
             break;
         }
+        let mut glued = None;
         if keyword.is_none() {
             let word = words.peek().copied().unwrap_or_default();
-            keyword = Some(match Keyword::parse(word) {
-                Some(keyword) => {
+            keyword = Some(match Keyword::before_count(word) {
+                Some((keyword, count)) => {
                     words.next();
+                    glued = Some(count).filter(|count| !count.is_empty());
                     keyword
                 }
                 None if word.iter().all(u8::is_ascii_digit) => Keyword::default(),
@@ -245,7 +255,7 @@ fn read_header<R: Read>(blocks: &mut Blocks<R>) -> Result<Start, Error> {
             }
         }
         let any_dimension = keyword.is_some_and(|keyword| keyword.any_dimension);
-        for word in words {
+        for word in glued.into_iter().chain(words) {
             let what = match counts.len() {
                 _ if any_dimension && dimension.is_none() => "the dimension",
                 0 => "the number of vertices",

@@ -21,9 +21,10 @@ struct Words<'a> {
 impl<'a> Words<'a> {
     fn read(mut self, has_colors: bool) -> Option<Model> {
         let start = self.at_word()?;
-        let keyword = match Keyword::parse(start) {
-            Some(keyword) => {
+        let keyword = match Keyword::before_count(start) {
+            Some((keyword, count)) => {
                 self.word()?;
+                self.at -= count.len();
                 keyword
             }
             None => Keyword::default(),

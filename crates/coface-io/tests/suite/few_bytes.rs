@@ -161,3 +161,15 @@ fn a_curve_of_one_arc_is_written_and_read() {
         assert!(error.to_string().contains("bounds nothing"), "{error}");
     }
 }
+
+#[test]
+fn gltf_may_have_whole_numbers() {
+    // Sixteen bits each, of which the largest stands for one: 0 0 0, 1 0 0, 0 -1 0.
+    let text = r#"{"asset":{"version":"2.0"},"extensionsUsed":["KHR_mesh_quantization"],
+        "extensionsRequired":["KHR_mesh_quantization"],"buffers":[{"byteLength":24,"uri":"data:;base64,AAAAAAAAAAD/fwAAAAAAAAAAAYAAAAAA"}],
+        "bufferViews":[{"buffer":0,"byteLength":24,"byteStride":8}],
+        "accessors":[{"bufferView":0,"componentType":5122,"normalized":true,"count":3,"type":"VEC3","min":[0,-32767,0],"max":[32767,0,0]}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0,"scale":[2,2,2]}],"scenes":[{"nodes":[0]}]}"#;
+    let model = io::read(text.as_bytes(), Format::Gltf).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(model.positions().as_flat(), [0., 0., 0., 2., 0., 0., 0., -2., 0.]);
+}

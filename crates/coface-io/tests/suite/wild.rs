@@ -263,6 +263,33 @@ fn compressed_files_are_read_by_the_name_before() {
 }
 
 #[test]
+fn text_in_utf16_is_text() {
+    // As redirection of some shells of Windows writes it.
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in [
+        ("a.off", "OFF\r\n3 1 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 2\r\n"),
+        ("a.off", "OFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2"),
+        ("a.json", "[[0,1,2]]"),
+        ("a.json", &format!("[[0,1,2]{}]", " ".repeat(1 << 17))),
+        ("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\no \u{c9}tage\nf 1 2 3\n"),
+        ("a.wkt", "POLYGON((0 0,1 0,0 1,0 0))"),
+    ] {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        let plain = io::read_path(&path, None).unwrap();
+        for is_little in [true, false] {
+            let unit = |unit: u16| if is_little { unit.to_le_bytes() } else { unit.to_be_bytes() };
+            let bytes: Vec<u8> = std::iter::once(0xfeff).chain(text.encode_utf16()).flat_map(unit).collect();
+            std::fs::write(&path, &bytes).unwrap();
+            assert_eq!(io::read_path(&path, None).unwrap(), plain, "{name}");
+            assert_eq!(io::read_unknown(&bytes[..]).unwrap().vertex_count(), plain.vertex_count(), "{name}");
+        }
+    }
+    let binary = b"\xff\xfe\x07\x01\x99\x80";
+    assert!(io::read_unknown(&binary[..]).is_err());
+}
+
+#[test]
 fn gltf_places_its_meshes() {
     // Three points in base64, and a node that moves them twice.
     let points = [0f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
