@@ -6,6 +6,7 @@ use crate::{Remark, StatedSurfaces};
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::{ChainComplex, ChainRefinement};
 use coface_algebra::{Error, VertexId};
+use coface_arrange::planar::ExactSegments;
 use coface_arrange::spatial::ExactPolygons;
 use coface_complexes::cell_mesh::CellShape;
 use coface_complexes::cubical::CubicalVolume;
@@ -38,6 +39,7 @@ pub struct Model {
     pub(crate) structure: Option<Structure>,
     pub(crate) refinement: Option<ChainRefinement>,
     pub(crate) exact: Option<Arc<ExactPolygons>>,
+    pub(crate) exact_segments: Option<Arc<ExactSegments>>,
     pub(crate) stated: Option<Arc<StatedSurfaces>>,
     pub(crate) features: FeatureTable,
     pub(crate) reference: Option<ReferenceSystem>,
@@ -100,6 +102,7 @@ impl ModelParts {
             remarks,
             refinement: None,
             exact: None,
+            exact_segments: None,
             stated: None,
             features: FeatureTable::default(),
             reference: None,
@@ -560,6 +563,7 @@ impl Model {
             structure,
             refinement: _,
             exact: _,
+            exact_segments: _,
             stated: _,
             features: _,
             reference: _,
@@ -698,6 +702,8 @@ impl Model {
     #[doc(hidden)]
     pub fn with_coordinates(mut self, dimension: usize, coordinates: Vec<f64>) -> Result<Self, Error> {
         (self.positions, self.partial_positions) = placed(dimension, coordinates)?;
+        // They have the points of before.
+        (self.exact, self.exact_segments) = (None, None);
         self.check()?;
         Ok(self)
     }
@@ -923,6 +929,7 @@ impl PartialEq for Model {
             && self.structure == other.structure
             && self.refinement == other.refinement
             && self.exact == other.exact
+            && self.exact_segments == other.exact_segments
             && self.features == other.features
             && self.reference == other.reference
     }

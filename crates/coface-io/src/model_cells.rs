@@ -4,6 +4,7 @@ use super::Model;
 use crate::{Structure, cells_not_balls};
 use coface_algebra::chains::ChainRefinement;
 use coface_algebra::{Error, VertexId};
+use coface_arrange::planar::ExactSegments;
 use coface_arrange::spatial::ExactPolygons;
 use coface_geometry::Positions;
 use std::sync::Arc;
@@ -79,6 +80,27 @@ impl Model {
     /// The faces as they were before coordinates were rounded, if they are known: arrangements and Booleans take these.
     pub fn exact_polygons(&self) -> Option<&Arc<ExactPolygons>> {
         self.exact.as_ref()
+    }
+
+    /// The model of a drawing with its segments as they were before coordinates were rounded.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_io::{Model, Structure};
+    /// let points = Model::from_structure(Structure::Chains(ChainComplex::of_points(2)));
+    /// assert!(points.with_exact_segments(Default::default()).exact_segments().is_some());
+    /// ```
+    #[must_use]
+    pub fn with_exact_segments(mut self, exact: Arc<ExactSegments>) -> Self {
+        self.exact_segments = Some(exact);
+        self
+    }
+
+    /// The segments of a drawing as they were before coordinates were rounded, if they are known: arrangements and Booleans in the
+    /// plane take these.
+    pub fn exact_segments(&self) -> Option<&Arc<ExactSegments>> {
+        self.exact_segments.as_ref()
     }
 
     /// The model of the cells that those of the chain complex are pieces of; `None` if there are no pieces.

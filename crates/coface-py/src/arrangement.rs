@@ -91,7 +91,8 @@ fn write_bytes(write: impl FnOnce(&mut Vec<u8>) -> Result<(), Error>) -> Result<
 ///     Whether coordinates are rounded so that the result stays as it is.
 /// exact : bool
 ///     Whether the exact result is kept where rounding its coordinates makes edges or faces cross; otherwise these are cut and bent
-///     there by a few units of the last digit. In space its model keeps exact points, so that the next call takes it as it is.
+///     there by a few units of the last digit. Its model, and ``.json`` written of it, keep exact points, so that the next call takes it
+///     as it is.
 /// grid : float, optional
 ///     In the plane, all coordinates are multiples of this length.
 /// close : bool
@@ -316,7 +317,8 @@ fn refuse_planar(py: Python<'_>, grid: Option<f64>, close: bool) -> PyResult<()>
 ///     Whether coordinates are rounded so that the result stays as it is.
 /// exact : bool
 ///     Whether the exact result is kept where rounding its coordinates makes edges or faces cross; otherwise these are cut and bent
-///     there by a few units of the last digit. In space its model keeps exact points, so that the next call takes it as it is.
+///     there by a few units of the last digit. Its model, and ``.json`` written of it, keep exact points, so that the next call takes it
+///     as it is.
 /// grid : float, optional
 ///     In the plane, all coordinates are multiples of this length.
 /// close : bool
@@ -677,11 +679,15 @@ answer! { PlanarArrangement {
         run(py, None, || io::replace_file(&path, |out| self.arranged.write(out, format)))
     }
 
-    /// The faces as a model: polygons with the plane's coordinates.
+    /// The faces as a model: polygons with the plane's coordinates. With ``exact=True`` it keeps exact points.
     fn model(&self, py: Python<'_>) -> PyResult<Model> {
         run(py, None, || {
             let bytes = write_bytes(|out| self.arranged.write(out, Format::Obj))?;
-            io::read(&bytes[..], Format::Obj)
+            let made = io::read(&bytes[..], Format::Obj)?;
+            Ok(match self.arranged.exact_segments_of_faces()? {
+                Some(exact) => made.with_exact_segments(exact.into()),
+                None => made,
+            })
         })
         .map(Model::of)
     }
@@ -820,11 +826,17 @@ answer! { PlanarBoolean {
         run(py, None, || io::replace_file(&path, |out| self.result.write(out, format)))
     }
 
-    /// The rings as a model of closed lines, which is input again.
+    /// The rings as a model of closed lines, which is input again. With ``exact=True`` it keeps exact points, and has no
+    /// properties of features.
     fn model(&self, py: Python<'_>) -> PyResult<Model> {
         run(py, None, || {
             let bytes = write_bytes(|out| self.result.write(out, Format::GeoJson))?;
-            io::read(&bytes[..], Format::GeoJson)
+            let made = io::read(&bytes[..], Format::GeoJson)?;
+            Ok(match self.result.exact_segments()? {
+                // Exact segments are of no features.
+                Some(exact) => made.into_parts().into_model().with_exact_segments(exact.into()),
+                None => made,
+            })
         })
         .map(Model::of)
     }

@@ -83,6 +83,10 @@ pub struct DrawingArrangement {
     pub(super) snap_rounds: Option<usize>,
     /// What moved so that rounded coordinates are valid, if that was needed.
     movement: Option<Movement>,
+    /// Whether vertices are not where the drawing has them.
+    pub(super) is_moved: bool,
+    /// Whether files keep exact points.
+    pub(super) keeps_exact: bool,
     /// What rounding does, if that is known.
     certificate: Option<RoundingCertificate>,
     pub(super) containment: Containment,
@@ -120,7 +124,7 @@ impl DrawingArrangement {
     /// ```
     pub fn new(drawing: PlanarDrawing, request: &ArrangementRequest) -> Result<Self, Error> {
         let options = PlanarOptions::new().max_cells(request.max_cells);
-        let exact = PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?;
+        let exact = drawing.arrange(&options)?;
         let (mut snap_rounds, mut joined, mut congruence, mut placed) = (None, None, None, Vec::new());
         let (mut movement, mut certificate, mut is_placed) = (None, None, false);
         let placing = Placing {
@@ -175,6 +179,8 @@ impl DrawingArrangement {
             segments_of_edge,
             snap_rounds,
             movement,
+            is_moved: !is_exact,
+            keeps_exact: request.exact,
             certificate,
             containment,
             crossings,
@@ -457,16 +463,16 @@ impl DrawingArrangement {
 }
 
 /// An arrangement with where its parts come from in the drawing.
-struct Parts {
-    arrangement: PlanarArrangement,
-    sources: Vec<VertexSource>,
-    segments_of_edge: RaggedArray,
+pub(super) struct Parts {
+    pub(super) arrangement: PlanarArrangement,
+    pub(super) sources: Vec<VertexSource>,
+    pub(super) segments_of_edge: RaggedArray,
     /// Whether each of these segments runs up, if that is known.
     runs_up: Option<Vec<bool>>,
 }
 
 impl Parts {
-    fn of(arrangement: PlanarArrangement) -> Self {
+    pub(super) fn of(arrangement: PlanarArrangement) -> Self {
         let sources = (0..arrangement.vertex_count()).map(|vertex| arrangement.source(VertexId::new(vertex)));
         Self {
             sources: sources.collect(),
@@ -539,7 +545,12 @@ impl Parts {
     }
 
     /// The regions around the faces; whether edges lie on their segments exactly.
-    fn containment(&self, drawing: &PlanarDrawing, rule: Option<InsideRule>, is_exact: bool) -> Containment {
+    pub(super) fn containment(
+        &self,
+        drawing: &PlanarDrawing,
+        rule: Option<InsideRule>,
+        is_exact: bool,
+    ) -> Containment {
         let arrangement = &self.arrangement;
         let runs_up = self.runs_up.as_deref();
         let sides = Sides { drawing, arrangement, segments: &self.segments_of_edge, is_exact, runs_up };
@@ -555,7 +566,7 @@ impl Parts {
     }
 
     /// The first points where a ring meets itself: crossings of its segments before others, from the lowest.
-    fn meetings_of(&self, drawing: &PlanarDrawing, ring: u32) -> Vec<[f64; 2]> {
+    pub(super) fn meetings_of(&self, drawing: &PlanarDrawing, ring: u32) -> Vec<[f64; 2]> {
         let Self { arrangement, sources, segments_of_edge, .. } = self;
         let is_own = |segment: usize| drawing.ring_of_segment[segment] == ring;
         let mut degrees = vec![0u8; arrangement.vertex_count()];

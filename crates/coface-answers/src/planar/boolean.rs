@@ -1,10 +1,12 @@
 //! Formulas of regions.
 
 use super::ArrangementMethod;
+use super::arrangement::Parts;
 use super::containment::{Containment, ContainmentSearch};
 use super::crossings::{MOST_PLACES, crossed_rings, crossing_remark, refuse_crossings};
 use super::crowd::{Crowd, Leaving};
 use super::drawing::PlanarDrawing;
+use super::exact::SelectedFaces;
 use super::outcome::Outcome;
 use super::settling::{Movement, Placing};
 use super::walks::Walks;
@@ -14,7 +16,7 @@ use crate::answer::{
 };
 use coface_algebra::{EdgeId, Error, FaceId, RaggedArray, VertexId};
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
-use coface_arrange::planar::{PlanarArrangement, PlanarOptions, PlanarOverlay, Step};
+use coface_arrange::planar::{PlanarOptions, PlanarOverlay, Step};
 use coface_geometry::{Positions, Sum};
 
 /// How regions are combined.
@@ -71,6 +73,10 @@ pub struct RegionBoolean {
     pub(super) found: Outcome,
     /// What moved so that rounded coordinates are valid, if that was needed.
     movement: Option<Movement>,
+    /// Whether vertices were put elsewhere as it was asked for.
+    is_placed: bool,
+    /// Whether files keep exact points.
+    pub(super) keeps_exact: bool,
     /// The vertices, edges and faces that the rings cut the plane into.
     cell_counts: [usize; 3],
     snap_rounds: Option<usize>,
@@ -145,21 +151,20 @@ impl RegionBoolean {
             tolerance: request.tolerance,
             method: request.method,
         };
-        let placed = if placing.is_asked() {
-            let exact = PlanarArrangement::with_options(&drawing.positions, &drawing.segments, &options)?;
-            Some(placing.of(&exact)?)
-        } else {
-            None
-        };
+        let placed = if placing.is_asked() { Some(placing.of(&drawing.arrange(&options)?)?) } else { None };
         let snapped = placed.as_ref().map(|placed| &placed.snapped);
         let walks = Walks::new(&drawing, snapped);
-        let crowd = if snapped.is_some() || request.keep_walls {
+        let is_drawn_exactly = !drawing.exact.is_empty();
+        let crowd = if snapped.is_some() || request.keep_walls || is_drawn_exactly {
             None
         } else {
             Crowd::new(&drawing, &walks, formula, request.rule, &options, leaving)?
         };
         let Reading { mut found, cell_counts, containment, crossings } = match crowd {
             Some(crowd) => Reading::of_crowd(crowd, &drawing, request)?,
+            None if is_drawn_exactly && snapped.is_none() => {
+                Reading::of_exact(&drawing, formula, request, &options)?
+            }
             None => Reading::new(&drawing, &walks, formula, request, snapped.is_some(), &options)?,
         };
         let odd = containment.as_ref();
@@ -168,6 +173,7 @@ impl RegionBoolean {
         let mut remarks: Vec<Remark> = crossings.into_iter().chain(odd).collect();
         drop(walks);
         let (mut snap_rounds, mut joined, mut congruence) = (None, None, None);
+        let is_placed = placed.as_ref().is_some_and(|placed| placed.snapped.round_count() > 0);
         if let Some(placed) = placed {
             remarks.extend(placed.remarks);
             (snap_rounds, joined, congruence) = (placed.snap_rounds, placed.joined, placed.congruence);
@@ -182,6 +188,8 @@ impl RegionBoolean {
             drawing,
             found,
             movement,
+            is_placed,
+            keeps_exact: request.exact,
             cell_counts,
             snap_rounds,
             joined,
@@ -222,6 +230,8 @@ impl RegionBoolean {
             drawing,
             found,
             movement,
+            is_placed: false,
+            keeps_exact: false,
             cell_counts,
             snap_rounds: None,
             joined: None,
@@ -236,6 +246,11 @@ impl RegionBoolean {
     /// What moved so that rounded coordinates are valid, if that was needed.
     pub(super) fn movement(&self) -> Option<&Movement> {
         self.movement.as_ref()
+    }
+
+    /// Whether vertices are not where the drawing has them.
+    pub(super) fn is_moved(&self) -> bool {
+        self.is_placed || self.movement.is_some()
     }
 
     /// The drawing that was combined.
@@ -630,22 +645,16 @@ impl Reading {
             (None, false) => crossings(drawing, &overlay, &containment, request.strict)?,
             // Rings that rounding turns inside out somewhere do not cross themselves as they were drawn.
             (None, true) if crossed_rings(drawing, &containment.windings).is_empty() => None,
+            (None, true) if !drawing.exact.is_empty() => {
+                exact_crossings(drawing, &Parts::of(drawing.arrange(options)?), request.strict)?
+            }
             (None, true) => {
                 let overlay = Walks::new(drawing, None).overlay(options)?;
                 let containment = self::containment(drawing, &overlay, request.rule);
                 crossings(drawing, &overlay, &containment, request.strict)?
             }
         };
-        let face_count = overlay.face_count();
-        let mut is_inside = vec![false; drawing.regions.len()];
-        let mut select = |face: usize| {
-            let regions = containment.regions.list(face);
-            regions.iter().for_each(|&region| is_inside[region as usize] = true);
-            let is_selected = formula.evaluate(|input| is_inside[input]);
-            regions.iter().for_each(|&region| is_inside[region as usize] = false);
-            is_selected
-        };
-        let mut selected: Vec<bool> = (0..face_count).map(&mut select).collect();
+        let mut selected = selected(drawing, &containment, formula, overlay.face_count());
         selected.push(false);
         let found = Outcome::new(
             &overlay,
@@ -656,6 +665,28 @@ impl Reading {
             [&containment.regions, &containment.features],
         )?;
         Ok(Self { found, cell_counts: overlay.f_vector(), containment: Some(containment), crossings })
+    }
+
+    /// The same by an arrangement, for drawings some of which are known exactly.
+    fn of_exact(
+        drawing: &PlanarDrawing,
+        formula: &BooleanFormula,
+        request: &BooleanRequest,
+        options: &PlanarOptions,
+    ) -> Result<Self, Error> {
+        let parts = Parts::of(drawing.arrange(options)?);
+        let containment = parts.containment(drawing, request.rule, true);
+        let crossings = match request.rule {
+            Some(_) => None,
+            None => exact_crossings(drawing, &parts, request.strict)?,
+        };
+        let arrangement = &parts.arrangement;
+        let selected = selected(drawing, &containment, formula, arrangement.face_count());
+        let faces = SelectedFaces::new(arrangement, &selected, request.keep_walls);
+        let of_faces = [&containment.regions, &containment.features];
+        let found = Outcome::of_faces(&parts, faces, request.keep_walls, of_faces)?;
+        let cell_counts = [arrangement.vertex_count(), arrangement.edge_count(), arrangement.face_count()];
+        Ok(Self { found, cell_counts, containment: Some(containment), crossings })
     }
 
     /// From the parts of rings that matter.
@@ -701,6 +732,34 @@ fn crossings(
         let points = overlay.meetings_of(ring, MOST_PLACES);
         points.iter().map(|point| point.rounded()).collect::<Vec<[f64; 2]>>()
     };
+    if is_strict {
+        refuse_crossings(drawing, &crossings, places)?;
+    }
+    Ok(crossing_remark(drawing, &crossings, places))
+}
+
+/// Whether a formula holds in each face.
+fn selected(
+    drawing: &PlanarDrawing,
+    containment: &Containment,
+    formula: &BooleanFormula,
+    face_count: usize,
+) -> Vec<bool> {
+    let mut is_inside = vec![false; drawing.regions.len()];
+    let mut select = |face: usize| {
+        let regions = containment.regions.list(face);
+        regions.iter().for_each(|&region| is_inside[region as usize] = true);
+        let is_selected = formula.evaluate(|input| is_inside[input]);
+        regions.iter().for_each(|&region| is_inside[region as usize] = false);
+        is_selected
+    };
+    (0..face_count).map(&mut select).collect()
+}
+
+/// As [`crossings`], by an arrangement.
+fn exact_crossings(drawing: &PlanarDrawing, parts: &Parts, is_strict: bool) -> Result<Option<Remark>, Error> {
+    let crossings = crossed_rings(drawing, &parts.containment(drawing, None, true).windings);
+    let places = |ring: u32| parts.meetings_of(drawing, ring);
     if is_strict {
         refuse_crossings(drawing, &crossings, places)?;
     }

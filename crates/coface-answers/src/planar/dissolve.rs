@@ -2,6 +2,7 @@
 
 use super::boolean::{BooleanRequest, RegionBoolean};
 use super::drawing::{NO_FEATURE, NO_RING, PlanarDrawing, Polygon, Region, Ring};
+use super::exact::points_rounded;
 use super::feature_model::FeatureModel;
 use crate::answer::{DissolveAnswer, DissolvedGroupAnswer, Remark, RemarkCode};
 use crate::text;
@@ -192,6 +193,8 @@ impl Dissolved {
         let mut answers = Vec::with_capacity(groups.len());
         let (mut sum, mut f_vector) = (Sum::default(), [0; 3]);
         let mut remarks = drawing.remarks.clone();
+        let exact = drawing.exact.iter().map(|part| &drawing.names[part.model as usize]);
+        remarks.extend(exact.map(|name| points_rounded(name, "its features are united each by itself")));
         remarks.extend(drawing.remarks_of_lines(request.boolean.rule, true));
         let (mut of_groups, mut without_heights) = (Vec::new(), 0);
         for (group, result) in groups.iter().zip(&results) {

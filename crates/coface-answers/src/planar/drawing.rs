@@ -1,6 +1,7 @@
 //! What models draw in the plane: segments, rings, polygons and regions.
 
 use super::drawing_options::DrawingOptions;
+use super::exact::{ExactPart, points_rounded};
 use super::properties::DrawnFeatures;
 use crate::RegionSource;
 use crate::answer::{DrawingInput, Place, Remark, RemarkCode, VertexOrigin, remarks_of_file};
@@ -46,6 +47,8 @@ pub struct PlanarDrawing {
     /// The first vertex of each model, and of none behind the last.
     pub(super) vertex_starts: Vec<u32>,
     pub(super) segments: Vec<[u32; 2]>,
+    /// The models that are known exactly, whose vertices are rounded here.
+    pub(super) exact: Vec<ExactPart>,
     pub(super) segment_starts: Vec<u32>,
     pub(super) ring_of_segment: Vec<u32>,
     pub(super) rings: Vec<Ring>,
@@ -306,10 +309,24 @@ impl PlanarDrawing {
         options: &DrawingOptions,
         flat: &mut Vec<f64>,
     ) -> Result<(), Error> {
+        let source = options.source;
+        if let Some(exact) = model.exact_segments() {
+            let rounds = match source {
+                _ if options.rounds_exact => Some("it is taken as a map"),
+                _ if source == RegionSource::Models || model.structure().is_some() => None,
+                _ => Some("its parts are inputs of their own"),
+            };
+            match rounds {
+                None => {
+                    ShapeLabels::new(name, model, source)?;
+                    return self.add_exact(name, model, exact, source, flat);
+                }
+                Some(why) => self.remarks.push(points_rounded(name, why)),
+            }
+        }
         if let Some(coarse) = model.coarse()? {
             return self.add(name, &coarse, options, flat);
         }
-        let source = options.source;
         check_plane(model)?;
         let first = self.vertex_starts.last().copied().unwrap_or(0);
         let number = self.names.len() as u32;

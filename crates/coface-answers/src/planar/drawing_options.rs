@@ -21,6 +21,8 @@ pub struct DrawingOptions {
     pub source: RegionSource,
     /// Whether lines that end where they begin are rings of polygons.
     pub close_lines: bool,
+    /// Take models that are known exactly with rounded points, with a remark.
+    pub(super) rounds_exact: bool,
 }
 
 impl DrawingOptions {
@@ -32,6 +34,11 @@ impl DrawingOptions {
     /// ```
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Those of maps: features are what is asked about, and they have rounded points.
+    pub(super) fn of_map() -> Self {
+        Self { rounds_exact: true, ..Self::default() }
     }
 
     /// What a region is.

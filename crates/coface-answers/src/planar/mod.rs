@@ -25,6 +25,7 @@ mod crowd;
 mod dissolve;
 mod drawing;
 mod drawing_options;
+mod exact;
 mod feature_model;
 mod heights;
 mod maps;

@@ -1,6 +1,8 @@
 //! What a formula selects, read off an overlay, and made valid where rounding breaks it.
 
+use super::arrangement::Parts;
 use super::canonical::Canonical;
+use super::exact::SelectedFaces;
 use super::outline::Outline;
 use super::settling::Settled;
 use super::walks::corners_along;
@@ -88,6 +90,53 @@ impl Outcome {
             is_valid,
             is_turned,
             has_walls,
+        })
+    }
+
+    /// What some faces of an exact arrangement are; for each of its faces the regions and the features that contain it.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub(super) fn of_faces(
+        parts: &Parts,
+        faces: SelectedFaces,
+        has_walls: bool,
+        [regions, features]: [&RaggedArray; 2],
+    ) -> Result<Self, Error> {
+        let arrangement = &parts.arrangement;
+        let vertices = || faces.vertices.iter().map(|&vertex| VertexId::from_u32(vertex));
+        let flat = vertices().flat_map(|vertex| arrangement.positions().point(vertex)).copied().collect();
+        let positions = Positions::from_flat(2, flat)?;
+        let of_polygon = |of_face: &RaggedArray| {
+            let mut lists: Vec<Vec<u32>> = vec![Vec::new(); faces.polygons.len()];
+            for (own, polygon) in of_face.iter().zip(&faces.polygon_of_face) {
+                if let Some(polygon) = *polygon {
+                    lists[polygon].extend_from_slice(own);
+                }
+            }
+            RaggedArray::from_lists(lists.into_iter().map(|mut list| {
+                list.sort_unstable();
+                list.dedup();
+                list
+            }))
+        };
+        let is_exact = vertices().all(|vertex| arrangement.is_exactly_rounded_at(vertex));
+        let (rings, polygons) = (&faces.rings, &faces.polygons);
+        Ok(Self {
+            sources: vertices().map(|vertex| parts.sources[vertex.index()]).collect(),
+            regions_of_polygon: of_polygon(regions),
+            features_of_polygon: of_polygon(features),
+            is_exact,
+            is_valid: is_exact || are_valid_polygons(&positions, rings, polygons, has_walls)?,
+            is_turned: !is_exact && turned_rings(&positions, rings, polygons).contains(&true),
+            has_walls,
+            positions,
+            edges: faces.edges,
+            segments_of_edge: faces.segments_of_edge,
+            areas: faces.areas,
+            component_count: faces.component_count,
+            pinches: faces.pinches,
+            outline: Outline { rings: faces.rings, polygons: faces.polygons },
         })
     }
 

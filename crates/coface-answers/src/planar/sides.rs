@@ -11,7 +11,7 @@ pub(super) struct Sides<'a> {
     pub(super) arrangement: &'a PlanarArrangement,
     /// The segments along each edge.
     pub(super) segments: &'a RaggedArray,
-    /// Whether edges lie on their segments exactly.
+    /// Whether edges lie on their segments exactly, and the arrangement is of these segments.
     pub(super) is_exact: bool,
     /// Whether each of the segments along edges runs up, if that is known.
     pub(super) runs_up: Option<&'a [bool]>,
@@ -26,10 +26,10 @@ impl Sides<'_> {
         if let Some(known) = self.runs_up {
             return known[self.segments.start(edge as usize) + i];
         }
-        let [from, to] = self.drawing.segments[segment as usize].map(|vertex| self.drawing.place(vertex));
         if self.is_exact {
-            return (from[0], from[1]) < (to[0], to[1]);
+            return self.arrangement.rises(segment as usize);
         }
+        let [from, to] = self.drawing.segments[segment as usize].map(|vertex| self.drawing.place(vertex));
         let [lower, upper] = self.arrangement.ends(EdgeId::from_u32(edge)).map(|v| self.place(v));
         let way = |a: f64, b: f64| i32::from(b > a) - i32::from(b < a);
         (0..2).map(|axis| way(from[axis], to[axis]) * way(lower[axis], upper[axis])).sum::<i32>() > 0

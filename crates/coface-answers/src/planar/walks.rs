@@ -235,11 +235,8 @@ pub(super) fn vertices_along(
 /// Lines of which an even number ends at every point as closed walks of halfsegments.
 fn closed_walks(drawing: &PlanarDrawing, first: u32, count: usize) -> Vec<Vec<u32>> {
     // End 2s is where segment s starts, 2s + 1 where it ends, from the first segment on.
-    let place = |end: u32| {
-        let vertex = drawing.segments[first as usize + end as usize / 2][end as usize % 2];
-        // Zeros of both signs are equal.
-        drawing.place(vertex).map(|x| (x + 0.0).to_bits())
-    };
+    let place =
+        |end: u32| drawing.place_key(drawing.segments[first as usize + end as usize / 2][end as usize % 2]);
     let mut ends: Vec<([u64; 2], u32)> = (0..2 * count as u32).map(|end| (place(end), end)).collect();
     ends.sort_unstable();
     let mut partners = vec![0; ends.len()];

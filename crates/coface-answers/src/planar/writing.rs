@@ -8,14 +8,17 @@ use super::outline::Outline;
 use super::properties::with_own;
 use crate::answer::{Remark, RemarkCode};
 use crate::text;
-use coface_algebra::RaggedArray;
+use coface_algebra::chains::{ChainComplex, ChainRefinement};
 use coface_algebra::{EdgeId, Error, FaceId, VertexId};
+use coface_algebra::{RaggedArray, SparseMatrix};
+use coface_arrange::planar::{ExactSegments, exact_turn};
 use coface_geometry::Positions;
 use coface_geometry::predicates::orientation;
 use coface_geometry::triangulation::triangulate;
 use coface_io as io;
 use coface_io::{CellData, Format, GroupKind, Model, ReferenceSystem, geojson};
 use serde::Serialize;
+use std::cmp::Ordering;
 use std::io::Write;
 
 impl DrawingArrangement {
@@ -54,7 +57,10 @@ impl DrawingArrangement {
         match format {
             Format::Json => {
                 let (complex, refinement) = arrangement.ball_complex()?;
-                let model = Model::from_chains(complex, positions)?.with_refinement(refinement)?;
+                let mut model = Model::from_chains(complex, positions)?.with_refinement(refinement)?;
+                if let Some(exact) = self.exact_segments()? {
+                    model = model.with_exact_segments(exact.into());
+                }
                 return io::write(&model, out, format);
             }
             Format::Lines => {
@@ -195,7 +201,41 @@ impl RegionBoolean {
                 .with_reference_system(self.drawing.reference.clone());
             return write_drawing(model, out, format, properties);
         }
+        if format == Format::Json && self.found.outline.polygon_count() > 0 {
+            return io::write(&self.cells()?, out, format);
+        }
         io::write(&mesh(&self.found.outline, &positions, &[])?, out, format)
+    }
+
+    /// The polygons as a chain complex whose faces are disks, with exact segments if they are kept.
+    fn cells(&self) -> Result<Model, Error> {
+        let found = &self.found;
+        let exact = self.exact_segments()?;
+        // With the exact points polygons are sound, whatever rounding does to them.
+        let points = exact.as_ref().map(ExactSegments::vertex_points);
+        let triangles_of = |polygon: usize, rings: &[&[u32]]| match &points {
+            Some(points) => {
+                let turn = |a: u32, b: u32, c: u32| exact_turn([a, b, c].map(|own| &points[own as usize]));
+                // Vertices are in the order of their exact places.
+                triangles(polygon, rings, |a, b| a.cmp(&b), turn)
+            }
+            None => {
+                let place = |vertex: u32| place_in(&found.positions, vertex);
+                triangles(
+                    polygon,
+                    rings,
+                    |a, b| compare_places(place(a), place(b)),
+                    |a, b, c| orientation(place(a), place(b), place(c)),
+                )
+            }
+        };
+        let (complex, refinement) =
+            polygon_cells(&found.outline, &found.edges, found.positions.len(), triangles_of)?;
+        let model = Model::from_chains(complex, found.positions.clone())?.with_refinement(refinement)?;
+        Ok(match exact {
+            Some(exact) => model.with_exact_segments(exact.into()),
+            None => model,
+        })
     }
 
     /// The positions with heights, where inputs have some.
@@ -344,17 +384,90 @@ fn drawing_model(
     Ok(model)
 }
 
+fn place_in(positions: &Positions, vertex: u32) -> [f64; 2] {
+    let point = positions.point(VertexId::from_u32(vertex));
+    [point[0], point[1]]
+}
+
+fn compare_places([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> Ordering {
+    // Zeros of both signs are equal.
+    (ax + 0.0).total_cmp(&(bx + 0.0)).then((ay + 0.0).total_cmp(&(by + 0.0)))
+}
+
+/// The triangles of a polygon with holes.
+fn triangles(
+    polygon: usize,
+    rings: &[&[u32]],
+    compare: impl Fn(u32, u32) -> Ordering,
+    turn: impl Fn(u32, u32, u32) -> Ordering,
+) -> Result<Vec<[u32; 3]>, Error> {
+    triangulate(rings, compare, turn).map_err(|fault| {
+        Error::invalid(format!(
+            "with rounded coordinates polygon {polygon} cannot be cut into triangles: {fault}"
+        ))
+        .with_cure("leave --exact out, or write GeoJSON, WKT or SVG, which hold polygons with holes")
+    })
+}
+
+/// The chain complex of polygons on these edges, those with holes cut into triangles, and what its cells are pieces of.
+fn polygon_cells(
+    outline: &Outline,
+    edges: &[[u32; 2]],
+    vertex_count: usize,
+    triangles_of: impl Fn(usize, &[&[u32]]) -> Result<Vec<[u32; 3]>, Error>,
+) -> Result<(ChainComplex, ChainRefinement), Error> {
+    let mut all = edges.to_vec();
+    let (mut faces, mut polygon_of_face) = (Vec::new(), Vec::new());
+    for polygon in 0..outline.polygon_count() {
+        let rings: Vec<&[u32]> = outline.rings_of(polygon).collect();
+        let cells = match rings[..] {
+            [ring] => vec![ring.to_vec()],
+            _ => triangles_of(polygon, &rings)?.into_iter().map(Vec::from).collect(),
+        };
+        // Edges across the polygon are of it alone.
+        let first = all.len();
+        let sides_of = |cell: &[u32]| {
+            let next = cell.iter().cycle().skip(1);
+            cell.iter().zip(next).map(|(&a, &b)| [a, b]).collect::<Vec<[u32; 2]>>()
+        };
+        let rising = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
+        let mut across: Vec<[u32; 2]> = cells
+            .iter()
+            .flat_map(|cell| sides_of(cell))
+            .map(rising)
+            .filter(|side| edges.binary_search(side).is_err())
+            .collect();
+        across.sort_unstable();
+        across.dedup();
+        for cell in &cells {
+            let own = sides_of(cell).into_iter().map(|side| {
+                let ends = rising(side);
+                let known = edges.binary_search(&ends);
+                let edge = known.unwrap_or_else(|_| first + across.partition_point(|other| *other < ends));
+                (edge, if side == ends { 1 } else { -1 })
+            });
+            faces.push(own.collect::<Vec<(usize, i64)>>());
+            polygon_of_face.push(Some(polygon as u32));
+        }
+        all.extend(across);
+    }
+    let ends = all.iter().enumerate();
+    let ends = ends.flat_map(|(edge, &[a, b])| [(a as usize, edge, -1), (b as usize, edge, 1)]);
+    let sides = faces.iter().enumerate();
+    let sides = sides.flat_map(|(face, own)| own.iter().map(move |&(edge, sign)| (edge, face, sign)));
+    let matrices = vec![
+        SparseMatrix::from_entries(vertex_count, all.len(), ends)?,
+        SparseMatrix::from_entries(all.len(), faces.len(), sides)?,
+    ];
+    let pieces = |count: usize, all: usize| (0..all).map(|own| (own < count).then_some(own as u32)).collect();
+    let pieces = vec![pieces(vertex_count, vertex_count), pieces(edges.len(), all.len()), polygon_of_face];
+    Ok((ChainComplex::new(matrices)?, ChainRefinement::new(pieces)))
+}
+
 /// Polygons of a mesh, and loose edges. Polygons with holes are cut into triangles.
 fn mesh(outline: &Outline, positions: &Positions, loose: &[[u32; 2]]) -> Result<Model, Error> {
-    let place = |vertex: u32| {
-        let point = positions.point(VertexId::from_u32(vertex));
-        [point[0], point[1]]
-    };
-    let compare = |a: u32, b: u32| {
-        let [[ax, ay], [bx, by]] = [a, b].map(place);
-        // Zeros of both signs are equal.
-        (ax + 0.0).total_cmp(&(bx + 0.0)).then((ay + 0.0).total_cmp(&(by + 0.0)))
-    };
+    let place = |vertex: u32| place_in(positions, vertex);
+    let compare = |a: u32, b: u32| compare_places(place(a), place(b));
     let turn = |a: u32, b: u32, c: u32| orientation(place(a), place(b), place(c));
     let (mut polygons, mut numbers) = (RaggedArray::new(), Vec::new());
     for polygon in 0..outline.polygon_count() {
@@ -364,12 +477,7 @@ fn mesh(outline: &Outline, positions: &Positions, loose: &[[u32; 2]]) -> Result<
             numbers.push(polygon as i64);
             continue;
         }
-        let triangles = triangulate(&rings, compare, turn).map_err(|fault| {
-            Error::invalid(format!(
-                "with rounded coordinates polygon {polygon} cannot be cut into triangles: {fault}"
-            ))
-            .with_cure("leave --exact out, or write GeoJSON, WKT or SVG, which hold polygons with holes")
-        })?;
+        let triangles = triangles(polygon, &rings, compare, turn)?;
         for triangle in &triangles {
             polygons.push(triangle);
             numbers.push(polygon as i64);

@@ -3,6 +3,7 @@
 mod certificates;
 mod covering;
 mod exact_chains;
+mod exact_drawings;
 mod fundamental_groups;
 mod geometry;
 mod gluings;

@@ -3,6 +3,7 @@
 use super::PlanarOptions;
 use super::crossings::{Meetings, Soup};
 use super::edges::Edges;
+use super::exact_ends::ExactEnds;
 use super::faces::{Faces, NONE, Orbits};
 use super::nesting::{Ray, rising_line};
 use super::segment_tree::SegmentTree;
@@ -13,6 +14,7 @@ use coface_algebra::{RaggedArray, SparseMatrix};
 use coface_geometry::Positions;
 use coface_geometry::predicates::PlanarPoint;
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// Where a vertex of an arrangement comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,6 +49,8 @@ pub enum VertexSource {
 pub struct PlanarArrangement {
     pub(super) points: Vec<[f64; 2]>,
     pub(super) segments: Vec<[u32; 2]>,
+    /// Exact ends, if segments are pieces of others.
+    pub(super) exact: Option<Arc<ExactEnds>>,
     pub(super) sources: Vec<VertexSource>,
     pub(super) vertices: Vec<PlanarPoint>,
     pub(super) positions: Positions,
@@ -113,6 +117,13 @@ impl PlanarArrangement {
         segments: &[[u32; 2]],
         options: &PlanarOptions,
     ) -> Result<Self, Error> {
+        Self::check_ends(positions, segments)?;
+        Self::arranged(positions, segments, None, options)
+    }
+
+    /// # Errors
+    /// If points do not lie in the plane, or segments have ends that are not there.
+    pub(super) fn check_ends(positions: &Positions, segments: &[[u32; 2]]) -> Result<(), Error> {
         if positions.dimension() != 2 && !positions.is_empty() {
             return Err(Error::new(
                 ErrorKind::Shape,
@@ -135,8 +146,20 @@ impl PlanarArrangement {
         if segments.len() + count >= 1 << 31 {
             return Err(Error::new(ErrorKind::TooLarge, "more than 2^31 segments and points"));
         }
-        let soup =
+        Ok(())
+    }
+
+    /// The arrangement of segments with these ends, rounded where they are known exactly.
+    pub(super) fn arranged(
+        positions: &Positions,
+        segments: &[[u32; 2]],
+        exact: Option<Arc<ExactEnds>>,
+        options: &PlanarOptions,
+    ) -> Result<Self, Error> {
+        let count = positions.len();
+        let mut soup =
             Soup::with_loose_points(positions.as_flat().as_chunks::<2>().0.to_vec(), segments.to_vec());
+        soup.exact = exact;
         let tree = soup.tree();
         let meetings = Meetings::of(&soup, &tree, options)?;
         if meetings.crossings.len() + count >= 1 << 31 {
@@ -151,7 +174,7 @@ impl PlanarArrangement {
             match (event as usize).checked_sub(count) {
                 None => {
                     sources.push(VertexSource::Given(event as usize));
-                    vertices.push(PlanarPoint::given(soup.points[event as usize]));
+                    vertices.push(soup.point(event));
                 }
                 Some(i) => {
                     let crossing = &meetings.crossings[i];
@@ -200,7 +223,7 @@ impl PlanarArrangement {
         edges: Edges,
     ) -> Result<Self, Error> {
         let Edges { ends, segments: segments_of_edge, of_segment: edges_of_segment } = edges;
-        let line = |edge: u32| rising_line(soup.line(segments_of_edge.list(edge as usize)[0]));
+        let line = |edge: u32| rising_line(soup.support(segments_of_edge.list(edge as usize)[0]));
         let orbits = Orbits::new(vertices.len(), &ends, |halfedge| {
             let [low, high] = line(halfedge / 2);
             if halfedge.is_multiple_of(2) { [low, high] } else { [high, low] }
@@ -212,7 +235,15 @@ impl PlanarArrangement {
                     vertices[vertex as usize]
                 })
             };
-            ray.first_below(tree, edge).map(|edge| 2 * edge)
+            let found = match soup.exact {
+                None => ray.first_below(tree, edge),
+                Some(_) => {
+                    let line = |segment: u32, _| rising_line(soup.support(segment));
+                    let ends = |segment: u32, _| soup.rising_ends(segment);
+                    ray.first_below_of(tree, line, ends, edge)
+                }
+            };
+            found.map(|edge| 2 * edge)
         };
         // There is nothing to the left of the lowest vertex of all.
         let mut below = vec![None; orbits.lowest_vertices.len().min(1)];
@@ -220,11 +251,12 @@ impl PlanarArrangement {
         let faces = Faces::new(&orbits, &below, 0..below.len());
         let flat = vertices.iter().flat_map(PlanarPoint::rounded).collect();
         let positions = Positions::from_flat(2, flat)?;
-        let Soup { points, mut segments, .. } = soup;
+        let Soup { points, mut segments, exact } = soup;
         segments.truncate(segment_count);
         Ok(Self {
             points,
             segments,
+            exact,
             sources,
             vertices,
             positions,

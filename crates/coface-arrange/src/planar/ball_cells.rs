@@ -81,14 +81,27 @@ impl PlanarArrangement {
 
     /// On which side of the line from one vertex to a second a third one is: `Greater` for left.
     fn turn(&self, a: u32, b: u32, c: u32) -> Ordering {
-        let points = [a, b, c].map(|vertex| &self.vertices[vertex as usize]);
-        if points.iter().all(|point| point.is_exactly_rounded()) {
-            let [a, b, c] = points.map(PlanarPoint::rounded);
-            return orientation(a, b, c);
-        }
-        let [a, b, c] = points.map(PlanarPoint::to_rational);
-        let from_a = |point: &[Rational; 2], axis: usize| &point[axis] - &a[axis];
-        let product = |x: &[Rational; 2], y: &[Rational; 2]| &from_a(x, 0) * &from_a(y, 1);
-        product(&b, &c).cmp(&product(&c, &b))
+        exact_turn([a, b, c].map(|vertex| &self.vertices[vertex as usize]))
     }
+}
+
+/// On which side of the line from one point to a second a third one is: `Greater` for left.
+#[doc(hidden)]
+pub fn exact_turn(points: [&PlanarPoint; 3]) -> Ordering {
+    let [a, b, c] = points.map(PlanarPoint::rounded);
+    if points.iter().all(|point| point.residues() == [Some(Ordering::Equal); 2]) {
+        return orientation(a, b, c);
+    }
+    // Coordinates are off by half a unit in the last place each.
+    let ([dx, dy], [ex, ey]) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+    let largest = |numbers: &[f64]| numbers.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let bound = 32.0 * f64::EPSILON * largest(&[a, b, c].concat()) * largest(&[dx, dy, ex, ey]);
+    let turn = dx * ey - dy * ex;
+    if turn.abs() > bound && bound > 1e-280 && turn.is_finite() {
+        return turn.total_cmp(&0.0);
+    }
+    let [a, b, c] = points.map(PlanarPoint::to_rational);
+    let from_a = |point: &[Rational; 2], axis: usize| &point[axis] - &a[axis];
+    let product = |x: &[Rational; 2], y: &[Rational; 2]| &from_a(x, 0) * &from_a(y, 1);
+    product(&b, &c).cmp(&product(&c, &b))
 }

@@ -1,6 +1,7 @@
 //! Where segments meet: every pair that has a common point, exactly.
 
 use super::PlanarOptions;
+use super::exact_ends::ExactEnds;
 use super::segment_tree::SegmentTree;
 use coface_algebra::Error;
 use coface_algebra::progress::stage;
@@ -8,12 +9,16 @@ use coface_geometry::PairTask;
 use coface_geometry::predicates::{PlanarLine, PlanarPoint, orientation};
 use rayon::prelude::*;
 use std::cmp::Ordering;
+use std::sync::Arc;
 
 /// What is arranged: points, and segments between them.
+#[derive(Default)]
 pub(super) struct Soup {
     pub(super) points: Vec<[f64; 2]>,
     /// The points at the ends of each segment.
     pub(super) segments: Vec<[u32; 2]>,
+    /// Exact ends where points are rounded; of segments without a length for points on their own there are none.
+    pub(super) exact: Option<Arc<ExactEnds>>,
 }
 
 impl Soup {
@@ -28,7 +33,7 @@ impl Soup {
             }
         }
         segments.extend((0..points.len() as u32).filter(|&p| loose[p as usize]).map(|p| [p, p]));
-        Self { points, segments }
+        Self { points, segments, exact: None }
     }
 
     /// The ends of a segment.
@@ -53,7 +58,7 @@ pub(super) struct Crossing {
 
 impl Crossing {
     pub(super) fn point(&self, soup: &Soup) -> PlanarPoint {
-        PlanarPoint::known_crossing(self.segments.map(|s| soup.line(s)), self.rounded, self.residues)
+        PlanarPoint::known_crossing(self.segments.map(|s| soup.support(s)), self.rounded, self.residues)
     }
 }
 
@@ -80,7 +85,10 @@ impl Meetings {
         let search = |&part: &PairTask| {
             steps.advance(1);
             let mut found = Self::default();
-            tree.search(part, |pair, lines| found.meet(soup, pair, lines));
+            match soup.exact {
+                None => tree.search(part, |pair, lines| found.meet(soup, pair, lines)),
+                Some(_) => tree.search(part, |pair, _| found.meet_exactly(soup, pair)),
+            }
             found
         };
         // Without a bound all at once; else some parts at a time.

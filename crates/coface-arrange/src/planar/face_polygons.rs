@@ -54,7 +54,7 @@ impl PlanarArrangement {
     }
 
     /// Whether a simple ring of halfedges runs counterclockwise.
-    fn is_outer(&self, ring: &[u32]) -> bool {
+    pub(super) fn is_outer(&self, ring: &[u32]) -> bool {
         let lowest = (0..ring.len()).min_by_key(|&i| self.tail(ring[i])).unwrap_or(0);
         let (out, back) = (ring[lowest], ring[(lowest + ring.len() - 1) % ring.len()] ^ 1);
         // Everything at the lowest vertex goes up, from straight down on counterclockwise.

@@ -22,21 +22,36 @@ impl Ray {
         tree: &SegmentTree,
         accept: impl Fn(u32) -> Option<T>,
     ) -> Option<T> {
+        let ends = |_, line: PlanarLine| line.map(PlanarPoint::given);
+        self.first_below_of(tree, |_, line| rising_line(line), ends, accept)
+    }
+
+    /// The same for segments that are parts of others: `line_of` gives the line that a segment of the tree is on, from its
+    /// lower to its upper end, and `ends_of` the ends of the segment on that line, the lower first.
+    pub(super) fn first_below_of<T: Copy>(
+        &self,
+        tree: &SegmentTree,
+        line_of: impl Fn(u32, PlanarLine) -> PlanarLine,
+        ends_of: impl Fn(u32, PlanarLine) -> [PlanarPoint; 2],
+        accept: impl Fn(u32) -> Option<T>,
+    ) -> Option<T> {
         let from = &self.from;
         let [x, y] = from.rounded();
         let is_exact = from.residues().iter().all(|side| side.is_some_and(Ordering::is_eq));
         let mut best: Option<(PlanarLine, T)> = None;
         let mut bound = None;
         tree.downward([x, y], |segment, line| {
-            let line = rising_line(line);
+            let line = line_of(segment, line);
             // Rounding is monotone: what the rounded x is beyond, the exact one is beyond or at.
             // Also false for vertical ones: the ray passes on their right.
             let is_across = line[0][0] < line[1][0]
                 && line[0][0] <= x
                 && x <= line[1][0]
                 && bound.is_none_or(|bound| heights(line, x)[1] >= bound)
-                && from.compare_coordinate(&PlanarPoint::given(line[0]), 0).is_ge()
-                && from.compare_coordinate(&PlanarPoint::given(line[1]), 0).is_lt();
+                && {
+                    let [low, high] = ends_of(segment, line);
+                    from.compare_coordinate(&low, 0).is_ge() && from.compare_coordinate(&high, 0).is_lt()
+                };
             let is_below = || {
                 let side = if is_exact { orientation(line[0], line[1], [x, y]) } else { from.side_of(line) };
                 side.is_gt()

@@ -59,7 +59,8 @@ impl PlanarArrangement {
             segments: RaggedArray::from_lists(edges.map(|edge| self.segments_of_edge.list(edge))),
             of_segment,
         };
-        let soup = Soup::with_loose_points(self.points.clone(), self.segments.clone());
+        let mut soup = Soup::with_loose_points(self.points.clone(), self.segments.clone());
+        soup.exact.clone_from(&self.exact);
         let tree = soup.tree();
         let vertex_of_point = self.vertex_of_point.iter().map(renumbered).collect();
         Self::assemble(soup, &tree, self.segments.len(), sources, vertices, vertex_of_point, edges)

@@ -27,7 +27,7 @@ impl Vertices {
     pub(super) fn of_soup(soup: &Soup, meetings: &Meetings) -> Self {
         let given = soup.points.len();
         let point = |event: u32| match (event as usize).checked_sub(given) {
-            None => PlanarPoint::given(soup.points[event as usize]),
+            None => soup.point(event),
             Some(crossing) => meetings.crossings[crossing].point(soup),
         };
         let coordinates =

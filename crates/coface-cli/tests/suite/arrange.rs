@@ -380,3 +380,70 @@ fn congruence_glues_what_is_near() {
     assert_eq!(found["congruence"]["collapsed"], json!(1));
     assert!(found["remarks"][0]["message"].as_str().unwrap().contains("1 segment collapsed"), "{found}");
 }
+
+/// Land of a map and lines across it, one drawing after the other: what `--exact` writes is input as all drawings at once are.
+#[test]
+fn exact_files_of_drawings_are_input_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let Some(data) = std::env::var_os("COFACE_DATA") else {
+        println!("skipped: COFACE_DATA is not set");
+        return;
+    };
+    let land = Path::new(&data).join("planar/land-110m.geojson").display().to_string();
+    // Lines that all come near one place.
+    let bundle = |first: usize| {
+        let line = |i: usize| {
+            let angle = 0.1 + (first + 3 * i) as f64 * 0.05;
+            let (s, c) = angle.sin_cos();
+            [[10.3 - 200.0 * c, 40.1 - 200.0 * s], [10.3 + 200.0 * c, 40.1 + 200.0 * s]]
+        };
+        let lines: Vec<String> =
+            (0..20).map(line).map(|[[a, b], [c, d]]| format!("{a:?},{b:?},{c:?},{d:?}\n")).collect();
+        lines.concat()
+    };
+    let drawings: Vec<String> = (0..3)
+        .map(|i| argument(&file(&folder, &format!("{i}.lines"), &bundle(i))).to_owned())
+        .collect();
+    let keys = ["f_vector", "holes", "components", "bridges", "measures"];
+    let json = |arguments: &[&str]| {
+        let run = coface(&[&["arrange"], arguments, &["--exact", "--json"]].concat());
+        assert_eq!(run.status, 0, "{}", run.stderr);
+        run.json()
+    };
+    let mut last = land.clone();
+    let mut inputs: Vec<&str> = vec![&land];
+    for (i, drawing) in drawings.iter().enumerate() {
+        let output = path(&format!("step{i}.json"));
+        let found = json(&[&last, drawing, "-o", &output]);
+        inputs.push(drawing);
+        let once = json(&inputs);
+        keys.iter().for_each(|key| assert_eq!(found[key], once[key], "{key} in step {i}"));
+        assert_eq!(found["rounding"]["exact"], json!(false));
+        // Arranged alone a file is itself.
+        let again = path("again.json");
+        json(&[&output, "-o", &again]);
+        assert!(std::fs::read(&output).unwrap() == std::fs::read(&again).unwrap());
+        last = output;
+    }
+    // Other verbs read the same cells with rounded points.
+    let f_vector = json(&inputs)["f_vector"].clone();
+    let info = coface(&["info", &last, "--json"]).json();
+    assert_eq!((&info["f_vector"][0], &info["components"]), (&f_vector[0], &json!(1)));
+    // Without --exact what is read is exact, and what is written is rounded so that it is valid.
+    let rounded = path("rounded.json");
+    let run = coface(&["arrange", &last, "-o", &rounded]);
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    assert!(!std::fs::read_to_string(&rounded).unwrap().contains("exact_segments"));
+    // A damaged file is refused by all verbs, with what to do.
+    let text = std::fs::read_to_string(&last).unwrap();
+    let at = text.find("\"pieces\":[\n[").unwrap();
+    let damaged = format!("{}\"pieces\":[\n[9999999,{}", &text[..at], &text[text[at..].find(',').unwrap() + at + 1..]);
+    let damaged = file(&folder, "damaged.json", &damaged);
+    for verb in ["arrange", "info"] {
+        let run = coface(&[verb, argument(&damaged)]);
+        assert_eq!(run.status, 1, "{}", run.stdout);
+        let expected = "\"exact_segments\": piece 0 names 9999999, which is not there";
+        assert!(run.stderr.contains(expected) && run.stderr.contains("leave the key out"), "{}", run.stderr);
+    }
+}

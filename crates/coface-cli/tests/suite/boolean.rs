@@ -738,3 +738,44 @@ fn a_tube_that_lies_on_itself_three_times_ends_with_a_remark() {
         rounded["remarks"].as_array().unwrap().iter().any(|remark| remark["code"] == "rounded-invalid");
     assert_eq!(rounded["rounding"]["valid"] == json!(false), is_told, "{}", rounded["remarks"]);
 }
+
+/// Land cut in two and put together again is the land, and parts of it are exact to the last bit.
+#[test]
+fn exact_results_in_the_plane_are_input_again() {
+    let folder = Folder::new();
+    let Some(data) = std::env::var_os("COFACE_DATA") else {
+        println!("skipped: COFACE_DATA is not set");
+        return;
+    };
+    let land = std::path::Path::new(&data).join("planar/land-110m.geojson").display().to_string();
+    let path = |name: &str| argument(&folder.path(name)).to_owned();
+    let knife = "POLYGON ((-200.1 -77.7, 190.3 -88.8, 211.7 83.3, 7.1 -3.3, -180.7 60.1, -200.1 -77.7))\n";
+    let knife = argument(&folder.text("knife.wkt", knife)).to_owned();
+    let [inside, outside, whole, xor] = ["inside.json", "outside.json", "whole.json", "xor.json"].map(path);
+    for (operation, output) in [("intersection", &inside), ("difference", &outside)] {
+        let run = coface(&["boolean", operation, &land, &knife, "--exact", "-o", output]);
+        assert_eq!(run.status, 0, "{}", run.stderr);
+        assert!(std::fs::read_to_string(output).unwrap().contains("\"exact_segments\""));
+    }
+    let alone = coface(&["boolean", "union", &land, "--exact", "--json"]).json();
+    let joined =
+        coface(&["boolean", "union", &inside, &outside, "--exact", "--json", "-o", &whole]).json();
+    for key in ["f_vector", "polygons", "holes", "components", "measures"] {
+        assert_eq!(joined[key], alone[key], "{key}");
+    }
+    for operands in [[&whole, &land], [&inside, &inside]] {
+        let run = coface(&["boolean", "xor", operands[0], operands[1], "--json"]).json();
+        assert_eq!((&run["measure"], &run["f_vector"]), (&json!(0.0), &json!([0, 0, 0])));
+    }
+    // With rounded coordinates the parts do not fit: there are slivers.
+    let [rounded, rest] = ["rounded.json", "rest.json"].map(path);
+    for (operation, output) in [("intersection", &rounded), ("difference", &rest)] {
+        assert_eq!(coface(&["boolean", operation, &land, &knife, "-o", output]).status, 0);
+    }
+    let slivers = coface(&["boolean", "--formula", "a ^ (b | c)", &land, &rounded, &rest, "--json"]).json();
+    assert_ne!(slivers["f_vector"], json!([0, 0, 0]));
+    // What is empty is input as well.
+    assert_eq!(coface(&["boolean", "difference", &whole, &land, "--exact", "-o", &xor]).status, 0);
+    let run = coface(&["boolean", "union", &xor, &knife, "--json"]).json();
+    assert_eq!(run["polygons"], json!(1));
+}

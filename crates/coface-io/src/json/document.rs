@@ -3,6 +3,7 @@
 use super::coboundaries::{Coboundary, CoboundaryOf, degree_of_key};
 use super::curves::{CurveKeys, CurveList};
 use super::exact::ExactList;
+use super::exact_segments::ExactSegmentList;
 use super::facets::{Facet, FacetList, HalfedgeList, OuterFaces, TwinList};
 use super::faults::Faults;
 use super::gluings::GluingList;
@@ -32,6 +33,8 @@ pub(super) enum Content {
         pieces: Option<Vec<Vec<Option<u32>>>>,
         /// The faces before coordinates were rounded.
         exact: Option<ExactList>,
+        /// The edges of a drawing before coordinates were rounded.
+        segments: Option<ExactSegmentList>,
     },
     /// Coboundary matrices with the degrees of their keys, in the order of the file.
     Coboundaries {
@@ -168,7 +171,7 @@ fn visit_object<'de, A: MapAccess<'de>>(
     let (mut name, mut facets, mut next, mut twin, mut boundaries) = (None, None, None, None, None);
     let (mut gluings, mut points, mut coboundaries, mut others) = (None, None, Vec::new(), Vec::new());
     let (mut curves, mut pieces, mut outer) = (CurveKeys::default(), None, Vec::new());
-    let mut exact = None;
+    let (mut exact, mut segments) = (None, None);
     while let Some(key) = map.next_key::<String>()? {
         match key.as_str() {
             "name" => name = map.next_value_seed(Name)?,
@@ -179,6 +182,7 @@ fn visit_object<'de, A: MapAccess<'de>>(
             "boundaries" => boundaries = Some(map.next_value_seed(MatrixList(faults))?),
             "pieces_of" => pieces = Some(map.next_value()?),
             "exact_polygons" => exact = Some(map.next_value()?),
+            "exact_segments" => segments = Some(map.next_value()?),
             "gluings" => gluings = Some(map.next_value_seed(GluingList(faults))?),
             "order" => curves.order = Some(map.next_value()?),
             "plane" => curves.plane = Some(map.next_value()?),
@@ -211,7 +215,9 @@ fn visit_object<'de, A: MapAccess<'de>>(
         _ if has_curves => return Err(several(faults)),
         (Some(facets), None, None, None, true) => Content::Facets(facets, points),
         (None, Some(next), None, None, true) => Content::Halfedges { next, twin, outer, points },
-        (None, None, Some(matrices), None, true) => Content::Boundaries { matrices, points, pieces, exact },
+        (None, None, Some(matrices), None, true) => {
+            Content::Boundaries { matrices, points, pieces, exact, segments }
+        }
         (None, None, None, Some(table), true) => Content::Gluings(table),
         (None, None, None, None, false) => Content::Coboundaries { matrices: coboundaries, points },
         (None, None, None, None, true) => Content::Unknown(others),

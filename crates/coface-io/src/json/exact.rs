@@ -1,5 +1,7 @@
 //! Polygons in space whose vertices are known by lines and planes.
 
+use super::exact_segments::ExactSegmentList;
+use crate::Model;
 use coface_algebra::{Error, RaggedArray};
 use coface_arrange::spatial::{ExactPart, ExactPolygons};
 use serde::{Deserialize, Serialize};
@@ -67,10 +69,58 @@ pub(super) fn write(out: &mut impl Write, exact: &ExactPolygons) -> Result<(), E
     Ok(())
 }
 
-fn write_lines<T: Serialize>(out: &mut impl Write, values: impl Iterator<Item = T>) -> Result<(), Error> {
+/// Writes values, one a line.
+pub(super) fn write_lines<T: Serialize>(
+    out: &mut impl Write,
+    values: impl Iterator<Item = T>,
+) -> Result<(), Error> {
     for (i, value) in values.enumerate() {
         out.write_all(if i == 0 { b"\n" } else { b",\n" })?;
         serde_json::to_writer(&mut *out, &value).map_err(std::io::Error::from)?;
     }
     Ok(())
+}
+
+/// Both keys, each with its value.
+#[derive(Deserialize)]
+struct ExactKeys {
+    exact_polygons: Option<ExactList>,
+    exact_segments: Option<ExactSegmentList>,
+}
+
+/// What a model knows exactly as the text of an object with the keys of files; none if it knows nothing.
+///
+/// # Errors
+/// None: what is there can be written.
+#[doc(hidden)]
+pub fn exact_keys(model: &Model) -> Result<Option<String>, Error> {
+    let mut bytes = b"{".to_vec();
+    if let Some(exact) = model.exact_polygons() {
+        write(&mut bytes, exact)?;
+    }
+    if let Some(exact) = model.exact_segments() {
+        if bytes.len() > 1 {
+            bytes.push(b',');
+        }
+        super::exact_segments::write(&mut bytes, exact)?;
+    }
+    bytes.push(b'}');
+    Ok((bytes.len() > 2).then(|| String::from_utf8_lossy(&bytes).into_owned()))
+}
+
+/// A model with what the text says.
+///
+/// # Errors
+/// Those of a file with these keys.
+#[doc(hidden)]
+pub fn with_exact_keys(mut model: Model, text: &[u8]) -> Result<Model, Error> {
+    let keys: ExactKeys =
+        serde_json::from_slice(text).map_err(|error| Error::parse(format!("exact points: {error}")))?;
+    if let Some(exact) = keys.exact_polygons {
+        model = model.with_exact_polygons(exact.into_polygons()?.into());
+    }
+    if let Some(exact) = keys.exact_segments {
+        model = model.with_exact_segments(exact.into_segments()?.into());
+    }
+    Ok(model)
 }

@@ -34,12 +34,19 @@
 //! them. A vertex is a point, or where two lines (4 points), a line and a plane (5) or three planes (9) meet; `"shared"` is left
 //! out where it is false.
 //!
+//! Beside `"boundaries"`, `"exact_segments"` are the edges of a drawing in the plane as they were before coordinates were rounded:
+//! `{"points": [[x, y], ..], "supports": [[point, point], ..], "vertices": [[point] or [support, support], ..], "pieces": [[support,
+//! vertex, vertex], ..], "shared": [..]}`, as [`ExactSegments`](coface_arrange::planar::ExactSegments) has them. A vertex is a
+//! point, or where two supports meet; a piece is the part of a support between two vertices. `"shared"` are pieces that bound nothing, and is
+//! left out where there are none.
+//!
 //! Other keys are passed over. Reading is a stream: memory is what the model takes.
 
 mod coboundaries;
 mod curves;
 mod document;
 mod exact;
+mod exact_segments;
 mod facets;
 mod faults;
 mod gluings;
@@ -51,6 +58,8 @@ mod reading;
 mod tests;
 mod writing;
 
+#[doc(hidden)]
+pub use exact::{exact_keys, with_exact_keys};
 pub(crate) use faults::Faults;
 pub(crate) use matrices::most_cells;
 pub(crate) use outline::outline;

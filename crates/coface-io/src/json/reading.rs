@@ -218,10 +218,13 @@ fn to_model(content: Content, tolerance: Option<f64>) -> Result<Model, Error> {
         Content::Halfedges { next, twin, outer, points } => {
             return halfedges(next, twin, outer, positions(points)?);
         }
-        Content::Boundaries { matrices, points, pieces, exact } => {
+        Content::Boundaries { matrices, points, pieces, exact, segments } => {
             let mut model = chains(matrices, positions(points)?)?;
             if let Some(exact) = exact {
                 model = model.with_exact_polygons(exact.into_polygons()?.into());
+            }
+            if let Some(segments) = segments {
+                model = model.with_exact_segments(segments.into_segments()?.into());
             }
             return match pieces {
                 None => Ok(model),

@@ -139,6 +139,22 @@ fn faults_name_key_and_entry() {
         (&exact("[[0],[1],[0,1,0,1]]", "[0,1,2]", "[0,1,2]"), "vertex 2 do not meet in one point"),
         (&exact("[[0],[1],[2]]", "[0,1,1]", "[0,1,2]"), "the triangle of part 0 has no area"),
         (&exact("[[0],[1],[3]]", "[0,1,2]", "[0,1,2]"), "vertex 2 is not in the plane of part 0"),
+        (&segments("[[0],[9]]", "[0,0,1]"), "\"exact_segments\": vertex 1 names 9, which is not there"),
+        (&segments("[[0],[0,4]]", "[0,0,1]"), "\"exact_segments\": vertex 1 names 4, which is not there"),
+        (&segments("[[0],[1]]", "[7,0,1]"), "\"exact_segments\": piece 0 names 7, which is not there"),
+        (&segments("[[0],[1]]", "[0,0,2]"), "\"exact_segments\": piece 0 names 2, which is not there"),
+        (&segments("[[0],[0,2]]", "[0,0,1]"), "the supports of vertex 1 do not meet in one point"),
+        (&segments("[[0],[0,3]]", "[0,0,1]"), "the supports of vertex 1 do not meet in one point"),
+        (&segments("[[0],[2]]", "[0,0,1]"), "piece 0 ends in vertex 1, which is not on support 0"),
+        (&segments("[[0],[0,1]]", "[2,0,1]"), "piece 0 ends in vertex 0, which is not on support 2"),
+        (&segments("[[0],[]]", "[0,0,1]"), "a list of one point or of two supports"),
+        (&segments("[[0],[0,1,2]]", "[0,0,1]"), "a list of one point or of two supports"),
+        (&segments("[[0],[-1]]", "[0,0,1]"), "invalid value"),
+        (&segments("[[0],[1]]", "[0,0]"), "invalid length 2"),
+        (&segments("[[0],[1]]", "[0,0,1]").replace("0.5", "1e999"), "number out of range"),
+        (&segments("[[0],[1]]", "[0,0,1]").replace("0.5", "NaN"), "expected value"),
+        (&segments("[[0],[1]]", "[0,0,1]").replace("[0,1],[2,3]", "[0,1],[2,2]"), "support 1 has no length"),
+        (&segments("[[0],[1]]", "[0,0,1]").replace("[0,1],[2,3]", "[0,1],[2,8]"), "support 1 names 8"),
         // The largest number is a cell like any other, and there is no such cell.
         (
             r#"{"boundaries":[{"rows":2,"cols":1,"entries":[[0,0,-1],[1,0,1]]}],"pieces_of":[[0,1],[4294967295]]}"#,
@@ -162,6 +178,34 @@ fn exact(vertices: &str, triangle: &str, walk: &str) -> String {
         "points":[[0,0,0],[3,0,0],[0,3,0],[0,0,0.5]],"vertices":{vertices},
         "polygons":[{{"parts":[{{"triangle":{triangle},"walks":[{walk}]}}]}}]}}}}"#
     )
+}
+
+/// A point with exact segments of one piece beside it: supports 0 and 1 cross, 2 is parallel to 0, and 3 crosses the line of 0 beyond its end.
+fn segments(vertices: &str, piece: &str) -> String {
+    format!(
+        r#"{{"vertices":[[0]],"boundaries":[{{"rows":1,"cols":0,"entries":[]}}],"exact_segments":{{
+        "points":[[0,0],[3,0],[0.5,1],[1,-1],[0,4],[3,4],[7,-1],[7,1]],"supports":[[0,1],[2,3],[4,5],[6,7]],
+        "vertices":{vertices},"pieces":[{piece}]}}}}"#
+    )
+}
+
+#[test]
+fn exact_segments_round_trip() {
+    let text = segments("[[0],[0,1],[5]]", "[0,0,1],[1,1,1]");
+    let model = read(text.as_bytes()).unwrap();
+    let exact = model.exact_segments().unwrap();
+    assert_eq!(exact.vertex_points()[1].rounded(), [0.75, 0.0]);
+    assert_eq!((exact.pieces().len(), exact.own_count()), (2, 2));
+    let shared = text.replace("[[0,0,1],[1,1,1]]", "[[0,0,1]],\"shared\":[[1,1,1]]");
+    let shared = read(shared.as_bytes()).unwrap();
+    assert_eq!(shared.exact_segments().unwrap().own_count(), 1);
+    assert_ne!(shared, model);
+    let empty = model.clone().with_exact_segments(Default::default());
+    for model in [model, shared, empty] {
+        let mut bytes = Vec::new();
+        write(&model, &mut bytes).unwrap();
+        assert_eq!(read(&bytes[..]).unwrap(), model);
+    }
 }
 
 #[test]

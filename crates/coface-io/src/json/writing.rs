@@ -5,6 +5,7 @@ use crate::{Model, Structure, segments};
 use coface_algebra::Error;
 use coface_algebra::SparseMatrix;
 use coface_algebra::chains::{ChainComplex, ChainRefinement};
+use coface_arrange::planar::ExactSegments;
 use coface_arrange::spatial::ExactPolygons;
 use coface_complexes::cell_mesh::{CellMesh, CellShape};
 use coface_complexes::gluing::GluingTable;
@@ -78,7 +79,7 @@ fn mesh_complex(model: &Model) -> Result<ChainComplex, Error> {
 fn write_mesh(out: &mut impl Write, model: &Model) -> Result<(), Error> {
     let is_simplicial = model.polygons().iter().all(|polygon| polygon.len() == 3)
         && model.shapes().iter().all(|&shape| shape == CellShape::Tetrahedron);
-    if !is_simplicial || model.exact_polygons().is_some() {
+    if !is_simplicial || model.exact_polygons().is_some() || model.exact_segments().is_some() {
         // JSON has no words for NaN and infinity.
         model.require_finite()?;
         return write_chains(out, &mesh_complex(model)?, model.positions(), Beside::of(model));
@@ -162,11 +163,16 @@ fn write_points(out: &mut impl Write, positions: &Positions) -> Result<(), Error
 struct Beside<'a> {
     refinement: Option<&'a ChainRefinement>,
     exact: Option<&'a ExactPolygons>,
+    segments: Option<&'a ExactSegments>,
 }
 
 impl<'a> Beside<'a> {
     fn of(model: &'a Model) -> Self {
-        Self { refinement: model.refinement(), exact: model.exact_polygons().map(|exact| &**exact) }
+        Self {
+            refinement: model.refinement(),
+            exact: model.exact_polygons().map(|exact| &**exact),
+            segments: model.exact_segments().map(|exact| &**exact),
+        }
     }
 }
 
@@ -222,6 +228,10 @@ fn write_chains(
     if let Some(exact) = beside.exact {
         writeln!(out, ",")?;
         super::exact::write(out, exact)?;
+    }
+    if let Some(segments) = beside.segments {
+        writeln!(out, ",")?;
+        super::exact_segments::write(out, segments)?;
     }
     writeln!(out, "}}")?;
     Ok(())

@@ -2844,7 +2844,7 @@ class PlanarArrangement:
         """Writes the arrangement to a file."""
         ...
     def model(self) -> Model:
-        """The faces as a model: polygons with the plane's coordinates."""
+        """The faces as a model: polygons with the plane's coordinates. With ``exact=True`` it keeps exact points."""
         ...
     @classmethod
     def from_dict(cls, facts: Mapping[str, Any]) -> PlanarArrangement:
@@ -2950,7 +2950,8 @@ class PlanarBoolean:
         """Writes the result to a file."""
         ...
     def model(self) -> Model:
-        """The rings as a model of closed lines, which is input again."""
+        """The rings as a model of closed lines, which is input again. With ``exact=True`` it keeps exact points, and has no
+        properties of features."""
         ...
     @classmethod
     def from_dict(cls, facts: Mapping[str, Any]) -> PlanarBoolean:
@@ -4331,7 +4332,8 @@ def arrange(models: Any, *, dimension: int | None = None, rule: str | None = Non
         Whether coordinates are rounded so that the result stays as it is.
     exact : bool
         Whether the exact result is kept where rounding its coordinates makes edges or faces cross; otherwise these are cut and bent
-        there by a few units of the last digit. In space its model keeps exact points, so that the next call takes it as it is.
+        there by a few units of the last digit. Its model, and ``.json`` written of it, keep exact points, so that the next call takes it
+        as it is.
     grid : float, optional
         In the plane, all coordinates are multiples of this length.
     close : bool
@@ -4397,7 +4399,8 @@ def boolean(operation: str, models: Any, *, dimension: int | None = None, rule: 
         Whether coordinates are rounded so that the result stays as it is.
     exact : bool
         Whether the exact result is kept where rounding its coordinates makes edges or faces cross; otherwise these are cut and bent
-        there by a few units of the last digit. In space its model keeps exact points, so that the next call takes it as it is.
+        there by a few units of the last digit. Its model, and ``.json`` written of it, keep exact points, so that the next call takes it
+        as it is.
     grid : float, optional
         In the plane, all coordinates are multiples of this length.
     close : bool

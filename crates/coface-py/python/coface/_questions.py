@@ -630,8 +630,9 @@ def arrange(
     snap
         Whether coordinates are rounded so that the result stays as it is.
     exact
-        In the plane, whether the exact result is kept where rounding its coordinates makes edges cross or overlap;
-        otherwise edges are cut and bent there by a few units of the last digit.
+        Whether the exact result is kept where rounding its coordinates makes edges or faces cross or overlap; otherwise
+        these are cut and bent there by a few units of the last digit. Its ``model()``, and ``.json`` written of it, keep
+        exact points, so that the next call takes it as it is.
     grid
         In the plane, all coordinates are multiples of this length.
     close

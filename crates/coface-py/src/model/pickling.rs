@@ -96,6 +96,9 @@ pub(crate) fn _model(py: Python<'_>, parts: &Bound<'_, PyDict>) -> PyResult<Mode
         let group = Group::new(name, kind_of(py, &kind)?, arrays::ids(&members, "members")?);
         model = model.with_group(group).or_raise(py)?;
     }
+    if let Some(text) = parts.get_item("exact")? {
+        model = io::json::with_exact_keys(model, text.extract::<String>()?.as_bytes()).or_raise(py)?;
+    }
     let mut model = Model::of(model);
     for data in field("data")?.try_iter()? {
         let (name, kind, values): (String, String, Bound<'_, PyAny>) = data?.extract()?;
@@ -155,6 +158,9 @@ pub(super) fn parts<'py>(py: Python<'py>, model_of: &Model) -> PyResult<Bound<'p
     }
     if let Some(format) = model.format() {
         parts.set_item("format", format.name())?;
+    }
+    if let Some(text) = io::json::exact_keys(model).or_raise(py)? {
+        parts.set_item("exact", text)?;
     }
     parts.set_item("groups", model_of.groups(py))?;
     parts.set_item("data", model_of.data(py)?)?;

@@ -1,7 +1,7 @@
 //! The features of maps, each with its polygons, lines and points.
 
 use super::super::drawing::{Filling, NO_FEATURE, PlanarDrawing, Polygon, Region, Ring};
-use crate::RegionSource;
+use super::super::drawing_options::DrawingOptions;
 use crate::answer::{DrawingInput, Remark};
 use coface_algebra::{Error, VertexId};
 use coface_geometry::Positions;
@@ -74,7 +74,7 @@ enum Key {
 impl MapLayer {
     /// The features of models with their names.
     pub(super) fn new(models: &[(&str, &Model)]) -> Result<Self, Error> {
-        let drawing = PlanarDrawing::new(models.iter().copied(), RegionSource::Models)?;
+        let drawing = PlanarDrawing::with_options(models.iter().copied(), &DrawingOptions::of_map())?;
         let mut features = Vec::new();
         for &(name, model) in models {
             if model.structure().is_some() {

@@ -28,7 +28,11 @@ impl Rings {
         let coordinates = positions.as_flat().as_chunks::<2>().0;
         let count = rings.item_count();
         let mut found = Self {
-            soup: Soup { points: Vec::with_capacity(count), segments: Vec::with_capacity(count) },
+            soup: Soup {
+                points: Vec::with_capacity(count),
+                segments: Vec::with_capacity(count),
+                exact: None,
+            },
             points: Vec::with_capacity(count),
             places: Vec::with_capacity(count),
             starts: vec![0],

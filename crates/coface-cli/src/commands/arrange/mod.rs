@@ -27,7 +27,7 @@ use std::path::{Path, PathBuf};
 /// have two coordinates or lie at height 0; otherwise polygons cut space. Maps (WKT, WKB, GeoJSON) with heights lie in the plane too: heights
 /// decide nothing and are written again; a crossing has the mean of the heights along its two sides. Everything is exact: nothing is decided with a tolerance, but
 /// for --tolerance. Where rounded coordinates would make faces in space cross, what is so near is put together, and a remark says so;
-/// --exact keeps them, and .json written with it loses nothing: arrange and boolean take its points as they are.
+/// --exact keeps them, and .json written with it, in the plane and in space, loses nothing: arrange and boolean take its points as they are.
 ///
 /// With -o the complex is written: GeoJSON, WKT, WKB (.wkb, digits as .hex) and SVG have faces as polygons with holes; OBJ, PLY and VTK as polygons of a mesh;
 /// .lines has the edges; .json the chain complex with positions. .glb, .gltf and .png, in space .svg too, are to be looked at.
@@ -114,7 +114,7 @@ pub(crate) struct CellOptions {
     /// In the plane, put all vertices on the grid with this step, in the unit of the inputs: coordinates are multiples of R
     #[arg(long, value_name = "R", allow_negative_numbers = true, value_parser = length)]
     pub(crate) grid: Option<f64>,
-    /// Keep the exact cells, also where rounding their coordinates makes edges or faces cross; in space .json keeps exact points too
+    /// Keep the exact cells, also where rounding their coordinates makes edges or faces cross; .json keeps exact points too
     #[arg(long, conflicts_with_all = ["snap", "grid"])]
     pub(crate) exact: bool,
     /// Before anything else, merge vertices of each input that are at most R apart, in the unit of the inputs; none moves farther

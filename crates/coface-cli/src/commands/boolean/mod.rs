@@ -24,7 +24,8 @@ use std::path::PathBuf;
 /// bound nothing, unless --close takes those that end where they begin as rings. All that name a reference system (SRID, crs) must
 /// name the same; it is written again, and so are heights of maps, which decide nothing: a crossing has the mean of those along its sides. The result has polygons with holes: outer
 /// rings run counterclockwise, all rings are simple and touch in points only. What a ring winds around is inside of it, also where
-/// it crosses itself; holes are subtracted, and an SVG says its own rule. --rule says otherwise, and --strict refuses such rings.
+/// it crosses itself; holes are subtracted, and an SVG says its own rule. --rule says otherwise, and --strict refuses such rings. As .json the
+/// result is a chain complex whose faces are disks; with --exact it loses nothing: arrange and boolean take its points as they are.
 ///
 /// A polygon in GeoJSON has the properties "polygon", "area" and "regions", and the properties of all features of
 /// GeoJSON or TopoJSON that contain some of it: a key with equal values keeps its value, a key with different values
