@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import json
+import pickle
+
 import numpy as np
 import pytest
 
@@ -74,3 +77,57 @@ def test_results_are_valid_with_the_bits_of_an_stl_file(tmp_path) -> None:
     square = coface.polygon([[0, 0], [1, 0], [1, 1]])
     with pytest.raises(coface.Error, match="leave it out in the plane"):
         coface.boolean("union", square, square, precision="single")
+
+
+def drawn(tmp_path, name: str, segments) -> coface.Model:
+    """Segments as a model."""
+    path = tmp_path / f"{name}.lines"
+    path.write_text("".join(",".join(repr(float(x)) for x in segment) + "\n" for segment in segments))
+    return coface.read(path)
+
+
+def test_results_in_the_plane_keep_exact_points(tmp_path) -> None:
+    """Three lines that nearly meet: the triangle between them has one place for all its corners."""
+    three = drawn(tmp_path, "three", [(0, 0, 2, 2), (0, 2, 2, 0), (0, 1, 4, 1 + 2**-52)])
+    cut = drawn(tmp_path, "cut", [(1, 0, 1 + 2**-52, 2)])
+    once = coface.arrange([three, cut], exact=True)
+    found = coface.arrange(three, exact=True)
+    assert found.f_vector == [9, 9, 1]
+    path = tmp_path / "found.json"
+    found.write(path)
+    model = found.model()
+    again = pickle.loads(pickle.dumps(model))
+    assert again == model
+    remade = coface.PlanarArrangement.from_dict(json.loads(json.dumps(found.to_dict())))
+    for step in (path, model, again, pickle.loads(pickle.dumps(found)).model(), remade.model()):
+        assert coface.arrange([step, cut], exact=True).f_vector == once.f_vector
+    assert coface.arrange(path, exact=True).to_bytes("json") == found.to_bytes("json")
+    assert coface.arrange(found.model()).f_vector == [7, 6, 0]
+    plain = coface.arrange(three)
+    assert coface.arrange([plain.model(), cut], exact=True).f_vector != once.f_vector
+
+
+def test_parts_in_the_plane_are_the_whole(tmp_path) -> None:
+    path = tmp_path / "whole.wkt"
+    path.write_text("POLYGON ((0.1 0.2, 3.3 1.1, 2.7 4.4, -1.3 3.1, 0.1 0.2))\n")
+    whole = coface.read(path)
+    path.write_text("POLYGON ((1 -1, 1.7 5.1, 7 5, 7 -1, 1 -1))\n")
+    knife = coface.read(path)
+    parts = [coface.boolean(operation, [whole, knife], exact=True).model() for operation in ("intersection", "difference")]
+    assert all(pickle.loads(pickle.dumps(part)) == part for part in parts)
+    joined = coface.boolean("union", parts, exact=True)
+    assert joined.f_vector == [4, 4, 1]
+    assert coface.boolean("xor", [joined.model(), whole]).f_vector == [0, 0, 0]
+    # The faces of an arrangement are inside, their common sides bound nothing.
+    faces = coface.arrange([whole, knife], exact=True).model()
+    assert coface.boolean("xor", [faces, coface.boolean("union", [whole, knife], exact=True).model()]).f_vector == [0, 0, 0]
+
+
+def test_pickles_keep_exact_solids() -> None:
+    cube = box((0, 0, 0), (1, 1, 1))
+    turned = coface.Model(cube.vertices @ np.array([[0.8, -0.6, 0.0], [0.6, 0.8, 0.0], [0.1, 0.0, 1.0]]) + 0.3, cube.faces)
+    part = coface.boolean("difference", [cube, turned], exact=True).model
+    again = pickle.loads(pickle.dumps(part))
+    assert again == part
+    rest = coface.boolean("intersection", [cube, turned], exact=True).model
+    assert coface.boolean("xor", [coface.boolean("union", [again, rest], exact=True).model, cube], exact=True).measure == 0

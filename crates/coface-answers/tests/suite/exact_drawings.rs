@@ -92,8 +92,24 @@ fn segment() -> impl Strategy<Value = [[f64; 2]; 2]> {
     ]
 }
 
+/// Drawings, into which segments of those before come again: as they are, back, and parts of them.
 fn drawings(steps: std::ops::Range<usize>, most: usize) -> impl Strategy<Value = Vec<Segments>> {
-    prop::collection::vec(prop::collection::vec(segment(), 1..most), steps)
+    let again = prop::collection::vec((any::<prop::sample::Index>(), 0..4u8), 0..3);
+    let step = (prop::collection::vec(segment(), 1..most), again);
+    prop::collection::vec(step, steps).prop_map(|steps| {
+        let mut known = Segments::new();
+        let drawing = |(own, again): (Segments, Vec<(prop::sample::Index, u8)>)| {
+            let mut drawing = own;
+            for (index, way) in again.into_iter().filter(|_| !known.is_empty()) {
+                let [a, b] = *index.get(&known);
+                let middle = [0, 1].map(|axis| (a[axis] + b[axis]) / 2.0);
+                drawing.push([[a, b], [b, a], [a, middle], [middle, b]][usize::from(way)]);
+            }
+            known.extend_from_slice(&drawing);
+            drawing
+        };
+        steps.into_iter().map(drawing).collect()
+    })
 }
 
 /// One chain: each step arranges the file of the step before with a drawing more. Edges have sets of segments of all drawings.

@@ -12,6 +12,7 @@ mod congruence;
 mod congruent_solids;
 mod cures;
 mod diagrams;
+mod exact_drawings;
 mod exports;
 mod figures;
 mod generate;
