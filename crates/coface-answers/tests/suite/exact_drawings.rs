@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use coface_algebra::{EdgeId, FaceId, RaggedArray, Rational, VertexId};
+use coface_answers::answer::{Remark, RemarkCode};
 use coface_answers::{
     ArrangementMethod, ArrangementRequest, BooleanRequest, DrawingArrangement, DrawingOptions, PlanarDrawing,
     RegionBoolean, RegionSource,
@@ -57,11 +58,6 @@ fn file_of_result(result: &RegionBoolean) -> Vec<u8> {
     let mut bytes = Vec::new();
     result.write(&mut bytes, Format::Json).unwrap();
     bytes
-}
-
-fn sorted(mut values: Vec<f64>) -> Vec<u64> {
-    values.sort_by(f64::total_cmp);
-    values.into_iter().map(f64::to_bits).collect()
 }
 
 /// Coordinates that make crossings near each other: of a grid, of tenths, next to one number, and of all sizes.
@@ -147,7 +143,11 @@ fn agree(drawings: &[Segments], points: &[[f64; 2]]) -> Result<(), TestCaseError
         prop_assert_eq!(next.arrangement().f_vector(), once.arrangement().f_vector());
         prop_assert_eq!(next.arrangement().component_count(), once.arrangement().component_count());
         prop_assert_eq!(next.arrangement().hole_count(), once.arrangement().hole_count());
-        prop_assert_eq!(sorted(next.arrangement().areas()), sorted(once.arrangement().areas()));
+        let areas = |found: &DrawingArrangement| -> Vec<Rational> {
+            let faces = (0..found.arrangement().face_count()).map(FaceId::new);
+            faces.map(|face| found.arrangement().exact_area(Some(face))).collect()
+        };
+        prop_assert_eq!(areas(&next), areas(&once));
         let expected: Vec<BTreeSet<(usize, usize)>> =
             once.provenance().edges.iter().map(|own| own.iter().copied().collect()).collect();
         prop_assert_eq!(&origins, &expected);
@@ -517,4 +517,29 @@ fn unions_of_crowds_keep_exact_points() {
     let formula = BooleanFormula::parse(&format!("0 ^ ({})", formula.join(" | ")), &[]).unwrap();
     let difference = RegionBoolean::new(drawing, &formula, &request).unwrap();
     assert_eq!(difference.f_vector(), [0, 0, 0]);
+}
+
+/// The faces of an arrangement as a mesh with exact points: what they cover is inside, and their common sides bound nothing. Where parts of a
+/// model are inputs, a remark says that its points are rounded.
+#[test]
+fn meshes_with_exact_points_are_what_their_faces_cover() {
+    let [a, b] = [
+        polygon(&[[0., 0.], [3., 1.], [2., 4.], [-1., 3.]]),
+        polygon(&[[1., -1.], [1.1, 5.], [7., 5.], [7., -1.]]),
+    ];
+    let found = arranged(&[&a, &b], false);
+    let exact = found.exact_segments_of_faces().unwrap().unwrap();
+    let mesh = found.to_mesh().unwrap().with_exact_segments(exact.into());
+    let both = read(&file_of_result(&combined(&[&a, &b], "0 | 1")));
+    assert_eq!(combined(&[&mesh, &both], "0 ^ 1").f_vector(), [0, 0, 0]);
+    let rounded = |source: RegionSource| {
+        let options = DrawingOptions::new().source(source);
+        let drawing = PlanarDrawing::with_options([("mesh", &mesh)], &options).unwrap();
+        let answer =
+            DrawingArrangement::new(drawing, &ArrangementRequest::default()).unwrap().answer().unwrap();
+        let is_said = |remark: &&Remark| remark.code == RemarkCode::PointsRounded;
+        (answer.remarks.iter().filter(is_said).count(), answer.regions)
+    };
+    assert_eq!(rounded(RegionSource::Models), (0, vec!["mesh".to_owned()]));
+    assert_eq!(rounded(RegionSource::Components), (1, vec!["mesh#0".to_owned()]));
 }

@@ -18,6 +18,7 @@ use coface::answers::{
     dual_graph_model, dual_model, gluing_model, halfedge_model, polygon_model, reference_loss, repaired,
     repaired_surface, triangulated, truncated, welded,
 };
+use coface::arrange::planar::ExactVertex;
 use coface::complexes::surface::FacesAtEdge;
 use coface::io;
 use coface::io::{CellData, Format, GroupKind, Model, Structure};
@@ -476,6 +477,17 @@ fn described_count(model: &Model) -> usize {
     (0..features.len()).filter(has_others).count()
 }
 
+/// The number of vertices that are known by lines and planes, and not by coordinates.
+fn exact_point_count(model: &Model) -> usize {
+    let in_space = model.exact_polygons().map_or(0, |exact| {
+        (0..exact.vertices().len()).filter(|&vertex| exact.vertices().list(vertex).len() > 1).count()
+    });
+    let in_plane = model.exact_segments().map_or(0, |exact| {
+        exact.vertices().iter().filter(|own| matches!(own, ExactVertex::Crossing(_))).count()
+    });
+    in_space + in_plane
+}
+
 /// That the format has no room for the groups, the data or the properties of the model, where that is so.
 pub(crate) fn losses_of(model: &Model, format: Format) -> Vec<Remark> {
     let colors = model.vertex_colors();
@@ -494,6 +506,7 @@ pub(crate) fn losses_of(model: &Model, format: Format) -> Vec<Remark> {
         ("groups", model.groups().len(), format.keeps_groups()),
         ("data on cells", data_count, format.keeps_data()),
         ("properties of features", described_count(model), format == Format::GeoJson),
+        ("exact points", exact_point_count(model), format == Format::Json),
     ];
     let is_lost = |&(_, count, is_kept): &(&str, usize, bool)| count > 0 && !is_kept;
     let remark = |(what, count, _): (&str, usize, bool)| {
