@@ -138,7 +138,8 @@ impl ExactSegments {
                     ExactVertex::Point(point) => made.supports[piece.support as usize].contains(&point),
                     ExactVertex::Crossing(supports) => supports.contains(&piece.support),
                 };
-                if !is_known && !(place.side_of(line).is_eq() && is_between(place, line)) {
+                let is_on = || place.side_of(line).is_eq() && is_between(place, line);
+                if !is_known && !is_on() {
                     return Err(Error::invalid(format!(
                         "piece {number} ends in vertex {end}, which is not on support {}",
                         piece.support
