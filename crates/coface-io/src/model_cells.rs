@@ -130,3 +130,24 @@ impl Model {
         Self::from_chains(coarse, Positions::from_flat(dimension, flat)?).map(Some)
     }
 }
+
+impl PartialEq for Model {
+    fn eq(&self, other: &Self) -> bool {
+        self.vertex_count == other.vertex_count
+            && self.positions == other.positions
+            && self.partial_positions == other.partial_positions
+            && self.polygons == other.polygons
+            && self.shapes == other.shapes
+            && self.cells == other.cells
+            && self.lines == other.lines
+            && self.points == other.points
+            && self.groups == other.groups
+            && self.data == other.data
+            && self.structure == other.structure
+            && self.refinement == other.refinement
+            && self.exact == other.exact
+            && self.exact_segments == other.exact_segments
+            && self.features == other.features
+            && self.reference == other.reference
+    }
+}
