@@ -1,5 +1,5 @@
 //! The binary form of certificates: the same values as in JSON, with numbers of few bytes. It is read with memory that is bounded by what the
-//! file holds. [`check`] takes both forms, and hands certificates to [`coface_check_loops`]. `docs/certificates.md` has the form.
+//! file holds. [`check`] takes both forms, and hands certificates to [`coface_check_walks`]. `docs/certificates.md` has the form.
 
 mod form;
 
@@ -72,7 +72,7 @@ fn value_of(bytes: &[u8]) -> Result<Value, Fault> {
 /// A [`Fault`] with the first step that fails.
 ///
 /// # Complexity
-/// That of [`coface_check_loops::check`].
+/// That of [`coface_check_walks::check`].
 ///
 /// # Examples
 /// ```
@@ -91,7 +91,7 @@ pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
         None => coface_check::opened(certificate, inputs)?,
         Some(bytes) => coface_check::opened_value(value_of(bytes)?, inputs)?,
     };
-    coface_check_loops::check_opened(&whole, inputs)
+    coface_check_walks::check_opened(&whole, inputs)
 }
 
 /// The names of the inputs of a certificate of either form; none where they are not there.

@@ -4,7 +4,8 @@ use coface_check::{Fault, Verdict};
 use serde_json::{Map, Value};
 
 /// Claims of an answer.
-pub(crate) struct Claims<'a> {
+#[derive(Debug)]
+pub struct Claims<'a> {
     answer: &'a Value,
     proved: Vec<String>,
     known: Vec<String>,
@@ -13,16 +14,18 @@ pub(crate) struct Claims<'a> {
 }
 
 impl<'a> Claims<'a> {
-    pub(crate) fn of(answer: &'a Value) -> Self {
+    /// Nothing is proved yet.
+    pub fn of(answer: &'a Value) -> Self {
         Self { answer, proved: Vec::new(), known: Vec::new(), left: Vec::new() }
     }
 
-    pub(crate) fn prove(&mut self, claim: String) {
+    /// A claim has been proved.
+    pub fn prove(&mut self, claim: String) {
         self.proved.push(claim);
     }
 
     /// A value of the answer is what was found.
-    pub(crate) fn equal(&mut self, key: &str, found: &Value) -> Result<(), Fault> {
+    pub fn equal(&mut self, key: &str, found: &Value) -> Result<(), Fault> {
         let said = &self.answer[key];
         if said != found {
             return Err(Fault::new("answer", format!("\"{key}\" is {found}, and the answer says {said}")));
@@ -33,18 +36,19 @@ impl<'a> Claims<'a> {
     }
 
     /// These keys of the answer have been looked at.
-    pub(crate) fn know(&mut self, keys: &[&str]) {
+    pub fn know(&mut self, keys: &[&str]) {
         self.known.extend(keys.iter().map(|key| (*key).to_owned()));
     }
 
     /// If something stands at a place inside of the answer, nothing is said about it.
-    pub(crate) fn leave(&mut self, is_there: bool, place: &str) {
+    pub fn leave(&mut self, is_there: bool, place: &str) {
         if is_there && !self.left.iter().any(|left| left == place) {
             self.left.push(place.to_owned());
         }
     }
 
-    pub(crate) fn verdict(self) -> Verdict {
+    /// What was proved, and what nothing is said about.
+    pub fn verdict(self) -> Verdict {
         let mut rest = self.answer.as_object().cloned().unwrap_or_default();
         rest.extend(self.left.into_iter().map(|place| (place, Value::Bool(true))).collect::<Map<_, _>>());
         let known: Vec<&str> = self.known.iter().map(String::as_str).collect();
@@ -53,7 +57,7 @@ impl<'a> Claims<'a> {
 }
 
 /// An object has no other keys than these.
-pub(crate) fn keys(object: &Value, known: &[&str], what: &str) -> Result<(), Fault> {
+pub fn keys(object: &Value, known: &[&str], what: &str) -> Result<(), Fault> {
     let fault = |message: String| Fault::new("answer", message);
     let object = object.as_object().ok_or_else(|| fault(format!("{what} is no object")))?;
     match object.keys().find(|key| !known.contains(&key.as_str())) {
@@ -63,7 +67,7 @@ pub(crate) fn keys(object: &Value, known: &[&str], what: &str) -> Result<(), Fau
 }
 
 /// A value of an object in the answer is what was found.
-pub(crate) fn equal(object: &Value, key: &str, found: &Value, what: &str) -> Result<(), Fault> {
+pub fn equal(object: &Value, key: &str, found: &Value, what: &str) -> Result<(), Fault> {
     let said = &object[key];
     match said == found {
         true => Ok(()),
@@ -74,12 +78,12 @@ pub(crate) fn equal(object: &Value, key: &str, found: &Value, what: &str) -> Res
 }
 
 /// A number of things, in words.
-pub(crate) fn count(number: usize, one: &str, many: &str) -> String {
+pub fn count(number: usize, one: &str, many: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { many })
 }
 
 /// Vertices, edges and faces, in words.
-pub(crate) fn cells([vertices, edges, faces]: [usize; 3]) -> String {
+pub fn cells([vertices, edges, faces]: [usize; 3]) -> String {
     let vertices = count(vertices, "vertex", "vertices");
     format!("{vertices}, {} and {}", count(edges, "edge", "edges"), count(faces, "face", "faces"))
 }

@@ -36,7 +36,7 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
 }
 
 /// Vertices of a list.
-pub(crate) fn vertices(value: &Value, what: &str, step: &str) -> Result<Vec<u32>, Fault> {
+pub fn vertices(value: &Value, what: &str, step: &str) -> Result<Vec<u32>, Fault> {
     list(value, what, step)?.iter().map(|vertex| index(vertex, "a vertex", step)).collect()
 }
 

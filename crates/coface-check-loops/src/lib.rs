@@ -5,14 +5,19 @@
 //! characteristics, and the ways around them. One of cocycles has a certificate of homology inside, which proves how many there have to be.
 //! `docs/certificates.md` has each rule and why it proves the claim. Certificates of other kinds are handed to [`coface_check_space`].
 
-mod claims;
+#[doc(hidden)]
+pub mod claims;
 mod cocycles;
 mod cover;
 mod cut;
 mod pi1;
 mod surface;
 mod tietze;
-mod words;
+#[doc(hidden)]
+pub mod words;
+
+#[doc(hidden)]
+pub use {cut::vertices, pi1::EdgePaths, pi1::Words, surface::Classes};
 
 use coface_check::json::{field, text};
 use coface_check::{Fault, Verdict};

@@ -32,16 +32,8 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     for (i, (said, given)) in said.iter().zip(given).enumerate() {
         keys(said, &COMPONENT_KEYS, "a component")?;
         let base = index(field(said, "base", "answer")?, "\"base\"", "answer")?;
-        let component = paths.component(base).filter(|component| is_met.insert(*component));
-        let component = component
-            .ok_or_else(|| Fault::new("answer", format!("vertex {base} is in no other component")))?;
+        is_met.insert(paths.component_of_base(base, &words.generators[i], &is_met)?);
         let generators = words.generators[i].len();
-        if words.generators[i].iter().any(|&edge| words.component_of_edge[edge as usize] != component) {
-            return Err(Fault::new(
-                "generators",
-                format!("a generator is not in the component of vertex {base}"),
-            ));
-        }
         let start = relators(field(given, "relators", "relators")?, generators, "relators")?;
         forms.push(start.iter().map(|relator| cyclic_form(relator)).collect::<BTreeSet<Word>>());
         let mut presentation = Presentation::new(generators, start);
@@ -112,30 +104,37 @@ fn name((generators, relators): &(usize, Vec<Word>)) -> Option<String> {
 }
 
 /// The vertices, edges and faces of a complex, for paths along edges.
-struct EdgePaths {
+#[derive(Debug)]
+pub struct EdgePaths {
     /// The ends of each edge, by its vertices in the file.
-    edges: Vec<[u32; 2]>,
+    pub edges: Vec<[u32; 2]>,
     by_ends: HashMap<[u32; 2], u32>,
     /// For each face the edges around it, and whether they are passed along the complex.
     rims: Vec<Vec<(u32, bool)>>,
     by_vertices: HashMap<Vec<u32>, u32>,
     /// For each vertex of the file its component.
     component_of: BTreeMap<u32, u32>,
-    components: usize,
+    /// The number of components.
+    pub components: usize,
 }
 
-/// The word of each edge.
-struct Words {
-    of_edge: Vec<Word>,
+/// The word of each edge, in generators counted over all components.
+#[derive(Debug)]
+pub struct Words {
+    /// The words of edges.
+    pub of_edge: Vec<Word>,
     /// For each component of the certificate its generators.
-    generators: Vec<Vec<u32>>,
+    pub generators: Vec<Vec<u32>>,
     /// For each generator, counted over all components, the component of the certificate and its number there.
-    places: Vec<(usize, i64)>,
-    component_of_edge: Vec<u32>,
+    pub places: Vec<(usize, i64)>,
 }
 
 impl EdgePaths {
-    fn read(complex: &Complex) -> Result<Self, Fault> {
+    /// The cells of a complex whose cells have vertices.
+    ///
+    /// # Errors
+    /// A [`Fault`] where they have none.
+    pub fn read(complex: &Complex) -> Result<Self, Fault> {
         let unnamed = || Fault::new("input", "the cells have no vertices");
         let counts = complex.counts();
         let count = |degree: usize| counts.get(degree).copied().unwrap_or(0);
@@ -171,17 +170,44 @@ impl EdgePaths {
         Ok(Self { edges, by_ends, rims, by_vertices, component_of, components })
     }
 
-    fn component(&self, vertex: u32) -> Option<u32> {
+    /// The component of a vertex.
+    pub fn component(&self, vertex: u32) -> Option<u32> {
         self.component_of.get(&vertex).copied()
+    }
+
+    /// The component of a base, which has not been met, and has all these generators.
+    ///
+    /// # Errors
+    /// A [`Fault`] where this is not so.
+    pub fn component_of_base(
+        &self,
+        base: u32,
+        generators: &[u32],
+        is_met: &BTreeSet<u32>,
+    ) -> Result<u32, Fault> {
+        let component = self.component(base).filter(|component| !is_met.contains(component));
+        let component = component
+            .ok_or_else(|| Fault::new("answer", format!("vertex {base} is in no other component")))?;
+        let is_there = |edge: &u32| self.component(self.edges[*edge as usize][0]) == Some(component);
+        match generators.iter().all(is_there) {
+            true => Ok(component),
+            false => {
+                let message = format!("a generator is not in the component of vertex {base}");
+                Err(Fault::new("generators", message))
+            }
+        }
+    }
+
+    /// The edge from one vertex to another, and whether the complex has it in this direction.
+    pub fn edge_from(&self, ends: [u32; 2]) -> Option<(u32, bool)> {
+        let edge = *self.by_ends.get(&[ends[0].min(ends[1]), ends[0].max(ends[1])])?;
+        Some((edge, self.edges[edge as usize] == ends))
     }
 
     /// An edge by its vertices, and whether they are in the order of the complex.
     fn edge(&self, ends: &Value, step: &str) -> Result<(u32, bool), Fault> {
         let found = match vertices(ends, "an edge", step)?[..] {
-            [a, b] => self
-                .by_ends
-                .get(&[a.min(b), a.max(b)])
-                .map(|&edge| (edge, self.edges[edge as usize] == [a, b])),
+            [a, b] => self.edge_from([a, b]),
             _ => None,
         };
         found.ok_or_else(|| Fault::new(step, "there is no such edge"))
@@ -189,7 +215,10 @@ impl EdgePaths {
 
     /// The words of all edges: none of the edges of a spanning forest, a letter of each generator, and then one after the other by a face
     /// whose other edges have words.
-    fn words(&self, complex: &Complex, proof: &Value, components: &[Value]) -> Result<Words, Fault> {
+    ///
+    /// # Errors
+    /// A [`Fault`] where this is not so.
+    pub fn words(&self, complex: &Complex, proof: &Value, components: &[Value]) -> Result<Words, Fault> {
         let mut of_edge: Vec<Option<Word>> = vec![None; self.edges.len()];
         let places: BTreeMap<u32, u32> = self.component_of.keys().copied().zip(0..).collect();
         let mut trees = Classes::new(places.len());
@@ -243,8 +272,7 @@ impl EdgePaths {
         }
         let of_edge: Option<Vec<Word>> = of_edge.into_iter().collect();
         let of_edge = of_edge.ok_or_else(|| Fault::new("faces", "an edge has no word"))?;
-        let component_of_edge = self.edges.iter().map(|ends| self.component_of[&ends[0]]).collect();
-        Ok(Words { of_edge, generators, places: of_letter, component_of_edge })
+        Ok(Words { of_edge, generators, places: of_letter })
     }
 
     fn face(&self, value: &Value, step: &str) -> Result<u32, Fault> {
@@ -255,7 +283,15 @@ impl EdgePaths {
     }
 
     /// The relators are the words around faces, but for faces that solids say.
-    fn faces_say(&self, complex: &Complex, words: &Words, relators: &[BTreeSet<Word>]) -> Result<(), Fault> {
+    ///
+    /// # Errors
+    /// A [`Fault`] where they are not.
+    pub fn faces_say(
+        &self,
+        complex: &Complex,
+        words: &Words,
+        relators: &[BTreeSet<Word>],
+    ) -> Result<(), Fault> {
         let mut said: Vec<BTreeSet<Word>> = vec![BTreeSet::new(); relators.len()];
         let mut left_out = Vec::new();
         for (face, rim) in self.rims.iter().enumerate() {

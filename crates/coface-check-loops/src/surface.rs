@@ -80,14 +80,17 @@ pub(crate) fn name(is_orientable: bool, euler_characteristic: i64, loops: usize)
 }
 
 /// Classes of numbers that have been joined.
-pub(crate) struct Classes(Vec<u32>);
+#[derive(Debug)]
+pub struct Classes(Vec<u32>);
 
 impl Classes {
-    pub(crate) fn new(count: usize) -> Self {
+    /// Each number is a class of its own.
+    pub fn new(count: usize) -> Self {
         Self((0..count as u32).collect())
     }
 
-    pub(crate) fn of(&mut self, mut item: u32) -> u32 {
+    /// The number that stands for a class.
+    pub fn of(&mut self, mut item: u32) -> u32 {
         while self.0[item as usize] != item {
             let above = self.0[self.0[item as usize] as usize];
             self.0[item as usize] = above;
@@ -97,7 +100,7 @@ impl Classes {
     }
 
     /// Joins two classes; whether they were two.
-    pub(crate) fn join(&mut self, a: u32, b: u32) -> bool {
+    pub fn join(&mut self, a: u32, b: u32) -> bool {
         let (a, b) = (self.of(a), self.of(b));
         self.0[a.max(b) as usize] = a.min(b);
         a != b

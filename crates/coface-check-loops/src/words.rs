@@ -5,10 +5,10 @@ use coface_check::json::list;
 use serde_json::Value;
 
 /// A word without a letter beside its inverse.
-pub(crate) type Word = Vec<i64>;
+pub type Word = Vec<i64>;
 
 /// Appends letters, of which each cancels with its inverse before it.
-pub(crate) fn append(word: &mut Word, letters: impl IntoIterator<Item = i64>) {
+pub fn append(word: &mut Word, letters: impl IntoIterator<Item = i64>) {
     for letter in letters {
         match word.last() {
             Some(last) if *last == -letter => drop(word.pop()),
@@ -18,12 +18,12 @@ pub(crate) fn append(word: &mut Word, letters: impl IntoIterator<Item = i64>) {
 }
 
 /// The inverse of a word.
-pub(crate) fn inverse(word: &[i64]) -> Word {
+pub fn inverse(word: &[i64]) -> Word {
     word.iter().rev().map(|letter| -letter).collect()
 }
 
 /// Without letters at the end that cancel with those at the start: a conjugate of the word.
-pub(crate) fn cyclically_reduced(word: &[i64]) -> Word {
+pub fn cyclically_reduced(word: &[i64]) -> Word {
     let mut rest = word;
     while let [first, middle @ .., last] = rest
         && *first == -last
@@ -34,13 +34,13 @@ pub(crate) fn cyclically_reduced(word: &[i64]) -> Word {
 }
 
 /// The letters from a place on and around.
-pub(crate) fn rotated(word: &[i64], from: usize) -> Word {
+pub fn rotated(word: &[i64], from: usize) -> Word {
     let from = if word.is_empty() { 0 } else { from % word.len() };
     [&word[from..], &word[..from]].concat()
 }
 
 /// The least rotation (K. S. Booth, 1980; in the form of J. Duval).
-fn least_rotation(word: &[i64]) -> Word {
+pub fn least_rotation(word: &[i64]) -> Word {
     let (count, mut best, mut other, mut same) = (word.len(), 0, 1, 0);
     while best < count && other < count && same < count {
         let [a, b] = [best, other].map(|start| word[(start + same) % count]);
@@ -60,13 +60,13 @@ fn least_rotation(word: &[i64]) -> Word {
 }
 
 /// One form of all rotations of a word and of its inverse: as relators they mean the same.
-pub(crate) fn cyclic_form(word: &[i64]) -> Word {
+pub fn cyclic_form(word: &[i64]) -> Word {
     let word = cyclically_reduced(word);
     least_rotation(&word).min(least_rotation(&inverse(&word)))
 }
 
 /// A word of a certificate, in so many generators.
-pub(crate) fn read(value: &Value, generators: usize, step: &str) -> Result<Word, Fault> {
+pub fn read(value: &Value, generators: usize, step: &str) -> Result<Word, Fault> {
     let mut word = Word::new();
     for letter in list(value, "a word", step)? {
         let letter =

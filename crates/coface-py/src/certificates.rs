@@ -9,9 +9,9 @@ use coface::Error;
 use coface::algebra::ErrorKind;
 use coface::answers::{
     ArrangementRequest, BooleanRequest, CocyclesRequest, CongruenceRequest, CutRequest, DrawingArrangement,
-    GroupsRequest, Growth, HomologyRequest, ModelCongruence, PersistenceRequest, PlanarDrawing, Producer,
-    RegionBoolean, RegionSource, RelativeTo, Report, ReportRequest, SceneArrangement, SolidBoolean,
-    SolidRequest, SpatialRequest, SurfaceModel, VertexFunction, are_planar,
+    GivenWalks, GroupsRequest, Growth, HomologyRequest, ModelCongruence, PersistenceRequest, PlanarDrawing,
+    Producer, RegionBoolean, RegionSource, RelativeTo, Report, ReportRequest, SceneArrangement, SolidBoolean,
+    SolidRequest, SpatialRequest, SurfaceLoops, SurfaceModel, VertexFunction, are_planar,
 };
 use coface::arrange::congruence::ClassRule;
 use coface::io::{Format, Model, read_path};
@@ -49,7 +49,7 @@ pub(crate) fn _certificate(
             return Err(invalid(
                 py,
                 message,
-                "give of=\"homology\", \"info\", \"persistence\", \"arrange\", \"boolean\", \"congruence\", \"cut\", \"cover\", \"cocycles\" or \"pi1\"",
+                "give of=\"homology\", \"info\", \"persistence\", \"arrange\", \"boolean\", \"congruence\", \"cut\", \"cover\", \"cocycles\", \"pi1\" or \"homotopic\"",
             ));
         }
     };
@@ -175,6 +175,29 @@ pub(crate) fn _surface_certificate(
             (_, Some(path)) => surface.cut_along(&path)?.certificate(&inputs),
             _ => surface.cut_open(&CutRequest { simplify, ..CutRequest::default() })?.certificate(&inputs),
         }
+    })
+}
+
+/// The certificate of closed walks on a surface in a file that are compared, as text.
+#[pyfunction]
+#[pyo3(signature = (path, walks, base, progress=None))]
+pub(crate) fn _walks_certificate(
+    py: Python<'_>,
+    path: PathBuf,
+    walks: Vec<Vec<u32>>,
+    base: Option<u32>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<String> {
+    run(py, progress, || {
+        let name = path.display().to_string();
+        let producer = Producer::of(read_path(&path, None)?)?;
+        let bytes = content(&path)?;
+        let request = GroupsRequest::new()
+            .base(base)
+            .surface_loops(SurfaceLoops::Canonical)
+            .walks(Some(GivenWalks { place: "walks".to_owned(), walks }));
+        let found = request.found(&producer).map_err(|error| error.in_file(&name))?;
+        request.certificate(&found, &producer, &[(&name, &bytes)])
     })
 }
 

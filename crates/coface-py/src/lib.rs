@@ -77,6 +77,7 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(certificates::_certificate, module)?)?;
     module.add_function(wrap_pyfunction!(certificates::_persistence_certificate, module)?)?;
     module.add_function(wrap_pyfunction!(certificates::_surface_certificate, module)?)?;
+    module.add_function(wrap_pyfunction!(certificates::_walks_certificate, module)?)?;
     module.add_function(wrap_pyfunction!(certificates::_congruence_certificate, module)?)?;
     module.add_function(wrap_pyfunction!(certificates::_drawing_certificate, module)?)?;
     module.add_function(wrap_pyfunction!(certificates::_check, module)?)?;

@@ -131,6 +131,36 @@ def test_cuts_covers_cocycles_and_groups_are_proved(plane: Path, tmp_path: Path)
         coface.certificate(plane, "cover")
 
 
+def test_walks_are_proved(plane: Path) -> None:
+    # The rim of a triangle, and a walk around it along edges of others.
+    facets = json.loads(plane.read_text())
+    facets = facets if isinstance(facets, list) else facets["facets"]
+    a, b, c = facets[0]
+    sides = {frozenset(pair) for facet in facets for pair in [facet[:2], facet[1:], facet[::2]]}
+    walk = next(
+        [x, y, z, x]
+        for x in range(6)
+        for y in range(x)
+        for z in range(y)
+        if sorted([x, y, z]) not in [sorted(facet) for facet in facets] and all(frozenset(pair) in sides for pair in [(x, y), (y, z), (x, z)])
+    )
+    proof = coface.certificate(plane, "homotopic", walks=[[a, b, c, a], walk])
+    verified = coface.check(proof, plane)
+    answer = json.loads(proof)["answer"]
+    contracted = [i for i, walk in enumerate(answer["walks"]) if walk["contractible"]]
+    assert contracted[0] == 0
+    assert f"of 2 walks, numbered from 0, those that can be contracted are {contracted}" in verified["proved"]
+    assert verified["unchecked"] == ["components.base"]
+    lie = json.loads(proof)
+    lie["answer"]["walks"][0]["contractible"] = False
+    with pytest.raises(coface.InvalidInputError, match="not verified"):
+        coface.check(json.dumps(lie), plane)
+    with pytest.raises(coface.InvalidInputError, match="walks="):
+        coface.certificate(plane, "homotopic")
+    with pytest.raises(coface.Error, match="ends at"):
+        coface.certificate(plane, "homotopic", walks=[[a, b, c]])
+
+
 def test_congruences_are_proved(tmp_path: Path) -> None:
     left, right = tmp_path / "left.off", tmp_path / "right.off"
     left.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")

@@ -26,7 +26,8 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("coface-check-plane", &["coface-check", "coface-check-persistence"]),
     ("coface-check-space", &["coface-check", "coface-check-plane"]),
     ("coface-check-loops", &["coface-check", "coface-check-space"]),
-    ("coface-check-binary", &["coface-check", "coface-check-loops"]),
+    ("coface-check-walks", &["coface-check", "coface-check-loops"]),
+    ("coface-check-binary", &["coface-check", "coface-check-walks"]),
     ("coface-io", &["coface-algebra", "coface-geometry", "coface-complexes", "coface-arrange", "coface-yin"]),
     (
         "coface-answers",
@@ -42,6 +43,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "coface-check-plane",
             "coface-check-space",
             "coface-check-loops",
+            "coface-check-walks",
         ],
     ),
     (

@@ -40,12 +40,12 @@ struct Component {
 
 impl GroupsRequest {
     /// A certificate of groups that were found, from the name and the bytes of the file that the model was read from: their presentations by paths along
-    /// edges, the Tietze moves that simplify them, and names where the last presentation shows them.
-    /// [`coface_check_loops::check`] follows that without any code of this library, as `docs/certificates.md` says. It has been checked.
+    /// edges, the Tietze moves that simplify them, and names where the last presentation shows them; or of walks on a surface that were compared: the words of edges.
+    /// [`coface_check_walks::check`] follows that without any code of this library, as `docs/certificates.md` says. It has been checked.
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::UnsupportedFormat`] if the checker does not read the file as this library does: it reads facet lists, and plain OFF and
-    /// OBJ. [`coface_algebra::ErrorKind::InvalidInput`] if the request is about loops on a surface.
+    /// OBJ. [`coface_algebra::ErrorKind::InvalidInput`] if the request is about loops on a surface that are not given as walks.
     ///
     /// # Complexity
     /// That of [`GroupsRequest::found`], whose work is done again.
@@ -71,7 +71,10 @@ impl GroupsRequest {
         let [(name, _)] = inputs else {
             return Err(Error::invalid("a certificate of groups is of one input"));
         };
-        if self.surface_loops != SurfaceLoops::Any || self.walks.is_some() || self.short.is_some() {
+        if let (Some(walks), None) = (&self.walks, &self.short) {
+            return self.walks_certificate(&walks.walks, found, producer, inputs);
+        }
+        if self.surface_loops != SurfaceLoops::Any || self.short.is_some() {
             return Err(Error::invalid("loops on a surface have no certificate")
                 .with_cure("ask for the groups alone"));
         }

@@ -8,6 +8,7 @@ mod certificate;
 mod found;
 mod surface;
 mod walks;
+mod walks_certificate;
 
 pub use found::FoundGroups;
 pub(crate) use surface::roles_of_edges;

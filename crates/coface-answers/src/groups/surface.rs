@@ -60,11 +60,6 @@ pub(super) fn found(request: &GroupsRequest, producer: &Producer) -> Result<Foun
         .map(|vertex| producer.cell_vertices(0, CellId::new(vertex))[0])
         .collect();
     let number = |vertex: VertexId| numbers[vertex.index()];
-    let vertex_numbered = |wanted: u32, purpose: &str| {
-        let place = numbers.iter().position(|&number| number == wanted);
-        place.map(VertexId::new).ok_or_else(|| no_vertex(wanted, purpose))
-    };
-    let base = request.base.map(|base| vertex_numbered(base, "to be the base")).transpose()?;
     let steps = stage("cutting the surface open", 0);
     let map = GeneralizedMap::new(skeleton)?;
     let has_lengths = request.surface_loops == SurfaceLoops::Shortest || request.short.is_some();
@@ -72,7 +67,7 @@ pub(super) fn found(request: &GroupsRequest, producer: &Producer) -> Result<Foun
         producer.require_finite()?;
     }
     let lengths = if has_lengths { lengths(producer, &map, &numbers)? } else { None };
-    let trees = TreeCotree::greedy(&map, base, lengths.as_deref())?;
+    let trees = surface_trees(request, &map, &numbers, lengths.as_deref())?;
     let homotopy = SurfaceHomotopy::new(&map, &trees)?;
     let surface = Surface { map: &map, trees: &trees, homotopy, lengths: lengths.as_deref() };
     let components = (0..trees.components().len())
@@ -122,7 +117,7 @@ pub(super) fn found(request: &GroupsRequest, producer: &Producer) -> Result<Foun
     }
     if let Some((kind, through)) = request.short {
         let _steps = stage("looking for short closed paths", 0);
-        let through = through.map(|wanted| vertex_numbered(wanted, "to go through")).transpose()?;
+        let through = through.map(|wanted| vertex_numbered(&numbers, wanted, "to go through")).transpose()?;
         let path = |found: ShortestCycle| ClosedPath {
             length: found.length(),
             vertices: found.walk().vertices(map.skeleton()).into_iter().map(number).collect(),
@@ -141,6 +136,22 @@ pub(super) fn found(request: &GroupsRequest, producer: &Producer) -> Result<Foun
         groups.short = Some(found.cycles.into_iter().map(path).collect());
     }
     Ok(groups)
+}
+
+/// The trees of a surface whose vertices have these numbers, with the base that was asked for.
+pub(super) fn surface_trees(
+    request: &GroupsRequest,
+    map: &GeneralizedMap,
+    numbers: &[u32],
+    lengths: Option<&[f64]>,
+) -> Result<TreeCotree, Error> {
+    let base = request.base.map(|base| vertex_numbered(numbers, base, "to be the base")).transpose()?;
+    TreeCotree::greedy(map, base, lengths)
+}
+
+fn vertex_numbered(numbers: &[u32], wanted: u32, purpose: &str) -> Result<VertexId, Error> {
+    let place = numbers.iter().position(|&number| number == wanted);
+    place.map(VertexId::new).ok_or_else(|| no_vertex(wanted, purpose))
 }
 
 /// The edges of larger surfaces are not listed by their roles.

@@ -42,7 +42,9 @@ pub(super) fn compare(
     for (i, a) in known.iter().enumerate() {
         for (j, b) in known.iter().enumerate().skip(i + 1) {
             let together = a.component == b.component && (a.component.is_some() || a.start == b.start);
-            let homologous = together && a.class == b.class;
+            // What bounds is homologous wherever it is.
+            let bound = [a, b].iter().all(|walk| walk.class.iter().all(|&x| x == 0));
+            let homologous = bound || together && a.class == b.class;
             let free = together && a.conjugacy == b.conjugacy;
             let based = (a.start == b.start).then(|| a.element == b.element);
             pairs.push(WalkPair { walks: [i, j], homotopic: based, freely_homotopic: free, homologous });

@@ -145,7 +145,7 @@ pub(crate) fn checked(
 ) -> Result<String, coface_check::Fault> {
     let text = crate::answer::to_json(certificate) + "\n";
     let bytes: Vec<&[u8]> = inputs.iter().map(|(_, bytes)| *bytes).collect();
-    coface_check_loops::check(text.as_bytes(), &bytes)?;
+    coface_check_walks::check(text.as_bytes(), &bytes)?;
     Ok(text)
 }
 

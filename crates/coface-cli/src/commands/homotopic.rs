@@ -1,6 +1,7 @@
 //! `coface homotopic`: closed walks on a surface compared.
 
 use crate::arguments::Common;
+use crate::certified;
 use crate::failure::Failure;
 use crate::groups::{self, Asked};
 use crate::output::give;
@@ -31,10 +32,17 @@ pub(crate) struct Homotopic {
     /// Print every walk and every pair, not just the first hundred
     #[arg(long)]
     all: bool,
+    /// A certificate of all that is said of the walks, which coface check verifies: words of edges by a spanning forest and faces, and canonical loops;
+    /// of a facet list, or a surface as plain OFF or OBJ; in the binary form if OUT ends in .bin
+    #[arg(long, value_name = "OUT")]
+    certificate: Option<PathBuf>,
 }
 
 impl Homotopic {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        if let Some(place) = &self.certificate {
+            certified::check_place(place, std::slice::from_ref(&self.input), "homotopic", common)?;
+        }
         let progress = Progress::start(common.quiet);
         let walks = match &self.walks {
             Some(path) => groups::walks_in(path)?,
@@ -46,6 +54,12 @@ impl Homotopic {
         let request =
             GroupsRequest::new().base(self.base).surface_loops(SurfaceLoops::Canonical).walks(Some(walks));
         let asked = Asked::of(&self.input, &request, None, common, &progress)?;
+        if let Some(place) = &self.certificate {
+            progress.stage(format!("proving {}", place.display()));
+            certified::save(place, std::slice::from_ref(&self.input), |inputs| {
+                request.certificate(&asked.found, &asked.producer, inputs)
+            })?;
+        }
         drop(progress);
         let Some(answer) = asked.found.homotopic_answer(&asked.name) else { return Ok(()) };
         let limit = if self.all { usize::MAX } else { PAIRS };

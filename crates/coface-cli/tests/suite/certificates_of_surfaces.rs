@@ -224,6 +224,94 @@ fn groups_are_proved_and_lies_about_them_are_not() {
 }
 
 #[test]
+fn walks_are_proved_and_lies_about_them_are_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let genus_two = folder.path().join("two.off");
+    let run = coface(&["generate", "genus", "--genus", "2", "-o", argument(&genus_two), "-q"]);
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    let sphere = "[[0,1,2],[0,1,3],[0,2,3],[1,2,3]]";
+    for (text, walks, expected) in [
+        (
+            TORUS,
+            &["0 3 6 0", "1 4 7 1", "0 1 2 0", "0 1 3 0", "0 1 7 6 0"][..],
+            &["can be contracted are [3, 4]", "that are freely homotopic are [[0, 1], [3, 4]]"][..],
+        ),
+        (
+            PLANE,
+            &["0 1 3 0", "0 2 4 0", "0 1 2 0"],
+            &["can be contracted are [2]", "with the base fixed are [[0, 1]]"],
+        ),
+        (
+            &klein(),
+            &["0 3 6 0", "0 1 2 0", "0 2 1 0"],
+            &["can be contracted are []", "freely homotopic are [[1, 2]]"],
+        ),
+        (
+            BAND,
+            &["0 1 2 3 4 0", "0 2 4 1 3 0", "0 2 1 0"],
+            &["can be contracted are [2]", "that bound are [2]"],
+        ),
+        (
+            TWO,
+            &["0 1 2 0", "4 5 6 7 4", "4 5 4"],
+            &["can be contracted are [0, 1, 2]", "homologous are [[0, 1], [0, 2], [1, 2]]"],
+        ),
+        (TUBE, &["0 1 2 3 0", "4 5 6 7 4", "4 7 6 5 4"], &["freely homotopic are [[0, 1]]"]),
+        (
+            sphere,
+            &["0 1 2 0", "3"],
+            &["can be contracted are [0, 1]", "that are freely homotopic are [[0, 1]]"],
+        ),
+    ] {
+        let input = written(folder.path(), text);
+        let (_, place, lines) = proved(folder.path(), &input, &[&["homotopic"], walks].concat());
+        has(&lines, expected, &format!("{text} {walks:?}"));
+        if [TORUS, PLANE, BAND].contains(&text) {
+            lie_about(&place, &[&input]);
+        }
+    }
+    // On a surface of genus two: its canonical loops, and the commutators of the pairs, which bound and cannot be contracted; the one is the inverse of the other.
+    let loops = folder.path().join("loops.json");
+    assert_eq!(
+        coface(&["loops", argument(&genus_two), "--canonical", "-o", argument(&loops), "-q"]).status,
+        0
+    );
+    let given: Value = serde_json::from_slice(&fs::read(&loops).unwrap()).unwrap();
+    let given: Vec<Vec<u32>> = serde_json::from_value(given["loops"].clone()).unwrap();
+    let commutator = |a: &Vec<u32>, b: &Vec<u32>, is_back: bool| {
+        let (back_a, back_b) = (a.iter().rev(), b.iter().rev());
+        let mut walk: Vec<u32> =
+            a.iter().chain(b.iter().skip(1)).chain(back_a.skip(1)).chain(back_b.skip(1)).copied().collect();
+        if is_back {
+            walk.reverse();
+        }
+        walk
+    };
+    let walks = [
+        given[0].clone(),
+        given[1].clone(),
+        commutator(&given[0], &given[1], false),
+        commutator(&given[2], &given[3], true),
+    ];
+    let file = folder.path().join("walks.json");
+    fs::write(&file, json!({"walks": walks}).to_string()).unwrap();
+    let (answer, place, lines) =
+        proved(folder.path(), &genus_two, &["homotopic", "--walks", argument(&file)]);
+    assert_eq!(answer["walks"][2]["contractible"], json!(false));
+    has(
+        &lines,
+        &[
+            "can be contracted are []",
+            "that bound are [2, 3]",
+            "freely homotopic are [[2, 3]]",
+            "homologous are [[2, 3]]",
+        ],
+        "genus 2",
+    );
+    lie_about(&place, &[&genus_two]);
+}
+
+#[test]
 fn what_has_no_certificate_leaves_no_file() {
     let folder = tempfile::tempdir().unwrap();
     let place = folder.path().join("proof.cert");
@@ -233,6 +321,7 @@ fn what_has_no_certificate_leaves_no_file() {
         ("[[0,1],[1,2]]", &["cover", "--radius", "1"], "no surface"),
         ("[]", &["cut"], "no certificate"),
         ("[]", &["cocycles"], "no certificate"),
+        ("[[0,1,2],[2,3]]", &["homotopic", "0 1 2 0"], "lies in no face"),
         ("OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n2 2 2\n3 0 1 2 255 0 0\n", &["cut"], ""),
     ] {
         let input = written(folder.path(), text);

@@ -26,7 +26,7 @@ class Verified(TypedDict):
 @in_words
 def certificate(
     path: _Path | Sequence[_Path],
-    of: Literal["homology", "info", "persistence", "arrange", "boolean", "congruence", "cut", "cover", "cocycles", "pi1"] = "homology",
+    of: Literal["homology", "info", "persistence", "arrange", "boolean", "congruence", "cut", "cover", "cocycles", "pi1", "homotopic"] = "homology",
     *,
     coefficients: str | int | None = None,
     cohomology: bool = False,
@@ -43,6 +43,8 @@ def certificate(
     exact: bool = False,
     simplify: bool = False,
     along: Sequence[int] | None = None,
+    walks: Sequence[Sequence[int]] | None = None,
+    base: int | None = None,
     radius: int | None = None,
     copies: int | None = None,
     orientation: bool = False,
@@ -63,7 +65,8 @@ def certificate(
         ``"arrange"`` for the cells of drawings: counts, areas, and which files contain each face; ``"boolean"`` for a result of drawings: area,
         components, holes and pinches; or of solids: volume, and that what is inside is what the operation says; ``"arrange"`` in space for the cells with their volumes; of surfaces ``"cut"`` for the disks that components are cut to, with the words around them, or what a path leaves, and
         ``"cover"`` for copies of the universal cover and their words, or the orientation double cover; ``"cocycles"`` for a basis of the first cohomology;
-        ``"pi1"`` for the presentations of the fundamental groups; ``"congruence"`` for one or several models merged within a tolerance: the classes
+        ``"pi1"`` for the presentations of the fundamental groups; ``"homotopic"`` for closed walks on a surface: which can be contracted, which bound, and which
+        are homotopic or homologous to each other; ``"congruence"`` for one or several models merged within a tolerance: the classes
         of the vertices, and the map of cells to classes.
     coefficients, cohomology, reduced, generators
         As for :func:`homology` and :func:`cohomology`; with generators it is proved that they generate the groups. ``None`` are the integers, for
@@ -81,6 +84,8 @@ def certificate(
         As for :func:`arrange` and :func:`boolean`. Where rounding moves vertices, only the exact result has a certificate.
     simplify, along
         Of a cut: as for :meth:`Surface.cut`, the path by its vertices. Of fundamental groups: the presentations that simplification gives.
+    walks, base
+        Of ``"homotopic"``: closed walks along edges, each by its vertices, the first one again at the end; the vertex where the loops of its component start and end.
     radius, copies, component
         Of a cover: as for :meth:`Surface.cover`.
     orientation
@@ -103,6 +108,8 @@ def certificate(
     >>> coface.generate("torus").write("torus.off")
     >>> coface.check(coface.certificate("torus.off", "persistence"))["proved"][:2]
     ['the values of the vertices are z', 'Betti numbers over F_2 = [1, 2, 1]']
+    >>> coface.check(coface.certificate("plane.json", "homotopic", walks=[[0, 1, 3, 0], [0, 1, 2, 0]]))["proved"][2]
+    'of 2 walks, numbered from 0, those that can be contracted are [0]'
     """
     if of in ("arrange", "boolean"):
         paths = [path] if isinstance(path, (str, os.PathLike)) else list(path)
@@ -116,6 +123,10 @@ def certificate(
         return _coface._congruence_certificate(paths, tolerance, greedy, progress)
     if not isinstance(path, (str, os.PathLike)):
         raise _coface.InvalidInputError(f"a certificate of {of} is of one file; give its path")
+    if of == "homotopic":
+        if walks is None:
+            raise _coface.InvalidInputError("walks are compared; give walks=[[0, 1, 2, 0], ..], each with its first vertex again at the end")
+        return _coface._walks_certificate(path, [list(walk) for walk in walks], base, progress)
     if of in ("cut", "cover", "cocycles", "pi1"):
         along = None if along is None else list(along)
         return _coface._surface_certificate(path, of, simplify, along, radius, copies, orientation, component, progress)
