@@ -1,6 +1,6 @@
 //! Certificates of bases of the first cohomology.
 
-use crate::claims::{Claims, count};
+use coface_check::claims::{Claims, count};
 use coface_check::json::{field, index, integer, list, optional};
 use coface_check::{Complex, Fault, Verdict};
 use dashu_int::IBig;

@@ -1,8 +1,8 @@
 //! Certificates of universal covers and of orientation double covers.
 
-use crate::claims::{Claims, cells, count};
 use crate::cut::vertices;
 use crate::surface::{Surface, name};
+use coface_check::claims::{Claims, cells, count};
 use coface_check::json::{field, list};
 use coface_check::{Fault, Verdict};
 use serde_json::{Value, json};

@@ -1,7 +1,7 @@
 //! Certificates of surfaces that were cut open.
 
-use crate::claims::{Claims, cells, count, equal, keys};
 use crate::surface::{Piece, Step, Surface};
+use coface_check::claims::{Claims, cells, count, equal, keys};
 use coface_check::json::{field, index, list, optional};
 use coface_check::{Fault, Verdict};
 use serde_json::{Value, json};

@@ -1,10 +1,10 @@
 //! Certificates of fundamental groups.
 
-use crate::claims::{Claims, count, equal, keys};
 use crate::cut::vertices;
 use crate::surface::Classes;
 use crate::tietze::{Presentation, relators};
 use crate::words::{Word, append, cyclic_form, cyclically_reduced, inverse};
+use coface_check::claims::{Claims, count, equal, keys};
 use coface_check::json::{field, index, list, optional};
 use coface_check::{Complex, Fault, Verdict};
 use serde_json::{Value, json};

@@ -2,11 +2,18 @@
 //! adds in the field by itself.
 //!
 //! A certificate has a value for each vertex, or for each cell, the cells in their order, and chains. [`check`] tests that all chains have different
-//! last cells, and their boundaries too: then the last cell of a boundary makes a class that the last cell of its chain ends. `docs/certificates.md` has
+//! last cells, and their boundaries too: then the last cell of a boundary makes a class that the last cell of its chain ends. Of points it has cochains,
+//! whose coboundaries have different first simplices. `docs/certificates.md` has
 //! each rule and why it proves the claim. Certificates of other kinds are handed to [`coface_check_congruence`].
 
+mod alpha;
+mod image;
 mod pairs;
+mod points;
+mod rips;
 mod values;
+
+pub use image::Image;
 
 use coface_check::json::{field, index, list, optional, text};
 use coface_check::{Complex, Fault, Verdict};
@@ -17,7 +24,7 @@ use std::collections::HashMap;
 const KNOWN: [&str; 6] = ["file", "field", "star", "diagram", "betti", "remarks"];
 const PAIR_KEYS: [&str; 5] = ["degree", "birth", "death", "birth_cell", "death_cell"];
 
-/// Checks a certificate of persistence, or of what [`coface_check_congruence`] knows, against the bytes of its inputs, in their order.
+/// Checks a certificate of persistence, of a complex or of points, or of what [`coface_check_congruence`] knows, against the bytes of its inputs, in their order.
 ///
 /// # Errors
 /// A [`Fault`] with the first step that fails.
@@ -58,12 +65,16 @@ pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
 pub fn check_opened(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     match text(field(whole, "kind", "certificate")?, "\"kind\"", "certificate")? {
         "persistence" => diagram(whole, inputs),
+        "rips" => rips::check(whole, inputs),
+        "image" => image::check(whole, inputs),
         _ => coface_check_congruence::check_opened(whole, inputs),
     }
 }
 
 fn diagram(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
-    let complex = Complex::read(inputs[0])?;
+    // Of points the certificate lists the simplices, and nothing is said about where they come from.
+    let listed = optional(whole, "facets").map(Value::to_string);
+    let complex = Complex::read(listed.as_ref().map_or(inputs[0], |text| text.as_bytes()))?;
     let (answer, proof) = (field(whole, "answer", "answer")?, field(whole, "proof", "proof")?);
     let prime = index(field(answer, "field", "answer")?, "\"field\"", "answer")?;
     if !coface_check::is_prime(prime) {
@@ -71,12 +82,24 @@ fn diagram(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     }
     let (values, of_function) =
         values::values(&complex, answer, field(proof, "values", "values")?, inputs[0])?;
+    let of_function = match (&listed, optional(whole, "layout").and_then(Value::as_str)) {
+        // With a layout the simplices and their values are those of the points.
+        (Some(_), Some(layout)) if answer["function"] == "squared radii of the alpha complex" => {
+            Some(alpha::check(&complex, &values, inputs[0], layout)?)
+        }
+        _ => of_function,
+    };
     let is_upper = optional(answer, "star").and_then(Value::as_str) == Some("upper");
     let orders = pairs::orders(&complex, &values, field(proof, "order", "order")?, is_upper)?;
-    let pairs = pairs::pairs(&complex, &orders, field(proof, "chains", "chains")?, prime.into())?;
+    let mut pairs = pairs::pairs(&complex, &orders, field(proof, "chains", "chains")?, prime.into())?;
     let mut betti = vec![0u64; complex.counts().len()];
     pairs.iter().filter(|pair| pair.2.is_none()).for_each(|pair| betti[pair.0] += 1);
     let claimed = list(field(answer, "betti", "answer")?, "\"betti\"", "answer")?;
+    // Complexes of points lack simplices above the degrees of the answer, or have none there.
+    if listed.is_some() && claimed.len() <= 64 {
+        betti.resize(claimed.len(), 0);
+        pairs.retain(|pair| pair.0 < claimed.len());
+    }
     if !claimed.iter().map(Value::as_u64).eq(betti.iter().map(|count| Some(*count))) {
         return Err(Fault::new("answer", format!("the Betti numbers over F_{prime} are {betti:?}")));
     }
@@ -97,6 +120,12 @@ fn diagram(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     }
     let known = [&KNOWN[..], if of_function.is_some() { &["function"] } else { &[] }].concat();
     let mut proved: Vec<String> = of_function.into_iter().collect();
+    if listed.is_some() {
+        let counts = complex.counts();
+        proved.push(format!(
+            "the filtration has the simplices that the certificate lists, {counts:?} of degrees 0, 1, .."
+        ));
+    }
     proved.push(format!("Betti numbers over F_{prime} = {betti:?}"));
     for k in 0..betti.len() {
         let count = found.iter().filter(|pair| pair.0 == k).count();

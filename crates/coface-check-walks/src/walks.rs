@@ -1,9 +1,9 @@
 //! Certificates of closed walks.
 
 use crate::group::Group;
+use coface_check::claims::{Claims, count, equal, keys};
 use coface_check::json::{field, index, list};
 use coface_check::{Complex, Fault, Verdict, sha256};
-use coface_check_loops::claims::{Claims, count, equal, keys};
 use coface_check_loops::words::{Word, append, cyclic_form, cyclically_reduced, inverse, read};
 use coface_check_loops::{EdgePaths, Words, vertices};
 use serde_json::{Value, json};

@@ -115,6 +115,17 @@ impl Complex {
         Ok(complex)
     }
 
+    /// From the numbers of cells of each degree, and the boundaries of those of degrees 1, 2, .., which compose to zero.
+    ///
+    /// # Examples
+    /// ```
+    /// let edge = coface_check::Complex::of_columns(vec![2, 1], vec![vec![vec![(0, -1), (1, 1)]]]);
+    /// assert_eq!(edge.boundary(1, 0), [(0, -1), (1, 1)]);
+    /// ```
+    pub fn of_columns(counts: Vec<usize>, columns: Vec<Vec<Vec<(u32, i64)>>>) -> Self {
+        Self::new(counts, columns.into_iter().map(|own| own.into_iter().collect()).collect(), None)
+    }
+
     /// From the boundaries of the cells of degrees 1, 2, ...
     pub(crate) fn new(counts: Vec<usize>, columns: Vec<Lists<(u32, i64)>>, names: Option<Names>) -> Self {
         Self { counts, columns, names }

@@ -5,6 +5,8 @@
 //! proof step by step, derives the claims itself and compares them with the answer. A claim that it does not derive is listed as
 //! unchecked. `docs/certificates.md` has each rule and why it proves the claim.
 
+#[doc(hidden)]
+pub mod claims;
 mod complex;
 mod fault;
 mod generators;

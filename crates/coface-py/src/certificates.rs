@@ -9,12 +9,15 @@ use coface::Error;
 use coface::algebra::ErrorKind;
 use coface::answers::{
     ArrangementRequest, BooleanRequest, CocyclesRequest, CongruenceRequest, CutRequest, DrawingArrangement,
-    GivenWalks, GroupsRequest, Growth, HomologyRequest, ModelCongruence, PersistenceRequest, PlanarDrawing,
-    Producer, RegionBoolean, RegionSource, RelativeTo, Report, ReportRequest, SceneArrangement, SolidBoolean,
-    SolidRequest, SpatialRequest, SurfaceLoops, SurfaceModel, VertexFunction, are_planar,
+    GivenWalks, GreyImage, GroupsRequest, Growth, HomologyRequest, ImageRequest, ModelCongruence,
+    PersistenceRequest, PlanarDrawing, PointFiltration, Producer, RegionBoolean, RegionSource, RelativeTo,
+    Report, ReportRequest, RipsRequest, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest,
+    SurfaceLoops, SurfaceModel, VertexFunction, are_planar,
 };
 use coface::arrange::congruence::ClassRule;
-use coface::io::{Format, Model, read_path};
+use coface::io::{
+    AlphaReading, CechReading, Format, Model, ReadOptions, RipsReading, read_path, volume_of_path,
+};
 use coface::topology::CoverExtent;
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
@@ -127,6 +130,58 @@ pub(crate) fn _persistence_certificate(
             .growth(growth)
             .min_persistence(min_persistence);
         request.found(&name, &producer)?.certificate(&[(&name, &bytes)])
+    })
+}
+
+/// The certificate of the persistence diagram of points in a file, as text.
+#[pyfunction]
+#[pyo3(signature = (path, kind, coefficients, dimension, threshold, superlevel, min_persistence, progress=None))]
+#[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
+pub(crate) fn _points_certificate(
+    py: Python<'_>,
+    path: PathBuf,
+    kind: &str,
+    coefficients: &Bound<'_, PyAny>,
+    dimension: usize,
+    threshold: Option<f64>,
+    superlevel: bool,
+    min_persistence: f64,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<String> {
+    let coefficients = ring(coefficients)?;
+    if !["rips", "alpha", "cech", "image"].contains(&kind) {
+        let message = format!("no complex of points is called {kind:?}");
+        return Err(invalid(py, message, "give points=\"rips\", \"alpha\", \"cech\" or \"image\""));
+    }
+    run(py, progress, || {
+        let (name, options) = (path.display().to_string(), ReadOptions::new());
+        let bytes = content(&path)?;
+        let inputs: [(&str, &[u8]); 1] = [(&name, &bytes)];
+        if kind == "image" {
+            let Some((stream, _)) = volume_of_path(&path, &options)? else {
+                return Err(Error::invalid("this is no volume").in_file(&name));
+            };
+            let (image, _) = GreyImage::read(stream).map_err(|error| error.in_file(&name))?;
+            let request = ImageRequest::new().coefficients(coefficients).min_persistence(min_persistence);
+            return request.superlevel(superlevel).found(&name, image)?.certificate(&inputs);
+        }
+        if kind == "rips" {
+            let reading = RipsReading { threshold, dimension: Some(dimension), ..RipsReading::default() };
+            let points = reading.distances_of_path(&path, &options)?;
+            let request = RipsRequest::new().coefficients(coefficients).dimension(dimension);
+            let request = request.threshold(threshold).min_persistence(min_persistence);
+            return request.found(&name, points.distances())?.certificate(&inputs);
+        }
+        let request = PersistenceRequest::new().coefficients(coefficients).min_persistence(min_persistence);
+        let (points, request) = if kind == "alpha" {
+            let reading = AlphaReading { bound: threshold, ..AlphaReading::default() };
+            (PointFiltration::of_alpha(reading.points_of_path(&path, &options)?, false), request)
+        } else {
+            let reading = CechReading { radius: threshold, dimension: Some(dimension + 1) };
+            let points = PointFiltration::of_cech(reading.points_of_path(&path, &options)?);
+            (points, request.up_to_degree(dimension))
+        };
+        request.growth(points.growth()).found(&name, points.producer())?.certificate_of_points(&inputs)
     })
 }
 

@@ -1,7 +1,7 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 45] = [
+const PHRASES: [(&str, &str); 47] = [
     ("coface cover INPUT --orientation -o OUT.off", "model.surface().double_cover()"),
     ("draw the model by coface render INPUT -o OUT.png", "draw it by coface.render(model, \"png\")"),
     ("read it as an interface", "read it as an interface: coface.Interface.read(path)"),
@@ -17,6 +17,8 @@ const PHRASES: [(&str, &str); 45] = [
     ("leave --certificate out, or write the domain", "write the domain"),
     ("leave --certificate out, or give a facet list", "give the file of a facet list"),
     ("leave --certificate out, or give WKT", "give WKT"),
+    ("leave --certificate out, or give points", "give points"),
+    ("leave --certificate out, or give a small array", "give a small array"),
     ("keep exact coordinates with --exact", "keep exact coordinates with exact=True"),
     (
         "or say to which of them common points go",

@@ -131,6 +131,24 @@ def test_cuts_covers_cocycles_and_groups_are_proved(plane: Path, tmp_path: Path)
         coface.certificate(plane, "cover")
 
 
+def test_diagrams_of_points_are_proved(tmp_path: Path) -> None:
+    square = tmp_path / "square.csv"
+    square.write_text("0,0\n2,0\n2,2\n0,2\n")
+    for kind, of in [("rips", "the rows of the file are 4 points with 2 coordinates"), ("alpha", "the simplices are a Delaunay triangulation of 4 points"), ("cech", "the filtration has")]:
+        proof = coface.certificate(square, "persistence", points=kind)  # type: ignore[arg-type]
+        verified = coface.check(proof, square)
+        assert verified["proved"][0].startswith(of)
+        assert verified["unchecked"] == (["function"] if kind == "cech" else [])
+        hole = json.loads(proof)["answer"]["diagram"][-1]
+        assert (hole["degree"], hole["birth"]) == (1, {"rips": 2.0, "alpha": 1.0, "cech": 1.0}[kind])
+    image = tmp_path / "image.pgm"
+    image.write_text("P2\n3 1\n9\n0 5 1\n")
+    verified = coface.check(coface.certificate(image, "persistence", points="image"), image)
+    assert verified["proved"][1] == "Betti numbers over F_2 = [1, 0, 0]" and not verified["unchecked"]
+    with pytest.raises(coface.InvalidInputError, match='points="rips"'):
+        coface.certificate(square, "persistence", points="flag")  # type: ignore[arg-type]
+
+
 def test_walks_are_proved(plane: Path) -> None:
     # The rim of a triangle, and a walk around it along edges of others.
     facets = json.loads(plane.read_text())

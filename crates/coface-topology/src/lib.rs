@@ -55,8 +55,8 @@ pub use hodge::{
 pub use persistence::{
     Barcode, BarcodeMatching, ExtendedKind, ExtendedPair, Filtration, ImageConstruction, ImageDiagram,
     ImageFiltration, ImagePair, PersistenceDiagram, PersistencePair, PersistenceSurface, PersistentCycle,
-    RipsDiagram, RipsFiltration, RipsPair, RipsSize, Vine, VinePoint, ZigzagFiltration, ZigzagPair,
-    ZigzagStep, euler_characteristic_curve, extended_persistence, persistence, persistent_cycles,
+    RipsCochain, RipsDiagram, RipsFiltration, RipsPair, RipsSize, Vine, VinePoint, ZigzagFiltration,
+    ZigzagPair, ZigzagStep, euler_characteristic_curve, extended_persistence, persistence, persistent_cycles,
     torsion_primes, vineyard,
 };
 

@@ -40,6 +40,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "coface-yin",
             "coface-io",
             "coface-check",
+            "coface-check-persistence",
             "coface-check-plane",
             "coface-check-space",
             "coface-check-loops",

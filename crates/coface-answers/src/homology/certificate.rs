@@ -159,7 +159,7 @@ pub(crate) fn refused(why: &str) -> Error {
     )
 }
 
-fn chain_complex(complex: &coface_check::Complex) -> Result<ChainComplex, Error> {
+pub(crate) fn chain_complex(complex: &coface_check::Complex) -> Result<ChainComplex, Error> {
     let counts = complex.counts();
     if let [points] = counts {
         return Ok(ChainComplex::of_points(*points));

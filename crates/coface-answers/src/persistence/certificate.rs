@@ -1,11 +1,13 @@
 //! Certificates of persistence diagrams.
 
 use super::FoundDiagram;
+use crate::Producer;
 use crate::answer::PersistenceAnswer;
 use crate::homology::certificate::{Input, Number, checked, number, refused};
+use crate::producer::Cells;
 use coface_algebra::chains::ChainComplex;
-use coface_algebra::{CellId, Error, SparseMatrix};
-use coface_topology::{Coefficients, persistence, persistent_cycles};
+use coface_algebra::{CellId, Error, Integer, SparseMatrix};
+use coface_topology::{Coefficients, Filtration, persistence, persistent_cycles};
 use serde::Serialize;
 
 /// A certificate of a diagram, as `docs/certificates.md` describes it.
@@ -16,6 +18,12 @@ struct Certificate<'a> {
     kind: &'static str,
     inputs: Vec<Input>,
     min_persistence: f64,
+    /// Of points, the simplices that no other one has as a face.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    facets: Option<Vec<Vec<u32>>>,
+    /// How the file has the points, where the checker finds the simplices and values.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    layout: Option<&'static str>,
     answer: &'a PersistenceAnswer,
     proof: Proof,
 }
@@ -53,9 +61,46 @@ impl FoundDiagram<'_> {
     /// # Ok(()) }
     /// ```
     pub fn certificate(&self, inputs: &[(&str, &[u8])]) -> Result<String, Error> {
+        self.certificate_with(inputs, None)
+    }
+
+    /// The same for a complex of points, whose simplices the certificate lists. That they and their values are those of the points in the file is proved of alpha complexes without weights, periods
+    /// and bounds of up to some thousand points, and of no others.
+    ///
+    /// # Errors
+    /// [`coface_algebra::ErrorKind::UnsupportedFormat`] for cells that are no simplices.
+    ///
+    /// # Complexity
+    /// That of [`Self::certificate`].
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PersistenceRequest, PointFiltration};
+    /// use coface_io::{AlphaReading, NumberTable};
+    /// let input = &b"0 0\n2 0\n2 2\n0 2\n"[..];
+    /// let alpha = PointFiltration::of_alpha(AlphaReading::default().points(&NumberTable::read(input)?)?, false);
+    /// let found = PersistenceRequest::new().growth(alpha.growth()).found("square.csv", alpha.producer())?;
+    /// let certificate = found.certificate_of_points(&[("square.csv", input)])?;
+    /// let verdict = coface_check_plane::check(certificate.as_bytes(), &[input]).expect("the proof holds");
+    /// assert!(verdict.unchecked().is_empty(), "the checker finds the Delaunay triangulation");
+    /// # Ok(()) }
+    /// ```
+    pub fn certificate_of_points(&self, inputs: &[(&str, &[u8])]) -> Result<String, Error> {
+        let facets = facets(self.producer).ok_or_else(|| refused("the cells are no simplices"))?;
+        self.certificate_with(inputs, Some(facets))
+    }
+
+    fn certificate_with(
+        &self,
+        inputs: &[(&str, &[u8])],
+        facets: Option<Vec<Vec<u32>>>,
+    ) -> Result<String, Error> {
         let [(_, bytes)] = inputs else {
             return Err(Error::invalid("a certificate of persistence is of one input"));
         };
+        let listed = facets.as_ref().map(|facets| crate::answer::to_json(facets));
+        let bytes = listed.as_ref().map_or(*bytes, |text| text.as_bytes());
         let read = coface_check::Complex::read(bytes).map_err(|fault| refused(&fault.to_string()))?;
         let mut answer = self.answer();
         for pair in &mut answer.diagram {
@@ -66,23 +111,10 @@ impl FoundDiagram<'_> {
             (0..read.counts().len()).map(|degree| self.filtration.values(degree).len()).collect();
         let places = self.producer.places_on(&read, &cell_counts)?;
         let complex = renumbered(&read, &places)?;
-        let whole =
-            persistence(&complex, &self.filtration, Coefficients::Modulo(self.diagram.prime().into()))?;
-        let order: Vec<Vec<u32>> = (0..places.len()).map(|degree| self.entering(degree)).collect();
-        let mut ranks: Vec<Vec<u32>> = places.iter().map(|own| vec![0; own.len()]).collect();
-        for (ranks, order) in ranks.iter_mut().zip(&order) {
-            order.iter().zip(0..).for_each(|(&cell, rank)| ranks[cell as usize] = rank);
-        }
-        let mut chains: Vec<Vec<_>> = places.iter().skip(1).map(|_| Vec::new()).collect();
-        for one in persistent_cycles(&complex, &self.filtration, &whole, f64::NEG_INFINITY)? {
-            let chain = one.bounding_chain().unwrap_or_else(|| one.cycle());
-            // A vertex whose class stays has no faces.
-            let Some(below) = chain.degree().checked_sub(1) else { continue };
-            let mut terms = chain.terms().to_vec();
-            terms.sort_unstable_by_key(|(cell, _)| ranks[chain.degree()][cell.index()]);
-            let place = |cell: CellId| places[chain.degree()][cell.index()];
-            chains[below].push(terms.iter().map(|(cell, entry)| (number(entry), place(*cell))).collect());
-        }
+        let order: Vec<Vec<u32>> =
+            (0..places.len()).map(|degree| entering(&self.filtration, degree)).collect();
+        let place = |degree: usize, cell: CellId| places[degree][cell.index()];
+        let chains = chains(&complex, &self.filtration, self.diagram.prime(), &order, place)?;
         let there = |(degree, own): (usize, &Vec<u32>)| {
             let mut values = vec![0.0; own.len()];
             let given = self.filtration.values(degree);
@@ -94,27 +126,82 @@ impl FoundDiagram<'_> {
         let order = order.into_iter().zip(&places);
         let order =
             order.map(|(order, own)| order.into_iter().map(|cell| own[cell as usize]).collect()).collect();
-        let certificate = Certificate {
+        let mut certificate = Certificate {
             coface_certificate: coface_check::VERSION,
             coface: env!("CARGO_PKG_VERSION"),
             kind: "persistence",
             inputs: Input::list(inputs),
             min_persistence: self.min_persistence,
+            facets,
+            layout: None,
             answer: &answer,
             proof: Proof { values, order, chains },
         };
+        if certificate.facets.is_some() && self.function.starts_with("squared radii") {
+            // Where the checker does not find the alpha complex, such as one that ends at a value, it is listed alone.
+            for layout in ["points", "vertices"] {
+                certificate.layout = Some(layout);
+                if let Ok(text) = checked(&certificate, inputs) {
+                    return Ok(text);
+                }
+            }
+            certificate.layout = None;
+        }
         checked(&certificate, inputs).map_err(|fault| refused(&fault.to_string()))
     }
+}
 
-    /// The cells of a degree in the order in which they enter.
-    fn entering(&self, degree: usize) -> Vec<u32> {
-        let values = self.filtration.values(degree);
-        let sign = if self.filtration.is_falling() { -1.0 } else { 1.0 };
-        let key = |cell: u32| sign * values[cell as usize];
-        let mut cells: Vec<u32> = (0..values.len() as u32).collect();
-        cells.sort_by(|&a, &b| key(a).partial_cmp(&key(b)).expect("values are numbers"));
-        cells
+/// For each degree from 1 on the chains that end classes, and the cycles of those that stay, with cells in this order and their numbers by `place`.
+pub(super) fn chains(
+    complex: &ChainComplex,
+    filtration: &Filtration,
+    prime: u32,
+    order: &[Vec<u32>],
+    place: impl Fn(usize, CellId) -> u32,
+) -> Result<Vec<Vec<Vec<(Number, u32)>>>, Error> {
+    let whole = persistence(complex, filtration, Coefficients::Modulo(prime.into()))?;
+    let mut ranks: Vec<Vec<u32>> = order.iter().map(|own| vec![0; own.len()]).collect();
+    for (ranks, order) in ranks.iter_mut().zip(order) {
+        order.iter().zip(0..).for_each(|(&cell, rank)| ranks[cell as usize] = rank);
     }
+    let mut chains: Vec<Vec<_>> = order.iter().skip(1).map(|_| Vec::new()).collect();
+    for one in persistent_cycles(complex, filtration, &whole, f64::NEG_INFINITY)? {
+        let chain = one.bounding_chain().unwrap_or_else(|| one.cycle());
+        // A vertex whose class stays has no faces.
+        let Some(below) = chain.degree().checked_sub(1) else { continue };
+        let mut terms = chain.terms().to_vec();
+        terms.sort_unstable_by_key(|(cell, _)| ranks[chain.degree()][cell.index()]);
+        let term = |(cell, entry): &(CellId, Integer)| (number(entry), place(chain.degree(), *cell));
+        chains[below].push(terms.iter().map(term).collect());
+    }
+    Ok(chains)
+}
+
+/// The cells of a degree in the order in which they enter.
+pub(super) fn entering(filtration: &Filtration, degree: usize) -> Vec<u32> {
+    let values = filtration.values(degree);
+    let sign = if filtration.is_falling() { -1.0 } else { 1.0 };
+    let key = |cell: u32| sign * values[cell as usize];
+    let mut cells: Vec<u32> = (0..values.len() as u32).collect();
+    cells.sort_by(|&a, &b| key(a).partial_cmp(&key(b)).expect("values are numbers"));
+    cells
+}
+
+/// The simplices that no other one has as a face, if all cells are simplices.
+fn facets(producer: &Producer) -> Option<Vec<Vec<u32>>> {
+    let Cells::Simplices(complex) = &producer.cells else { return None };
+    let counts = complex.f_vector();
+    let mut is_face: Vec<Vec<bool>> = counts.iter().map(|&count| vec![false; count]).collect();
+    for (degree, &count) in counts.iter().enumerate().skip(1) {
+        for (_, face) in (0..count).flat_map(|simplex| complex.facets(degree, simplex)) {
+            is_face[degree - 1][face] = true;
+        }
+    }
+    let of_degree = |(degree, is_face): (usize, &Vec<bool>)| {
+        let own = (0..is_face.len()).filter(|&cell| !is_face[cell]);
+        own.map(|cell| producer.cell_vertices(degree, CellId::new(cell))).collect::<Vec<_>>()
+    };
+    Some(is_face.iter().enumerate().flat_map(of_degree).collect())
 }
 
 /// The complex of the checker with the numbers of the library.

@@ -25,14 +25,16 @@ use std::io::Write;
 pub struct GreyImage {
     axes: Axes,
     filtration: ImageFiltration,
+    /// Whether a mask has left voxels out.
+    is_cut: bool,
 }
 
 /// How the axes of an image are numbered.
 #[derive(Clone, Debug)]
-struct Axes {
+pub(super) struct Axes {
     /// The number of voxels along each.
     shape: Vec<usize>,
-    is_first_fastest: bool,
+    pub(super) is_first_fastest: bool,
 }
 
 impl Axes {
@@ -71,7 +73,7 @@ impl GreyImage {
     /// ```
     pub fn new(shape: &[usize], numbers: impl IntoIterator<Item = f64>) -> Result<Self, Error> {
         let axes = Axes { shape: shape.to_vec(), is_first_fastest: false };
-        Ok(Self { axes, filtration: ImageFiltration::new(shape, numbers)? })
+        Ok(Self { axes, filtration: ImageFiltration::new(shape, numbers)?, is_cut: false })
     }
 
     /// The image in a volume file, with the axes of the file. Gives remarks too.
@@ -87,7 +89,7 @@ impl GreyImage {
         let axes = Axes { shape: shape.clone(), is_first_fastest };
         let (numbers, remarks) = stream.numbers()?;
         let filtration = ImageFiltration::new(&axes.turned(shape), numbers)?;
-        Ok((Self { axes, filtration }, remarks))
+        Ok((Self { axes, filtration, is_cut: false }, remarks))
     }
 
     /// The number of voxels along each axis.
@@ -125,7 +127,7 @@ impl GreyImage {
         let count: usize = shape.iter().product();
         let axes = self.axes;
         let filtration = self.filtration.mask((0..count).map(|voxel| mask.is_set(&axes.voxel(voxel))))?;
-        Ok(Self { axes, filtration })
+        Ok(Self { axes, filtration, is_cut: true })
     }
 }
 
@@ -262,7 +264,8 @@ impl ImageRequest {
     /// # Examples
     /// See [`ImageRequest`].
     pub fn found(&self, name: &str, image: GreyImage) -> Result<FoundImage, Error> {
-        let GreyImage { axes, filtration } = image;
+        let GreyImage { axes, filtration, is_cut } = image;
+        let mut has_periodic = false;
         let find = || {
             let is_periodic = self.periodic.periodic_axes(axes.shape.len())?;
             let mut along = axes.shape.iter().zip(&is_periodic);
@@ -273,6 +276,7 @@ impl ImageRequest {
                 )
                 .with_cure("leave it out of --periodic"));
             }
+            has_periodic = is_periodic.contains(&true);
             let filtration = filtration
                 .construction(self.construction)
                 .superlevel(self.is_superlevel)
@@ -288,7 +292,15 @@ impl ImageRequest {
             Ok(filtration.persistence(self.coefficients)?.longer_than(self.min_persistence))
         };
         let diagram = find().map_err(|error| error.in_file(name))?;
-        Ok(FoundImage { name: name.to_owned(), construction: self.construction, axes, diagram })
+        Ok(FoundImage {
+            name: name.to_owned(),
+            construction: self.construction,
+            axes,
+            diagram,
+            is_cut,
+            is_periodic: has_periodic,
+            min_persistence: self.min_persistence.max(0.0),
+        })
     }
 }
 
@@ -296,9 +308,13 @@ impl ImageRequest {
 #[derive(Clone, Debug)]
 pub struct FoundImage {
     name: String,
-    construction: ImageConstruction,
-    axes: Axes,
-    diagram: ImageDiagram,
+    pub(super) construction: ImageConstruction,
+    pub(super) axes: Axes,
+    pub(super) diagram: ImageDiagram,
+    /// Whether a mask has left voxels out.
+    pub(super) is_cut: bool,
+    pub(super) is_periodic: bool,
+    pub(super) min_persistence: f64,
 }
 
 impl FoundImage {
@@ -328,8 +344,8 @@ impl FoundImage {
     /// ```
     #[must_use]
     pub fn longer_than(&self, least: f64) -> Self {
-        let (name, axes) = (self.name.clone(), self.axes.clone());
-        Self { name, axes, construction: self.construction, diagram: self.diagram.longer_than(least) }
+        let min_persistence = self.min_persistence.max(least);
+        Self { diagram: self.diagram.longer_than(least), min_persistence, ..self.clone() }
     }
 
     /// The voxels that have the birth and the death of a pair, by their places along the axes.

@@ -19,7 +19,9 @@ mod extended;
 mod filtered;
 mod given;
 mod image;
+mod image_certificate;
 mod points;
+mod points_certificate;
 mod vineyard;
 mod zigzag;
 

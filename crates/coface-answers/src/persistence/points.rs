@@ -196,12 +196,12 @@ fn length(pair: &RipsPair) -> f64 {
 #[derive(Clone, Debug)]
 pub struct FoundRips {
     name: String,
-    filtration: RipsFiltration,
-    diagram: RipsDiagram,
+    pub(super) filtration: RipsFiltration,
+    pub(super) diagram: RipsDiagram,
     pairs: Vec<RipsPair>,
     /// Of a graph, what the vertices are called in the file.
-    labels: Option<Labels>,
-    min_persistence: f64,
+    pub(super) labels: Option<Labels>,
+    pub(super) min_persistence: f64,
 }
 
 impl FoundRips {

@@ -1,6 +1,7 @@
 //! Tests of `coface-answers`, in one program: each test program links everything anew.
 
 mod certificates;
+mod certificates_of_points;
 mod certificates_of_walks;
 mod covering;
 mod exact_chains;

@@ -81,8 +81,8 @@ pub(crate) struct Persistence {
     /// by boundaries of cells that are there at the birth; the shortest ones are not promised
     #[arg(long, value_name = "OUT", num_args = 0..=1)]
     cycles: Option<Option<PathBuf>>,
-    /// A certificate of the pairs, which coface check verifies against the input; of a facet list, a chain complex, or a surface as plain OFF or OBJ; in
-    /// the binary form if OUT ends in .bin
+    /// A certificate of the pairs, which coface check verifies against the input; of a facet list, a chain complex, or a surface as plain OFF or OBJ; with --rips of
+    /// rows of points or distances; of other complexes of points, whose simplices it lists; of small volumes as .npy or .pgm; in the binary form if OUT ends in .bin
     #[arg(long, value_name = "OUT")]
     certificate: Option<PathBuf>,
     #[command(flatten)]
@@ -152,16 +152,18 @@ impl Persistence {
             });
         }
         if let Some((found, positions)) = self.found_of_points(common, &progress)? {
-            if self.cycles.is_some() {
+            let is_graph = common.points.flag(common.voxels.threshold()).is_some();
+            if self.cycles.is_some() || is_graph && self.certificate.is_some() {
                 let (points, request) = found.with_simplices(positions)?;
                 let name = input::name(&self.input);
                 return self.give_complex(
                     common,
                     output.as_ref(),
                     progress,
-                    (&name, points.producer(), request),
+                    (&name, points.producer(), request, true),
                 );
             }
+            self.save_certificate(&progress, |inputs| found.certificate(inputs))?;
             return self.give(common, output.as_ref(), progress, &found.answer(), |bytes, format| {
                 found.write(bytes, format)
             });
@@ -173,14 +175,19 @@ impl Persistence {
             if let Some(degree) = most_degree {
                 request = request.up_to_degree(degree);
             }
-            return self.give_complex(common, output.as_ref(), progress, (&name, points.producer(), request));
+            return self.give_complex(
+                common,
+                output.as_ref(),
+                progress,
+                (&name, points.producer(), request, true),
+            );
         }
         if self.is_of_values(common) {
             let found =
                 self.image.found(&source, common, self.coefficients, self.min_persistence, &progress)?;
             if let Some(found) = found {
                 self.refuse_cycles()?;
-                self.refuse_certificate("of the values of a volume")?;
+                self.save_certificate(&progress, |inputs| found.certificate(inputs))?;
                 return self.give(common, output.as_ref(), progress, &found.answer(), |bytes, format| {
                     found.write(bytes, format)
                 });
@@ -212,7 +219,7 @@ impl Persistence {
                 write_table(&answer, bytes, format)
             });
         }
-        self.give_complex(common, output.as_ref(), progress, (&name, &producer, request))
+        self.give_complex(common, output.as_ref(), progress, (&name, &producer, request, false))
     }
 
     /// The diagram of points, distances or a graph whose complex is not stored, with the positions of points that have some.
@@ -227,9 +234,6 @@ impl Persistence {
         let question =
             PointQuestion { coefficients: self.coefficients, min_persistence: self.min_persistence };
         let found = question.found(&self.input, common, progress)?;
-        if found.is_some() {
-            self.refuse_certificate("of points")?;
-        }
         Ok(found)
     }
 
@@ -255,7 +259,6 @@ impl Persistence {
         }
         let found = stored(source, common, &name, progress)?;
         if let Some((points, _)) = &found {
-            self.refuse_certificate("of points")?;
             let said = points.producer().remarks();
             common.reading().accept(said).map_err(|error| error.in_file(&name))?;
             remarks::take(&name, said);
@@ -274,9 +277,9 @@ impl Persistence {
         common: &Common,
         output: Option<&(&Path, Output)>,
         progress: Progress,
-        (name, producer, request): (&str, &Producer, PersistenceRequest),
+        (name, producer, request, of_points): (&str, &Producer, PersistenceRequest, bool),
     ) -> Result<(), Failure> {
-        if self.certificate.is_some() {
+        if self.certificate.is_some() && !of_points {
             // The checker reads the file as it is.
             common.points.refuse("persistence with a certificate")?;
         }
@@ -285,13 +288,24 @@ impl Persistence {
             progress.stage(format!("writing {}", place.display()));
             save_cycles(place, &found)?;
         }
-        if let Some(place) = &self.certificate {
-            progress.stage(format!("proving {}", place.display()));
-            certified::save(place, std::slice::from_ref(&self.input), |inputs| found.certificate(inputs))?;
-        }
+        self.save_certificate(&progress, |inputs| match of_points {
+            true => found.certificate_of_points(inputs),
+            false => found.certificate(inputs),
+        })?;
         self.give(common, output, progress, &found.answer(), |bytes, format| {
             write_diagram(found.diagram(), bytes, format)
         })
+    }
+
+    /// Writes the certificate, if there is to be one.
+    fn save_certificate(
+        &self,
+        progress: &Progress,
+        certificate: impl FnOnce(&[(&str, &[u8])]) -> Result<String, coface::Error>,
+    ) -> Result<(), Failure> {
+        let Some(place) = &self.certificate else { return Ok(()) };
+        progress.stage(format!("proving {}", place.display()));
+        certified::save(place, std::slice::from_ref(&self.input), certificate)
     }
 
     /// Cells of images are not listed.
@@ -301,17 +315,6 @@ impl Persistence {
         }
         Err(Failure::new(format!(
             "{}: --cycles is for functions on complexes and for points, not for persistence of the values of a volume; leave --cycles out",
-            input::name(&self.input)
-        )))
-    }
-
-    /// The checker reads complexes: no points, and no volumes.
-    fn refuse_certificate(&self, what: &str) -> Result<(), Failure> {
-        if self.certificate.is_none() {
-            return Ok(());
-        }
-        Err(Failure::new(format!(
-            "{}: --certificate is for functions on complexes, not for persistence {what}; leave --certificate out",
             input::name(&self.input)
         )))
     }

@@ -152,11 +152,17 @@ pub(crate) fn lie_about(certificate: &Path, inputs: &[&Path]) {
     let truth = verdict(&honest).expect("the program wrote it");
     let mut all = Vec::new();
     places(&honest, "", &mut all);
-    // Another bound between the same pairs, or another tolerance with the same classes, is another true claim, and another path may leave the same
+    // Another bound between the same pairs, another tolerance with the same classes, or another threshold with the same simplices is another true claim, and another path may leave the same
     // pieces; other walks are another question.
-    let other_claims = ["/min_persistence", "/answer/tolerance"];
+    let other_claims = ["/min_persistence", "/answer/tolerance", "/answer/threshold"];
+    let has_points =
+        ["rips", "image"].contains(&honest["kind"].as_str().unwrap()) || !honest["facets"].is_null();
     all.retain(|place| {
-        !other_claims.contains(&&place[..]) && !place.starts_with("/along") && !place.starts_with("/walks")
+        // The same pairs over another field are another true claim too.
+        !(has_points && place == "/answer/field")
+            && !other_claims.contains(&&place[..])
+            && !place.starts_with("/along")
+            && !place.starts_with("/walks")
     });
     let mut state = 29u64;
     let mut random = || {
@@ -434,6 +440,109 @@ fn diagrams_are_proved_and_lies_about_them_are_not() {
     let refused = coface(&["check", argument(&certificate), argument(&input)]);
     assert_eq!(refused.status, 1);
     assert!(refused.stderr.contains("the values of the vertices are not z"), "{}", refused.stderr);
+}
+
+/// Points on a ring, with one in its middle and one twice.
+const RING: &str = "10 0\n7 7\n0 10\n-7 7\n-10 0\n-7 -7\n0 -10\n7 -7\n0 0\n0 0\n";
+
+#[test]
+fn diagrams_of_points_are_proved_and_lies_about_them_are_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let (input, certificate) = (folder.path().join("ring.csv"), folder.path().join("ring.cert"));
+    fs::write(&input, RING).unwrap();
+    let words = ["persistence", argument(&input), "--certificate", argument(&certificate), "--json"];
+    for (options, expected, unchecked) in [
+        (&["--rips"][..], "the rows of the file are 10 points with 2 coordinates", json!([])),
+        (
+            &["--rips", "--dimension", "2", "--coefficients", "3", "--threshold", "15"],
+            "the rows of the file",
+            json!([]),
+        ),
+        (
+            &["--alpha"],
+            "the simplices are a Delaunay triangulation of 10 points with 2 coordinates",
+            json!([]),
+        ),
+        (
+            &["--alpha", "30"],
+            "the filtration has the simplices that the certificate lists",
+            json!(["function"]),
+        ),
+        (&["--cech"], "the filtration has the simplices that the certificate lists", json!(["function"])),
+        (
+            &["--landmarks", "5"],
+            "the filtration has the simplices that the certificate lists",
+            json!(["function"]),
+        ),
+        (
+            &["--mapper", "3"],
+            "the filtration has the simplices that the certificate lists",
+            json!(["function"]),
+        ),
+    ] {
+        let answer = coface(&[&words[..], options].concat()).json();
+        let verdict = checked(&certificate, &input);
+        assert!(verdict["proved"][0].as_str().unwrap().starts_with(expected), "{options:?} {verdict}");
+        assert_eq!(verdict["unchecked"], unchecked, "{options:?}");
+        let certified: Value = serde_json::from_slice(&fs::read(&certificate).unwrap()).unwrap();
+        assert_eq!(certified["answer"]["diagram"], answer["diagram"], "{options:?}");
+        if ["--rips", "--alpha"].contains(&options[0]) {
+            lie_about(&certificate, &[&input]);
+        }
+    }
+    // A graph, whose simplices are listed.
+    let graph = folder.path().join("graph.txt");
+    fs::write(&graph, "2 3\n3 5\n5 9\n9 2\n2 5 4\n").unwrap();
+    coface(&["persistence", argument(&graph), "--flag", "--certificate", argument(&certificate), "--json"])
+        .json();
+    assert_eq!(checked(&certificate, &graph)["unchecked"], json!(["function", "threshold"]));
+    // The checker reads no series of delays.
+    fs::remove_file(&certificate).unwrap();
+    let run = coface(&[&words[..4], &["--rips", "--delay", "1"]].concat());
+    assert!(run.fails_with(1).contains("give points or distances as rows of numbers"), "{}", run.stderr);
+    assert!(!certificate.exists());
+}
+
+#[test]
+fn diagrams_of_images_are_proved_and_lies_about_them_are_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let (image, certificate) = (folder.path().join("image.pgm"), folder.path().join("image.cert"));
+    // A dark ring around a bright pixel, and another dark one.
+    fs::write(&image, "P2\n6 4\n# grey\n9\n1 2 1 9 9 9\n2 8 2 9 3 9\n1 1 2 9 9 9\n9 9 9 9 9 9\n").unwrap();
+    for (options, line, ring) in [
+        (
+            &[][..],
+            "the image has 4 x 6 voxels, which are cubes, and sublevel sets of their values grow",
+            json!([1, 2.0, 8.0]),
+        ),
+        (
+            &["--construction", "v", "--coefficients", "3"],
+            "the image has 4 x 6 voxels, which are vertices",
+            json!([1, 2.0, 8.0]),
+        ),
+        (
+            &["--superlevel"],
+            "the image has 4 x 6 voxels, which are cubes, and superlevel sets",
+            json!([0, 8.0, 2.0]),
+        ),
+    ] {
+        let words = ["persistence", argument(&image), "--certificate", argument(&certificate), "--json"];
+        let answer = coface(&[&words[..], options].concat()).json();
+        let has = |pair: &Value| json!([pair["degree"], pair["birth"], pair["death"]]) == ring;
+        assert!(answer["diagram"].as_array().unwrap().iter().any(has), "{answer}");
+        let verdict = checked(&certificate, &image);
+        assert!(verdict["proved"][0].as_str().unwrap().starts_with(line), "{verdict}");
+        assert_eq!(verdict["unchecked"], json!([]));
+        lie_about(&certificate, &[&image]);
+    }
+    fs::remove_file(&certificate).unwrap();
+    for option in [&["--periodic", "0"][..], &["--mask", argument(&image)]] {
+        let run = coface(
+            &[&["persistence", argument(&image), "--certificate", argument(&certificate)], option].concat(),
+        );
+        assert!(run.fails_with(1).contains("no masks and no periodic axes"), "{}", run.stderr);
+        assert!(!certificate.exists());
+    }
 }
 
 /// The checker reads the triangle of the file, and not what its corners make, though both are a disk here.

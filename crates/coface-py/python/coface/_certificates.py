@@ -36,6 +36,9 @@ def certificate(
     function: str | Sequence[float] | None = None,
     upper_star: bool = False,
     min_persistence: float = 0.0,
+    points: Literal["rips", "alpha", "cech", "image"] | None = None,
+    dimension: int = 1,
+    threshold: float | None = None,
     operation: str | None = None,
     tolerance: float | None = None,
     greedy: bool = False,
@@ -76,6 +79,9 @@ def certificate(
     function, upper_star, min_persistence
         Of persistence: ``"x"``, ``"y"`` or ``"z"``, or a number for each vertex, by default the last coordinate; whether cells enter from high values
         to low ones; pairs whose persistence is not greater are left out.
+    points, dimension, threshold
+        Of persistence of points, in rows of numbers as text, or of the vertices of OFF and OBJ: the complex that they make, the highest degree (not of ``"alpha"``), and the largest value. Of
+        ``"rips"``, and of ``"image"``, the voxels of a .npy or .pgm file as cubes (from high values with `upper_star`), all is proved from the file, and of ``"alpha"`` without a threshold; of ``"cech"`` that the simplices and values are those of the points is not.
     operation
         Of a Boolean: ``"union"``, ``"intersection"``, ``"difference"``, ``"xor"``, or a formula of the files such as ``"(a | b) - c"``.
     tolerance, greedy
@@ -132,6 +138,8 @@ def certificate(
         return _coface._surface_certificate(path, of, simplify, along, radius, copies, orientation, component, progress)
     if of == "persistence":
         field = "f2" if coefficients is None else coefficients
+        if points is not None:
+            return _coface._points_certificate(path, points, field, dimension, threshold, upper_star, min_persistence, progress)
         return _coface._persistence_certificate(path, field, function, upper_star, min_persistence, progress)
     return _coface._certificate(path, of, "z" if coefficients is None else coefficients, cohomology, reduced, relative, generators, progress)
 

@@ -43,7 +43,7 @@ pub use extended::{ExtendedKind, ExtendedPair, extended_persistence};
 pub use filtration::Filtration;
 pub use image::{ImageConstruction, ImageDiagram, ImageFiltration, ImagePair};
 pub use reduction::persistence;
-pub use rips::{RipsDiagram, RipsFiltration, RipsPair, RipsSize};
+pub use rips::{RipsCochain, RipsDiagram, RipsFiltration, RipsPair, RipsSize};
 pub use torsion::torsion_primes;
 pub use vineyard::{Vine, VinePoint, vineyard};
 pub use zigzag::{ZigzagFiltration, ZigzagPair, ZigzagStep};

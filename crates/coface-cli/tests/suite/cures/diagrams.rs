@@ -40,10 +40,20 @@ pub(super) const CASES: &[Case] = &[
         ), ("f.txt", "0\n9\n1\n9\n1\n9\n1\n9\n1\n9\n1\n9\n1\n9\n1\n9\n1\n9\n1\n")])
         .answered("coface persistence path.json --vineyard f.txt")
         .cured(&[&["coface persistence path.json --vineyard f.txt --json"]]),
-    Case::new("commands/persistence.rs", "leave --certificate out")
+    Case::new("persistence/image_certificate.rs", "leave --certificate out, or give a small array of NumPy (.npy) or a grey map (.pgm)")
+        .files(&[("image.pgm", "P2\n2 2\n9\n1 2\n3 4\n")])
+        .refused("coface persistence image.pgm --periodic 0 --certificate image.cert")
+        .cured(&[
+            &["coface persistence image.pgm --periodic 0"],
+            &["coface persistence image.pgm --certificate image.cert", "coface check image.cert image.pgm"],
+        ]),
+    Case::new("persistence/points_certificate.rs", "leave --certificate out, or give points or distances as rows of numbers")
         .files(POINTS)
-        .refused("coface persistence points.csv --rips --certificate points.cert")
-        .cured(&[&["coface persistence points.csv --rips"]]),
+        .refused("coface persistence points.csv --rips --distances upper --certificate points.cert")
+        .cured(&[
+            &["coface persistence points.csv --rips --distances upper"],
+            &["coface persistence points.csv --rips --certificate points.cert", "coface check points.cert points.csv"],
+        ]),
     Case::new("commands/diagram.rs", "all values with -o or --json")
         .files(&[("many.csv", "0 1\n2 3\n4 5\n6 7\n8 9\n10 11\n12 13\n14 15\n16 17\n18 19\n20 21\n")])
         .answered("coface diagram betti many.csv")

@@ -56,6 +56,24 @@ impl RipsPair {
     }
 }
 
+/// A sum of simplices of a Vietoris-Rips filtration whose coboundary begins with the simplex that ends the class of its first term, or is zero.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct RipsCochain {
+    pub(super) terms: Vec<(u32, Vec<VertexId>)>,
+}
+
+impl RipsCochain {
+    /// The simplices by their points, rising, with their coefficients, from 1 to the prime less 1: first the one that makes the class, then others that enter later.
+    /// A simplex without the i-th of its points, counted from the last one down from 0, has the incidence $(-1)^i$ in it.
+    ///
+    /// # Examples
+    /// See [`RipsFiltration::persistence_with_cochains`](super::RipsFiltration::persistence_with_cochains).
+    pub fn terms(&self) -> &[(u32, Vec<VertexId>)] {
+        &self.terms
+    }
+}
+
 /// The classes of a Vietoris-Rips filtration that live longer than a moment: by rising degree, then in the order of births.
 ///
 /// # Examples

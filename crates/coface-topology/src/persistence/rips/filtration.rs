@@ -1,13 +1,13 @@
 //! Vietoris-Rips filtrations, and how large they are.
 
-use super::diagram::RipsDiagram;
+use super::diagram::{RipsCochain, RipsDiagram};
 use super::near::{FAR, Lists, MOST_POINTS, Near, Square};
-use super::reduction::Reduction;
+use super::reduction::{Numbered, Reduction};
 use super::simplices::{Binomials, Simplex, Simplices};
 use crate::homology::Coefficients;
 use crate::persistence::reduction::prime;
 use coface_algebra::progress::stage;
-use coface_algebra::{Binary, Error, ErrorKind, Field, Odd};
+use coface_algebra::{Binary, Error, ErrorKind, Odd};
 use coface_complexes::filtered::{Distances, FilteredComplex, WeightedGraph};
 use rayon::prelude::*;
 
@@ -248,15 +248,56 @@ impl RipsFiltration {
     /// # Examples
     /// See [`RipsDiagram`].
     pub fn persistence(&self, dimension: usize, coefficients: Coefficients) -> Result<RipsDiagram, Error> {
+        self.reduced(dimension, coefficients, None)
+    }
+
+    /// The same, and a proof: for each degree from 1 on the cochains of several terms. Each other simplex that ends no class is a cochain by itself. The coboundaries of
+    /// all these, where they are not zero, begin with different simplices.
+    ///
+    /// # Errors
+    /// Those of [`Self::persistence`].
+    ///
+    /// # Complexity
+    /// That of [`Self::persistence`], and the memory of the terms.
+    ///
+    /// # Examples
+    /// A square whose hole is not filled. The first three of its sides join its corners, and the last one is a cochain by itself.
+    /// ```
+    /// use coface_complexes::filtered::Distances;
+    /// use coface_topology::{Coefficients, RipsFiltration};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let square = Distances::from_lower_triangle(4, vec![1.0, 2.0, 1.0, 1.0, 2.0, 1.0])?;
+    /// let filtration = RipsFiltration::new(&square, Some(1.5))?;
+    /// let (diagram, cochains) = filtration.persistence_with_cochains(1, Coefficients::Modulo(2))?;
+    /// assert_eq!(diagram.betti_numbers(), [1, 1]);
+    /// assert!(cochains[0].iter().all(|cochain| cochain.terms().len() > 1));
+    /// # Ok(()) }
+    /// ```
+    pub fn persistence_with_cochains(
+        &self,
+        dimension: usize,
+        coefficients: Coefficients,
+    ) -> Result<(RipsDiagram, Vec<Vec<RipsCochain>>), Error> {
+        let mut cochains = Vec::new();
+        let diagram = self.reduced(dimension, coefficients, Some(&mut cochains))?;
+        Ok((diagram, cochains))
+    }
+
+    fn reduced(
+        &self,
+        dimension: usize,
+        coefficients: Coefficients,
+        cochains: Option<&mut Vec<Vec<RipsCochain>>>,
+    ) -> Result<RipsDiagram, Error> {
         let prime = prime(coefficients)?;
         let binomials = self.binomials(dimension)?;
         let edges = self.simplices_of_edges();
         let degrees = if self.is_dense() {
             let near = Square::new(self.count, self.edges.iter().copied());
-            self.pairs(&Simplices { near, binomials }, &edges, dimension, prime)
+            self.pairs(&Simplices { near, binomials }, &edges, (dimension, prime), cochains)
         } else {
             let near = Lists::new(self.count, self.edges.iter().copied());
-            self.pairs(&Simplices { near, binomials }, &edges, dimension, prime)
+            self.pairs(&Simplices { near, binomials }, &edges, (dimension, prime), cochains)
         };
         Ok(RipsDiagram { prime, threshold: self.threshold, degrees })
     }
@@ -265,27 +306,28 @@ impl RipsFiltration {
         &self,
         simplices: &Simplices<N>,
         edges: &[Simplex],
-        dimension: usize,
-        prime: u32,
+        (dimension, prime): (usize, u32),
+        cochains: Option<&mut Vec<Vec<RipsCochain>>>,
     ) -> Vec<Vec<super::RipsPair>> {
         match prime {
-            2 => self.over(&Binary, simplices, edges, dimension),
-            _ => self.over(&Odd::new(prime), simplices, edges, dimension),
+            2 => self.over(&Binary, simplices, edges, dimension, cochains),
+            _ => self.over(&Odd::new(prime), simplices, edges, dimension, cochains),
         }
     }
 
-    fn over<N: Near, F: Field + Sync>(
+    fn over<N: Near, F: Numbered + Sync>(
         &self,
         field: &F,
         simplices: &Simplices<N>,
         edges: &[Simplex],
         dimension: usize,
+        cochains: Option<&mut Vec<Vec<RipsCochain>>>,
     ) -> Vec<Vec<super::RipsPair>>
     where
         F::Unit: Send + Sync,
     {
         let (values, births) = (&self.values, &self.births);
-        Reduction { simplices, field, values, births, edges }.pairs(dimension)
+        Reduction { simplices, field, values, births, edges }.pairs(dimension, cochains)
     }
 
     /// How many simplices there are up to a degree, and how much memory [`Self::persistence`] takes, as far as a sample shows, if the threshold

@@ -20,5 +20,5 @@ mod simplices;
 #[cfg(test)]
 mod tests;
 
-pub use diagram::{RipsDiagram, RipsPair};
+pub use diagram::{RipsCochain, RipsDiagram, RipsPair};
 pub use filtration::{RipsFiltration, RipsSize};

@@ -1,16 +1,34 @@
 //! The coboundaries of a Vietoris-Rips filtration, reduced without being stored.
 
-use super::diagram::RipsPair;
+use super::diagram::{RipsCochain, RipsPair};
 use super::near::{FAR, Near};
 use super::simplices::{Simplex, Simplices};
 use coface_algebra::progress::stage;
-use coface_algebra::{Field, SpreadMap, UnionFind, VertexId};
+use coface_algebra::{Binary, Field, Odd, SpreadMap, UnionFind, VertexId};
 use rayon::prelude::*;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 /// The simplices that end a class, by their index: which column has them as its first, and with which coefficient.
 type Pivots<U> = SpreadMap<u64, (u32, U)>;
+
+/// Fields whose elements are integers modulo a prime.
+pub(super) trait Numbered: Field {
+    /// The least positive integer of a class.
+    fn number(a: Self::Unit) -> u32;
+}
+
+impl Numbered for Binary {
+    fn number((): ()) -> u32 {
+        1
+    }
+}
+
+impl Numbered for Odd {
+    fn number(a: u32) -> u32 {
+        a
+    }
+}
 
 pub(super) struct Reduction<'a, N, F> {
     pub(super) simplices: &'a Simplices<N>,
@@ -23,18 +41,27 @@ pub(super) struct Reduction<'a, N, F> {
     pub(super) edges: &'a [Simplex],
 }
 
-impl<N: Near, F: Field + Sync> Reduction<'_, N, F>
+impl<N: Near, F: Numbered + Sync> Reduction<'_, N, F>
 where
     F::Unit: Send + Sync,
 {
-    /// The pairs of all degrees up to this one.
-    pub(super) fn pairs(&self, dimension: usize) -> Vec<Vec<RipsPair>> {
+    /// The pairs of all degrees up to this one, and of each degree from 1 on the cochains that are sums of several simplices, if they are wanted.
+    pub(super) fn pairs(
+        &self,
+        dimension: usize,
+        mut cochains: Option<&mut Vec<Vec<RipsCochain>>>,
+    ) -> Vec<Vec<RipsPair>> {
         let (points, mut columns) = self.merge(dimension > 0);
         let mut degrees = vec![points];
         let mut list: Vec<Simplex> = if dimension > 1 { self.edges.to_vec() } else { Vec::new() };
         for degree in 1..=dimension {
-            let (pairs, pivots) = self.reduce(degree, columns, degree < dimension);
+            let mut own = Vec::new();
+            let wanted = cochains.is_some().then_some(&mut own);
+            let (pairs, pivots) = self.reduce(degree, columns, degree < dimension, wanted);
             degrees.push(pairs);
+            if let Some(cochains) = cochains.as_deref_mut() {
+                cochains.push(own);
+            }
             columns = Vec::new();
             if degree < dimension {
                 (list, columns) = self.next(degree, list, &pivots, degree + 1 < dimension);
@@ -132,6 +159,7 @@ where
         degree: usize,
         columns: Vec<Simplex>,
         with_pivots: bool,
+        mut cochains: Option<&mut Vec<RipsCochain>>,
     ) -> (Vec<RipsPair>, Pivots<F::Unit>) {
         let mut pivots: Pivots<F::Unit> = SpreadMap::default();
         let mut sums = Summands { starts: vec![0], terms: Vec::new() };
@@ -173,6 +201,16 @@ where
                 },
             };
             sums.push(self.field, &mut summands);
+            if let Some(cochains) = cochains.as_deref_mut()
+                && !sums.of(number).is_empty()
+            {
+                let own = (simplex, self.unit(false));
+                let term =
+                    |&(simplex, x): &(Simplex, F::Unit)| (F::number(x), self.vertices(degree, simplex));
+                cochains.push(RipsCochain {
+                    terms: std::iter::once(&own).chain(sums.of(number)).map(term).collect(),
+                });
+            }
             if death.is_none_or(|death| death.rank > simplex.rank) {
                 let value = |simplex: Simplex| self.values[simplex.rank as usize];
                 pairs.push(RipsPair {

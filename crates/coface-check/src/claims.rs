@@ -1,6 +1,6 @@
 //! What has been proved so far, and what has not been looked at.
 
-use coface_check::{Fault, Verdict};
+use crate::{Fault, Verdict};
 use serde_json::{Map, Value};
 
 /// Claims of an answer.
