@@ -95,10 +95,11 @@ fn diagram(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     let mut betti = vec![0u64; complex.counts().len()];
     pairs.iter().filter(|pair| pair.2.is_none()).for_each(|pair| betti[pair.0] += 1);
     let claimed = list(field(answer, "betti", "answer")?, "\"betti\"", "answer")?;
-    // Complexes of points lack simplices above the degrees of the answer, or have none there.
-    if listed.is_some() && claimed.len() <= 64 {
-        betti.resize(claimed.len(), 0);
-        pairs.retain(|pair| pair.0 < claimed.len());
+    // Complexes of points may lack simplices above a degree, and tell nothing there.
+    if let (Some(_), Some(most)) = (&listed, optional(whole, "most_degree")) {
+        let most = index(most, "\"most_degree\"", "answer")? as usize;
+        betti.resize(most.min(64) + 1, 0);
+        pairs.retain(|pair| pair.0 <= most);
     }
     if !claimed.iter().map(Value::as_u64).eq(betti.iter().map(|count| Some(*count))) {
         return Err(Fault::new("answer", format!("the Betti numbers over F_{prime} are {betti:?}")));

@@ -24,6 +24,9 @@ struct Certificate<'a> {
     /// How the file has the points, where the checker finds the simplices and values.
     #[serde(skip_serializing_if = "Option::is_none")]
     layout: Option<&'static str>,
+    /// The highest degree of the answer, where the complex has others above.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    most_degree: Option<usize>,
     answer: &'a PersistenceAnswer,
     proof: Proof,
 }
@@ -134,6 +137,7 @@ impl FoundDiagram<'_> {
             min_persistence: self.min_persistence,
             facets,
             layout: None,
+            most_degree: self.most_degree,
             answer: &answer,
             proof: Proof { values, order, chains },
         };

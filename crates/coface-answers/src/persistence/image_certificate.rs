@@ -75,6 +75,9 @@ impl FoundImage {
         let (cells, values) = image
             .cells(are_vertices, self.diagram.is_falling())
             .map_err(|fault| refused(&fault.to_string()))?;
+        if cells.counts() == [0] {
+            return Err(refused("there is no voxel"));
+        }
         let complex = chain_complex(&cells)?;
         let filtration = Filtration::new(&complex, values)?;
         let order: Vec<Vec<u32>> =

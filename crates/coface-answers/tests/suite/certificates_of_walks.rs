@@ -132,7 +132,7 @@ proptest! {
     fn comparisons_of_walks_are_proved(
         which in 0usize..11,
         choices in prop::collection::vec(prop::collection::vec(0usize..12, 2..9), 3),
-        (turn, base, is_canonical) in (0usize..9, 0u32..6, prop::bool::ANY),
+        (turn, base, is_canonical) in (0usize..9, 0u32..4, prop::bool::ANY),
         detour in prop::collection::vec(0usize..12, 0..5),
     ) {
         let facets = surfaces().swap_remove(which);
