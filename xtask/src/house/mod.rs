@@ -43,7 +43,6 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "coface-check-persistence",
             "coface-check-plane",
             "coface-check-space",
-            "coface-check-loops",
             "coface-check-walks",
         ],
     ),

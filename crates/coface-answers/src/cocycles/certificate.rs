@@ -20,7 +20,7 @@ struct Certificate<G> {
 
 impl FoundCocycles<'_> {
     /// A certificate of the basis, from the name and the bytes of the file that the model was read from: cocycles and loops are closed, their values
-    /// on each other are the pairing, and they are a basis. [`coface_check_loops::check`] derives that without any code of this library, as
+    /// on each other are the pairing, and they are a basis. [`coface_check_walks::check`] derives that without any code of this library, as
     /// `docs/certificates.md` says. It has been checked.
     ///
     /// # Errors
@@ -37,7 +37,7 @@ impl FoundCocycles<'_> {
     /// let input = &b"[[0,1],[1,2],[0,2]]"[..];
     /// let rim = Producer::of(coface_io::read(input, coface_io::Format::Json)?)?;
     /// let certificate = CocyclesRequest::new().found(&rim)?.certificate(&[("rim.json", input)])?;
-    /// let verdict = coface_check_loops::check(certificate.as_bytes(), &[input]).expect("the proof holds");
+    /// let verdict = coface_check_walks::check(certificate.as_bytes(), &[input]).expect("the proof holds");
     /// assert_eq!(verdict.proved()[0], "the first cohomology over Z has rank 1");
     /// # Ok(()) }
     /// ```

@@ -34,7 +34,7 @@ struct Proof {
 
 impl ModelCongruence {
     /// A certificate of the congruence, for the names and the bytes of the files that the models were read from: the image of each cell and the boundaries
-    /// of the classes, which [`coface_check_loops::check`] follows without any code of this library, as `docs/certificates.md` says. It has been checked.
+    /// of the classes, which [`coface_check_walks::check`] follows without any code of this library, as `docs/certificates.md` says. It has been checked.
     ///
     /// Classes that were merged again ([`CongruenceRequest::stable`](super::CongruenceRequest::stable)) are not tested against the tolerance, which the
     /// checker then lists as unchecked.
@@ -54,7 +54,7 @@ impl ModelCongruence {
     /// let models = vec![("path.obj".to_owned(), coface_io::read(text, Format::Obj)?)];
     /// let merged = ModelCongruence::of(models, &CongruenceRequest::within(0.0))?;
     /// let certificate = merged.certificate(&[("path.obj", text)])?;
-    /// let verdict = coface_check_loops::check(certificate.as_bytes(), &[text]).expect("the proof holds");
+    /// let verdict = coface_check_walks::check(certificate.as_bytes(), &[text]).expect("the proof holds");
     /// assert_eq!(verdict.proved()[1], "cells become those of a complex with the f-vector [3, 2] by a chain map onto it");
     /// # Ok(()) }
     /// ```

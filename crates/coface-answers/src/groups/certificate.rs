@@ -58,7 +58,7 @@ impl GroupsRequest {
     /// let rim = Producer::of(coface_io::read(input, coface_io::Format::Json)?)?;
     /// let request = GroupsRequest::new();
     /// let certificate = request.certificate(&request.found(&rim)?, &rim, &[("rim.json", input)])?;
-    /// let verdict = coface_check_loops::check(certificate.as_bytes(), &[input]).expect("the proof holds");
+    /// let verdict = coface_check_walks::check(certificate.as_bytes(), &[input]).expect("the proof holds");
     /// assert!(verdict.proved().contains(&"this group is Z".to_owned()));
     /// # Ok(()) }
     /// ```

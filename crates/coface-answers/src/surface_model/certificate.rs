@@ -39,7 +39,7 @@ struct Faces {
 impl SurfaceCut<'_> {
     /// A certificate of the cut, from the name and the bytes of the file that the model was read from: what each component is, that it was cut to a disk,
     /// and that the way around the disk passes each seam twice as the word says; or what is left after a cut along a path.
-    /// [`coface_check_loops::check`] derives that without any code of this library, as `docs/certificates.md` says. It has been checked.
+    /// [`coface_check_walks::check`] derives that without any code of this library, as `docs/certificates.md` says. It has been checked.
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::UnsupportedFormat`] if the checker does not read the file as this library does: it reads facet lists, and plain OFF and
@@ -56,7 +56,7 @@ impl SurfaceCut<'_> {
     /// let surface = SurfaceModel::of(coface_io::read(input, coface_io::Format::Json)?)?;
     /// let cut = surface.cut_open(&CutRequest { simplify: true, ..CutRequest::default() })?;
     /// let certificate = cut.certificate(&[("sphere.json", input)])?;
-    /// let verdict = coface_check_loops::check(certificate.as_bytes(), &[input]).expect("the proof holds");
+    /// let verdict = coface_check_walks::check(certificate.as_bytes(), &[input]).expect("the proof holds");
     /// assert!(verdict.proved()[0].contains("sphere, cut along 2 edges to a disk"));
     /// # Ok(()) }
     /// ```
@@ -108,7 +108,7 @@ struct Sheets {
 impl SurfaceCover<'_> {
     /// A certificate of the cover, from the name and the bytes of the file that the model was read from: copies glued to a disk or a sphere, on which the
     /// way down is a local isomorphism; the words of the copies; and whether it is the whole cover, whose degree is then proved.
-    /// [`coface_check_loops::check`] derives that without any code of this library, as `docs/certificates.md` says. It has been checked.
+    /// [`coface_check_walks::check`] derives that without any code of this library, as `docs/certificates.md` says. It has been checked.
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::UnsupportedFormat`] if the checker does not read the file as this library does: it reads facet lists, and plain OFF and
@@ -126,7 +126,7 @@ impl SurfaceCover<'_> {
     /// let surface = SurfaceModel::of(coface_io::read(input, coface_io::Format::Json)?)?;
     /// let cover = surface.cover(0, CoverExtent::Radius(3), 1000)?;
     /// let certificate = cover.certificate(&[("sphere.json", input)])?;
-    /// let verdict = coface_check_loops::check(certificate.as_bytes(), &[input]).expect("the proof holds");
+    /// let verdict = coface_check_walks::check(certificate.as_bytes(), &[input]).expect("the proof holds");
     /// assert!(verdict.proved().contains(&"complete = true".to_owned()));
     /// # Ok(()) }
     /// ```
@@ -182,7 +182,7 @@ impl SurfaceCover<'_> {
 
 impl DoubleCoverAnswer {
     /// A certificate of the orientation double cover, from the name and the bytes of the file that the model was read from.
-    /// [`coface_check_loops::check`] derives it without any code of this library, as `docs/certificates.md` says. It has been checked.
+    /// [`coface_check_walks::check`] derives it without any code of this library, as `docs/certificates.md` says. It has been checked.
     ///
     /// # Errors
     /// As of [`SurfaceCover::certificate`].
@@ -196,7 +196,7 @@ impl DoubleCoverAnswer {
     /// let surface = SurfaceModel::of(coface_io::read(input, coface_io::Format::Json)?)?;
     /// let (answer, _) = surface.double_cover("band.json")?;
     /// let certificate = answer.certificate(&[("band.json", input)])?;
-    /// let verdict = coface_check_loops::check(certificate.as_bytes(), &[input]).expect("it is an annulus");
+    /// let verdict = coface_check_walks::check(certificate.as_bytes(), &[input]).expect("it is an annulus");
     /// assert_eq!(verdict.proved()[1], "surfaces, in some order: annulus");
     /// # Ok(()) }
     /// ```
