@@ -220,7 +220,7 @@ impl Frame {
         let products: Vec<Vec<IBig>> =
             vectors.iter().map(|a| vectors.iter().map(|b| product(a, b)).collect()).collect();
         let cofactor = |i: usize, j: usize| {
-            determinant(&without(&products, i, j)) * if (i + j) % 2 == 0 { 1 } else { -1 }
+            determinant(&without(&products, i, j)) * if (i + j).is_multiple_of(2) { 1 } else { -1 }
         };
         let count = vectors.len();
         let adjugate = (0..count).map(|i| (0..count).map(|j| cofactor(i, j)).collect()).collect();

@@ -69,10 +69,10 @@ impl Image {
         (1..shape.len()).rev().for_each(|axis| steps[axis - 1] = steps[axis] * shape[axis]);
         let mut places = vec![u32::MAX; count];
         let (mut counts, mut values) = (vec![0usize; shape.len() + 1], vec![Vec::new(); shape.len() + 1]);
-        for cell in 0..count {
+        for (cell, place) in places.iter_mut().enumerate() {
             if let Some(value) = self.value(&coordinates(cell, &shape), are_vertices, is_superlevel) {
                 let degree = coordinates(cell, &shape).iter().filter(|at| *at % 2 == 1).count();
-                places[cell] = counts[degree] as u32;
+                *place = counts[degree] as u32;
                 counts[degree] += 1;
                 values[degree].push(value);
             }

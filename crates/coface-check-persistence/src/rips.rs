@@ -183,9 +183,9 @@ impl Simplices {
             return Err(Fault::new("cochains", "there are too many simplices to look at"));
         }
         for &(point, length) in self.near.lists[first].iter().filter(|(point, _)| *point < end) {
-            let others = of.points[1..].iter().map(|&other| self.distance(other, point));
+            let mut others = of.points[1..].iter().map(|&other| self.distance(other, point));
             let diameter =
-                others.fold(Some(of.diameter.max(length)), |so_far, next| Some(so_far?.max(next?)));
+                others.try_fold(of.diameter.max(length), |so_far, next| Some(f64::max(so_far, next?)));
             let Some(diameter) = diameter else { continue };
             let place = of.points.iter().filter(|&&other| other > point).count();
             // The points above the new one are one place farther from the end.
@@ -281,12 +281,12 @@ impl Simplices {
                     list(points, "a simplex", step)?.iter().rev().map(|point| index(point, "a point", step));
                 let points = points.collect::<Result<Vec<u32>, Fault>>()?;
                 let falls = points.windows(2).all(|pair| pair[0] > pair[1]) && points.len() == degree + 1;
-                let lengths = points
+                let mut lengths = points
                     .iter()
                     .enumerate()
                     .flat_map(|(i, &a)| points[i + 1..].iter().map(move |&b| (a, b)));
                 let diameter =
-                    lengths.fold(Some(0.0f64), |so_far, (a, b)| Some(so_far?.max(self.distance(a, b)?)));
+                    lengths.try_fold(0.0, |so_far, (a, b)| Some(f64::max(so_far, self.distance(a, b)?)));
                 let (true, true, Some(diameter)) = (falls, coefficient != 0, diameter) else {
                     return Err(Fault::new(
                         step,
