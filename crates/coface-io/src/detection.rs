@@ -195,6 +195,10 @@ pub(super) fn decide(
             seen.title()
         ))
         .with_cure(format!("rename the file, or say what it is with --format {}", seen.name()))),
+        None if named == Format::Msh && is_counts(first_line(start)) => Err(unsupported(
+            "this is no mesh of Gmsh; it may be one of FreeFem, which is not read".to_owned(),
+        )
+        .with_cure("save it as MEDIT: savemesh(Th, \"name.mesh\")")),
         None => Err(unsupported(format!(
             "the name says {}, but the content is {}",
             named.title(),
@@ -355,7 +359,7 @@ fn is_off_without_keyword(start: &[u8], whole: bool) -> bool {
             let size = words.next().flatten();
             size.is_some_and(|size| {
                 let ids = words.take(size).map_while(|id| id.filter(|&id| id < vertices));
-                size > 0 && ids.count() == size
+                size > 2 && ids.count() == size
             })
         })
 }
