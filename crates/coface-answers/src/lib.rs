@@ -73,7 +73,7 @@ pub use repair::{
     polygon_model, repaired, repaired_surface, triangulated, truncated, welded,
 };
 pub use signatures::SignatureRequest;
-pub use simplices::{Neighborhood, model_of_simplices, simplicial_complex};
+pub use simplices::{Neighborhood, model_of_simplices, simplicial_complex, simplicial_skeleton};
 pub use simplification::{SimplifiedManifold, gluing_model};
 pub use spatial::{
     CongruentBoolean, CongruentScene, InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest,

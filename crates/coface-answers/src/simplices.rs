@@ -122,6 +122,38 @@ impl Neighborhood {
     }
 }
 
+/// Facets with more vertices have too many faces to make all of them for a skeleton.
+const LARGE: usize = 16;
+
+/// A simplicial complex that has all simplices of a model up to a dimension, and perhaps others: large facets are not made in full.
+///
+/// # Errors
+/// As of [`simplicial_complex`]; [`ErrorKind::TooLarge`] if even the faces up to this dimension are too many.
+///
+/// # Examples
+/// ```
+/// use coface_algebra::RaggedArray;
+/// use coface_io::{Model, Structure};
+/// use coface_answers::simplicial_skeleton;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let facets = RaggedArray::from_lists([(0..31).collect::<Vec<u32>>()]);
+/// let complex = simplicial_skeleton(&Model::from_structure(Structure::Facets(facets)), 1)?;
+/// assert_eq!(complex.f_vector(), [31, 465]);
+/// # Ok(()) }
+/// ```
+pub fn simplicial_skeleton(model: &Model, dimension: usize) -> Result<SimplicialComplex, Error> {
+    let Some(Structure::Facets(facets)) = model.structure() else { return simplicial_complex(model) };
+    if facets.iter().all(|facet| facet.len() <= LARGE) {
+        return simplicial_complex(model);
+    }
+    let mut complex = SimplicialComplex::new();
+    for facet in facets.iter() {
+        let simplex = Simplex::from_numbers(facet)?;
+        complex.insert_skeleton(&simplex, dimension.min(simplex.dimension()))?;
+    }
+    Ok(complex)
+}
+
 /// That the polygons with these numbers of sides are simplices.
 pub(super) fn require_triangles(
     side_counts: impl Iterator<Item = usize>,

@@ -10,6 +10,25 @@ use std::borrow::Cow;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
+/// Whether a file is a page for browsers by its name.
+pub(crate) fn is_html(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| {
+        extension.eq_ignore_ascii_case("html") || extension.eq_ignore_ascii_case("htm")
+    })
+}
+
+/// Refuses to write a page into a file whose extension is that of something else.
+pub(crate) fn check_page(path: &Path) -> Result<(), Failure> {
+    match path.extension() {
+        Some(extension) if !is_html(path) => Err(Failure::new(format!(
+            "{}: a page for browsers is written here, and the extension \"{}\" is of something else; end the name in .html",
+            path.display(),
+            extension.display()
+        ))),
+        _ => Ok(()),
+    }
+}
+
 /// Prints one answer as a JSON object on standard output, with a line end.
 pub(crate) fn print_json(answer: &(impl Serialize + ?Sized)) -> Result<(), Failure> {
     let text = object(answer);

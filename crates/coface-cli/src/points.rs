@@ -1,6 +1,6 @@
 //! How points, distances and graphs become complexes: options that every verb takes.
 
-use crate::arguments;
+use crate::arguments::{self, VoxelArguments};
 use crate::failure::Failure;
 use clap::Args;
 use clap::error::ErrorKind;
@@ -193,8 +193,22 @@ impl PointArguments {
         given.into_iter().find(|&(_, is_given)| is_given).map(|(name, _)| name)
     }
 
-    /// Refuses options of complexes that are made of points or graphs where none is.
-    pub(crate) fn check(self) -> Result<(), Failure> {
+    /// Refuses options of complexes that are made of points or graphs where none is, and those of voxels where one is.
+    pub(crate) fn check(self, voxels: &VoxelArguments) -> Result<(), Failure> {
+        match (self.given(), voxels.rule_given()) {
+            (None, _) | (_, None) => {}
+            (Some("--alpha"), Some(option)) => {
+                return Err(Failure::new(format!(
+                    "{option} is for volumes; to end the alpha complex at the value A give --alpha A"
+                )));
+            }
+            (Some(_), Some("--threshold")) => {}
+            (Some(given), Some(option)) => {
+                return Err(Failure::new(format!(
+                    "{option} is for volumes; to end the complex of {given} give --threshold T"
+                )));
+            }
+        }
         if self.dimension.is_some() && matches!(self.given(), None | Some("--alpha" | "--mapper")) {
             let message = "--dimension is for complexes of points and graphs; give --rips, --cech, --landmarks or --flag";
             return Err(Failure::Usage(ErrorKind::MissingRequiredArgument, message.to_owned()));

@@ -12,7 +12,7 @@ use coface::answers::text;
 use coface::answers::{model_of_simplices, simplicial_complex};
 use coface::complexes::simplicial::{Simplex, SimplexSet, SimplicialComplex};
 use coface::io;
-use coface::io::Format;
+use coface::io::{Format, Model};
 use std::path::Path;
 use std::str::FromStr;
 
@@ -77,11 +77,21 @@ impl Request<'_> {
         common: &Common,
         answer: impl FnOnce(&SimplicialComplex, &SimplexSet) -> Result<SimplexSet, Error>,
     ) -> Result<(), Failure> {
+        self.serve_complex(common, simplicial_complex, answer)
+    }
+
+    /// The same of the complex that is made of the model so.
+    pub(crate) fn serve_complex(
+        &self,
+        common: &Common,
+        make: impl FnOnce(&Model) -> Result<SimplicialComplex, Error>,
+        answer: impl FnOnce(&SimplicialComplex, &SimplexSet) -> Result<SimplexSet, Error>,
+    ) -> Result<(), Failure> {
         let progress = Progress::start(common.quiet);
         let loaded = input::read(self.input, common.reading(), &progress)?;
         let in_file = |error: Error| error.in_file(loaded.name.clone());
         progress.stage("making the complex");
-        let complex = simplicial_complex(&loaded.model).map_err(in_file)?;
+        let complex = make(&loaded.model).map_err(in_file)?;
         let asked = match self.simplices {
             Some(list) => list.simplices()?,
             None => all_simplices(&complex, &loaded),

@@ -6,6 +6,7 @@ use crate::input;
 use crate::output::{is_json, write_json};
 use crate::progress::Progress;
 use coface::VertexId;
+use coface::algebra::RaggedArray;
 use coface::answers::{Producer, SurfaceModel};
 use coface::io::{Format, GroupKind, Model, Structure, write_path};
 use coface::{Error, ErrorKind, Fault};
@@ -32,19 +33,58 @@ impl Solid {
         match (dimension, producer.positions().dimension()) {
             (None | Some(0..=2), _) => Self::None,
             (_, 3) => Self::Placed,
-            _ if producer.names_cells_by_vertices() => Self::Abstract,
+            (Some(top), _) if producer.names_cells_by_vertices() && has_boundary(producer, top) => {
+                Self::Abstract
+            }
             _ => Self::Glued,
         }
     }
 
     fn of_model(model: &Model) -> Self {
         match model.structure() {
-            Some(Structure::Facets(facets)) if facets.iter().any(|facet| facet.len() > 3) => Self::Abstract,
+            Some(Structure::Facets(facets)) if facets.iter().any(|facet| facet.len() > 3) => {
+                if facets_have_boundary(facets) {
+                    Self::Abstract
+                } else {
+                    Self::Glued
+                }
+            }
             Some(Structure::Gluings(table)) if table.dimension() > 2 => Self::Glued,
             _ if model.cells().is_empty() => Self::None,
             _ => Self::Placed,
         }
     }
+}
+
+/// Whether a cell of one dimension less lies in one top cell alone.
+fn has_boundary(producer: &Producer, top: usize) -> bool {
+    let Ok(complex) = producer.chain_complex() else { return false };
+    complex.boundary_matrix(top).is_some_and(|boundary| {
+        let mut counts = vec![0; boundary.row_count()];
+        boundary.rows().iter().for_each(|&row| counts[row as usize] += 1);
+        counts.contains(&1)
+    })
+}
+
+/// The same of facets, of which the largest count.
+fn facets_have_boundary(facets: &RaggedArray) -> bool {
+    let largest = facets.iter().map(<[u32]>::len).max().unwrap_or(0);
+    let mut faces: Vec<Vec<u32>> = Vec::new();
+    for facet in facets.iter().filter(|facet| facet.len() == largest) {
+        for left in 0..largest {
+            let mut face: Vec<u32> = facet
+                .iter()
+                .copied()
+                .enumerate()
+                .filter(|&(at, _)| at != left)
+                .map(|(_, vertex)| vertex)
+                .collect();
+            face.sort_unstable();
+            faces.push(face);
+        }
+    }
+    faces.sort_unstable();
+    faces.chunk_by(|a, b| a == b).any(|same| same.len() == 1)
 }
 
 /// What makes a surface of a model that is none, in the words of the command line.

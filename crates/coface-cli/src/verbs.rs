@@ -296,7 +296,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 fn serve(arguments: &Arguments) -> Result<(), Failure> {
     let common = &arguments.common;
-    common.points.check()?;
+    common.points.check(&common.voxels)?;
     if let Some(output) = &common.output {
         // Before the work, not after it.
         check_output(output)?;

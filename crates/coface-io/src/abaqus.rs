@@ -4,7 +4,7 @@ use crate::assembly::Assembly;
 use crate::element_kind::Kind;
 use crate::scanner::{Scanner, parse_coordinate, parse_i64, quoted};
 use crate::{GroupKind, Model, Remark, RemarkCode};
-use coface_algebra::Error;
+use coface_algebra::{Error, ErrorKind};
 use std::collections::{BTreeMap, HashMap};
 use std::io::Read;
 
@@ -46,7 +46,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
             if !gathered.is_empty() {
                 return Err(Error::parse("an element ends before its last node").at_line(number));
             }
-            section = mesh.begin(&line);
+            section = mesh.begin(&line).map_err(|error| error.at_line(number))?;
             continue;
         }
         mesh.read_data(&mut section, &line, &mut gathered).map_err(|error| error.at_line(number))?;
@@ -61,7 +61,10 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
 
 /// What the lines behind a keyword are.
 enum Section {
-    Nodes(Option<String>),
+    Nodes {
+        set: Option<String>,
+        is_cylindrical: bool,
+    },
     Elements(ElementType, Option<String>),
     Set {
         is_of_nodes: bool,
@@ -147,12 +150,19 @@ struct Mesh {
     /// Types of elements that are not known, with how many there are.
     unknown: BTreeMap<String, usize>,
     moved: usize,
-    includes: usize,
+    /// The names of the files that are included.
+    included: Vec<String>,
 }
 
 impl Mesh {
     /// Begins what a keyword says.
-    fn begin(&mut self, line: &str) -> Section {
+    ///
+    /// # Errors
+    /// [`ErrorKind::UnsupportedFormat`] for nodes in spherical coordinates, and for nodes and elements that are made of others.
+    fn begin(&mut self, line: &str) -> Result<Section, Error> {
+        let unsupported = |message: String, cure: &str| {
+            Err(Error::new(ErrorKind::UnsupportedFormat, message).with_cure(cure))
+        };
         let mut words = line[1..].split(',').map(str::trim);
         let keyword = words.next().unwrap_or_default().to_ascii_uppercase();
         let mut parameters: BTreeMap<String, String> = BTreeMap::new();
@@ -161,8 +171,23 @@ impl Mesh {
             parameters.insert(name.trim().to_ascii_uppercase(), value.trim().trim_matches('"').to_owned());
         }
         let mut parameter = |name: &str| parameters.remove(name).filter(|value| !value.is_empty());
-        match keyword.as_str() {
-            "NODE" => Section::Nodes(parameter("NSET")),
+        Ok(match keyword.as_str() {
+            "NODE" => {
+                let system = parameter("SYSTEM").unwrap_or_default().to_ascii_uppercase();
+                if system.starts_with('S') {
+                    return unsupported(
+                        "the nodes are in spherical coordinates".to_owned(),
+                        "write them in rectangular ones: *NODE, SYSTEM=R",
+                    );
+                }
+                Section::Nodes { set: parameter("NSET"), is_cylindrical: system.starts_with('C') }
+            }
+            "NGEN" | "NFILL" | "NCOPY" | "NMAP" | "ELGEN" | "ELCOPY" => {
+                return unsupported(
+                    format!("nodes or elements are made of others by *{keyword}, which is not read"),
+                    "write the file with all its nodes and elements",
+                );
+            }
             "ELEMENT" => {
                 let name = parameter("TYPE").unwrap_or_default().to_ascii_uppercase();
                 match ElementType::parse(&name) {
@@ -186,11 +211,11 @@ impl Mesh {
             }
             "INSTANCE" => Section::Instance,
             "INCLUDE" => {
-                self.includes += 1;
+                self.included.push(parameter("INPUT").unwrap_or_default());
                 Section::Other
             }
             _ => Section::Other,
-        }
+        })
     }
 
     fn read_data(&mut self, section: &mut Section, line: &str, gathered: &mut Vec<i64>) -> Result<(), Error> {
@@ -201,7 +226,7 @@ impl Mesh {
                 self.moved += 1;
                 *section = Section::Other;
             }
-            Section::Nodes(set) => {
+            Section::Nodes { set, is_cylindrical } => {
                 let Some((number, rest)) = words.split_first() else { return Ok(()) };
                 let number = parse_i64(number.as_bytes(), "the number of a node")?;
                 let mut point = [0.0; 3];
@@ -210,6 +235,10 @@ impl Mesh {
                 }
                 for (word, x) in rest.iter().zip(&mut point) {
                     *x = parse_coordinate(word.as_bytes(), "a coordinate")?;
+                }
+                if *is_cylindrical {
+                    let (sine, cosine) = sine_and_cosine(point[1]);
+                    point = [point[0] * cosine, point[0] * sine, point[2]];
                 }
                 let vertex = self.assembly.vertex_count() as u32;
                 self.assembly.add_vertex(&point)?;
@@ -305,9 +334,12 @@ impl Mesh {
 
     fn finish(mut self) -> Result<Model, Error> {
         if self.assembly.vertex_count() == 0 {
-            return Err(Error::parse("the file has no node").with_cure(match self.includes {
-                0 => "check that this is an Abaqus input file with a section *NODE",
-                _ => "the nodes are in a file that *INCLUDE names: read that one",
+            return Err(Error::parse("the file has no node").with_cure(match self.included.first() {
+                None => "check that this is an Abaqus input file with a section *NODE".to_owned(),
+                Some(name) => format!(
+                    "the nodes are in a file that *INCLUDE names, {}: read that one",
+                    quoted(name.as_bytes())
+                ),
             }));
         }
         let mut say = |code, message: String, count| {
@@ -321,11 +353,22 @@ impl Mesh {
             let message = "instances move their parts; the parts are read as they stand".to_owned();
             say(RemarkCode::InputReading, message, self.moved);
         }
-        if self.includes > 0 {
-            let message = "the file includes other files, which are left out".to_owned();
-            say(RemarkCode::UnknownSection, message, self.includes);
+        if let Some(name) = self.included.first() {
+            let message = format!("other files are included, and left out: {}", quoted(name.as_bytes()));
+            say(RemarkCode::UnknownSection, message, self.included.len());
         }
         self.assembly.finish()
+    }
+}
+
+/// The sine and cosine of an angle in degrees, without an error at the multiples of a right angle.
+fn sine_and_cosine(degrees: f64) -> (f64, f64) {
+    match degrees.rem_euclid(360.0) {
+        0.0 => (0.0, 1.0),
+        90.0 => (1.0, 0.0),
+        180.0 => (0.0, -1.0),
+        270.0 => (-1.0, 0.0),
+        angle => angle.to_radians().sin_cos(),
     }
 }
 
@@ -359,5 +402,25 @@ mod tests {
         assert_eq!(codes, [RemarkCode::UnknownSection, RemarkCode::HigherOrder]);
         let error = read(text.replace("10, 1, 2, 3, 4", "10, 1, 2, 3, 9").as_bytes()).unwrap_err();
         assert!(error.to_string().contains("line 11: an element names node 9"), "{error}");
+    }
+    #[test]
+    fn coordinates_may_be_cylindrical() {
+        let text =
+            "*NODE, SYSTEM=C\n1, 1, 0, 0\n2, 1, 90, 0\n3, 2, 180, 5\n4, 1, 45, 0\n*NODE\n5, 1, 90, 0\n";
+        let model = read(text.as_bytes()).unwrap();
+        let half = 0.5f64.sqrt();
+        let expected = [1., 0., 0., 0., 1., 0., -2., 0., 5., half, half, 0., 1., 90., 0.];
+        let found = model.positions().as_flat();
+        assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-15), "{found:?}");
+        for (text, message) in [
+            ("*NODE, SYSTEM=S\n1, 1, 90, 0\n", "spherical"),
+            ("*NODE\n1, 1, 90, 0\n*NGEN\n1, 5, 1\n", "made of others by *NGEN"),
+            ("*HEADING\n*INCLUDE, INPUT=nodes.inp\n", "no node"),
+        ] {
+            let error = read(text.as_bytes()).unwrap_err();
+            assert!(error.to_string().contains(message) && error.cure().is_some(), "{error}");
+        }
+        let error = read(&b"*HEADING\n*INCLUDE, INPUT=nodes.inp\n"[..]).unwrap_err();
+        assert!(error.cure().unwrap().contains("\"nodes.inp\""), "{error}");
     }
 }

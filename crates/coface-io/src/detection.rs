@@ -40,7 +40,7 @@ impl Format {
             Self::Off => {
                 if is_off_keyword(word) {
                     Likeness::Certain
-                } else if is_counts(first_line(start)) && is_text(start) {
+                } else if is_text(start) && is_off_without_keyword(start, whole) {
                     // The keyword may be left out.
                     Likeness::Possible
                 } else {
@@ -150,6 +150,7 @@ pub(super) fn decide(
     let sure = seen.filter(|seen| seen.likeness(start, whole) == Likeness::Certain);
     // What only the name tells.
     let is_told = match named {
+        Format::Off => is_text(start) && is_counts(first_line(start)),
         Format::TetGen => is_text(start) && first_line(start).iter().all(|byte| !byte.is_ascii_alphabetic()),
         Format::Points => is_text(start) && points_text::is_likely(start),
         Format::Gltf => !whole && start.trim_ascii_start().starts_with(b"{"),
@@ -194,6 +195,10 @@ pub(super) fn decide(
             seen.title()
         ))
         .with_cure(format!("rename the file, or say what it is with --format {}", seen.name()))),
+        None if named == Format::Msh && is_counts(first_line(start)) => Err(unsupported(
+            "this is no mesh of Gmsh; it may be one of FreeFem, which is not read".to_owned(),
+        )
+        .with_cure("save it as MEDIT: savemesh(Th, \"name.mesh\")")),
         None => Err(unsupported(format!(
             "the name says {}, but the content is {}",
             named.title(),
@@ -331,6 +336,32 @@ fn first_line(start: &[u8]) -> &[u8] {
 /// The first word that is not in a comment.
 fn first_word(start: &[u8]) -> &[u8] {
     first_line(start).split(u8::is_ascii_whitespace).next().unwrap_or_default()
+}
+
+/// Whether text begins with the numbers of vertices and faces, and has a face where the first should be, if that is seen.
+fn is_off_without_keyword(start: &[u8], whole: bool) -> bool {
+    fn words(line: &[u8]) -> impl Iterator<Item = Option<usize>> {
+        let words = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+        words.map(|word| std::str::from_utf8(word).ok()?.parse().ok())
+    }
+    let is_content = |line: &&[u8]| line.trim_ascii_start().first().is_some_and(|&byte| byte != b'#');
+    let mut lines = start.split(|&byte| byte == b'\n').filter(is_content);
+    let Some(counts) = lines.next().filter(|line| is_counts(line)) else { return false };
+    let mut counts = words(counts).flatten();
+    let (Some(vertices), Some(faces)) = (counts.next(), counts.next()) else { return false };
+    let face = lines.nth(vertices);
+    // The last line that is seen may go on.
+    let is_seen = whole || lines.next().is_some();
+    // Numbers alone are points rather than vertices without faces.
+    faces > 0
+        && face.filter(|_| is_seen).is_none_or(|face| {
+            let mut words = words(face);
+            let size = words.next().flatten();
+            size.is_some_and(|size| {
+                let ids = words.take(size).map_while(|id| id.filter(|&id| id < vertices));
+                size > 2 && ids.count() == size
+            })
+        })
 }
 
 /// Two or three numbers: vertices, faces and perhaps edges.
@@ -473,6 +504,17 @@ mod tests {
         assert_eq!(decide(&bytes, true, Some(Format::Stl)).unwrap().0, Format::Stl);
         bytes[80] = 3;
         assert_eq!(Format::from_content(&bytes, false), Some(Format::Stl));
+    }
+
+    #[test]
+    fn numbers_alone_are_no_off_without_its_keyword() {
+        for text in ["2 0 0\n1 2 3\n4 5 6\n", "1 2 3\n1 2 4\n1 3 4\n", "1 1 0\n0 0 0\n0 1 2\n0 0 1\n"] {
+            assert_eq!(Format::from_content(text.as_bytes(), true), None, "{text}");
+        }
+        let plain = b"3 1 0\n0 0 0\n1 0 0\n# a comment\n0 1 0\n\n3 0 1 2 255 0 0\n";
+        assert_eq!(Format::from_content(plain, true), Some(Format::Off));
+        assert_eq!(Format::from_content(&plain[..20], false), Some(Format::Off));
+        assert_eq!(decide(b"2 0 0\n1 2 3\n4 5 6\n", true, Some(Format::Off)).unwrap().0, Format::Off);
     }
 
     #[test]

@@ -9,6 +9,7 @@ use super::arcs;
 use super::feature_table::{FeatureTable, FeatureTexts, NO_FEATURE};
 use super::lists::number_by_firsts;
 use super::numbers::Numbers;
+use super::space_faces::SpaceFaces;
 use super::{CellData, Format, Model};
 use super::{Group, GroupKind};
 use crate::{ReferenceSystem, Remark, RemarkCode};
@@ -53,7 +54,11 @@ struct Line {
     feature: i64,
     name: Option<usize>,
     described: u32,
+    /// The surface that it is a ring of; `NO_SURFACE` if it is of none.
+    surface: u32,
 }
+
+const NO_SURFACE: u32 = u32::MAX;
 
 /// A point that has been read.
 struct Point {
@@ -89,6 +94,9 @@ pub(super) struct Drawing {
     has_outer: Option<bool>,
     /// The holes of polygons without one.
     lone_holes: usize,
+    /// Whether all corners of each surface have heights so far, and whether what is drawn is of the last surface.
+    surfaces: Vec<bool>,
+    is_surface: bool,
     heights: bool,
     flat_places: usize,
     surplus: usize,
@@ -163,8 +171,24 @@ impl Drawing {
     fn note(&mut self, place: Place) {
         match place.z {
             Some(_) => self.heights = true,
-            None => self.flat_places += 1,
+            None => {
+                self.flat_places += 1;
+                if let Some(has_heights) = self.surfaces.last_mut().filter(|_| self.is_surface) {
+                    *has_heights = false;
+                }
+            }
         }
+    }
+
+    /// The polygons that follow are the faces of a surface: in space, if all their corners have heights.
+    pub(super) fn begin_surface(&mut self) {
+        self.surfaces.push(true);
+        self.is_surface = true;
+    }
+
+    /// The surface has no more faces.
+    pub(super) fn end_surface(&mut self) {
+        self.is_surface = false;
     }
 
     /// A point of its own.
@@ -313,18 +337,43 @@ impl Drawing {
                     self.feature_of_polygon = Some(feature);
                 }
                 let (end, described) = (self.corners.len(), self.described());
-                self.lines.push(Line { end, polygon, ring, feature, name: self.name, described });
+                let surface = if self.is_surface { self.surfaces.len() as u32 - 1 } else { NO_SURFACE };
+                self.lines.push(Line { end, polygon, ring, feature, name: self.name, described, surface });
                 true
             }
         }
     }
 
+    /// Takes out what is a face in space.
+    fn space_faces(&mut self) -> SpaceFaces {
+        let mut faces = SpaceFaces::default();
+        if !self.surfaces.contains(&true) {
+            return faces;
+        }
+        let is_in_space = |line: &Line| self.surfaces.get(line.surface as usize) == Some(&true);
+        let (mut start, mut kept) = (0, Vec::new());
+        let mut lines = Vec::new();
+        for mut line in std::mem::take(&mut self.lines) {
+            let corners = &self.corners[std::mem::replace(&mut start, line.end)..line.end];
+            if is_in_space(&line) {
+                faces.add(corners, line.surface, line.ring > 0);
+            } else {
+                kept.extend_from_slice(corners);
+                line.end = kept.len();
+                lines.push(line);
+            }
+        }
+        (self.lines, self.corners) = (lines, kept);
+        faces
+    }
+
     /// The model. Lines and points share their vertices; a ring has vertices of its own, so that polygons that touch stay
-    /// apart. Within these, equal coordinates are one vertex, and vertices are numbered as they come, lines before points.
+    /// apart. The faces of a surface in space are polygons of a mesh, which have theirs in common. Within these, equal coordinates are one vertex, and vertices are numbered as they come, lines before points.
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 corners.
     pub(super) fn finish(mut self) -> Result<Model, Error> {
+        let faces = self.space_faces();
         let remark = |remarks: &mut Vec<Remark>, code: RemarkCode, count: usize, what: &str| {
             if count > 0 {
                 remarks.push(Remark::new(code, format!("{count} {what}")).at(count, []));
@@ -396,6 +445,8 @@ impl Drawing {
         }
         let line_corners = self.corners.len();
         self.corners.extend(self.points.iter().map(|point| point.place));
+        let face_corners = self.corners.len();
+        self.corners.extend_from_slice(&faces.corners);
         let too_many = |what: &str| {
             Error::new(ErrorKind::TooLarge, format!("the drawing has more than 2^32 - 2 {what}"))
                 .with_cure("divide it")
@@ -414,14 +465,19 @@ impl Drawing {
             }
             ends.push(line.end as u32);
         }
+        for (owner, surface) in owners[face_corners..].iter_mut().zip(faces.surface_of_corners()) {
+            *owner = self.lines.len() as u32 + 1 + surface;
+        }
         let (vertices, firsts) = weld(&self.corners, &owners);
         let dimension = if self.heights { 3 } else { 2 };
         let coordinates: Vec<f64> =
             firsts.iter().flat_map(|&corner| self.corners[corner as usize][..dimension].to_vec()).collect();
-        let points: Vec<u32> = vertices[line_corners..].to_vec();
+        let points: Vec<u32> = vertices[line_corners..face_corners].to_vec();
+        let place = |vertex: u32| self.corners[firsts[vertex as usize] as usize];
+        let (elements, surfaces) = faces.elements(&vertices[face_corners..], place, &mut self.remarks);
         let lines = RaggedArray::from_parts(ends, vertices[..line_corners].to_vec())?;
         let mut data = Vec::new();
-        if self.polygon_count > 0 {
+        if self.lines.iter().any(|line| line.polygon >= 0) {
             let column = |name: &str, value: fn(&Line) -> i64| {
                 let numbers = Numbers::Int64(self.lines.iter().map(value).collect());
                 CellData::of_file(name.to_owned(), GroupKind::Lines, 1, numbers)
@@ -435,6 +491,19 @@ impl Drawing {
         let mut groups = groups_of(&self.names, GroupKind::Vertices, named_points);
         let named_lines = self.lines.iter().zip(0..).map(|(line, i)| (line.name, i));
         groups.extend(groups_of(&self.names, GroupKind::Lines, named_lines));
+        // Several surfaces are told apart by their numbers.
+        if self.surfaces.len() > 1 {
+            let mut face = 0;
+            for same in surfaces.chunk_by(|a, b| a == b) {
+                let faces = face..face + same.len() as u32;
+                face = faces.end;
+                groups.push(Group::new(
+                    format!("surface {}", same[0] + 1),
+                    GroupKind::Polygons,
+                    faces.collect(),
+                ));
+            }
+        }
         let features = FeatureTable::new(
             self.descriptions,
             self.lines.iter().map(|line| line.described).collect(),
@@ -445,6 +514,7 @@ impl Drawing {
             positions: Positions::from_flat(dimension, coordinates)?,
             lines,
             points: points.into_iter().map(VertexId::from_u32).collect(),
+            polygons: elements.polygons.into_ragged()?,
             groups,
             data,
             features,
@@ -608,6 +678,17 @@ impl Features {
     pub(crate) fn are_one(&self, a: &Shape, b: &Shape) -> bool {
         self.of(a).is_some() && self.of(a) == self.of(b)
     }
+}
+
+/// Whether two shapes that follow each other, with their groups, are of one geometry of well-known text or binary.
+pub(super) fn are_one_geometry(
+    (a, group): &(Shape, Option<usize>),
+    (b, other): &(Shape, Option<usize>),
+    features: &Features,
+    dimension: usize,
+) -> bool {
+    let are_faces = dimension == 3 && [a, b].iter().all(|shape| matches!(shape, Shape::Face(_)));
+    group == other && (are_faces || features.are_one(a, b))
 }
 
 /// The feature of each of the [`shapes()`] of a model, if the file says something of it.

@@ -151,7 +151,7 @@ mod reading {
         ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
 
     /// The same file with what the parser misses and shapes do not need: an empty list of nodes in scenes that have none, bounds of positions; and without
-    /// the demand for extensions of materials, of textures and of whole numbers. `None` if nothing was to be done.
+    /// the demand for extensions of materials, of textures and of whole numbers, and without attributes other than positions. `None` if nothing was to be done.
     ///
     /// # Errors
     /// `UnsupportedFormat` for glTF 1.0, and for meshes that are compressed.
@@ -187,6 +187,17 @@ mod reading {
                 is_changed = true;
                 Value::Array(Vec::new())
             });
+        }
+        // Of the attributes only positions are read, and others may have any names.
+        for mesh in objects(&mut root, "meshes") {
+            let primitives = mesh.get_mut("primitives").and_then(Value::as_array_mut);
+            for primitive in primitives.into_iter().flatten() {
+                if let Some(attributes) = primitive.get_mut("attributes").and_then(Value::as_object_mut) {
+                    let count = attributes.len();
+                    attributes.retain(|name, _| name == "POSITION");
+                    is_changed |= attributes.len() < count;
+                }
+            }
         }
         let primitives =
             root["meshes"].as_array().into_iter().flatten().filter_map(|mesh| mesh["primitives"].as_array());

@@ -215,6 +215,19 @@ fn off_in_unusual_dress() {
 }
 
 #[test]
+fn off_of_other_programs_in_binary() {
+    let numbers = [3_i32, 1, 0].map(i32::to_le_bytes).concat();
+    let points = [0f32, 0., 0., 1., 0., 0., 0., 1., 0.].map(f32::to_le_bytes).concat();
+    let face = [3_i32, 0, 1, 2].map(i32::to_le_bytes).concat();
+    let bytes = [&b"OFF BINARY\n"[..], &numbers, &points, &face].concat();
+    let model = off::read(&bytes[..]).unwrap();
+    assert_eq!((model.positions.as_flat()[3], model.polygons.list(0)), (1.0, &[0, 1, 2][..]));
+    assert!(model.remarks[0].message.contains("no number of color components"));
+    assert!(off::read(&[&bytes[..], &[7; 5]].concat()[..]).is_err());
+    assert!(off::read(&bytes[..bytes.len() - 2]).is_err());
+}
+
+#[test]
 fn off_faults_are_named() {
     let read = |text: &str| fault(off::read(text.as_bytes()));
     assert!(read("").contains("line 1: the file is empty"));

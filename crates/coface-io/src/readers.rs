@@ -939,6 +939,11 @@ fn read_format(
     if format.is_lines_of_text() {
         model.remarks.extend(input.remark());
     }
+    if options.volume != VolumeReading::default() && !matches!(model.structure, Some(Structure::Volume(_))) {
+        let message =
+            format!("voxels are chosen, and this is {}, which has none: all of it is read", format.title());
+        model.remarks.push(Remark::new(RemarkCode::InputReading, message));
+    }
     options.accept(model.remarks())?;
     Ok(model.with_format(format).as_pseudomanifold(options.pseudomanifold))
 }

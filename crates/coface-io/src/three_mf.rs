@@ -5,10 +5,11 @@ use coface_algebra::Error;
 use std::io::Read;
 
 /// Reads all build items of a 3MF file, each at its place; without build items, all objects that are meshes. An object with a name is a
-/// [`Group`](crate::Group) of polygons.
+/// [`Group`](crate::Group) of polygons. Beams are lines.
 ///
 /// # Errors
 /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) for what is no ZIP archive or no XML;
+/// [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat) for a file that requires an extension that is not known here;
 /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for an object that is not there or contains itself, or a triangle
 /// of a vertex that is not there.
 ///
@@ -38,10 +39,10 @@ pub fn read(_input: impl Read) -> Result<Model, Error> {
 
 #[cfg(feature = "archives")]
 mod reading {
-    use crate::Model;
     use crate::scene::{LooseMesh, Placement, Scene};
     use crate::unpacking::most_unpacked;
     use crate::xml_text::{document, numbers};
+    use crate::{Model, Remark, RemarkCode};
     use coface_algebra::{Error, ErrorKind};
     use roxmltree::Node;
     use std::collections::BTreeMap;
@@ -82,13 +83,17 @@ mod reading {
         };
         let mut objects = BTreeMap::new();
         let mut items = Vec::new();
+        let mut beams = 0;
         for (name, text) in &parts {
             let document = document(text)?;
+            refuse_unknown_extensions(document.root_element())?;
             for node in document.descendants().filter(|node| node.is_element()) {
                 match node.tag_name().name() {
                     "object" => {
                         let id = node.attribute("id").unwrap_or_default().to_owned();
-                        objects.insert((name.clone(), id), object(node, name)?);
+                        let object = object(node, name)?;
+                        beams += object.mesh.lines.len();
+                        objects.insert((name.clone(), id), object);
                     }
                     "item" if *name == root => items.push(reference(node, name)?),
                     _ => {}
@@ -96,14 +101,43 @@ mod reading {
             }
         }
         if items.is_empty() {
-            let meshes = objects.iter().filter(|(_, object)| !object.mesh.polygons.is_empty());
+            let is_mesh = |object: &Object| !object.mesh.polygons.is_empty() || !object.mesh.lines.is_empty();
+            let meshes = objects.iter().filter(|(_, object)| is_mesh(object));
             items = meshes.map(|(key, _)| (key.clone(), Placement::IDENTITY)).collect();
         }
         let mut scene = Scene::of_size(parts.values().map(String::len).sum());
         for (key, placement) in &items {
             place(&objects, key, *placement, 0, &mut scene)?;
         }
-        scene.finish()
+        let mut model = scene.finish()?;
+        if beams > 0 {
+            let message = match beams {
+                1 => "1 beam is read as a line, without its radius".to_owned(),
+                count => format!("{count} beams are read as lines, without their radii"),
+            };
+            model.remarks.push(Remark::new(RemarkCode::DataLeftOut, message));
+        }
+        Ok(model)
+    }
+
+    /// Extensions that say nothing of shapes, or that are read: the parts of their namespaces that name them.
+    const EXTENSIONS: [&str; 6] =
+        ["/core/", "/material/", "/production/", "/beamlattice/", "/slice/", "/trianglesets/"];
+
+    /// Refuses a part that may not be read without an extension that is not known here.
+    fn refuse_unknown_extensions(root: Node<'_, '_>) -> Result<(), Error> {
+        for prefix in root.attribute("requiredextensions").unwrap_or_default().split_whitespace() {
+            let namespace = root.lookup_namespace_uri(Some(prefix)).unwrap_or(prefix);
+            if !EXTENSIONS.iter().any(|known| namespace.contains(known)) {
+                let name: String = namespace.chars().take(100).flat_map(char::escape_default).collect();
+                return Err(Error::new(
+                    ErrorKind::UnsupportedFormat,
+                    format!("the file may not be read without the extension {name}, which is not known here"),
+                )
+                .with_cure("export it without that extension"));
+            }
+        }
+        Ok(())
     }
 
     type Key = (String, String);
@@ -126,20 +160,21 @@ mod reading {
                     }
                     mesh.points.push(point);
                 }
-                "triangle" => {
-                    let mut triangle = Vec::with_capacity(3);
-                    for corner in ["v1", "v2", "v3"] {
+                name @ ("triangle" | "beam") => {
+                    let corners: &[&str] = if name == "beam" { &["v1", "v2"] } else { &["v1", "v2", "v3"] };
+                    let mut vertices = Vec::with_capacity(3);
+                    for corner in corners {
                         let vertex = number(node, corner)?;
                         if !(vertex >= 0.0 && vertex < mesh.points.len() as f64 && vertex.fract() == 0.0) {
                             return Err(Error::invalid(format!(
-                                "a triangle names vertex {vertex}, but its mesh has {} vertices, numbered from 0",
+                                "a {name} names vertex {vertex}, but its mesh has {} vertices, numbered from 0",
                                 mesh.points.len()
                             ))
                             .with_cure("write the file again"));
                         }
-                        triangle.push(vertex as u32);
+                        vertices.push(vertex as u32);
                     }
-                    mesh.polygons.push(triangle);
+                    if name == "beam" { mesh.lines.push(vertices) } else { mesh.polygons.push(vertices) }
                 }
                 "component" => components.push(reference(node, part)?),
                 _ => {}

@@ -3,7 +3,8 @@
 //! A file holds geometries one after the other, on lines of their own or with `;` between them: `POINT`, `LINESTRING`,
 //! `LINEARRING`, `POLYGON`, `TRIANGLE`, the `MULTI` forms, `POLYHEDRALSURFACE`, `TIN` and `GEOMETRYCOLLECTION`, in any
 //! case, with `Z`, `M` or `ZM`, and `SRID=..;` in front; `CIRCULARSTRING`, `COMPOUNDCURVE`, `CURVEPOLYGON`, `MULTICURVE` and `MULTISURFACE`
-//! become chords. Heights and the number of the reference system are kept, measures passed over.
+//! become chords. The faces of a `POLYHEDRALSURFACE` or `TIN` with heights become polygons of a mesh in space; of several each is a group.
+//! Heights and the number of the reference system are kept, measures passed over.
 //! A file whose reference system has a number is written with `SRID=..;` in front of each geometry.
 //! A geometry may also be well-known binary in hexadecimal digits, as databases give it.
 //!
@@ -12,7 +13,8 @@
 
 use super::decimal::flush;
 use super::drawing::{
-    Drawing, Features, Place, Shape, closed, push_list, push_place, shapes, written_dimension,
+    Drawing, Features, Place, Shape, are_one_geometry, closed, push_list, push_place, shapes,
+    written_dimension,
 };
 use super::scanner::{Scanner, parse_f64, quoted};
 use super::wkb;
@@ -37,6 +39,8 @@ enum Kind {
     Points,
     Lines,
     Polygons,
+    /// The faces of a surface.
+    Faces,
     Collection,
     /// A curve of arcs, or one of lines and arcs.
     Arcs,
@@ -56,8 +60,8 @@ const KINDS: [(&str, Kind); 16] = [
     ("MULTIPOINT", Kind::Points),
     ("MULTILINESTRING", Kind::Lines),
     ("MULTIPOLYGON", Kind::Polygons),
-    ("POLYHEDRALSURFACE", Kind::Polygons),
-    ("TIN", Kind::Polygons),
+    ("POLYHEDRALSURFACE", Kind::Faces),
+    ("TIN", Kind::Faces),
     ("GEOMETRYCOLLECTION", Kind::Collection),
     ("CIRCULARSTRING", Kind::Arcs),
     ("COMPOUNDCURVE", Kind::Curve),
@@ -291,6 +295,12 @@ impl<R: Read> Reader<R> {
             Kind::Lines => self.list(|reader| reader.corners(axes).map(|()| reader.end_line())),
             Kind::Curves => self.list(|reader| reader.curve(axes).map(|()| reader.end_line())),
             Kind::Polygons => self.list(|reader| reader.polygon(axes, Self::corners)),
+            Kind::Faces => {
+                self.drawing.begin_surface();
+                let read = self.list(|reader| reader.polygon(axes, Self::corners));
+                self.drawing.end_surface();
+                read
+            }
             Kind::Surfaces => self.list(|reader| reader.surface(axes)),
             Kind::Collection if depth == DEEPEST => {
                 let message = format!("collections are nested deeper than {DEEPEST}");
@@ -506,8 +516,8 @@ impl<R: Read> Reader<R> {
     }
 }
 
-/// Writes one geometry a line: `LINESTRING` for lines, `POLYGON` for the rings of each polygon and for polygons of a mesh, `POINT`
-/// for points and for vertices that nothing uses; what follows each other with one number in `feature` is one geometry, `MULTI` or a
+/// Writes one geometry a line: `LINESTRING` for lines, `POLYGON` for the rings of each polygon and for polygons of a mesh in the plane, `POINT`
+/// for points and for vertices that nothing uses, a `POLYHEDRALSURFACE` for the polygons of a mesh in space, one for each group; what follows each other with one number in `feature` is one geometry, `MULTI` or a
 /// `GEOMETRYCOLLECTION`. Three coordinates are written if a vertex lies outside the plane z = 0.
 /// Names and data are not kept, the number of the reference system is.
 ///
@@ -536,7 +546,7 @@ pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
         text.extend_from_slice(b"GEOMETRYCOLLECTION EMPTY\n");
     }
     let features = Features::new(model);
-    for feature in shapes.chunk_by(|(x, a), (y, b)| a == b && features.are_one(x, y)) {
+    for feature in shapes.chunk_by(|a, b| are_one_geometry(a, b, &features, writer.dimension)) {
         text.extend_from_slice(start.as_bytes());
         writer.push_geometry(feature, &mut text);
         text.push(b'\n');
@@ -587,6 +597,10 @@ impl Writer<'_> {
             let kinds = shapes.chunk_by(|(a, _), (b, _)| name_of(a) == name_of(b));
             return push_list(text, LIST, kinds, |kind, text| self.push_geometry(kind, text));
         }
+        if self.dimension == 3 && matches!(shapes[0].0, Shape::Face(_)) {
+            text.extend_from_slice(b"POLYHEDRALSURFACE Z ");
+            return push_list(text, LIST, shapes.iter(), |(shape, _), text| self.push_shape(shape, text));
+        }
         if shapes.len() > 1 {
             text.extend_from_slice(b"MULTI");
         }
@@ -625,6 +639,44 @@ mod tests {
     use super::*;
     use crate::GroupKind;
     use coface_algebra::RaggedArray;
+
+    #[test]
+    fn surfaces_with_heights_are_meshes_in_space() {
+        let cube = "POLYHEDRALSURFACE Z (((0 0 0,0 1 0,1 1 0,1 0 0,0 0 0)),((0 0 0,0 1 0,0 1 1,0 0 1,0 0 0)),((0 0 0,1 0 0,1 0 1,0 0 1,0 0 0)),\
+            ((1 1 1,1 0 1,0 0 1,0 1 1,1 1 1)),((1 1 1,1 0 1,1 0 0,1 1 0,1 1 1)),((1 1 1,1 1 0,0 1 0,0 1 1,1 1 1)))";
+        let one = read(cube.as_bytes()).unwrap();
+        assert_eq!((one.vertex_count(), one.polygons().len(), one.lines().len()), (8, 6, 0));
+        assert!(!one.is_map_with_heights() && one.remarks().is_empty(), "{:?}", one.remarks());
+        // Two solids, each a group, beside a line that shares no vertex with them; one face has a hole.
+        let text = format!(
+            "{cube}\nLINESTRING Z (0 0 0,5 5 5)\nTIN(((0 0 0,1 0 0,0 1 1,0 0 0)),((0 0 0,0 1 1,1 0 0,0 0 0)))\n\
+             POLYHEDRALSURFACE Z (((0 0 9,9 0 9,0 9 9,0 0 9),(1 1 9,1 2 9,2 1 9,1 1 9)))"
+        );
+        let model = read(text.as_bytes()).unwrap();
+        model.check().unwrap();
+        assert_eq!(
+            (model.vertex_count(), model.polygons().len(), model.lines().len()),
+            (8 + 2 + 3 + 6, 14, 1)
+        );
+        let groups: Vec<(&str, usize)> =
+            model.groups().iter().map(|group| (group.name(), group.members().len())).collect();
+        assert_eq!(groups, [("surface 1", 6), ("surface 2", 2), ("surface 3", 6)]);
+        assert_eq!(model.remarks().len(), 1, "{:?}", model.remarks());
+        // What is written comes back.
+        for model in [&one, &model] {
+            let mut written = Vec::new();
+            write(model, &mut written).unwrap();
+            let again = read(&written[..]).unwrap();
+            assert_eq!((again.polygons(), again.positions()), (model.polygons(), model.positions()));
+            let mut bytes = Vec::new();
+            wkb::write(model, &mut bytes, wkb::Encoding::Bytes).unwrap();
+            let again = wkb::read(&bytes[..]).unwrap();
+            assert_eq!((again.polygons(), again.positions()), (model.polygons(), model.positions()));
+        }
+        // Without heights they lie in the plane.
+        let flat = read(&b"TIN(((0 0,1 0,0 1,0 0)),((1 0,1 1,0 1,1 0)))"[..]).unwrap();
+        assert_eq!((flat.polygons().len(), flat.lines().len()), (0, 2));
+    }
 
     #[test]
     fn every_kind_is_read_in_every_spelling() {

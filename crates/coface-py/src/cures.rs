@@ -1,7 +1,11 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 47] = [
+const PHRASES: [(&str, &str); 48] = [
+    (
+        "take a skeleton of it: coface skeleton INPUT --dimension K -o OUT.json",
+        "give its faces of the dimensions that are wanted",
+    ),
     ("coface cover INPUT --orientation -o OUT.off", "model.surface().double_cover()"),
     ("draw the model by coface render INPUT -o OUT.png", "draw it by coface.render(model, \"png\")"),
     ("read it as an interface", "read it as an interface: coface.Interface.read(path)"),

@@ -257,7 +257,7 @@ fn remarks(schema: &Value) -> (String, Vec<String>) {
     }
     text.push_str(
         "\n## Errors\n\nAn error ends the program with exit status 1: the input or the request cannot be served. Status 2 is wrong usage. \
-         With `--json` an error is an object with this word.\n\n| word | cause | what helps |\n|---|---|---|\n",
+         The rows of `coface batch` and the errors of the library and of Python have this word.\n\n| word | cause | what helps |\n|---|---|---|\n",
     );
     for (word, cause, cure) in ERRORS {
         text.push_str(&format!("| `{word}` | {cause} | {cure} |\n"));

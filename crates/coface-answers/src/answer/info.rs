@@ -43,9 +43,9 @@ pub struct InfoAnswer {
     pub coherently_oriented: Option<bool>,
     /// The genus of a connected surface; of a non-orientable one the number of cross-caps.
     pub genus: Option<usize>,
-    /// The surface in words, such as `torus`, or the 3-manifold, such as `L(8,3)`, where it is proved which one it is; else `null`.
+    /// The surface in words, such as `torus`, or the 3-manifold, such as `L(8,3)`, where it is proved which one it is, up to orientation (in a sum each summand up to one of its own); else `null`.
     pub name: Option<String>,
-    /// What the name of a 3-manifold rests on: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces` or `normal_spheres`; absent without such a name.
+    /// What the name of a 3-manifold rests on: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces`, `normal_spheres` or `fundamental_group`; absent without such a name.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name_proof: Option<String>,
     /// The components of a model of polygons, isolated vertices left out.

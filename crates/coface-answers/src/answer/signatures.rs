@@ -63,7 +63,7 @@ pub struct PresentedGroup {
 pub struct SpaceAnswer {
     /// The name: `S3`, `RP3`, `L(8,3)`, `S2 x S1`, `SFS [S2: (2,1) (3,1) (5,-4)]`, ...
     pub name: String,
-    /// What the name rests on: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces` or `normal_spheres`.
+    /// What the name rests on: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces`, `normal_spheres` or `fundamental_group`.
     pub proof: String,
 }
 

@@ -22,7 +22,7 @@ pub struct SimplifyAnswer {
     pub signature: String,
     /// Which 3-manifold it is, where that is proved.
     pub name: Option<String>,
-    /// What the name rests on: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces` or `normal_spheres`.
+    /// What the name rests on: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces`, `normal_spheres` or `fundamental_group`.
     pub name_proof: Option<String>,
     /// Where the triangulation now is in the census that was given.
     pub census: Option<CensusAnswer>,

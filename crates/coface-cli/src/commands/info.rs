@@ -5,7 +5,7 @@ use crate::arguments::Common;
 use crate::certified;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{give, is_json, print_json, write_file};
+use crate::output::{check_page, give, is_html, is_json, print_json, write_file};
 use crate::progress::Progress;
 use crate::remarks::{accept, are_on_the_page};
 use clap::{Args, ValueEnum};
@@ -110,6 +110,9 @@ impl Info {
                     "--certificate is for one input: name one, or run the command once for each",
                 ));
             }
+        }
+        if let Some(path) = &self.html {
+            check_page(path)?;
         }
         let progress = Progress::start(common.quiet);
         let as_json = common.json || common.output.as_deref().is_some_and(is_json);
@@ -245,13 +248,6 @@ fn show(common: &Common, is_given: bool, answer: &impl Serialize, page: &str) ->
         (false, true) => print_json(answer),
         (false, false) => Ok(()),
     }
-}
-
-/// Whether a file is a page for browsers by its name.
-fn is_html(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| {
-        extension.eq_ignore_ascii_case("html") || extension.eq_ignore_ascii_case("htm")
-    })
 }
 
 /// The boundary matrices of more cells than this are not drawn.

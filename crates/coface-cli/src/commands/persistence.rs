@@ -249,12 +249,11 @@ impl Persistence {
             return Ok(None);
         }
         let name = input::name(&self.input);
-        let given = [self.image.given(), common.voxels.rule_given()];
         if common.points.alpha().is_some()
-            && let Some(option) = given.into_iter().flatten().next()
+            && let Some(option) = self.image.given()
         {
             return Err(Failure::new(format!(
-                "{name}: {option} is for volumes; to end the alpha complex at the value A give --alpha A"
+                "{name}: {option} is for volumes, and --alpha for points: leave one out"
             )));
         }
         let found = stored(source, common, &name, progress)?;

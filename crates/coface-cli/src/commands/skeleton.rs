@@ -4,6 +4,8 @@ use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::simplices::Request;
 use clap::Args;
+use coface::answers::simplicial_skeleton;
+use coface::io::Model;
 use std::path::PathBuf;
 
 /// Skeleton: all simplices up to a dimension.
@@ -19,7 +21,9 @@ pub(crate) struct Skeleton {
 
 impl Skeleton {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
-        Request { verb: "skeleton", input: &self.input, simplices: None }.serve(common, |complex, _| {
+        let request = Request { verb: "skeleton", input: &self.input, simplices: None };
+        let make = |model: &Model| simplicial_skeleton(model, self.dimension);
+        request.serve_complex(common, make, |complex, _| {
             Ok((0..=self.dimension.min(complex.dimension().unwrap_or(0)))
                 .flat_map(|dimension| complex.simplices(dimension))
                 .collect())

@@ -3,7 +3,7 @@
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{print_bytes, print_json, write_file};
+use crate::output::{check_page, print_bytes, print_json, write_file};
 use crate::progress::Progress;
 use crate::remarks::say_remarks;
 use clap::Args;
@@ -49,6 +49,9 @@ struct Shown {
 
 impl View {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
+        if let Some(path) = &common.output {
+            check_page(path)?;
+        }
         let progress = Progress::start(common.quiet);
         let Shown { name, mut scene, model } = self.read(common, &progress)?;
         say_remarks(&scene.remarks(), common);

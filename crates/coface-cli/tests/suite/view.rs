@@ -182,6 +182,33 @@ fn answers_about_other_models_are_refused() {
 }
 
 #[test]
+fn edges_that_the_model_lacks_are_refused() {
+    let folder = Folder::new();
+    let model = folder.generated(&["torus"], "torus.obj");
+    let page = folder.path("page.html");
+    let chain = folder.file("chain.json", "[[1,[0,1]],[1,[1,577]]]");
+    let message = coface(&["view", &model, "--with", &chain, "-o", argument(&page)]).fails_with(1).to_owned();
+    assert!(message.contains("the model has no edge from vertex 1 to vertex 577"), "{message}");
+    // Over points alone, a complex of them may have any edges.
+    let points = folder.file("points.csv", "0,0\n1,0\n0,1\n");
+    let edge = folder.file("edge.json", "[[1,[0,2]]]");
+    assert_eq!(coface(&["view", &points, "--with", &edge, "-o", argument(&page)]).status, 0);
+}
+
+#[test]
+fn pages_are_written_into_files_of_pages() {
+    let folder = Folder::new();
+    let model = folder.generated(&["csaszar"], "torus.obj");
+    for name in ["x.pdf", "x.png", "x.svg", "x.vtp"] {
+        let path = folder.path(name);
+        for words in [["view", &model, "-o", argument(&path)], ["info", &model, "--html", argument(&path)]] {
+            assert!(coface(&words).fails_with(1).contains("end the name in .html"), "{name}");
+        }
+        assert!(!path.exists());
+    }
+}
+
+#[test]
 fn standard_input_may_hold_splines() {
     let folder = Folder::new();
     let text = r#"{"order":4,"curves":[{"points":[[0,0],[4,0],[5,2],[4,4],[0,4]],"kinks":[0,4]}]}"#;
@@ -202,8 +229,8 @@ fn answers_without_numbers_are_refused() {
     let folder = Folder::new();
     let model = folder.generated(&["csaszar"], "torus.obj");
     let result = folder.file("result.json", "{\"simplices\": [[0, 1], [2, \"three\"]]}");
-    for verb in ["view", "render"] {
-        let run = coface(&[verb, &model, "--with", &result, "-o", argument(&folder.path("page.svg"))]);
+    for (verb, name) in [("view", "page.html"), ("render", "page.svg")] {
+        let run = coface(&[verb, &model, "--with", &result, "-o", argument(&folder.path(name))]);
         let message = run.fails_with(1);
         assert!(message.contains("simplices[1][1] is \"three\", not the number of a vertex"), "{message}");
     }

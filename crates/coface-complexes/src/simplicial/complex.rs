@@ -772,7 +772,7 @@ mod tests {
         let mut complex = SimplicialComplex::from_facets([[0, 40]]).unwrap();
         let error = complex.insert(&simplex).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::TooLarge);
-        assert!(error.cure().unwrap().contains("insert_skeleton"));
+        assert!(error.cure().unwrap().contains("coface skeleton INPUT"));
         assert_eq!(SimplicialComplex::from_facets([&vertices]).unwrap_err().kind(), ErrorKind::TooLarge);
         assert_eq!(complex.f_vector(), [2, 1]);
         assert!(complex.insert_skeleton(&simplex, 2).unwrap());

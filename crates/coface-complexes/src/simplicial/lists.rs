@@ -160,7 +160,7 @@ pub(super) fn check_face_count(vertex_count: usize, limit: usize) -> Result<usiz
                     limit.min(vertex_count) - 1
                 ),
             )
-            .with_cure("insert its skeleton of lower dimension (insert_skeleton)"));
+            .with_cure("take a skeleton of it: coface skeleton INPUT --dimension K -o OUT.json"));
         }
     }
     let what = || format!("a simplex of dimension {}, which has {total} faces,", vertex_count - 1);

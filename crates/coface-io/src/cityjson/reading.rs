@@ -7,16 +7,14 @@ use crate::assembly::Assembly;
 use crate::element_kind::Kind;
 use crate::feature_table::{FeatureTable, FeatureTexts};
 use crate::group::Roles;
+use crate::holed_faces::triangulated;
 use crate::json_text::compact;
 use crate::stated_surfaces::SurfaceCollector;
 use crate::{GroupKind, GroupRole, Model, ReadOptions, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use coface_arrange::spatial::checks::CheckedPrimitive;
-use coface_geometry::predicates::orientation;
-use coface_geometry::triangulation::triangulate;
 use serde::Deserialize;
 use serde_json::error::Category;
-use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::io::{BufReader, Read};
 use std::sync::Arc;
@@ -784,66 +782,4 @@ impl Walk<'_, '_, '_> {
         }
         Ok(())
     }
-}
-
-/// The triangles of a surface with holes, which run as its outer ring does; `None` if the rings cross. Directions of
-/// holes are corrected, and sides run through the vertices of other rings on them.
-fn triangulated(rings: &mut [Vec<u32>], point: impl Fn(u32) -> [f64; 3]) -> Option<Vec<[u32; 3]>> {
-    // The normal of the outer ring, by the formula of M. E. Newell.
-    let normal_along = |ring: &[u32], axis: usize| {
-        let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
-        let origin = point(ring[0]);
-        let relative = |vertex: u32| {
-            let point = point(vertex);
-            [point[u] - origin[u], point[v] - origin[v]]
-        };
-        let next = ring.iter().skip(1).chain(ring.first());
-        let sides = ring.iter().zip(next).map(|(&a, &b)| [relative(a), relative(b)]);
-        sides.map(|[a, b]| a[0] * b[1] - a[1] * b[0]).sum::<f64>()
-    };
-    let normal = [0, 1, 2].map(|axis| normal_along(&rings[0], axis));
-    let axis = (0..3).max_by(|&a, &b| normal[a].abs().total_cmp(&normal[b].abs()))?;
-    let is_turned = normal[axis] < 0.0;
-    let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
-    let (u, v) = if is_turned { (v, u) } else { (u, v) };
-    for hole in &mut rings[1..] {
-        if (normal_along(hole, axis) < 0.0) == is_turned {
-            hole.reverse();
-        }
-    }
-    let flat = |vertex: u32| {
-        let point = point(vertex);
-        [point[u], point[v]]
-    };
-    let compare = |a: u32, b: u32| {
-        // Zeros of both signs are equal.
-        let [[a, b], [c, d]] = [flat(a), flat(b)].map(|point| point.map(|x| x + 0.0));
-        a.total_cmp(&c).then(b.total_cmp(&d))
-    };
-    let turn = |a: u32, b: u32, c: u32| -> Ordering { orientation(flat(a), flat(b), flat(c)) };
-    if let Ok(triangles) = triangulate(rings, compare, turn) {
-        return Some(triangles);
-    }
-    let is_on = |vertex: u32, [a, b]: [u32; 2]| {
-        let is_between = compare(a, vertex) != compare(b, vertex)
-            && compare(a, vertex).is_ne()
-            && compare(b, vertex).is_ne();
-        is_between && turn(a, b, vertex).is_eq()
-    };
-    let mut through = rings.to_vec();
-    let vertices: Vec<u32> = rings.concat();
-    for ring in &mut through {
-        let mut longer = Vec::new();
-        for (i, &from) in ring.iter().enumerate() {
-            let to = ring[(i + 1) % ring.len()];
-            let mut on: Vec<u32> =
-                vertices.iter().copied().filter(|&vertex| is_on(vertex, [from, to])).collect();
-            on.sort_by(|&a, &b| if compare(from, to).is_lt() { compare(a, b) } else { compare(b, a) });
-            on.dedup();
-            longer.push(from);
-            longer.extend(on);
-        }
-        *ring = longer;
-    }
-    triangulate(&through, compare, turn).ok()
 }

@@ -141,9 +141,21 @@ pub(crate) fn read_file(input: impl Read, path: &Path, options: &ReadOptions) ->
 /// Reads a file that is not laid out line by line, or the part of it before its fault.
 fn read_otherwise(bytes: &[u8], fault: Error, options: &ReadOptions) -> Result<Model, Error> {
     let (other, remark) = if is_binary(bytes) {
-        let little = Keyword::of_binary(bytes)
-            .and_then(|(keyword, at)| read_binary(Scanner::new(&bytes[at..]), keyword, false).ok());
-        (little, "the numbers of the binary file are little-endian; OFF files are big-endian")
+        let other = |layout: Layout| {
+            let (keyword, at) = Keyword::of_binary(bytes)?;
+            read_binary(Scanner::new(&bytes[at..]), keyword, layout).ok()
+        };
+        let little = Layout { big: false, has_colors: true };
+        match other(little) {
+            Some(model) => {
+                (Some(model), "the numbers of the binary file are little-endian; OFF files are big-endian")
+            }
+            // As the library pmp writes them.
+            None => (
+                other(Layout { has_colors: false, ..little }),
+                "the numbers of the binary file are little-endian, and faces have no number of color components; OFF files are big-endian, and have it",
+            ),
+        }
     } else {
         let words = words::read(bytes);
         (words, "the vertices and faces do not have a line each; the file is read word by word")
@@ -173,7 +185,7 @@ fn read_lines(input: impl Read, options: &ReadOptions) -> Result<Model, Error> {
     let whole = ReadOptions { partial: false, ..*options };
     match read_header(&mut blocks)? {
         Start::Text(header) => read_text(blocks, header, &whole),
-        Start::Binary(keyword) => read_binary(blocks.into_scanner(), keyword, true),
+        Start::Binary(keyword) => read_binary(blocks.into_scanner(), keyword, Layout::OFF),
     }
 }
 
@@ -527,7 +539,21 @@ fn natural(text: &[u8], at: usize, what: &str) -> Result<(i64, usize), Error> {
     Ok((parse_i64(word, what)?, at + word.len()))
 }
 
-fn read_binary<R: Read>(mut input: Scanner<R>, keyword: Keyword, big: bool) -> Result<Model, Error> {
+/// How a binary file is laid out.
+#[derive(Clone, Copy)]
+struct Layout {
+    /// Whether the highest byte of a number comes first.
+    big: bool,
+    /// Whether the number of its color components stands behind each face.
+    has_colors: bool,
+}
+
+impl Layout {
+    const OFF: Self = Self { big: true, has_colors: true };
+}
+
+fn read_binary<R: Read>(mut input: Scanner<R>, keyword: Keyword, layout: Layout) -> Result<Model, Error> {
+    let Layout { big, has_colors } = layout;
     let dimension = if keyword.any_dimension { count(&mut input, big, "the dimension")? } else { 3 };
     let vertices = count(&mut input, big, "the number of vertices")?;
     let faces = count(&mut input, big, "the number of faces")?;
@@ -557,10 +583,15 @@ fn read_binary<R: Read>(mut input: Scanner<R>, keyword: Keyword, big: bool) -> R
             whole.elements.polygons.items_mut().push(vertex);
         }
         whole.elements.finish_face(&mut whole.oddities, Place::default());
-        let colors = count(&mut input, big, "the number of color components").map_err(promised)?;
-        for _ in 0..colors {
-            four(&mut input, big, "a color").map_err(promised)?;
+        if has_colors {
+            let colors = count(&mut input, big, "the number of color components").map_err(promised)?;
+            for _ in 0..colors {
+                four(&mut input, big, "a color").map_err(promised)?;
+            }
         }
+    }
+    if !has_colors && !input.available(1)?.is_empty() {
+        return Err(Error::parse("the file goes on behind its last face").at_byte(input.byte_offset()));
     }
     model(header, whole)
 }

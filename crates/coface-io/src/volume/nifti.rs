@@ -107,6 +107,11 @@ pub(super) fn read_header(input: &mut impl Read) -> Result<(VolumeHeader, bool),
     while lengths.len() > 3 && lengths.last() == Some(&1) {
         lengths.pop();
     }
+    // The fifth axis holds the numbers of one voxel.
+    if let Some(&count) = lengths.get(4).filter(|&&count| count > 1) {
+        return Err(Error::new(ErrorKind::UnsupportedFormat, format!("a voxel has {count} numbers"))
+            .with_cure("write one of them as a volume of its own"));
+    }
     let shape = shape_of(&lengths).map_err(|error| error.at_byte(axes_at as u64))?;
     let number_type = number_type(fields.i16(type_at)).map_err(|error| error.at_byte(type_at as u64))?;
     let bits = fields.i16(type_at + 2);

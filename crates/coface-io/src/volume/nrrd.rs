@@ -47,6 +47,8 @@ struct Fields {
     number_type: Option<NumberType>,
     axis_count: Option<usize>,
     sizes: Option<Vec<u64>>,
+    /// The axes along which one voxel has several numbers, with what they are.
+    several: Vec<(usize, String)>,
     encoding: Option<Encoding>,
     is_big_endian: Option<bool>,
     data_file: Option<PathBuf>,
@@ -77,6 +79,7 @@ impl Fields {
                 self.sizes =
                     Some(sizes.map_err(|_| Error::parse(format!("\"{}\" are no sizes", shortened(value))))?);
             }
+            "kinds" => self.several.extend(value.split_whitespace().enumerate().filter_map(several_of_kind)),
             "encoding" => self.encoding = Some(encoding(value)?),
             "endian" => {
                 self.is_big_endian = Some(match value.to_ascii_lowercase().as_str() {
@@ -121,6 +124,14 @@ impl Fields {
             ))
             .with_cure("write a size for each axis"));
         }
+        let one = self.several.iter().find(|(axis, _)| sizes.get(*axis).is_some_and(|&size| size > 1));
+        if let Some((axis, kind)) = one {
+            return Err(Error::new(
+                ErrorKind::UnsupportedFormat,
+                format!("a voxel has {} numbers: axis {axis} is of the kind \"{kind}\"", sizes[*axis]),
+            )
+            .with_cure("write one of them as a volume of its own"));
+        }
         let needs_order = number_type.size() > 1 && encoding != Encoding::Ascii;
         if needs_order && self.is_big_endian.is_none() {
             return Err(missing("endian"));
@@ -145,6 +156,13 @@ impl Fields {
             length,
         })
     }
+}
+
+/// The axis, and the kind of its samples, if these belong to one voxel.
+fn several_of_kind((axis, kind): (usize, &str)) -> Option<(usize, String)> {
+    let kind = kind.to_ascii_lowercase();
+    let is_of_space = matches!(&kind[..], "domain" | "space" | "time" | "none" | "???" | "stub" | "scalar");
+    (!is_of_space).then(|| (axis, shortened(&kind)))
 }
 
 fn encoding(name: &str) -> Result<Encoding, Error> {

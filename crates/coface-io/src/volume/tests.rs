@@ -574,3 +574,22 @@ proptest! {
         prop_assert!(given.iter().all(|&times| times == 1));
     }
 }
+
+#[test]
+fn axes_of_colors_and_vectors_are_no_axes_of_space() {
+    let text = |kinds: &str, sizes: &str| {
+        format!(
+            "NRRD0004\ntype: uint8\ndimension: 3\nsizes: {sizes}\nkinds: {kinds}\nencoding: ascii\n\n5 0 7 5 0 7 5 0 7 5 0 7\n"
+        )
+    };
+    for kinds in ["RGB-color domain domain", "vector space space", "domain list domain"] {
+        let sizes = if kinds.starts_with("domain") { "2 3 2" } else { "3 2 2" };
+        let error = crate::read(text(kinds, sizes).as_bytes(), Format::Nrrd).unwrap_err();
+        assert!(error.to_string().contains("a voxel has 3 numbers: axis"), "{kinds}: {error}");
+        assert!(error.cure().is_some());
+    }
+    for kinds in ["domain domain domain", "space space time", "none ??? domain"] {
+        assert!(crate::read(text(kinds, "3 2 2").as_bytes(), Format::Nrrd).is_ok(), "{kinds}");
+    }
+    assert!(crate::read(text("list domain domain", "1 3 4").as_bytes(), Format::Nrrd).is_ok());
+}

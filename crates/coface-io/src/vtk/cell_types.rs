@@ -27,10 +27,8 @@ const TRIANGLE: &[usize] = &[0, 1, 2];
 const QUADRANGLE: &[usize] = &[0, 1, 2, 3];
 const HEXAHEDRON: &[usize] = &[0, 1, 2, 3, 4, 5, 6, 7];
 const PYRAMID: &[usize] = &[0, 1, 2, 3, 4];
-/// The bottom triangle runs the other way round; so does the top.
+/// The bottom triangle runs the other way round; so does the top. Wedges of higher order have their corners as these do.
 pub(super) const WEDGE: &[usize] = &[0, 2, 1, 3, 5, 4];
-/// Wedges of higher order have their bottom triangle as it is here.
-const CURVED_WEDGE: &[usize] = &[0, 1, 2, 3, 4, 5];
 
 impl CellType {
     /// The type of cell `i`, which has this number in the file.
@@ -67,13 +65,13 @@ impl CellType {
             23 => fixed(Kind::Polygon, QUADRANGLE, 8),
             24 => fixed(Kind::TETRAHEDRON, QUADRANGLE, 10),
             25 => fixed(Kind::HEXAHEDRON, HEXAHEDRON, 20),
-            26 => fixed(Kind::WEDGE, CURVED_WEDGE, 15),
+            26 => fixed(Kind::WEDGE, WEDGE, 15),
             27 => fixed(Kind::PYRAMID, PYRAMID, 13),
             28 => fixed(Kind::Polygon, QUADRANGLE, 9),
             29 => fixed(Kind::HEXAHEDRON, HEXAHEDRON, 27),
             30 => fixed(Kind::Polygon, QUADRANGLE, 6),
-            31 => fixed(Kind::WEDGE, CURVED_WEDGE, 12),
-            32 => fixed(Kind::WEDGE, CURVED_WEDGE, 18),
+            31 => fixed(Kind::WEDGE, WEDGE, 12),
+            32 => fixed(Kind::WEDGE, WEDGE, 18),
             33 => fixed(Kind::HEXAHEDRON, HEXAHEDRON, 24),
             34 => fixed(Kind::Polygon, TRIANGLE, 7),
             35 => fixed(Kind::Line, LINE, 4),

@@ -4,6 +4,7 @@
 //! strips. In the model it becomes one array for each kind of cells that there is.
 
 use super::cell_runs::KINDS;
+use super::elements::count_nonzero;
 use super::reader::{Place, Reader, number_type};
 use crate::numbers::Numbers;
 use crate::scanner::quoted;
@@ -218,13 +219,16 @@ fn add<R: Read>(reader: &mut Reader<R>, place: Place, name: String, components: 
         }
         Place::Cells => KINDS,
     };
+    let mut taken = 0;
     for kind in kinds {
         let count = reader.elements.assembly.count_of(kind);
         if count > 0 {
             let part = reader.elements.cells.numbers_on(kind, count, components, &numbers);
+            taken += count_nonzero(&part);
             reader.elements.assembly.add_data(CellData::of_file(name.clone(), kind, components, part));
         }
     }
+    reader.elements.remark_on_points(&numbers, taken);
 }
 
 /// A name in which `%20` stands for a blank, and so on.

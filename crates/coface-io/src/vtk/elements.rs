@@ -2,10 +2,11 @@
 
 use super::cell_runs::Cells;
 use super::cell_types::CellType;
-use crate::Place;
 use crate::assembly::Assembly;
 use crate::element_kind::Kind;
+use crate::numbers::Numbers;
 use crate::oddities::Oddity;
+use crate::{Place, Remark, RemarkCode};
 use coface_algebra::Error;
 
 /// A mesh in the making, and what each cell of the file became.
@@ -14,11 +15,13 @@ pub(super) struct Elements {
     pub(super) assembly: Assembly,
     /// What the cells became, for the data on them.
     pub(super) cells: Cells,
+    /// The cells that became points, which have no data of their own, while nobody has been told of it.
+    points_without_data: usize,
 }
 
 impl Elements {
     pub(super) fn new() -> Self {
-        Self { assembly: Assembly::new(3), cells: Cells::default() }
+        Self { assembly: Assembly::new(3), cells: Cells::default(), points_without_data: 0 }
     }
 
     /// Adds what a cell of this type in a section becomes; the file numbers points from `first_point` on.
@@ -83,12 +86,24 @@ impl Elements {
                 (kind, self.assembly.add(kind, corners.len(), &ordered[..count], number)?)
             }
         };
+        self.points_without_data += usize::from(kind == Kind::Point && !vertices.is_empty());
         match (kind, first) {
-            // Points have no data of their own.
             (Kind::Point, _) | (_, None) => self.cells.add(section, None, 0, 0),
             (kind, Some(first)) => self.cells.add(section, Some(kind.group_kind()), first, elements),
         }
         Ok(())
+    }
+
+    /// Says that data on cells are left out where these are points and the data, of which so many on other cells are not zero, are not.
+    pub(super) fn remark_on_points(&mut self, numbers: &Numbers, taken: usize) {
+        if self.points_without_data == 0 || count_nonzero(numbers) <= taken {
+            return;
+        }
+        let message = match std::mem::take(&mut self.points_without_data) {
+            1 => "1 cell is a point: the data on it are left out".to_owned(),
+            count => format!("{count} cells are points: the data on them are left out"),
+        };
+        self.assembly.remarks.push(Remark::new(RemarkCode::DataLeftOut, message));
     }
 
     /// Leaves a cell of too few points out.
@@ -96,4 +111,9 @@ impl Elements {
         self.assembly.oddities.note(Oddity::Collapsed, || Place::cell(vertices));
         None
     }
+}
+
+/// How many numbers are not zero.
+pub(super) fn count_nonzero(numbers: &Numbers) -> usize {
+    (0..numbers.len()).filter(|&i| numbers.real(i) != 0.0).count()
 }

@@ -83,8 +83,10 @@ fn every_type_of_cell_is_read() {
     assert_eq!(polygons, [&[0, 1, 3, 2][..], &[0, 1, 2], &[2, 1, 3], &[0, 1, 3, 2], &[0, 3, 2]]);
     assert_eq!(model.lines().list(0), [3, 2, 1, 0]);
     assert_eq!(model.points().len(), 2);
-    assert!(model.remarks()[0].message.contains("1 elements of higher order"));
-    // The strip is two triangles; the points have no data.
+    let remarks: Vec<&str> = model.remarks().iter().map(|remark| &remark.message[..]).collect();
+    assert!(remarks[0].starts_with("1 cell is a point: the data on it are left out"), "{remarks:?}");
+    assert!(remarks[1].contains("of higher order"), "{remarks:?}");
+    // The strip is two triangles.
     let column = |name: &str, kind| -> Vec<i64> {
         let data = model.data_named(name, kind).unwrap();
         (0..data.len()).map(|i| data.integer_row(i).unwrap()[0]).collect()
@@ -94,6 +96,22 @@ fn every_type_of_cell_is_read() {
     assert_eq!(column("x", GroupKind::Lines), [80]);
     assert!(model.data_named("v", GroupKind::Lines).unwrap().real_row(0)[2].is_nan());
     assert_eq!(column("id", GroupKind::Vertices), [0, 1, 2, 3, 4, 5, 6, 7]);
+}
+
+#[test]
+fn wedges_of_higher_order_have_their_corners_as_others() {
+    let corners = "0 0 0 1 0 0 0 1 0 0 0 1 1 0 1 0 1 1 ";
+    for (number, count) in [(13, 6), (26, 15), (31, 12), (32, 18)] {
+        let ids: Vec<String> = (0..count).map(|id| id.to_string()).collect();
+        let more = ".5 .5 .5 ".repeat(count - 6);
+        let text = format!(
+            "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS {count} double\n{corners}{more}\nCELLS 1 {}\n{count} {}\nCELL_TYPES 1\n{number}\n",
+            count + 1,
+            ids.join(" ")
+        );
+        let model = read(text.as_bytes()).unwrap();
+        assert_eq!(model.cells().list(0), [0, 2, 1, 3, 5, 4], "type {number}");
+    }
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::cell_runs::{Cells, KINDS};
 use super::cell_types::CellType;
-use super::elements::Elements;
+use super::elements::{Elements, count_nonzero};
 use super::xml_arrays::{Appended, Array, Storage, located, natural};
 use crate::numbers::Numbers;
 use crate::values::{Encoding, NumberType};
@@ -255,11 +255,14 @@ impl Reader<'_> {
         }
         for node in arrays(child(piece, "CellData")) {
             let Some(array) = self.data_array(node, self.elements.cells.count())? else { continue };
+            let mut taken = 0;
             for (kind, first) in KINDS.into_iter().zip(firsts) {
                 let count = self.elements.assembly.count_of(kind) - first;
                 let part = self.elements.cells.numbers_on(kind, count, array.components, &array.numbers);
+                taken += count_nonzero(&part);
                 self.gather(&array.name, kind, array.components, &part, node)?;
             }
+            self.elements.remark_on_points(&array.numbers, taken);
         }
         self.piece_count += 1;
         Ok(())

@@ -30,5 +30,7 @@ const COLLECTION: u32 = 7;
 const ARCS: u32 = 8;
 const COMPOUND: u32 = 9;
 const CURVE_POLYGON: u32 = 10;
+const POLYHEDRAL_SURFACE: u32 = 15;
+const TIN: u32 = 16;
 /// The number of several of one kind is that of the kind and this.
 const MULTI: u32 = 3;

@@ -1,6 +1,9 @@
 //! From bytes or digits to a model.
 
-use super::{ARCS, COLLECTION, COMPOUND, CURVE_POLYGON, HAS_M, HAS_SRID, HAS_Z, LINE, POINT, POLYGON};
+use super::{
+    ARCS, COLLECTION, COMPOUND, CURVE_POLYGON, HAS_M, HAS_SRID, HAS_Z, LINE, POINT, POLYGON,
+    POLYHEDRAL_SURFACE, TIN,
+};
 use crate::drawing::{Drawing, Place};
 use crate::scanner::Scanner;
 use crate::{Model, ReferenceSystem};
@@ -239,7 +242,11 @@ impl<R: Read> Reader<'_, R> {
                 }
                 Ok(())
             }
-            4..=COLLECTION | 11 | 12 | 15 | 16 => {
+            4..=COLLECTION | 11 | 12 | POLYHEDRAL_SURFACE | TIN => {
+                let is_surface = matches!(kind.number, POLYHEDRAL_SURFACE | TIN);
+                if is_surface {
+                    self.drawing.begin_surface();
+                }
                 let has_features = depth == 0 && kind.number == COLLECTION && matches!(start, Site::Byte(0));
                 for _ in 0..self.number()? {
                     let is_big = self.is_big;
@@ -248,6 +255,9 @@ impl<R: Read> Reader<'_, R> {
                     }
                     self.geometry(depth + 1)?;
                     self.is_big = is_big;
+                }
+                if is_surface {
+                    self.drawing.end_surface();
                 }
                 Ok(())
             }

@@ -1,7 +1,7 @@
 //! From a model to bytes or digits.
 
-use super::{COLLECTION, HAS_SRID, HAS_Z, LINE, MULTI, POINT, POLYGON};
-use crate::drawing::{Features, Shape, closed, shapes, written_dimension};
+use super::{COLLECTION, HAS_SRID, HAS_Z, LINE, MULTI, POINT, POLYGON, POLYHEDRAL_SURFACE};
+use crate::drawing::{Features, Shape, are_one_geometry, closed, shapes, written_dimension};
 use crate::{Model, ReferenceSystem};
 use coface_algebra::{Error, ErrorKind};
 use std::io::Write;
@@ -41,7 +41,7 @@ pub fn write(model: &Model, mut output: impl Write, encoding: Encoding) -> Resul
     let writer = Writer { model, dimension: written_dimension(model, "WKB")?, is_extended: srid.is_some() };
     let shapes = shapes(model);
     let known = Features::new(model);
-    let features = || shapes.chunk_by(|(x, a), (y, b)| a == b && known.are_one(x, y));
+    let features = || shapes.chunk_by(|a, b| are_one_geometry(a, b, &known, writer.dimension));
     let mut bytes = Vec::new();
     match encoding {
         Encoding::Digits => {
@@ -152,6 +152,14 @@ impl Writer<'_> {
 
     /// One geometry of shapes: a single one, several of one kind, or a collection.
     fn push_geometry(&self, shapes: &[Named], srid: Option<u32>, bytes: &mut Vec<u8>) -> Result<(), Error> {
+        if self.dimension == 3 && shapes.iter().all(|(shape, _)| matches!(shape, Shape::Face(_))) {
+            self.push_start(POLYHEDRAL_SURFACE, srid, bytes);
+            push_count(shapes.len(), bytes)?;
+            return shapes.iter().try_for_each(|(shape, _)| {
+                self.push_start(POLYGON, None, bytes);
+                self.push_shape(shape, bytes)
+            });
+        }
         let number = number_of(&shapes[0].0);
         if !is_of_one_kind(shapes) {
             let kinds = || shapes.chunk_by(|(a, _), (b, _)| number_of(a) == number_of(b));

@@ -124,6 +124,8 @@ fn gltf_is_read_without_what_shapes_do_not_need() {
         assert_eq!(model.positions().as_flat(), [0., 0., 0., 1., 0., 0., 0., 1., 0.]);
         assert_eq!(model.polygons().len(), 1);
     }
+    let own = file("").replace("\"POSITION\":0", "\"POSITION\":0,\"_TEMPERATURE\":0,\"_FEATURE_ID_0\":0");
+    assert_eq!(io::read(own.as_bytes(), Format::Gltf).unwrap().polygons().len(), 1);
     let error =
         io::read(file(r#""extensionsRequired":["KHR_draco_mesh_compression"],"#).as_bytes(), Format::Gltf)
             .unwrap_err();

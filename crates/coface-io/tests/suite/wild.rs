@@ -399,6 +399,16 @@ fn build_items_of_3mf_are_placed() {
         (Some(Format::ThreeMf), vec![vec![0, 1, 2], vec![3, 4, 5]])
     );
     assert_eq!(model.positions().as_flat()[12..15], [3.0, 0.0, 18.0]);
+    // Beams are lines; what may not be read without an unknown extension is not read.
+    let beams = text
+        .replace("<model ", "<model requiredextensions=\"b\" xmlns:b=\"http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02\" ")
+        .replace("</triangles>", "</triangles><b:beamlattice radius=\"1\"><b:beams><b:beam v1=\"0\" v2=\"2\"/></b:beams></b:beamlattice>");
+    let model = io::read(&archive(&beams)[..], Format::ThreeMf).unwrap();
+    assert_eq!(lists(model.lines()), [[0, 2], [3, 5]]);
+    assert_eq!(model.remarks()[0].code, RemarkCode::DataLeftOut);
+    let strange = beams.replace("beamlattice/2017/02", "volumetric/2022/01");
+    let error = io::read(&archive(&strange)[..], Format::ThreeMf).unwrap_err();
+    assert!(error.to_string().contains("volumetric/2022/01") && error.cure().is_some(), "{error}");
     let cycle = text.replace("<component objectid=\"1\"/>", "<component objectid=\"2\"/>");
     assert!(
         io::read(&archive(&cycle)[..], Format::ThreeMf).unwrap_err().to_string().contains("contains itself")

@@ -61,13 +61,16 @@ impl Picture<'_> {
 
     fn drawing(&self) -> FlatPicture {
         let mut raster = self.raster(FACTOR, self.theme.background);
-        let order = painting_order(&self.facets, &mut raster, FACTOR);
+        let mut facets = self.facets.clone();
+        let order = painting_order(&mut facets, &mut raster, FACTOR, |facets| {
+            self.raster_of(facets, FACTOR, self.theme.background)
+        });
         let mut drawing =
             FlatPicture::new(self.scene.title(), self.size.map(|side| side as f64), self.theme.background);
         if self.is_transparent {
             drawing = drawing.transparent();
         }
-        let facets = order.iter().map(|&number| &self.facets[number as usize]);
+        let facets = order.iter().map(|&number| &facets[number as usize]);
         drawing.triangles(
             facets.map(|facet| (facet.color, facet.corners.map(|[x, y, _]| rounded([x, y])))).collect(),
         );

@@ -155,8 +155,15 @@ impl FlatPicture {
         self.parts.push(Part { form, fill, stroke, opacity, group });
     }
 
-    /// Fills triangles, each with its own color.
-    pub(super) fn triangles(&mut self, triangles: Vec<(Color, [[f64; 2]; 3])>) {
+    /// Fills triangles, each with its own color. All run around in one direction then: in one path those that lie over each other would else
+    /// leave a hole.
+    pub(super) fn triangles(&mut self, mut triangles: Vec<(Color, [[f64; 2]; 3])>) {
+        for (_, corners) in &mut triangles {
+            let [a, b, c] = *corners;
+            if (b[0] - a[0]) * (c[1] - a[1]) < (b[1] - a[1]) * (c[0] - a[0]) {
+                corners.swap(1, 2);
+            }
+        }
         self.push(Form::Triangles(triangles), None, None, 1.0);
     }
 

@@ -93,6 +93,16 @@ fn glyph(letter: char) -> &'static str {
         '!' => "2825 2322",
         '?' => "07183847362524 2322",
         '|' => "2820",
+        '$' => "473818070615354443321203 2820",
+        '&' => "42071828370403122244",
+        '@' => "421203071838474434 343626152434",
+        '\\' => "0842",
+        '`' => "1827",
+        '~' => "04153445",
+        '\u{207b}' => "1737",
+        '\u{b9}' => "172824",
+        '\u{b2}' => "1728371434",
+        '\u{b3}' => "183826352414",
         '\u{2212}' => "0444",
         '\u{2295}' => "163645433212030516 0444 2622",
         '\u{2202}' => "172838464432120304153544",
@@ -103,6 +113,26 @@ fn glyph(letter: char) -> &'static str {
         // Of what has no strokes here, a box.
         _ => "0802424808",
     }
+}
+
+/// The strokes of an accent, the letters that have it, and these without it.
+const ACCENTS: [(&str, &str, &str); 7] = [
+    ("1827", "\u{c0}\u{c8}\u{cc}\u{d2}\u{d9}\u{e0}\u{e8}\u{ec}\u{f2}\u{f9}", "AEIOUaeiou"),
+    ("2738", "\u{c1}\u{c9}\u{cd}\u{d3}\u{da}\u{dd}\u{e1}\u{e9}\u{ed}\u{f3}\u{fa}\u{fd}", "AEIOUYaeiouy"),
+    ("172837", "\u{c2}\u{ca}\u{ce}\u{d4}\u{db}\u{e2}\u{ea}\u{ee}\u{f4}\u{fb}", "AEIOUaeiou"),
+    ("07183748", "\u{c3}\u{d1}\u{d5}\u{e3}\u{f1}\u{f5}", "ANOano"),
+    ("1718 3738", "\u{c4}\u{cb}\u{cf}\u{d6}\u{dc}\u{e4}\u{eb}\u{ef}\u{f6}\u{fc}\u{ff}", "AEIOUaeiouy"),
+    ("1728372617", "\u{c5}\u{e5}", "Aa"),
+    ("222110", "\u{c7}\u{e7}", "Cc"),
+];
+
+/// A letter of Latin-1 without its accent, and the strokes of that.
+pub(super) fn without_accent(letter: char) -> (char, &'static str) {
+    let found = ACCENTS.iter().find_map(|&(accent, letters, plain)| {
+        let place = letters.chars().position(|other| other == letter)?;
+        Some((plain.chars().nth(place)?, accent))
+    });
+    found.unwrap_or((letter, ""))
 }
 
 /// From a letter to the next, for a size of 1.
@@ -120,7 +150,8 @@ pub(super) fn strokes(text: &str) -> Vec<Vec<[f64; 2]>> {
     let mut all = Vec::new();
     for (place, letter) in text.chars().enumerate() {
         let left = ADVANCE * place as f64 + 0.06;
-        for stroke in glyph(letter).split(' ').filter(|stroke| !stroke.is_empty()) {
+        let (plain, accent) = without_accent(letter);
+        for stroke in glyph(plain).split(' ').chain(accent.split(' ')).filter(|stroke| !stroke.is_empty()) {
             let digits: Vec<f64> = stroke.bytes().map(|digit| f64::from(digit - b'0')).collect();
             let points = digits.chunks_exact(2).map(|pair| {
                 // Columns from 0 to 4.
@@ -138,8 +169,13 @@ mod tests {
 
     #[test]
     fn every_stroke_is_pairs_of_digits_on_the_grid() {
-        for letter in (' '..='~').chain(['\u{e9}', '\u{2212}', '\u{2295}', '\u{2202}', '\u{2245}']) {
-            for stroke in glyph(letter).split(' ').filter(|stroke| !stroke.is_empty()) {
+        let more = [
+            '\u{4e2d}', '\u{2212}', '\u{2295}', '\u{2202}', '\u{2245}', '\u{207b}', '\u{b9}', '\u{b2}',
+            '\u{b3}',
+        ];
+        let glyphs = (' '..='~').chain(more).map(|letter| (letter, glyph(letter)));
+        for (letter, glyph) in glyphs.chain(ACCENTS.map(|(accent, ..)| ('\'', accent))) {
+            for stroke in glyph.split(' ').filter(|stroke| !stroke.is_empty()) {
                 assert!(stroke.len().is_multiple_of(2) && stroke.len() >= 4, "{letter} {stroke}");
                 for pair in stroke.as_bytes().chunks_exact(2) {
                     assert!((b'0'..=b'4').contains(&pair[0]), "{letter} {stroke}");
@@ -151,10 +187,23 @@ mod tests {
 
     #[test]
     fn no_two_letters_look_the_same() {
-        let letters = ('A'..='Z').chain('a'..='z').chain('0'..='9');
+        let letters = ('!'..='~').filter(|&letter| letter != '|');
         let mut glyphs: Vec<&str> = letters.map(glyph).collect();
         glyphs.sort_unstable();
         glyphs.dedup();
-        assert_eq!(glyphs.len(), 62);
+        assert_eq!(glyphs.len(), 93);
+    }
+
+    #[test]
+    fn letters_with_accents_are_those_without_and_the_accent() {
+        for (_, letters, plain) in ACCENTS {
+            assert_eq!(letters.chars().count(), plain.chars().count());
+            assert!(plain.is_ascii());
+        }
+        assert_eq!(without_accent('\u{d6}'), ('O', "1718 3738"));
+        assert_eq!(without_accent('x'), ('x', ""));
+        assert_eq!(strokes("\u{d6}").len(), strokes("O").len() + 2);
+        // What is not known stays a box.
+        assert_eq!(strokes("\u{4e2d}").len(), 1);
     }
 }

@@ -2,6 +2,7 @@
 
 use super::flat::{Anchor, FlatPicture, Form, Part, STROKE_OF_TEXT, Step, Stroke, text_strokes};
 use super::formula::{Face, Formula, symbol, width};
+use super::letters::without_accent;
 use super::palette::Color;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -128,7 +129,7 @@ impl Page {
             Form::Disk { center, radius } => self.painted(&circle(*center, *radius), part),
             Form::Text { at, anchor, size, text, turn } => {
                 let color = part.fill.unwrap_or_default();
-                if text.bytes().all(|byte| matches!(byte, b' '..=b'~')) {
+                if text.chars().all(|letter| matches!(without_accent(letter).0, ' '..='~')) {
                     self.color(color, "rg");
                     self.text(*at, *anchor, *size, text, *turn);
                 } else {
@@ -246,12 +247,21 @@ impl Page {
         }
     }
 
-    /// A text of ASCII, turned by an angle in degrees.
+    /// A text of ASCII and of letters of Latin-1 with accents, turned by an angle in degrees.
     fn text(&mut self, at: [f64; 2], anchor: Anchor, size: f64, text: &str, turn: f64) {
-        let width: f64 = text.bytes().map(|byte| f64::from(WIDTHS[usize::from(byte - b' ')])).sum();
+        let plain = text.chars().map(|letter| without_accent(letter).0);
+        let width: f64 = plain.map(|letter| f64::from(WIDTHS[letter as usize - usize::from(b' ')])).sum();
         let left = anchor.left(0.0, 1e-3 * size * width);
         let (sine, cosine) = turn.to_radians().sin_cos();
-        let words = text.replace('\\', "\\\\").replace('(', "\\(").replace(')', "\\)");
+        let mut words = String::with_capacity(text.len());
+        for letter in text.chars() {
+            match letter {
+                '\\' | '(' | ')' => words.extend(['\\', letter]),
+                ' '..='~' => words.push(letter),
+                // In WinAnsiEncoding as in Latin-1.
+                _ => words += &format!("\\{:03o}", u32::from(letter)),
+            }
+        }
         let _ = writeln!(
             self.operators,
             "BT /F {} Tf {} {} {} {} {} {} Tm ({words}) Tj ET",

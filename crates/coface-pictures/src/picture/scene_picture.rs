@@ -86,6 +86,7 @@ impl std::fmt::Debug for Picture<'_> {
 }
 
 /// A triangle in the picture: pixels and depths.
+#[derive(Clone, Debug)]
 pub(super) struct Facet {
     pub(super) corners: [[f64; 3]; 3],
     pub(super) color: Color,
@@ -300,10 +301,15 @@ impl<'a> Picture<'a> {
 
     /// The facets in pixels, `factor` by `factor` for each of the picture; what is seen is the number of a facet.
     pub(super) fn raster(&self, factor: usize, background: Color) -> Raster {
+        self.raster_of(&self.facets, factor, background)
+    }
+
+    /// The same of other facets.
+    pub(super) fn raster_of(&self, facets: &[Facet], factor: usize, background: Color) -> Raster {
         let [width, height] = self.size.map(|side| side * factor);
         let mut raster = Raster::new(width, height, packed(background));
-        let steps = stage("drawing triangles", self.facets.len());
-        for (number, facet) in steps.each((0..).zip(&self.facets)) {
+        let steps = stage("drawing triangles", facets.len());
+        for (number, facet) in steps.each((0..).zip(facets)) {
             let corners = facet.corners.map(|corner| super::sight::finer(corner, factor));
             raster.triangle(corners, Ink { color: packed(facet.color), number });
         }

@@ -66,6 +66,12 @@ impl Scene {
                 "the model has {vertex_count} vertices, but {what} has vertex {last}"
             ));
         }
+        if let Some((layer, [a, b])) = self.strange_edge(&layers) {
+            let what = layer.name.clone();
+            return other_model(format!(
+                "the model has no edge from vertex {a} to vertex {b}, but {what} has one"
+            ));
+        }
         let has_notes = match self.add_notes(result) {
             Ok(has_notes) => has_notes,
             Err([here, there]) => {
@@ -87,6 +93,23 @@ impl Scene {
             ));
         }
         Ok(())
+    }
+
+    /// The first edge of lines of layers that runs from one vertex of a mesh to another and is no edge of it. Over points alone, complexes of
+    /// them may have any edges.
+    fn strange_edge<'l>(&self, layers: &'l [Layer]) -> Option<(&'l Layer, [u32; 2])> {
+        let on_model = || layers.iter().filter(|layer| layer.positions.is_none() && !layer.lines.is_empty());
+        let is_mesh = !self.parts.polygons.is_empty() || !self.parts.cells.is_empty();
+        if !is_mesh || on_model().next().is_none() {
+            return None;
+        }
+        let edges = self.parts.edges();
+        on_model().find_map(|layer| {
+            let mut pairs =
+                layer.lines.iter().flat_map(|line| line.windows(2).map(|pair| [pair[0], pair[1]]));
+            let strange = |&[a, b]: &[u32; 2]| a != b && edges.binary_search(&[a.min(b), a.max(b)]).is_err();
+            pairs.find(strange).map(|edge| (layer, edge))
+        })
     }
 
     /// What an arrangement says about its cells: volumes or areas, and the inputs that they lie in. The counts if they differ.

@@ -10,6 +10,7 @@
 //!
 //! No name says nothing about the space.
 
+mod by_group;
 mod fibered;
 mod graph;
 mod layered;

@@ -30,6 +30,8 @@ pub enum SpaceName {
         /// Whether it is the product.
         is_orientable: bool,
     },
+    /// The product of a projective plane and the circle.
+    ProjectivePlaneTimesCircle,
     /// A Seifert fibered space that is none of the spaces above.
     Seifert(SeifertSpace),
     /// One or two Seifert fibered pieces glued along a torus on which the fibers do not agree. Two names may be of one space.
@@ -50,6 +52,7 @@ impl fmt::Display for SpaceName {
             Self::Lens { p, q } => write!(f, "L({p},{q})"),
             Self::SphereBundle { is_orientable: true } => f.write_str("S2 x S1"),
             Self::SphereBundle { is_orientable: false } => f.write_str("S2 x~ S1"),
+            Self::ProjectivePlaneTimesCircle => f.write_str("RP2 x S1"),
             Self::Seifert(space) => write!(f, "{space}"),
             Self::Graph(space) => write!(f, "{space}"),
             Self::TorusBundle(space) => write!(f, "{space}"),
@@ -81,11 +84,14 @@ pub enum SpaceProof {
     /// The triangulation, after moves, is cut along normal spheres into pieces that are shown to be what they are by one of the above; the first
     /// homology says which small summands went with the spheres.
     NormalSpheres,
+    /// The fundamental group is known, and of all closed 3-manifolds one has it, up to orientation: simply connected is the sphere alone, and spaces with
+    /// a finite group are spherical.
+    FundamentalGroup,
 }
 
 impl SpaceProof {
-    /// The word for programs: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces` or
-    /// `normal_spheres`.
+    /// The word for programs: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces`,
+    /// `normal_spheres` or `fundamental_group`.
     ///
     /// # Examples
     /// ```
@@ -98,6 +104,7 @@ impl SpaceProof {
             Self::SeifertFibration => "seifert_fibration",
             Self::FiberedPieces => "fibered_pieces",
             Self::NormalSpheres => "normal_spheres",
+            Self::FundamentalGroup => "fundamental_group",
         }
     }
 }

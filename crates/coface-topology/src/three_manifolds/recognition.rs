@@ -1,11 +1,13 @@
 //! Which 3-manifold a gluing table is.
 
+use super::by_group::space_of_group;
 use super::fibered::fibered_space;
 use super::graph::Fibered;
 use super::layered::lens;
 use super::simplification::simplified_until;
 use super::summands::connected_sum;
 use super::{NamedSpace, SeifertSpace, SpaceName, SpaceProof};
+use crate::groups::Effort;
 use crate::homology::homology;
 use coface_algebra::Error;
 use coface_complexes::gluing::{FaceClasses, GluingTable};
@@ -20,7 +22,8 @@ use coface_complexes::gluing::{FaceClasses, GluingTable};
 ///
 /// Where the triangulation shows neither, moves to others with no more tetrahedra are tried, so many `attempts`: see
 /// [`simplified_until`]. Where none of them does, and the manifold is closed and orientable, a normal sphere is looked for that is not around a
-/// vertex; crushed to a point, it leaves the summands of a **connected sum**, and the first homology says what went with it. A space with a sphere as its boundary is a ball if a cone over the boundary makes it a sphere.
+/// vertex; crushed to a point, it leaves the summands of a **connected sum**, and the first homology says what went with it. Where the **fundamental group** is
+/// known and only one space has it, that is the space. A space with a sphere as its boundary is a ball if a cone over the boundary makes it a sphere.
 ///
 /// `faces` are the face classes of the table.
 ///
@@ -66,7 +69,8 @@ pub fn named_space(
     if !table.ideal_vertices(faces)?.is_empty() {
         return Ok(None);
     }
-    let (space, smaller) = looked_at(table, faces, attempts)?;
+    let table = &canonical(table)?;
+    let (space, smaller) = looked_at(table, &table.faces()?, attempts)?;
     match space {
         Some(space) => Ok(Some(space)),
         None if table.orientation().odd_cycle().is_none() => connected_sum(&smaller, attempts),
@@ -98,7 +102,26 @@ fn looked_at(
         found = name.ok().flatten();
         found.is_some()
     })?;
-    Ok((found, smaller.into_table()))
+    let smaller = smaller.into_table();
+    if found.is_none() && attempts > 0 {
+        let effort = Effort::new().max_steps(STEPS_OF_GROUP * attempts as u64).time_limit(None);
+        found = space_of_group(&smaller, &smaller.faces()?, effort)?;
+    }
+    Ok((found, smaller))
+}
+
+/// Steps for the name of the fundamental group, for each attempt.
+const STEPS_OF_GROUP: u64 = 20_000;
+
+/// Larger tables keep their numbers.
+const CANONICAL: usize = 1000;
+
+/// The table in the order of its isomorphism signature: what is found then does not depend on how it was numbered.
+fn canonical(table: &GluingTable) -> Result<GluingTable, Error> {
+    if table.simplex_count() > CANONICAL {
+        return Ok(table.clone());
+    }
+    GluingTable::from_isomorphism_signature(&table.isomorphism_signature()?, 3)
 }
 
 /// The table with a cone over its boundary, if that is one sphere.
@@ -308,7 +331,58 @@ mod tests {
         folded.glue(0, 3, 0, &[1, 0, 3, 2]).unwrap();
         assert_eq!(name(&folded, 5), None);
         assert_eq!(name(&table("jLLLzQQcdfeghihiiqceqgvlkuq"), 5), None);
-        let poincare = name(&table("fvPQcdecedekrsnrs"), 60);
-        assert!(poincare.is_none_or(|name| name == "SFS [S2: (2,1) (3,1) (5,-4)]"));
+    }
+
+    /// The quotients of the 3-sphere by Q8, SL(2,3) and SL(2,5), two prism spaces, the twisted bundle of spheres, the product of projective plane and circle.
+    #[test]
+    fn groups_name_what_triangulations_do_not_show() {
+        for (signature, expected) in [
+            ("cPcbbbqxh", "SFS [S2: (2,1) (2,1) (2,-1)]"),
+            ("fvPQcdecedekrsnrs", "SFS [S2: (2,1) (3,1) (5,-4)]"),
+            ("eLPkbcdddhrrnk", "SFS [S2: (2,1) (3,1) (3,-2)]"),
+            ("dLQbccchhrw", "SFS [S2: (2,1) (2,1) (3,-2)]"),
+            ("cPcbbbajs", "S2 x~ S1"),
+            ("dLQbcccajqs", "RP2 x S1"),
+        ] {
+            assert_eq!(name(&table(signature), 20).as_deref(), Some(expected), "{signature}");
+        }
+    }
+
+    /// The same table with its tetrahedra the other way round and the vertices of each moved on by its number.
+    fn renumbered(table: &GluingTable) -> GluingTable {
+        let count = table.simplex_count();
+        let mut other = GluingTable::unglued(3, count).unwrap();
+        let new = |tetrahedron: usize, vertex: usize| (vertex + tetrahedron + 1) % 4;
+        for tetrahedron in 0..count {
+            for facet in 0..4 {
+                let (next, images) = table.neighbor(tetrahedron, facet).unwrap();
+                let mut moved = [0; 4];
+                for (vertex, &image) in images.iter().enumerate() {
+                    moved[new(tetrahedron, vertex)] = new(next, usize::from(image)) as u32;
+                }
+                let (from, to) = (count - 1 - tetrahedron, count - 1 - next);
+                if other.neighbor(from, new(tetrahedron, facet)).is_none() {
+                    other.glue(from, new(tetrahedron, facet), to, &moved).unwrap();
+                }
+            }
+        }
+        other
+    }
+
+    #[test]
+    fn names_do_not_depend_on_numbers() {
+        let more = ["gvLQQcdefeffbwnpghe", "kLLvMPQkcdffjgihijjhsajxscncmd"];
+        for signature in CENSUS.iter().map(|entry| entry.0).chain(more) {
+            let mut other = table(signature);
+            let first = name(&other, 10);
+            for _ in 0..3 {
+                other = renumbered(&other);
+                assert_eq!(
+                    other.isomorphism_signature().unwrap(),
+                    table(signature).isomorphism_signature().unwrap()
+                );
+                assert_eq!(name(&other, 10), first, "{signature}");
+            }
+        }
     }
 }

@@ -24,10 +24,18 @@ pub(super) const CASES: &[Case] = &[
             &["coface persistence points.csv --alpha --weighted"],
             &["coface persistence points.csv --alpha --radii"],
         ]),
-    Case::new("commands/persistence.rs", "to end the alpha complex at the value A give --alpha A")
+    Case::new("src/points.rs", "to end the alpha complex at the value A give --alpha A")
         .files(POINTS)
-        .refused("coface persistence points.csv --alpha --threshold 9")
-        .cured(&[&["coface persistence points.csv --alpha 9"]]),
+        .refused("coface homology points.csv --alpha --threshold 9")
+        .cured(&[&["coface homology points.csv --alpha 9"]]),
+    Case::new("src/points.rs", "to end the complex of {given} give --threshold T")
+        .files(POINTS)
+        .refused("coface info points.csv --rips --below 9")
+        .cured(&[&["coface info points.csv --rips --threshold 9"]]),
+    Case::new("commands/persistence.rs", "{option} is for volumes, and --alpha for points: leave one out")
+        .files(POINTS)
+        .refused("coface persistence points.csv --alpha --superlevel")
+        .cured(&[&["coface persistence points.csv --alpha"]]),
     Case::new("src/points.rs", "write the complex first: coface convert INPUT {given} -o COMPLEX.json")
         .files(POINTS)
         .refused("coface shard points.csv --alpha --parts 1 -o parts")
