@@ -63,11 +63,13 @@ pub(crate) fn universal(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Faul
             "it is the universal cover: a covering of degree {copies} that is simply connected"
         ));
     }
-    sheets.words(&below, answer, proof, faces)?;
+    if sheets.words(&below, answer, proof, faces)? {
+        claims.know(&["letters"]);
+    }
     if copies > 1 {
         claims.prove("each word crosses letters from the first copy to its own copy".to_owned());
     }
-    claims.know(&["file", "letters", "words"]);
+    claims.know(&["file", "words"]);
     Ok(claims.verdict())
 }
 
@@ -147,8 +149,9 @@ impl Sheets {
         (0u32..).zip(&self.edges).all(|(above, &edge)| self.cover.is_inner(above) || !below.is_inner(edge))
     }
 
-    /// Each word ends with a letter that is crossed from the copy of the word without it.
-    fn words(&self, below: &Surface, answer: &Value, proof: &Value, faces: usize) -> Result<(), Fault> {
+    /// Each word ends with a letter that is crossed from the copy of the word without it. Whether each letter is the last one of a word: then all
+    /// are what they are said to be.
+    fn words(&self, below: &Surface, answer: &Value, proof: &Value, faces: usize) -> Result<bool, Fault> {
         let step = "words";
         let letters = list(field(answer, "letters", step)?, "\"letters\"", step)?.iter().map(|ends| {
             let ends = vertices(ends, "a letter", step)?;
@@ -168,6 +171,7 @@ impl Sheets {
                 }
             }
         }
+        let mut is_crossed = vec![false; letters.len()];
         let mut copies: BTreeMap<Vec<i64>, usize> = BTreeMap::new();
         let words = list(field(answer, "words", step)?, "\"words\"", step)?;
         if words.len() != self.faces.len() / faces {
@@ -181,6 +185,9 @@ impl Sheets {
                 None => copy == 0,
                 Some((letter, before)) => {
                     let place = usize::try_from(letter.unsigned_abs()).unwrap_or(0).wrapping_sub(1);
+                    if let Some(is_crossed) = is_crossed.get_mut(place) {
+                        *is_crossed = true;
+                    }
                     let start =
                         from.get(place).and_then(|face| below.face(vertices(face, "a face", step).ok()?));
                     match (copies.get(before), letters.get(place), start) {
@@ -201,7 +208,7 @@ impl Sheets {
                 ));
             }
         }
-        Ok(())
+        Ok(is_crossed.into_iter().all(|is_crossed| is_crossed))
     }
 }
 

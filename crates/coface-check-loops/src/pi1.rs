@@ -60,8 +60,8 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
             count(shown.0, "generator", "generators"),
             count(own.len(), "relator", "relators")
         ));
-        match (name(&simplified), optional(said, "name").and_then(Value::as_str)) {
-            (Some(found), Some(said)) if found == said => claims.prove(format!("this group is {found}")),
+        match (name(&simplified), optional(said, "name")) {
+            (Some(found), Some(said)) if *said == json!(found) => claims.prove(format!("this group is {found}")),
             (Some(found), Some(said)) => {
                 return Err(Fault::new("answer", format!("a group is {found}, and the answer says {said}")));
             }
