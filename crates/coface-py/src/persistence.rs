@@ -18,7 +18,9 @@ use coface::complexes::cubical::CubicalVolume;
 use coface::io::{ReadOptions, VolumeReading};
 use coface::pictures::{DiagramPoint, diagram_picture};
 use coface::topology;
-use coface::topology::{Barcode, Coefficients, Filtration, PersistenceDiagram, PersistencePair, RipsFiltration};
+use coface::topology::{
+    Barcode, Coefficients, Filtration, PersistenceDiagram, PersistencePair, RipsFiltration,
+};
 use coface::{CellId, Error, ErrorKind, VertexId};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;

@@ -186,7 +186,9 @@ impl Steps {
         if is_insertion && self.left.contains(&simplex) {
             // It would be there twice at that time.
             let message = format!("the simplex {simplex} enters at {time}, the time at which it leaves");
-            return Err(Error::invalid(message).with_cure("leave both steps out, or give them different times"));
+            return Err(
+                Error::invalid(message).with_cure("leave both steps out, or give them different times")
+            );
         }
         if !is_insertion {
             self.left.insert(simplex.clone());

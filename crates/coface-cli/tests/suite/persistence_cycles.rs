@@ -259,13 +259,21 @@ fn cycles_change_no_pair() {
 fn cycles_are_written_in_formats_that_are_known() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("p.csv"), "0 0\n3 0\n3 4\n0 4\n").unwrap();
-    for line in [&["persistence", "p.csv", "--rips", "--cycles", "o.zzz"][..], &["homology", "p.csv", "--rips", "--generators", "o.zzz"]] {
+    for line in [
+        &["persistence", "p.csv", "--rips", "--cycles", "o.zzz"][..],
+        &["homology", "p.csv", "--rips", "--generators", "o.zzz"],
+    ] {
         let said = coface_in(folder.path(), line).fails_with(1).to_owned();
-        assert!(said.contains("o.zzz: the extension \"zzz\" is no format known here; end it in one of off, obj"), "{said}");
+        assert!(
+            said.contains("o.zzz: the extension \"zzz\" is no format known here; end it in one of off, obj"),
+            "{said}"
+        );
         // What is read alone, and what is named twice, is none of them.
         assert!(!said.contains("gltf") && !said.contains("nrrd"), "{said}");
         assert!(!folder.path().join("o.zzz").exists());
     }
-    let missing = coface_in(folder.path(), &["persistence", "p.csv", "--function", "none.txt"]).fails_with(1).to_owned();
+    let missing = coface_in(folder.path(), &["persistence", "p.csv", "--function", "none.txt"])
+        .fails_with(1)
+        .to_owned();
     assert!(missing.contains("none.txt: there is no such file or folder; check the path"), "{missing}");
 }

@@ -207,7 +207,8 @@ fn a_class_of_one_time_is_kept() {
 #[test]
 fn curves_count_classes_between_their_open_ends() {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("z.txt"), "i 0 @ 1\ni 1 @ 2\ni 0 1 @ 3\nd 0 1 @ 4\ni 0 1 @ 5\n").unwrap();
+    std::fs::write(folder.path().join("z.txt"), "i 0 @ 1\ni 1 @ 2\ni 0 1 @ 3\nd 0 1 @ 4\ni 0 1 @ 5\n")
+        .unwrap();
     let line = ["persistence", "z.txt", "--zigzag", "-o", "z.json"];
     assert_eq!(coface_in(folder.path(), &line).status, 0);
     let found = coface_in(folder.path(), &["diagram", "betti", "z.json", "--json"]).json();

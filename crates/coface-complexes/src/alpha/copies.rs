@@ -44,8 +44,12 @@ impl Copies {
         for id in 0..points.len() {
             let place: Vec<f64> =
                 axes.iter().zip(points.point(VertexId::new(id))).map(|(axis, &x)| axis.place(x)).collect();
-            let ranges: Vec<std::ops::RangeInclusive<i32>> =
-                axes.iter().zip(&place).zip(margins).map(|((axis, &x), &margin)| axis.shifts(x, margin)).collect();
+            let ranges: Vec<std::ops::RangeInclusive<i32>> = axes
+                .iter()
+                .zip(&place)
+                .zip(margins)
+                .map(|((axis, &x), &margin)| axis.shifts(x, margin))
+                .collect();
             let along = |axis: usize| ranges.get(axis).cloned().unwrap_or(0..=0);
             for x in along(0) {
                 for y in along(1) {

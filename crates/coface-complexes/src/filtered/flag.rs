@@ -201,7 +201,12 @@ impl FlagLimit {
         Self::by_lists(&edges, graph.vertex_count(), dimension, most)
     }
 
-    fn by_lists(edges: &[(u32, u32, f64)], vertex_count: usize, dimension: usize, most: usize) -> Option<Self> {
+    fn by_lists(
+        edges: &[(u32, u32, f64)],
+        vertex_count: usize,
+        dimension: usize,
+        most: usize,
+    ) -> Option<Self> {
         // As many vertices as there are: those that enter later are counted too.
         let mut count = vertex_count;
         let mut near: Vec<Vec<(u32, f64)>> = vec![Vec::new(); vertex_count];
@@ -229,7 +234,12 @@ impl FlagLimit {
     }
 
     /// The same with the neighbors of each vertex as bits.
-    fn by_rows(edges: &[(u32, u32, f64)], vertex_count: usize, dimension: usize, most: usize) -> Option<Self> {
+    fn by_rows(
+        edges: &[(u32, u32, f64)],
+        vertex_count: usize,
+        dimension: usize,
+        most: usize,
+    ) -> Option<Self> {
         let mut count = vertex_count;
         let mut near = Rows::new(vertex_count);
         let mut fitting = None;

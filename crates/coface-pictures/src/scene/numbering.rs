@@ -88,8 +88,11 @@ mod tests {
         let mut scene = Scene::of("triangle", &model).unwrap();
         scene.add_result("star", &serde_json::json!({"simplices": [[9], [5, 9], [6, 9]]})).unwrap();
         assert_eq!((&scene.layers()[0].points[..], scene.layers()[0].lines.len()), (&[2][..], 2));
-        for (simplices, fault) in [("[[7]]", "has vertex 7"), ("[[9], [2]]", "has another one"), ("[[10]]", "has vertex 10")] {
-            let answer: serde_json::Value = serde_json::from_str(&format!("{{\"simplices\": {simplices}}}")).unwrap();
+        for (simplices, fault) in
+            [("[[7]]", "has vertex 7"), ("[[9], [2]]", "has another one"), ("[[10]]", "has vertex 10")]
+        {
+            let answer: serde_json::Value =
+                serde_json::from_str(&format!("{{\"simplices\": {simplices}}}")).unwrap();
             let error = scene.add_result("star", &answer).unwrap_err();
             assert!(error.message().contains(fault), "{error}");
         }

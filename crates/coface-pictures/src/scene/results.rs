@@ -54,7 +54,9 @@ impl Scene {
         };
         let is_there = |vertex: u32| (self.numbering.of(vertex) as usize) < vertex_count;
         if let Some(vertex) = result.source.0.iter().copied().find(|&vertex| !is_there(vertex)) {
-            return other_model(format!("the model has {vertex_count} vertices, but there is vertex {vertex}"));
+            return other_model(format!(
+                "the model has {vertex_count} vertices, but there is vertex {vertex}"
+            ));
         }
         for layer in &layers {
             let count = layer.positions.as_ref().map_or(vertex_count, Vec::len);

@@ -389,7 +389,11 @@ impl<'a> HomologyBasis<'a> {
 
     /// Cycles modulo n of cyclic summands, and how they become summands whose orders divide each other. Smaller orders are first, whole summands last, as
     /// over the integers.
-    pub(super) fn cyclic_generators(&self, degree: usize, modulus: &Integer) -> (Summands, Vec<SparseVector>) {
+    pub(super) fn cyclic_generators(
+        &self,
+        degree: usize,
+        modulus: &Integer,
+    ) -> (Summands, Vec<SparseVector>) {
         let own = self.generators(degree).iter();
         let reduced = |chain: &Chain<Integer>, factor: &Integer| -> SparseVector {
             let terms = chain.terms().iter();

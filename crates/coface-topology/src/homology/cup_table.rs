@@ -223,7 +223,8 @@ mod tests {
         let table = cup_product_table(&plane, 1, 1, Coefficients::Modulo(4)).unwrap();
         assert_eq!((orders(&table.first), table.is_zero()), (vec![2], true));
         assert!(cup_product_table(&plane, 1, 1, Coefficients::Modulo(9)).unwrap().first().is_empty());
-        let bottle = cup_product_table(&algebra(small_klein_bottle()), 1, 1, Coefficients::Modulo(4)).unwrap();
+        let bottle =
+            cup_product_table(&algebra(small_klein_bottle()), 1, 1, Coefficients::Modulo(4)).unwrap();
         assert_eq!((orders(&bottle.first), orders(&bottle.target)), (vec![2, 0], vec![2]));
         // Z/2 + Z/3 of two degrees is one summand.
         let lens = cup_product_table(&algebra(lens_space(6, 1)), 1, 1, Coefficients::Modulo(12)).unwrap();
@@ -234,7 +235,12 @@ mod tests {
     #[test]
     fn products_are_the_sums_of_the_table() {
         let spaces = [
-            projective_plane(), small_klein_bottle(), klein_grid(3, 4), lens_space(4, 1), lens_space(6, 1), moore_space(12),
+            projective_plane(),
+            small_klein_bottle(),
+            klein_grid(3, 4),
+            lens_space(4, 1),
+            lens_space(6, 1),
+            moore_space(12),
             real_projective_space(3),
         ];
         for (place, space) in spaces.into_iter().enumerate() {

@@ -99,16 +99,10 @@ impl Summands {
             let ([a1, a2], [b1, b2]) = (&step.a, &step.b);
             let (s, t) = (given[step.i].clone(), given[step.j].clone());
             let sum = |s: Integer, t: Integer, order: Integer| (&s + &t).div_rem_floor(&order).1;
-            given[step.i] = sum(
-                &(&s * b2) * &inverse(&(a1 * b2), a2),
-                &(&t * a2) * &inverse(&(b1 * a2), b2),
-                a2 * b2,
-            );
-            given[step.j] = sum(
-                &(&s * b1) * &inverse(&(a2 * b1), a1),
-                &(&t * a1) * &inverse(&(b2 * a1), b1),
-                a1 * b1,
-            );
+            given[step.i] =
+                sum(&(&s * b2) * &inverse(&(a1 * b2), a2), &(&t * a2) * &inverse(&(b1 * a2), b2), a2 * b2);
+            given[step.j] =
+                sum(&(&s * b1) * &inverse(&(a2 * b1), a1), &(&t * a1) * &inverse(&(b2 * a1), b1), a1 * b1);
         }
         let coefficient = |&place: &usize| given[place].div_rem_floor(&self.orders[place]).1;
         self.places.iter().map(coefficient).collect()

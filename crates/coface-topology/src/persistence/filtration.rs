@@ -116,8 +116,10 @@ impl Filtration {
                 && cells.iter().all(is_new)
                 && cells.is_sorted_by(|&a, &b| values[a as usize] <= values[b as usize]);
             if !is_right {
-                return Err(Error::invalid(format!("the order of degree {degree} is not one of its cells by rising values"))
-                    .with_cure("list each cell once, in the order of the values"));
+                return Err(Error::invalid(format!(
+                    "the order of degree {degree} is not one of its cells by rising values"
+                ))
+                .with_cure("list each cell once, in the order of the values"));
             }
         }
         filtration.entrances = order.into_iter().map(OnceLock::from).collect();

@@ -61,8 +61,7 @@ pub(super) fn points_of_volume(
     let request = ImageRequest::new().superlevel(superlevel).periodic(common.voxels.reading());
     let found = request.found(&name, image)?;
     let pairs = found.diagram().pairs().iter();
-    let point =
-        |(degree, birth, death): (usize, f64, Option<f64>)| DiagramPoint { degree, birth, death };
+    let point = |(degree, birth, death): (usize, f64, Option<f64>)| DiagramPoint { degree, birth, death };
     Ok(Some(pairs.map(|pair| point((pair.degree(), pair.birth(), pair.death()))).collect()))
 }
 
