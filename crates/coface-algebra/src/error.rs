@@ -454,6 +454,9 @@ impl From<std::io::Error> for Error {
             std::io::ErrorKind::OutOfMemory => {
                 Self::new(ErrorKind::TooLarge, "there is not enough memory").with_cure("allow more memory")
             }
+            std::io::ErrorKind::NotFound => {
+                Self::new(ErrorKind::Io, "there is no such file or folder").with_cure("check the path")
+            }
             _ => Self::new(ErrorKind::Io, error.to_string()),
         }
     }

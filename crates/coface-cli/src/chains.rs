@@ -1,6 +1,7 @@
 //! Chains and cochains on the command line, as text and from files.
 
 use crate::failure::Failure;
+use coface::Error;
 use coface::algebra::Integer;
 use coface::answers::group_chain;
 use coface::io::Model;
@@ -58,8 +59,8 @@ pub(crate) fn read_terms<T>(
     let place = path.display();
     let how = "write a chain as [[coefficient,[vertices..]],..] or {\"degree\":1,\"chain\":[..]}";
     let fault = |what: String| Failure::new(format!("{place}: {what}; {how}"));
-    let text = std::fs::read_to_string(path)
-        .map_err(|error| Failure::new(format!("{place}: cannot be read: {error}")))?;
+    let text =
+        std::fs::read_to_string(path).map_err(|error| Error::from(error).in_file(place.to_string()))?;
     let value: Value = serde_json::from_str(&text)
         .map_err(|error| Failure::new(format!("{place}:{}: {error}; {how}", error.line())))?;
     let list = value.get("chain").unwrap_or(&value);

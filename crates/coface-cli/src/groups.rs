@@ -94,8 +94,7 @@ struct Loops<'a> {
 /// Reads `{"walks":[[v0,v1,..,v0],..]}`, the same with "loops", or the bare list.
 pub(crate) fn walks_in(path: &Path) -> Result<GivenWalks, Failure> {
     let place = path.display().to_string();
-    let text = std::fs::read_to_string(path)
-        .map_err(|error| Failure::new(format!("{place}: cannot be read: {error}")))?;
+    let text = std::fs::read_to_string(path).map_err(|error| Error::from(error).in_file(place.clone()))?;
     let how = "write closed paths of vertices as {\"walks\":[[v0,v1,..,v0],..]}";
     let value: Value = serde_json::from_str(&text)
         .map_err(|error| Failure::new(format!("{place}:{}: {error}; {how}", error.line())))?;

@@ -47,12 +47,22 @@ const SEEN: &str = ", glb, gltf, png";
 
 /// The file has an extension that nothing is written by; `more` are those beyond the formats of models.
 pub(crate) fn unknown_extension(path: &Path, more: &str) -> Failure {
-    let names = Format::ALL.map(Format::name).join(", ");
+    let names: Vec<&str> =
+        Format::ALL.into_iter().filter(|format| format.is_written()).map(Format::name).collect();
+    let names = names.join(", ");
     let fault = match path.extension() {
         Some(extension) => format!("the extension \"{}\" is no format known here", extension.display()),
         None => "the name has no extension, which tells the format".to_owned(),
     };
     Failure::new(format!("{}: {fault}; end it in one of {names}{more}", path.display()))
+}
+
+/// Refuses a file whose extension is no format, before the work whose result it is to hold; a name without an extension is JSON.
+pub(crate) fn check_extension(path: &Path) -> Result<(), Failure> {
+    match path.extension() {
+        Some(_) if Format::from_path(path).is_none() => Err(unknown_extension(path, "")),
+        _ => Ok(()),
+    }
 }
 
 /// Writes what is seen of a model.

@@ -57,7 +57,7 @@ pub use angle::Angle;
 pub use box_tree::{AxisBox, BoxTree, boxes_meet, frame_around};
 pub use delaunay::RegularTriangulation;
 #[doc(hidden)]
-pub use measure::{Scaled, Sum};
+pub use measure::{Scaled, Sum, distance};
 pub use measure::{cross, determinant, dot, enclosed_volume, polygon_area};
 pub use moments::{MassProperties, enclosed_moment, surface_centroid, surface_moment};
 #[doc(hidden)]

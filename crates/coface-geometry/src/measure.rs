@@ -266,6 +266,29 @@ pub fn enclosed_volume(positions: &Positions, polygons: &RaggedArray) -> Option<
     Some(scaled.unscaled(six_fold / 6.0, 3))
 }
 
+/// The distance of two points, also where squares of differences are too small or too large for a number.
+///
+/// # Examples
+/// ```
+/// use coface_geometry::distance;
+/// assert_eq!(distance(&[0.0, 0.0], &[3.0, 4.0]), 5.0);
+/// assert!((distance(&[0.0, 0.0], &[3e-200, 4e-200]) / 5e-200 - 1.0).abs() < 1e-15);
+/// assert!((distance(&[0.0, 0.0], &[3e200, 4e200]) / 5e200 - 1.0).abs() < 1e-15);
+/// ```
+#[doc(hidden)]
+pub fn distance(a: &[f64], b: &[f64]) -> f64 {
+    let of_squares = |scale: f64| -> f64 {
+        a.iter().zip(b).map(|(x, y)| (x - y) * scale).map(|difference| difference * difference).sum()
+    };
+    let square = of_squares(1.0);
+    if (1e-270..=f64::MAX).contains(&square) {
+        return square.sqrt();
+    }
+    // A power of two, which rounds nothing: of differences below 1e-135, or of those whose squares are infinite.
+    let scale = 2f64.powi(if square < 1.0 { 600 } else { -600 });
+    of_squares(scale).sqrt() / scale
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

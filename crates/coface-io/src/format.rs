@@ -266,6 +266,31 @@ impl Format {
         })
     }
 
+    /// Whether files of the format are written, and not read alone.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::Format;
+    /// assert!(Format::Obj.is_written() && !Format::Gltf.is_written());
+    /// ```
+    pub const fn is_written(self) -> bool {
+        !matches!(
+            self,
+            Self::Nrrd
+                | Self::Nifti
+                | Self::MetaImage
+                | Self::Pgm
+                | Self::Png
+                | Self::Gltf
+                | Self::ThreeMf
+                | Self::Collada
+                | Self::Abaqus
+                | Self::TetGen
+                | Self::Points
+                | Self::CityJson
+        )
+    }
+
     /// Whether [`crate::write`] writes the named groups of a model in this format; the others leave them out.
     ///
     /// # Examples
@@ -399,6 +424,12 @@ impl Format {
 /// The names of all formats, for an error message.
 pub(super) fn names() -> String {
     Format::ALL.map(Format::name).join(", ")
+}
+
+/// The names of the formats that are written, for an error message.
+pub(super) fn names_of_written() -> String {
+    let written = Format::ALL.into_iter().filter(|format| format.is_written());
+    written.map(Format::name).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

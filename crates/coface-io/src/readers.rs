@@ -767,7 +767,7 @@ pub fn write_path(model: &Model, path: impl AsRef<Path>, format: Option<Format>)
                 ErrorKind::UnsupportedFormat,
                 "the name belongs to no format that is written",
             )
-            .with_cure(format!("end it in one of {}", format::names()))
+            .with_cure(format!("end it in one of {}", format::names_of_written()))
             .in_file(path.display().to_string()));
         }
     };

@@ -4,6 +4,7 @@ use crate::{NumberTable, Remark, RemarkCode};
 use coface_algebra::progress::stage;
 use coface_algebra::{Error, memory};
 use coface_complexes::filtered::Distances;
+use coface_geometry::distance;
 
 /// What the numbers of a table are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -121,8 +122,7 @@ fn of_points(table: &NumberTable) -> Result<Distances, Error> {
     let mut lower = Vec::with_capacity(count * count.saturating_sub(1) / 2);
     for i in steps.each(0..count) {
         for j in 0..i {
-            let squares = table.row(i).iter().zip(table.row(j)).map(|(x, y)| (x - y) * (x - y));
-            lower.push(squares.sum::<f64>().sqrt());
+            lower.push(distance(table.row(i), table.row(j)));
         }
     }
     if let Some(at) = lower.iter().position(|distance| !distance.is_finite()) {

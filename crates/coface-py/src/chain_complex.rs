@@ -646,6 +646,19 @@ impl ChainComplex {
         for matrix in self.complex.boundary_matrices() {
             matrices.push(owned_matrix(py, matrix.clone())?);
         }
+        if let (Names::Given(names), None, 0) = (&self.naming.names, &self.naming.pair, self.naming.shift)
+            && !matrices.is_empty()
+        {
+            let of_degree = |degree: usize| {
+                let name = |cell| names.get(&(degree, cell)).cloned().unwrap_or(vec![cell as u32]);
+                (0..self.complex.cell_count(degree)).map(name).collect::<Vec<_>>()
+            };
+            let lists: Vec<_> = (0..self.complex.degree_count()).map(of_degree).collect();
+            let rebuild = py.import("coface._coface")?.getattr("_named_chains")?;
+            let arguments: [Bound<'py, PyAny>; 2] =
+                [matrices.into_pyobject(py)?.into_any(), lists.into_pyobject(py)?.into_any()];
+            return Ok((rebuild, PyTuple::new(py, arguments)?));
+        }
         if matrices.is_empty() {
             let rebuild = py.get_type::<Self>().getattr("of_points")?;
             return Ok((rebuild, PyTuple::new(py, [self.complex.cell_count(0)])?));
@@ -659,4 +672,20 @@ impl ChainComplex {
 #[pyfunction]
 pub(crate) fn _chains<'py>(of: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     of.call_method0("chain_complex")
+}
+
+/// The chain complex of boundary matrices whose cells are named by vertices: for each degree a list for each cell.
+#[pyfunction]
+pub(crate) fn _named_chains(
+    py: Python<'_>,
+    boundaries: &Bound<'_, PyAny>,
+    names: Vec<Vec<Vec<u32>>>,
+) -> PyResult<ChainComplex> {
+    let mut made = ChainComplex::from_boundaries(py, boundaries)?;
+    let of_degree = |(degree, cells): (usize, Vec<Vec<u32>>)| {
+        cells.into_iter().enumerate().map(move |(cell, vertices)| ((degree, cell), vertices))
+    };
+    let given = names.into_iter().enumerate().flat_map(of_degree).collect();
+    made.naming = Arc::new(Naming::of(Names::Given(Arc::new(given))));
+    Ok(made)
 }

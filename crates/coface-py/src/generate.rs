@@ -33,7 +33,9 @@ fn value_of(
         ParameterKind::Real { .. } => {
             ParameterValue::Real(value.extract().map_err(|_| fault("give a number"))?)
         }
-        ParameterKind::Count { .. } => ParameterValue::Count(arrays::id(value, name)?),
+        ParameterKind::Count { .. } => ParameterValue::Count(
+            arrays::id(value, name).map_err(|_| fault("give an integer from 0 on, below 4294967296"))?,
+        ),
         ParameterKind::Counts { .. } => ParameterValue::Counts(arrays::ids(value, name)?),
         ParameterKind::Reals { .. } => ParameterValue::Reals(arrays::finite(value, name)?),
         ParameterKind::Integers { .. } => ParameterValue::Integers(arrays::numbers(value, name)?),

@@ -3,7 +3,7 @@
 pub(crate) use crate::chain::{Chain, Generator};
 
 use crate::arrays;
-use crate::errors::{OrRaise, invalid, no_place};
+use crate::errors::{OrRaise, invalid, no_place, wrong_type};
 use crate::homology_facts::{GroupFacts, read};
 use crate::json::from_python;
 use crate::objects::to_python;
@@ -155,7 +155,11 @@ impl Homology {
         Ok((rebuild, PyTuple::new(py, [self.to_dict(py)?])?))
     }
 
-    fn __getitem__(&self, py: Python<'_>, degree: isize) -> PyResult<Py<HomologyGroup>> {
+    fn __getitem__(&self, py: Python<'_>, degree: &Bound<'_, PyAny>) -> PyResult<Py<HomologyGroup>> {
+        let degree: isize = degree.extract().map_err(|_| {
+            let shown = degree.repr().map_or_else(|_| "this".to_owned(), |shown| shown.to_string());
+            wrong_type(py, format!("{shown} is no degree"), "give an integer: homology[1]")
+        })?;
         let place = if degree < 0 { degree + self.groups.len() as isize } else { degree };
         let group = usize::try_from(place).ok().and_then(|place| self.groups.get(place));
         group.map(|group| group.clone_ref(py)).ok_or_else(|| {

@@ -151,6 +151,7 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(model::entries, module)?)?;
     module.add_function(wrap_pyfunction!(model::_model, module)?)?;
     module.add_function(wrap_pyfunction!(chain_complex::_chains, module)?)?;
+    module.add_function(wrap_pyfunction!(chain_complex::_named_chains, module)?)?;
     module.add_function(wrap_pyfunction!(generate::generate, module)?)?;
     module.add_function(wrap_pyfunction!(generate::families, module)?)?;
     module.add_function(wrap_pyfunction!(view::_page, module)?)?;

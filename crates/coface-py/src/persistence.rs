@@ -18,7 +18,9 @@ use coface::complexes::cubical::CubicalVolume;
 use coface::io::{ReadOptions, VolumeReading};
 use coface::pictures::{DiagramPoint, diagram_picture};
 use coface::topology;
-use coface::topology::{Barcode, Coefficients, Filtration, PersistenceDiagram, PersistencePair};
+use coface::topology::{
+    Barcode, Coefficients, Filtration, PersistenceDiagram, PersistencePair, RipsFiltration,
+};
 use coface::{CellId, Error, ErrorKind, VertexId};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
@@ -400,9 +402,11 @@ impl Persistence {
             }),
             Diagram::Points(found) => {
                 let (simplices, complex, filtration) = run(py, progress, || {
-                    let (simplices, values) = found.simplices()?.into_parts();
+                    let stored = found.simplices()?;
+                    let order = RipsFiltration::order_of(&stored);
+                    let (simplices, values) = stored.into_parts();
                     let complex = simplices.chain_complex()?;
-                    let filtration = Filtration::new(&complex, values)?;
+                    let filtration = Filtration::in_order(&complex, values, order)?;
                     Ok((simplices, complex, filtration))
                 })?;
                 let name = |points: &[u32]| {
@@ -846,7 +850,13 @@ impl Persistence {
             naming: Arc::clone(naming),
             is_cochain,
         };
-        let proved = found.iter().filter(|class| class.pair().degree() == degree).map(|class| {
+        let found: Vec<_> = found.iter().filter(|class| class.pair().degree() == degree).collect();
+        let rows = self.classes().into_iter().filter(|class| class.0 == degree).map(|row| (row.1, row.2));
+        if !rows.eq(found.iter().map(|class| (class.pair().birth(), class.pair().death()))) {
+            let message = "the cycles are not those of the rows of the diagram".to_owned();
+            return Err(invalid(py, message, "report this: it is a fault of coface"));
+        }
+        let proved = found.into_iter().map(|class| {
             let bounding = class.bounding_chain().map(|bounding| chain(degree + 1, bounding.terms(), false));
             let cycle = chain(degree, class.cycle().terms(), false);
             (cycle, bounding, chain(degree, class.cocycle().terms(), true))

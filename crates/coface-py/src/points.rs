@@ -199,7 +199,9 @@ pub(crate) fn cech(
     let dimension = dimension.map_or(Ok(1), whole)?;
     of_simplices(py, progress, (field, least, Some(dimension)), || {
         let reading = CechReading { radius: threshold, dimension: Some(dimension + 1) };
-        Ok(reading.points(&table)?.into_parts().1)
+        let points = reading.points(&table)?;
+        let said = points.remarks().to_vec();
+        Ok((points.into_parts().1, said))
     })
 }
 
@@ -281,7 +283,9 @@ pub(crate) fn witness(
             bound: threshold,
             dimension: Some(dimension + 1),
         };
-        Ok(reading.points(&table)?.into_parts().1)
+        let points = reading.points(&table)?;
+        let said = points.remarks().to_vec();
+        Ok((points.into_parts().1, said))
     })
 }
 
@@ -376,13 +380,19 @@ fn of_simplices(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,
     (field, least, degree): (Coefficients, f64, Option<usize>),
-    make: impl FnOnce() -> Result<FilteredComplex, Error> + Send,
+    make: impl FnOnce() -> Result<(FilteredComplex, Vec<Remark>), Error> + Send,
 ) -> PyResult<Persistence> {
-    of_cells(py, progress, (field, least, degree), || named_by_vertices(make()?))
+    of_cells(py, progress, (field, least, degree), || {
+        let (complex, said) = make()?;
+        Ok((named_by_vertices(complex)?, said))
+    })
 }
 
+/// A chain complex, the values of its cells, and what these are called.
+type Cells = (ChainComplex, Vec<Vec<f64>>, Names);
+
 /// The chain complex of simplices, their values, and their vertices as names.
-fn named_by_vertices(complex: FilteredComplex) -> Result<(ChainComplex, Vec<Vec<f64>>, Names), Error> {
+fn named_by_vertices(complex: FilteredComplex) -> Result<Cells, Error> {
     let (simplices, values) = complex.into_parts();
     Ok((simplices.chain_complex()?, values, Names::Simplices(Arc::new(simplices))))
 }
@@ -397,17 +407,18 @@ fn of_cells(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,
     (field, least, degree): (Coefficients, f64, Option<usize>),
-    make: impl FnOnce() -> Result<(ChainComplex, Vec<Vec<f64>>, Names), Error> + Send,
+    make: impl FnOnce() -> Result<(Cells, Vec<Remark>), Error> + Send,
 ) -> PyResult<Persistence> {
-    let (diagram, names, complex, filtration) = run(py, progress, || {
-        let (complex, values, names) = make()?;
+    let (diagram, names, complex, filtration, said) = run(py, progress, || {
+        let ((complex, values, names), said) = make()?;
         let filtration = Filtration::new(&complex, values)?;
         let mut diagram = topology::persistence(&complex, &filtration, field)?;
         if let Some(degree) = degree {
             diagram = diagram.up_to_degree(degree);
         }
-        Ok((diagram.longer_than(least), names, complex, filtration))
+        Ok((diagram.longer_than(least), names, complex, filtration, said))
     })?;
+    warn_of(py, &said)?;
     let naming = Arc::new(Naming::of(names));
     let (complex, filtration) = (Arc::new(complex), Arc::new(filtration));
     Ok(Persistence { diagram: Diagram::Complex { diagram, naming, complex, filtration, least } })
@@ -457,12 +468,13 @@ pub(crate) fn alpha(
     let periods = periods.map(periodic_box).transpose()?;
     of_cells(py, progress, (field, least, None), || {
         let points = AlphaReading { bound, weighted, radii, periods }.points(&table)?;
+        let said = points.remarks().to_vec();
         let alpha = match points.into_parts().1 {
-            AlphaCells::Plain(alpha) => return named_by_vertices(alpha.into_filtered()),
+            AlphaCells::Plain(alpha) => return Ok((named_by_vertices(alpha.into_filtered())?, said)),
             AlphaCells::Periodic(alpha) => alpha,
         };
         if let Some(complex) = alpha.simplicial() {
-            return named_by_vertices(complex);
+            return Ok((named_by_vertices(complex)?, said));
         }
         let degrees = 0..alpha.complex().f_vector().len();
         let values = degrees.clone().map(|degree| alpha.values(degree).to_vec()).collect();
@@ -472,7 +484,7 @@ pub(crate) fn alpha(
             (0..count).map(move |i| ((degree, i), alpha.points(degree, i).to_vec()))
         });
         let names = Names::Given(Arc::new(points.collect()));
-        Ok((alpha.complex().chain_complex()?, values, names))
+        Ok(((alpha.complex().chain_complex()?, values, names), said))
     })
 }
 

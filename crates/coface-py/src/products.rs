@@ -579,7 +579,13 @@ pub(crate) fn induced_map<'py>(
         Ok(dict) => {
             dict.iter().map(|pair| Ok((pair.0.extract()?, pair.1.extract()?))).collect::<PyResult<_>>()?
         }
-        Err(_) => vertices.extract()?,
+        Err(_) => vertices.extract().map_err(|_| {
+            invalid(
+                py,
+                "the images of the vertices are no pairs".to_owned(),
+                "give a dictionary {vertex: image}, or pairs [(vertex, image), ..]",
+            )
+        })?,
     };
     let maps = run(py, progress, || {
         let (from, to) = (simplices_of(source.producer()?)?, simplices_of(target.producer()?)?);

@@ -121,3 +121,15 @@ def test_refusals(x: Any, options: Any, message: str) -> None:
     """What is wrong is named."""
     with pytest.raises(coface.Error, match=message):
         coface.cubical(x, **options)
+
+
+def test_masked_voxels_are_outside() -> None:
+    values = np.array([[1.0, 2.0, 1.0], [2.0, 0.0, 2.0], [1.0, 2.0, 1.0]])
+    masked = np.ma.masked_equal(values, 0.0)
+    assert coface.cubical(masked) == coface.cubical(values, mask=values != 0)
+    assert coface.cubical(masked).diagram(1).tolist() == [[2.0, np.inf]]
+    inside = np.ones((3, 3), bool)
+    inside[0, 1] = False
+    assert coface.cubical(masked, mask=inside) == coface.cubical(values, mask=inside & (values != 0))
+    with pytest.raises(coface.Error):
+        coface.cubical(masked, mask=np.ones((2, 2), bool))

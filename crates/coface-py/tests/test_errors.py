@@ -157,3 +157,19 @@ def test_one_of_several_models_is_chosen(tmp_path) -> None:
     rows = coface.batch(path)
     assert [row["path"] for row in rows] == [f"{path}#disk", f"{path}#2"]
     assert [row["error"] for row in coface.batch(path, strict=True)] == [None, None]
+
+
+def test_raw_messages_are_in_words() -> None:
+    torus = coface.generate("torus", columns=5, rows=4)
+    with pytest.raises(coface.InvalidTypeError, match=r"'a' is no degree; give an integer: homology\[1\]"):
+        getattr(coface.homology(torus), "__getitem__")("a")
+    with pytest.raises(coface.InvalidInputError, match="is no step of a zigzag; give"):
+        coface.zigzag([("i",)])
+    with pytest.raises(coface.InvalidInputError, match="is no step of a zigzag"):
+        coface.zigzag([3])
+    with pytest.raises(coface.InvalidInputError, match=r"give a dictionary \{vertex: image\}"):
+        coface.induced_map(torus, torus, [0] * 20)
+    with pytest.raises(coface.InvalidInputError, match="genus is -1; give an integer from 0 on"):
+        coface.generate("genus", genus=-1)
+    with pytest.warns(coface.AssumptionWarning, match="9 landmarks were asked for, and there are 5"):
+        coface.witness(np.arange(10.0).reshape(5, 2), 9)

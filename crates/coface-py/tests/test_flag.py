@@ -114,3 +114,33 @@ def test_wrong_graphs() -> None:
         coface.flag([[0, 1, 1]], [2.0])
     with pytest.raises(coface.InvalidInputError, match="shape"):
         coface.flag(np.zeros((2, 4)))
+
+
+def test_matrices_have_a_vertex_for_each_row() -> None:
+    matrix = coo_array(([2.0], ([1], [3])), shape=(5, 5))
+    assert coface.flag(matrix, dimension=0).diagram(0).tolist() == [[0, np.inf], [0, np.inf], [0, np.inf], [0, 2], [0, np.inf]]
+    assert coface.flag_complex(matrix).f_vector == (5, 1)
+    assert coface.flag_complex(coo_array((3, 3))).f_vector == (3,)
+    assert coface.flag(matrix, directed=True, dimension=0).betti_numbers == (4,)
+    with pytest.raises(coface.InvalidInputError, match=r"the matrix of edges has the shape \(2, 3\)"):
+        coface.flag(coo_array((2, 3)))
+
+
+def test_arrays_that_could_be_matrices_are_refused() -> None:
+    triangle = np.array([[0, 1, 2], [1, 0, 3], [2, 3, 0]])
+    for given in (triangle, [[0, 1], [1, 0]]):
+        with pytest.raises(coface.InvalidInputError, match=r"they could be a matrix of values; give scipy.sparse.coo_array\(x\)"):
+            coface.flag(given)
+    assert coface.flag(coo_array(triangle)).diagram(0).tolist() == [[0, np.inf], [0, 1], [0, 2]]
+    with pytest.raises(coface.InvalidInputError, match=r"or scipy.sparse.coo_array\(x\) for a matrix of values"):
+        coface.flag(np.ones((4, 4)))
+
+
+def test_rows_of_cycles_are_those_of_a_graph_whose_values_tie() -> None:
+    edges = [[1, 0, 4], [2, 1, 3], [3, 0, 4], [3, 1, 1], [4, 0, 1], [4, 2, 2], [4, 3, 3], [5, 0, 2], [5, 2, 2], [5, 3, 4]]
+    edges += [[5, 4, 4], [6, 0, 3], [6, 2, 2], [6, 5, 1], [7, 0, 4], [7, 1, 1], [7, 3, 3], [7, 4, 3], [7, 5, 1], [7, 6, 4]]
+    found = coface.flag(edges, dict.fromkeys(range(8), 0.0))
+    for (_, death), (maker, ender), (cycle, bounding, _) in zip(found.diagram(1), found.simplices(1), found.cycles(1), strict=True):
+        assert maker in cycle.simplices.tolist()
+        assert (bounding is None) == np.isinf(death)
+        assert bounding is None or ender in bounding.simplices.tolist()

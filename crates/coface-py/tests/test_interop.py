@@ -416,3 +416,50 @@ def test_walls_of_ifcopenshell_stand_where_they_do() -> None:
     assert models["wall 1"].vertices.min(axis=0) == pytest.approx([10.0, 3.0, 0.0])
     iterated = coface.from_ifcopenshell(geom.iterator(settings, file, 1))
     assert {name: len(model) for name, model in iterated.items()} == {"wall 0": 12, "wall 1": 12}
+
+
+def test_solids_become_their_boundary_in_trimesh() -> None:
+    pytest.importorskip("trimesh")
+    # A box of tetrahedra, some of them mirrored.
+    box = coface.generate("box")
+    assert set(box.cells) == {"tetra"}
+    mixed = np.asarray(box.cells["tetra"]).copy()
+    mixed[::2] = mixed[::2, [1, 0, 2, 3]]
+    volume = abs(np.linalg.det(np.asarray(box.vertices)[mixed[:, 1:]] - np.asarray(box.vertices)[mixed[:, :1]])).sum() / 6
+    for solid in (box, coface.Model.from_arrays(box.vertices, cells={"tetra": mixed})):
+        mesh = coface.to_trimesh(solid)
+        assert mesh.is_watertight and mesh.is_winding_consistent
+        assert mesh.volume == pytest.approx(volume)
+        assert np.array_equal(mesh.vertices, box.vertices)
+    both = coface.Model.from_arrays(box.vertices, [[0, 1, 2]], {"tetra": mixed})
+    with pytest.warns(coface.AssumptionWarning, match="left out of the mesh: the 3-cells"):
+        assert len(coface.to_trimesh(both).faces) == 1
+
+
+def test_faces_of_trimesh_are_arrays() -> None:
+    trimesh = pytest.importorskip("trimesh")
+    mesh = trimesh.creation.box()
+    assert coface.homology(mesh.faces).betti_numbers == (1, 0, 1)
+    assert coface.as_model((mesh.vertices, mesh.faces)).f_vector == (8, 18, 12)
+
+
+def test_loops_of_graphs_are_walks_along_their_nodes() -> None:
+    networkx = pytest.importorskip("networkx")
+    graph = networkx.cycle_graph(["a", "b", "c", "d"])
+    (generator,) = coface.homology(graph, generators=True)[1].generators
+    walk = generator.loop.tolist()
+    assert walk[0] == walk[-1] and sorted(walk[1:]) == [0, 1, 2, 3]
+    parallel = networkx.MultiGraph([(0, 1), (0, 1)])
+    assert coface.homology(parallel, generators=True)[1].generators[0].loop.tolist() in ([0, 1, 0], [1, 0, 1])
+    chains = coface.as_chain_complex(parallel)
+    again = coface.ChainComplex.from_dict(chains.to_dict())
+    assert again.homology(generators=True)[1].generators[0].simplices.tolist() == [[0, 1], [0, 1]]
+
+
+def test_other_classes_of_gudhi_are_named_with_what_helps() -> None:
+    gudhi = pytest.importorskip("gudhi")
+    image = gudhi.CubicalComplex(top_dimensional_cells=[[1.0, 2.0]])
+    with pytest.raises(coface.InvalidInputError, match=r"ask coface.cubical\(x\)"):
+        coface.persistence(image)
+    with pytest.raises(coface.InvalidInputError, match=r"call its create_simplex_tree\(\)"):
+        coface.persistence(gudhi.RipsComplex(points=[[0.0], [1.0]]))

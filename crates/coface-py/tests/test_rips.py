@@ -76,3 +76,31 @@ def test_wrong_tables() -> None:
         coface.rips([[0, 1], [2, 0]], distances="square")
     with pytest.raises(coface.InvalidInputError, match="numbers"):
         coface.rips(CIRCLE).pairs(1)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_rows_of_cycles_are_those_of_the_diagram_where_distances_tie(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    points = rng.integers(0, 5, (14, 2)).astype(float) if seed % 2 else rng.random((20, 2)).round(1)
+    distances = np.sqrt(((points[:, None] - points[None]) ** 2).sum(-1))
+    found = coface.rips(distances, distances="square")
+
+    def diameter(chain: coface.Chain) -> float:
+        return max(distances[i, j] for simplex in chain.simplices.tolist() for i in simplex for j in simplex)
+
+    for degree in (0, 1):
+        rows = found.cycles(degree)
+        assert len(rows) == len(found.diagram(degree))
+        for (birth, death), (maker, ender), (cycle, bounding, _) in zip(found.diagram(degree), found.simplices(degree), rows, strict=True):
+            assert (bounding is None) == np.isinf(death) == (ender is None)
+            assert diameter(cycle) == birth and maker in cycle.simplices.tolist()
+            if bounding is not None:
+                assert diameter(bounding) == death and ender in bounding.simplices.tolist()
+
+
+def test_points_that_are_very_near_are_several() -> None:
+    assert coface.rips([[0, 0], [3e-160, 4e-160]], dimension=0).diagram(0)[1] == pytest.approx([0, 5e-160], rel=1e-15)
+    assert coface.rips([[0.0], [1e-200], [1.0]], dimension=0).diagram(0).tolist() == [[0, np.inf], [0, 1e-200], [0, 1]]
+    corners = np.array([[0, 0], [6, 0], [6, 8], [0, 8]])
+    for scale in (1e-200, 1e-100, 1e100, 1e200):
+        assert coface.cech(corners * scale).diagram(1) == pytest.approx(np.array([[4, 5]]) * scale, rel=1e-14)

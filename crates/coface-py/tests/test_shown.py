@@ -210,3 +210,21 @@ def test_faces_are_cut_into_triangles() -> None:
         assert (turns * reverse > 0).all()
     with pytest.raises(coface.InvalidInputError, match="face 0 crosses itself"):
         coface.Model([[0, 0], [2, 2], [2, 0], [0, 2]], [[0, 1, 2, 3]]).triangulated()
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_diagrams_of_what_is_no_complex_are_shown(tmp_path: Any) -> None:
+    points = np.random.default_rng(1).random((8, 2))
+    answers = [coface.rips(points), coface.alpha(points), coface.cech(points), coface.witness(points, 4), coface.flag([[0, 1, 1.0]]), coface.cubical(points)]
+    for answer in answers:
+        text = coface.view(answer, tmp_path / "answer.html").read_text()
+        assert "data:image/svg+xml" in text
+        assert coface.render(answer).startswith(b"<svg")
+
+
+def test_vertices_with_other_numbers_are_shown(tmp_path: Any) -> None:
+    star = coface.as_complex(coface.generate("torus")).star([[0]])
+    assert "simplices" in coface.view(star, tmp_path / "star.html").read_text()
+    assert coface.render(star).startswith(b"<svg")
+    far = coface.homology([[5, 6], [6, 7], [5, 7]], generators=True)
+    assert "H1 generator 1" in coface.page(far)

@@ -8,7 +8,7 @@ import pytest
 import coface
 
 pytest.importorskip("sklearn")
-from coface.interop.sklearn import BettiCurves, Diagrams  # noqa: E402
+from coface.interop.sklearn import BettiCurves, Diagrams, Landscapes, PersistenceImages, PointDiagrams  # noqa: E402
 
 RING = np.array([[0.0, 0.0, 0.0], [0.0, 9.0, 0.0], [0.0, 0.0, 0.0]])
 
@@ -80,3 +80,36 @@ def test_what_is_no_sample_is_refused() -> None:
         BettiCurves(limits=(0, 1)).fit_transform([[np.array([[1.0, 0.0]])]])
     with pytest.raises(coface.InvalidInputError, match="limits"):
         BettiCurves(limits=(2, 1)).fit([])
+
+
+def _clouds() -> list[np.ndarray]:
+    rng = np.random.default_rng(3)
+    angles = rng.random((3, 15)) * 2 * np.pi
+    return [np.column_stack([np.cos(each), np.sin(each)]) for each in angles]
+
+
+def test_points_landscapes_and_images_are_those_of_persistence() -> None:
+    clouds = _clouds()
+    diagrams = PointDiagrams(degrees=(1,)).fit_transform(clouds)
+    answers = [coface.rips(cloud) for cloud in clouds]
+    for (diagram,), answer in zip(diagrams, answers, strict=True):
+        assert np.array_equal(diagram, answer.diagram(1))
+    landscapes = Landscapes(count=3, bins=11, limits=(0, 2)).fit_transform(diagrams)
+    images = PersistenceImages((4, 3), births=(0, 2), persistences=(0, 2), bandwidth=0.2, power=2.0).fit_transform(diagrams)
+    for row, image, answer in zip(landscapes, images, answers, strict=True):
+        _, expected = answer.landscapes(1, 3, at=np.linspace(0, 2, 11))
+        assert row == pytest.approx(expected.reshape(-1), abs=1e-12)
+        expected = answer.persistence_image(1, resolution=(4, 3), births=(0, 2), persistences=(0, 2), bandwidth=0.2, power=2.0)
+        assert image == pytest.approx(expected.reshape(-1), abs=1e-12)
+
+
+def test_columns_have_names_and_become_tables() -> None:
+    pandas, pipeline = pytest.importorskip("pandas"), pytest.importorskip("sklearn.pipeline")
+    diagrams = PointDiagrams().fit_transform(_clouds())
+    for step in (BettiCurves(bins=4), Landscapes(count=2, bins=3), PersistenceImages((2, 3))):
+        table = step.set_output(transform="pandas").fit_transform(diagrams)
+        assert isinstance(table, pandas.DataFrame)
+        assert list(table.columns) == step.get_feature_names_out().tolist()
+        assert len(set(table.columns)) == len(table.columns) == len(table.iloc[0])
+    steps = pipeline.make_pipeline(PointDiagrams(), BettiCurves(bins=4)).set_output(transform="pandas")
+    assert isinstance(steps.fit_transform(_clouds()), pandas.DataFrame)

@@ -164,7 +164,14 @@ impl DiagramCurvesRequest {
         };
         let none = Barcode::default();
         let barcode = |degree: usize| all.get(degree).unwrap_or(&none);
-        let values = self.at(chosen.iter().map(|&degree| barcode(degree)))?;
+        let mut values = self.at(chosen.iter().map(|&degree| barcode(degree)))?;
+        if self.values == CurveValues::Ends && !counted.is_empty() && diagram.has_open_or_closed_ends() {
+            // Between two ends there may be more classes, or fewer, than at both.
+            let middles = values.windows(2).map(|two| two[0].midpoint(two[1])).collect::<Vec<f64>>();
+            values.extend(middles);
+            values.sort_by(f64::total_cmp);
+            values.dedup();
+        }
         let mut curves = Vec::new();
         let mut push = |name: String, numbers: Vec<f64>| curves.push(DiagramCurve { name, numbers });
         match self.kind {

@@ -266,6 +266,11 @@ impl GivenDiagram {
         self.degrees.iter().zip(&self.ends).map(one).collect()
     }
 
+    /// Whether a class is there at its death, or is not at its birth, as those of zigzags may be.
+    pub(super) fn has_open_or_closed_ends(&self) -> bool {
+        self.ends.iter().flatten().any(|&ends| ends != Ends::default())
+    }
+
     /// Whether the diagram is of points, which have classes of higher degrees that nobody asked for.
     pub(super) fn is_of_points(&self) -> bool {
         self.is_of_points

@@ -187,14 +187,16 @@ pub struct PersistenceRequest {
     cycles: bool,
     most_degree: Option<usize>,
     threshold: Option<f64>,
+    /// For each degree the cells as they enter, where values of cells leave that open.
+    order: Option<Vec<Vec<u32>>>,
 }
 
 impl Default for PersistenceRequest {
     fn default() -> Self {
         let coefficients = Coefficients::Modulo(2);
         let growth = Growth::Lower(None);
-        let (most_degree, threshold) = (None, None);
-        Self { coefficients, growth, min_persistence: 0.0, cycles: false, most_degree, threshold }
+        let (most_degree, threshold, order) = (None, None, None);
+        Self { coefficients, growth, min_persistence: 0.0, cycles: false, most_degree, threshold, order }
     }
 }
 
@@ -292,6 +294,12 @@ impl PersistenceRequest {
         self
     }
 
+    /// Says in which order the cells of each degree enter, of a growth by values of all cells.
+    pub(super) fn in_order(mut self, order: Vec<Vec<u32>>) -> Self {
+        self.order = Some(order);
+        self
+    }
+
     /// Finds the diagram of a model with this name.
     ///
     /// # Errors
@@ -348,7 +356,13 @@ impl PersistenceRequest {
         complex: &ChainComplex,
     ) -> Result<(String, Option<&'static str>, Filtration), Error> {
         let (place, filtration) = match &self.growth {
-            Growth::Cells { place, values } => (place, Filtration::new(complex, values.clone())),
+            Growth::Cells { place, values } => {
+                let filtration = match &self.order {
+                    Some(order) => Filtration::in_order(complex, values.clone(), order.clone()),
+                    None => Filtration::new(complex, values.clone()),
+                };
+                (place, filtration)
+            }
             Growth::Listed { place, values } => (place, of_listed(values, producer, complex)),
             Growth::Lower(function) | Growth::Upper(function) => {
                 if function.is_none() {

@@ -266,7 +266,7 @@ impl FoundRips {
         self.min_persistence
     }
 
-    /// The simplices that the classes need for cycles, with the question for these: it has the same classes. Positions, where points have some, are for
+    /// The simplices that the classes need for cycles, with the question for these: it has the same pairs. Positions, where points have some, are for
     /// pictures.
     ///
     /// # Errors
@@ -292,11 +292,13 @@ impl FoundRips {
         positions: Positions,
     ) -> Result<(PointFiltration, PersistenceRequest), Error> {
         let complex = self.simplices()?;
+        let order = RipsFiltration::order_of(&complex);
         let labels = self.labels.clone().unwrap_or_default();
         let points = PointFiltration::of_flag(positions, labels, complex, self.function());
         let request = PersistenceRequest::new()
             .coefficients(Coefficients::Modulo(self.diagram.prime().into()))
             .growth(points.growth())
+            .in_order(order)
             .up_to_degree(self.diagram.degree_count() - 1)
             .threshold(self.diagram.threshold())
             .min_persistence(self.min_persistence.max(0.0));

@@ -7,6 +7,7 @@ use coface_algebra::{Error, VertexId};
 use coface_complexes::simplicial::Simplex;
 use coface_topology::{Coefficients, ZigzagFiltration, ZigzagPair, ZigzagStep};
 use serde_json::Value;
+use std::collections::BTreeSet;
 
 /// A zigzag that a user gives.
 ///
@@ -123,8 +124,7 @@ impl GivenZigzag {
 
 fn of_text(bytes: &[u8]) -> Result<ZigzagFiltration, Error> {
     let text = std::str::from_utf8(bytes).map_err(|_| no_zigzag("the file is no text"))?;
-    let mut filtration = ZigzagFiltration::default();
-    let mut has_times = None;
+    let mut given = Steps::default();
     for (line, content) in text.lines().enumerate() {
         let content = content.split('#').next().unwrap_or_default().trim();
         if content.is_empty() {
@@ -146,11 +146,11 @@ fn of_text(bytes: &[u8]) -> Result<ZigzagFiltration, Error> {
                     .map_err(|_| no_zigzag(format!("{word:?} is no vertex: vertices are numbers from 0 on")))
             };
             let simplex = words.map(vertex).collect::<Result<Vec<u32>, Error>>()?;
-            add(&mut filtration, &mut has_times, is_insertion, &simplex, time)
+            given.add(is_insertion, &simplex, time)
         };
         push().map_err(|error| error.at_line(line as u64 + 1))?;
     }
-    Ok(filtration)
+    Ok(given.filtration)
 }
 
 fn is_insertion(word: &str) -> Result<bool, Error> {
@@ -161,24 +161,43 @@ fn is_insertion(word: &str) -> Result<bool, Error> {
     }
 }
 
-/// Adds a step whose time is given, if those of the others are, or the number of the step.
-fn add(
-    filtration: &mut ZigzagFiltration,
-    has_times: &mut Option<bool>,
-    is_insertion: bool,
-    simplex: &[u32],
-    time: Option<f64>,
-) -> Result<(), Error> {
-    if *has_times.get_or_insert(time.is_some()) != time.is_some() {
-        return Err(Error::invalid("some steps have times and some have none")
-            .with_cure("give a time for each step, or for none"));
+/// Steps that are given one after the other.
+#[derive(Default)]
+struct Steps {
+    filtration: ZigzagFiltration,
+    has_times: Option<bool>,
+    /// What has left at the time of the last step.
+    left: BTreeSet<Simplex>,
+}
+
+impl Steps {
+    /// Adds a step; those without a time have the numbers 1, 2, ..
+    fn add(&mut self, is_insertion: bool, simplex: &[u32], time: Option<f64>) -> Result<(), Error> {
+        if *self.has_times.get_or_insert(time.is_some()) != time.is_some() {
+            return Err(Error::invalid("some steps have times and some have none")
+                .with_cure("give a time for each step, or for none"));
+        }
+        let last = self.filtration.steps().last().map(ZigzagStep::time);
+        let time = time.unwrap_or(self.filtration.steps().len() as f64 + 1.0);
+        if last != Some(time) {
+            self.left.clear();
+        }
+        let simplex = Simplex::from_numbers(simplex)?;
+        if is_insertion && self.left.contains(&simplex) {
+            // It would be there twice at that time.
+            let message = format!("the simplex {simplex} enters at {time}, the time at which it leaves");
+            return Err(
+                Error::invalid(message).with_cure("leave both steps out, or give them different times")
+            );
+        }
+        if !is_insertion {
+            self.left.insert(simplex.clone());
+        }
+        self.filtration.push(match is_insertion {
+            true => ZigzagStep::insertion(simplex, time),
+            false => ZigzagStep::deletion(simplex, time),
+        })
     }
-    let time = time.unwrap_or(filtration.steps().len() as f64 + 1.0);
-    let simplex = Simplex::from_numbers(simplex)?;
-    filtration.push(match is_insertion {
-        true => ZigzagStep::insertion(simplex, time),
-        false => ZigzagStep::deletion(simplex, time),
-    })
 }
 
 fn of_json(bytes: &[u8]) -> Result<ZigzagFiltration, Error> {
@@ -213,14 +232,13 @@ fn of_json(bytes: &[u8]) -> Result<ZigzagFiltration, Error> {
 fn of_steps(
     steps: impl IntoIterator<Item = (String, Vec<u32>, Option<f64>)>,
 ) -> Result<ZigzagFiltration, Error> {
-    let mut filtration = ZigzagFiltration::default();
-    let mut has_times = None;
+    let mut given = Steps::default();
     for (place, (word, simplex, time)) in steps.into_iter().enumerate() {
         is_insertion(&word)
-            .and_then(|is_insertion| add(&mut filtration, &mut has_times, is_insertion, &simplex, time))
+            .and_then(|is_insertion| given.add(is_insertion, &simplex, time))
             .map_err(|error| behind(&format!("step {}", place + 1), &error))?;
     }
-    Ok(filtration)
+    Ok(given.filtration)
 }
 
 fn numbers(simplex: &Value) -> Result<Vec<u32>, Error> {

@@ -13,6 +13,7 @@ use crate::input::{self, Source};
 use crate::output::{is_json, print_json, print_text, write_file, write_json};
 use crate::progress::Progress;
 use crate::remarks;
+use crate::target::check_extension;
 use clap::Args;
 use coface::algebra::escaped;
 use coface::answers::answer::{PersistenceAnswer, PersistencePairAnswer};
@@ -137,6 +138,7 @@ impl Persistence {
         let output = output.transpose()?;
         if let Some(Some(place)) = &self.cycles {
             // Before the work, not after it.
+            check_extension(place)?;
             check_output(place)?;
         }
         if let Some(place) = &self.certificate {
@@ -193,6 +195,7 @@ impl Persistence {
                 });
             }
         }
+        self.refuse_values(&source, common)?;
         if let Some(option) = self.image.given() {
             return Err(Failure::new(format!(
                 "{}: {option} is for the values of a volume; give a volume (.npy, NRRD, NIfTI, MetaImage, PGM, PNG) without a function and without a choice of voxels",
@@ -305,6 +308,26 @@ impl Persistence {
         let Some(place) = &self.certificate else { return Ok(()) };
         progress.stage(format!("proving {}", place.display()));
         certified::save(place, std::slice::from_ref(&self.input), certificate)
+    }
+
+    /// A volume whose values nothing chooses from has no function but its values.
+    fn refuse_values(&self, source: &Source<'_>, common: &Common) -> Result<(), Failure> {
+        let has_function = self.function.is_some() || self.values.is_some() || !self.vineyard.is_empty();
+        if has_function || common.voxels.rule_given().is_some() || !(self.upper_star || self.extended) {
+            return Ok(());
+        }
+        if image::stream(source, common)?.is_none() {
+            return Ok(());
+        }
+        let name = input::name(&self.input);
+        Err(Failure::new(match self.upper_star {
+            true => format!(
+                "{name}: --upper-star is for functions on vertices, and the values of a volume are those of voxels; grow by superlevel sets of the values with --superlevel, or say the function on the voxels that are set: --function x"
+            ),
+            false => format!(
+                "{name}: --extended is for functions on vertices, and the values of a volume are those of voxels; say the function on the voxels that are set: --function x"
+            ),
+        }))
     }
 
     /// Cells of images are not listed.

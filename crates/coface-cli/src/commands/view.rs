@@ -139,8 +139,7 @@ impl View {
 
 pub(super) fn read_result(path: &Path) -> Result<Value, Failure> {
     let name = input::name(path);
-    let bytes =
-        std::fs::read(path).map_err(|error| Failure::new(format!("{name}: cannot be read: {error}")))?;
+    let bytes = std::fs::read(path).map_err(|error| coface::Error::from(error).in_file(name.clone()))?;
     serde_json::from_slice(&bytes).map_err(|error| {
         Failure::new(format!(
             "{name}:{}: {error}; give the JSON that another verb of coface wrote",

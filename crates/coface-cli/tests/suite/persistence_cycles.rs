@@ -231,3 +231,49 @@ fn cycles_of_volumes_are_those_of_their_voxels() {
     let hole = answer["diagram"].as_array().unwrap().iter().find(|pair| pair["degree"] == json!(1)).unwrap();
     assert!(hole["cycle"].as_array().unwrap().len() >= 4);
 }
+
+/// Five points on a circle, of which each has one distance to its neighbors and another to the rest: classes of one birth.
+#[test]
+fn cycles_change_no_pair() {
+    let folder = tempfile::tempdir().unwrap();
+    let square = "0 1 2 1 3\n1 0 1 3 1\n2 1 0 1 3\n1 3 1 0 1\n3 1 3 1 0\n";
+    let graph = "1,0,4\n2,1,3\n3,0,4\n3,1,1\n4,0,1\n4,2,2\n4,3,3\n5,0,2\n5,2,2\n5,3,4\n5,4,4\n6,0,3\n6,2,2\n6,5,1\n7,0,4\n7,1,1\n7,3,3\n7,4,3\n7,5,1\n7,6,4\n";
+    std::fs::write(folder.path().join("square.csv"), square).unwrap();
+    std::fs::write(folder.path().join("graph.csv"), graph).unwrap();
+    for line in [&["square.csv", "--rips", "--distances", "square"][..], &["graph.csv", "--flag"]] {
+        let ask = |more: &[&str]| {
+            coface_in(folder.path(), &[&["persistence"][..], line, &["--json"], more].concat()).json()
+        };
+        let (with, without) = (ask(&["--cycles"]), ask(&[]));
+        let cells = |answer: &Value| -> Vec<Value> {
+            let pairs = answer["diagram"].as_array().unwrap().iter();
+            let keys = ["degree", "birth", "death", "birth_cell", "death_cell"];
+            pairs.map(|pair| keys.iter().map(|key| pair[*key].clone()).collect()).collect()
+        };
+        assert_eq!(cells(&with), cells(&without), "{line:?}");
+        assert_proved(&with, 2);
+    }
+}
+
+#[test]
+fn cycles_are_written_in_formats_that_are_known() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("p.csv"), "0 0\n3 0\n3 4\n0 4\n").unwrap();
+    for line in [
+        &["persistence", "p.csv", "--rips", "--cycles", "o.zzz"][..],
+        &["homology", "p.csv", "--rips", "--generators", "o.zzz"],
+    ] {
+        let said = coface_in(folder.path(), line).fails_with(1).to_owned();
+        assert!(
+            said.contains("o.zzz: the extension \"zzz\" is no format known here; end it in one of off, obj"),
+            "{said}"
+        );
+        // What is read alone, and what is named twice, is none of them.
+        assert!(!said.contains("gltf") && !said.contains("nrrd"), "{said}");
+        assert!(!folder.path().join("o.zzz").exists());
+    }
+    let missing = coface_in(folder.path(), &["persistence", "p.csv", "--function", "none.txt"])
+        .fails_with(1)
+        .to_owned();
+    assert!(missing.contains("none.txt: there is no such file or folder; check the path"), "{missing}");
+}

@@ -97,6 +97,10 @@ fn wrong_zigzags_are_named_by_their_places() {
     assert!(said("i 0\ni 1\ni 0 1\nd 1\n").contains("standard input:4: {1} leaves before its coface {0, 1}"));
     assert!(said("i 0 @ 2\ni 1 @ 1\n").contains("standard input:2: the time falls from 2 to 1"));
     assert!(said("i 0 @ 2\ni 1\n").contains("standard input:2: some steps have times and some have none"));
+    assert!(
+        said("i 0 @ 2\nd 0 @ 3\ni 0 @ 3\n")
+            .contains("standard input:3: the simplex {0} enters at 3, the time at which it leaves")
+    );
     assert!(said("i 0 @ soon\n").contains("standard input:1: \"soon\" is no time"));
     assert!(said("x 0\n").contains("a step begins with \"x\""));
     assert!(said("i a\n").contains("\"a\" is no vertex"));
@@ -197,4 +201,19 @@ fn a_class_of_one_time_is_kept() {
     assert_eq!(coface_in(folder.path(), &line).json()["curves"][0]["numbers"], json!([1.0, 2.0, 1.0]));
     let long = ["persistence", "steps.txt", "--zigzag", "--min-persistence", "0.5", "--json"];
     assert_eq!(coface_in(folder.path(), &long).json()["diagram"].as_array().unwrap().len(), 1);
+}
+
+/// A loop that is open between two steps, at none of which it is there.
+#[test]
+fn curves_count_classes_between_their_open_ends() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("z.txt"), "i 0 @ 1\ni 1 @ 2\ni 0 1 @ 3\nd 0 1 @ 4\ni 0 1 @ 5\n")
+        .unwrap();
+    let line = ["persistence", "z.txt", "--zigzag", "-o", "z.json"];
+    assert_eq!(coface_in(folder.path(), &line).status, 0);
+    let found = coface_in(folder.path(), &["diagram", "betti", "z.json", "--json"]).json();
+    assert_eq!(found["values"], json!([1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0]));
+    assert_eq!(found["curves"][0]["numbers"], json!([1.0, 1.0, 2.0, 2.0, 1.0, 1.0, 1.0, 2.0, 1.0]));
+    let found = coface_in(folder.path(), &["diagram", "euler", "z.json", "--json"]).json();
+    assert_eq!(found["curves"][0]["numbers"], json!([1.0, 1.0, 2.0, 2.0, 1.0, 1.0, 1.0, 2.0, 1.0]));
 }

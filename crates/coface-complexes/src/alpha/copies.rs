@@ -4,7 +4,7 @@ use super::PeriodicBox;
 use coface_algebra::{Error, ErrorKind, VertexId, memory};
 use coface_geometry::Positions;
 
-/// The points of a periodic box, and their copies within a margin around it, in the order of points and, of the copies of one, of their shifts.
+/// The points of a periodic box, and their copies within margins around it, one for each axis, in the order of points and, of the copies of one, of their shifts.
 ///
 /// Coordinates are multiples of a power of two, of which the sides are multiples too: then copies are moved by whole sides exactly, and whatever is decided
 /// of points is so of their copies.
@@ -23,10 +23,11 @@ impl Copies {
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] for copies that no numbers, or no memory, are left for.
-    pub(super) fn new(points: &Positions, domain: &PeriodicBox, margin: f64) -> Result<Self, Error> {
+    pub(super) fn new(points: &Positions, domain: &PeriodicBox, margins: &[f64]) -> Result<Self, Error> {
         let dimension = domain.dimension();
-        let axes = Axis::of(points, domain, margin);
-        let about: f64 = domain.lengths().iter().map(|length| 1.0 + 2.0 * margin / length).product();
+        let axes = Axis::of(points, domain, margins);
+        let sides = domain.lengths().iter().zip(margins);
+        let about: f64 = sides.map(|(length, margin)| 1.0 + 2.0 * margin / length).product();
         let about = about * points.len() as f64;
         let bytes = if dimension > 2 { SPATIAL_BYTES } else { PLANAR_BYTES };
         memory::require((about * bytes) as u64, || {
@@ -43,8 +44,12 @@ impl Copies {
         for id in 0..points.len() {
             let place: Vec<f64> =
                 axes.iter().zip(points.point(VertexId::new(id))).map(|(axis, &x)| axis.place(x)).collect();
-            let ranges: Vec<std::ops::RangeInclusive<i32>> =
-                axes.iter().zip(&place).map(|(axis, &x)| axis.shifts(x, margin)).collect();
+            let ranges: Vec<std::ops::RangeInclusive<i32>> = axes
+                .iter()
+                .zip(&place)
+                .zip(margins)
+                .map(|((axis, &x), &margin)| axis.shifts(x, margin))
+                .collect();
             let along = |axis: usize| ranges.get(axis).cloned().unwrap_or(0..=0);
             for x in along(0) {
                 for y in along(1) {
@@ -83,7 +88,7 @@ impl Copies {
 
 /// Whether no coordinate and no side has to be rounded for a margin.
 pub(super) fn are_exact(points: &Positions, domain: &PeriodicBox, margin: f64) -> bool {
-    let axes = Axis::of(points, domain, margin);
+    let axes = Axis::of(points, domain, &vec![margin; domain.dimension()]);
     let is_multiple = |axis: &Axis, x: f64| (x / axis.unit).fract() == 0.0;
     let all = points.as_flat().chunks(domain.dimension().max(1));
     axes.iter().all(|axis| axis.length == axis.given)
@@ -102,15 +107,15 @@ struct Axis {
 }
 
 impl Axis {
-    fn of(points: &Positions, domain: &PeriodicBox, margin: f64) -> Vec<Self> {
+    fn of(points: &Positions, domain: &PeriodicBox, margins: &[f64]) -> Vec<Self> {
         debug_assert!(points.is_empty() || points.dimension() == domain.dimension());
-        let axis = |&given: &f64| {
+        let axis = |(&given, margin): (&f64, &f64)| {
             // All copies lie between minus and plus this number.
             let most = 2.0 * given + margin;
             let unit = 2f64.powi(most.log2().floor() as i32 + 1 - 52);
             Self { length: (given / unit).round() * unit, given, unit }
         };
-        domain.lengths().iter().map(axis).collect()
+        domain.lengths().iter().zip(margins).map(axis).collect()
     }
 
     /// The place in the box of a coordinate.

@@ -55,7 +55,8 @@ impl PeriodicAlphaComplex {
     /// [`AlphaComplex::new`]; [`ErrorKind::TooLarge`] for more copies than memory has room for.
     ///
     /// # Complexity
-    /// That of [`AlphaComplex::new`] of the points and copies around them: a few percent more of many points, 27 times as many and more of a few.
+    /// That of [`AlphaComplex::new`] of the points and copies around them: a few percent more of many points, 27 times as many and more of a few. Where points leave much of the box empty, copies are those across
+    /// that space.
     ///
     /// # References
     /// M. Caroli, M. Teillaud, *Computing 3D periodic triangulations* (2009), for what is simplicial; O. Devillers, M. Teillaud, *Perturbations for Delaunay and
@@ -105,20 +106,19 @@ impl PeriodicAlphaComplex {
         let dimension = domain.dimension();
         // No sphere that is empty of points reaches further than a diagonal from its points, and to the other side twice that.
         let most = 2.01 * domain.lengths().iter().map(|length| length * length).sum::<f64>().sqrt();
-        let share = domain.lengths().iter().product::<f64>() / points.len() as f64;
-        let mut margin = most.min(3.0 * share.powf(1.0 / dimension as f64));
+        let mut margins = first_margins(points, domain, most);
         loop {
-            let copies = Copies::new(points, domain, margin)?;
+            let copies = Copies::new(points, domain, &margins)?;
             let own: Option<Vec<f64>> =
                 weights.map(|weights| copies.points.iter().map(|&point| weights[point as usize]).collect());
             let alpha = AlphaComplex::new(&copies.positions, own.as_deref())?;
             if let Some(found) = of_copies(&copies, &alpha, dimension) {
                 return Ok(found);
             }
-            if margin >= 4.0 * most {
+            if margins.iter().all(|&margin| margin >= 4.0 * most) {
                 return Err(Error::invalid("the triangulation of the points does not repeat as they do"));
             }
-            margin *= 2.0;
+            margins.iter_mut().for_each(|margin| *margin = (2.0 * *margin).min(4.0 * most));
         }
     }
 
@@ -261,6 +261,26 @@ impl PeriodicAlphaComplex {
     }
 }
 
+/// How far copies of points are taken along each axis at first: some points further than the widest gap between points along it. Spheres that reach across a gap
+/// hold few points beside it, so that boxes with much empty space along one axis need copies along it alone.
+fn first_margins(points: &Positions, domain: &PeriodicBox, most: f64) -> Vec<f64> {
+    let dimension = domain.dimension();
+    let gap = |axis: usize| {
+        let length = domain.lengths()[axis];
+        let mut along: Vec<f64> =
+            points.as_flat().iter().skip(axis).step_by(dimension).map(|x| x.rem_euclid(length)).collect();
+        along.sort_by(f64::total_cmp);
+        let around = length - (along[along.len() - 1] - along[0]);
+        along.windows(2).map(|two| two[1] - two[0]).fold(around, f64::max)
+    };
+    let gaps: Vec<f64> = (0..dimension).map(gap).collect();
+    let count = points.len() as f64;
+    // The part of the box without the gaps, in which the points are about evenly spread.
+    let filled = domain.lengths().iter().zip(&gaps).map(|(length, gap)| (length - gap).max(length / count));
+    let spacing = (filled.product::<f64>() / count).powf(1.0 / dimension as f64);
+    gaps.iter().map(|gap| most.min(gap + 3.0 * spacing)).collect()
+}
+
 /// What of the alpha complex of points and copies is there once; none if copies differ in what they are in, because there are too few.
 fn of_copies(copies: &Copies, alpha: &AlphaComplex, dimension: usize) -> Option<PeriodicAlphaComplex> {
     let complex = alpha.complex();
@@ -364,6 +384,25 @@ mod tests {
         // A long box: a point sees only its copies along the short sides for a while.
         let long = torus(&[0.0, 0.0], &[1.0, 100.0], None);
         assert_eq!((long.complex().f_vector(), sorted(long.values(1))[0]), (vec![1, 3, 2], 0.25));
+    }
+
+    #[test]
+    fn empty_space_along_an_axis_needs_no_copies_along_others() {
+        // Three layers of points in a box that is mostly empty.
+        let flat = |height: f64| -> Vec<f64> {
+            let place = |i: u32| (f64::from(i) * 0.618_033_988_749_894_9).fract();
+            (0..300).flat_map(|i| [place(i) * 8.0, f64::from(i) / 37.5, height * place(7 * i + 3)]).collect()
+        };
+        for (height, sides) in [(1.0, [8.0, 8.0, 9.0]), (1.0, [8.0, 8.0, 500.0])] {
+            let points = Positions::from_flat(3, flat(height)).unwrap();
+            let domain = PeriodicBox::new(&sides).unwrap();
+            let margins = first_margins(&points, &domain, f64::INFINITY);
+            assert!(margins[0] < 4.0 && margins[1] < 4.0 && margins[2] > sides[2] - 1.0, "{margins:?}");
+            assert!(Copies::new(&points, &domain, &margins).unwrap().points.len() < 10 * 300);
+            let found = torus(&flat(height), &sides, None);
+            let counts = found.complex().f_vector();
+            assert_eq!((counts[0], counts[0] + counts[2]), (300, counts[1] + counts[3]));
+        }
     }
 
     #[test]

@@ -5,12 +5,12 @@ use super::{FilteredComplex, WeightedGraph};
 use crate::simplicial::{FrozenComplex, FrozenLevels};
 use coface_algebra::progress::stage;
 use coface_algebra::{Error, ErrorKind, VertexId};
-use coface_geometry::Positions;
+use coface_geometry::{Positions, distance};
 use rayon::prelude::*;
 
 impl FilteredComplex {
     /// The Čech complex of points of any dimension up to a radius and a dimension: a simplex for each set of points in a ball of this radius, which enters at the
-    /// radius of the smallest such ball, as in GUDHI's `CechComplex`.
+    /// radius of the smallest such ball, as in GUDHI's `Cech_complex`.
     ///
     /// At a value it is the nerve of the balls of this radius around the points, and has the homotopy type of their union. Radii are computed with rounding: each
     /// is that of the smallest ball of a facet if it holds the point that is left, and else that of the sphere through all, which is kept between the
@@ -51,9 +51,13 @@ impl FilteredComplex {
         let mut count = points.len();
         for _ in steps.each(0..dimension) {
             let last = levels.last().expect("the points");
+            let foretold = last.foretold_cofacets(&points, radius);
+            if foretold > 2.0 * most as f64 {
+                return Err(too_many(&points, radius, dimension, most, Some(foretold)));
+            }
             let next = last.cofacets(&points, radius, most.saturating_sub(count));
             let Some(next) = next.filter(|_| count <= most) else {
-                return Err(too_many(&points, radius, dimension, most));
+                return Err(too_many(&points, radius, dimension, most, None));
             };
             if next.values.is_empty() {
                 break;
@@ -88,7 +92,7 @@ pub fn enclosing_ball_radius(points: &Positions) -> f64 {
     let mut center = first.to_vec();
     let mut least = f64::INFINITY;
     for step in 1..=200 {
-        let distances = points.iter().map(|point| (squared(point, &center), *point));
+        let distances = points.iter().map(|point| (distance(point, &center), *point));
         let (far, point) = distances.max_by(|a, b| a.0.total_cmp(&b.0)).expect("there are points");
         least = least.min(far);
         for (coordinate, &other) in center.iter_mut().zip(point) {
@@ -96,12 +100,11 @@ pub fn enclosing_ball_radius(points: &Positions) -> f64 {
         }
     }
     // Enough for rounding.
-    least.sqrt() * (1.0 + 1e-12)
+    least * (1.0 + 1e-12)
 }
 
-fn squared(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum()
-}
+/// So many simplices of a degree are looked at to find about how many the next one has.
+const SAMPLE: usize = 200;
 
 /// The simplices of a degree in lexicographic order.
 struct Level {
@@ -160,6 +163,15 @@ impl Level {
             }
         }
         (low < end && self.tuple(low) == tuple).then_some(low)
+    }
+
+    /// About how many simplices the next degree has up to a radius, as some spread evenly show.
+    fn foretold_cofacets(&self, points: &[&[f64]], radius: f64) -> f64 {
+        let count = self.values.len();
+        let step = count.div_ceil(SAMPLE).max(1);
+        let sample: Vec<usize> = (0..count).step_by(step).collect();
+        let found: usize = sample.par_iter().map(|&i| self.cofacets_of(i, points, radius).count()).sum();
+        found as f64 / sample.len().max(1) as f64 * count as f64
     }
 
     /// The simplices of the next degree up to a radius; `None` if there are more than `most`.
@@ -227,7 +239,7 @@ impl Level {
             };
             let own = self.values[place];
             below = below.max(own);
-            let reach = squared(points[tuple[left] as usize], self.center(place, dimension)).sqrt().max(own);
+            let reach = distance(points[tuple[left] as usize], self.center(place, dimension)).max(own);
             if reach < above.0 {
                 above = (reach, place);
             }
@@ -248,8 +260,16 @@ impl Level {
 fn circumsphere(points: &[&[f64]]) -> Option<Ball> {
     let (&first, rest) = points.split_first()?;
     let count = rest.len();
-    let edges: Vec<Vec<f64>> =
+    let mut edges: Vec<Vec<f64>> =
         rest.iter().map(|point| point.iter().zip(first).map(|(x, y)| x - y).collect()).collect();
+    // Fourth powers of lengths are compared: far from 1 they are none of a number.
+    let longest = edges.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let scale = 2f64.powi(match longest {
+        0.0..1e-70 => 600,
+        1e-70..1e70 => 0,
+        _ => -600,
+    });
+    edges.iter_mut().flatten().for_each(|x| *x *= scale);
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
     // The center is first + sum of x_i edge_i with 2 <edge_i, edge_j> x_j = <edge_i, edge_i>.
     let mut rows: Vec<Vec<f64>> = (0..count)
@@ -279,10 +299,10 @@ fn circumsphere(points: &[&[f64]]) -> Option<Ball> {
     }
     let mut center = first.to_vec();
     for (edge, &x) in edges.iter().zip(&solution) {
-        center.iter_mut().zip(edge).for_each(|(coordinate, along)| *coordinate += x * along);
+        center.iter_mut().zip(edge).for_each(|(coordinate, along)| *coordinate += x * along / scale);
     }
     // Of all distances the largest: the ball holds all points.
-    let radius = points.iter().map(|point| squared(point, &center)).fold(0.0, f64::max).sqrt();
+    let radius = points.iter().map(|point| distance(point, &center)).fold(0.0, f64::max);
     radius.is_finite().then_some(Ball { center, radius })
 }
 
@@ -311,19 +331,20 @@ fn assembled(levels: Vec<Level>) -> FilteredComplex {
     FilteredComplex::from_trusted_parts(FrozenComplex::from_levels(all), values)
 }
 
-/// The error of more simplices than there may be. Twice a radius up to which the Vietoris-Rips complex fits is enough.
-fn too_many(points: &[&[f64]], radius: f64, dimension: usize, most: usize) -> Error {
+/// The error of more simplices than there may be, or than are foretold. Twice a radius up to which the Vietoris-Rips complex fits is enough.
+fn too_many(points: &[&[f64]], radius: f64, dimension: usize, most: usize, foretold: Option<f64>) -> Error {
+    let count = foretold.map_or(format!("more than {most}"), |foretold| format!("about {foretold:.0}"));
     let message = format!(
-        "the Čech complex of {} points up to dimension {dimension} has more than {most} simplices at the radius {radius}, and there is room for no more",
+        "the Čech complex of {} points up to dimension {dimension} has {count} simplices at the radius {radius}, and there is room for {most}",
         points.len()
     );
     let error = Error::new(ErrorKind::TooLarge, message);
     let mut edges = Vec::new();
     for i in 0..points.len() {
         for j in 0..i {
-            let distance = squared(points[i], points[j]).sqrt();
-            if distance <= 2.0 * radius {
-                edges.push((i as u32, j as u32, distance));
+            let length = distance(points[i], points[j]);
+            if length <= 2.0 * radius {
+                edges.push((i as u32, j as u32, length));
             }
         }
     }

@@ -46,6 +46,9 @@ impl FilteredComplex {
             return Err(Error::invalid("the threshold is NaN").with_cure("give a number"));
         }
         let _steps = stage("joining vertices", 0);
+        if may_exceed(graph, threshold, dimension, most) {
+            return Err(too_many(graph, threshold, dimension, most));
+        }
         let mut walk = Walk::new(graph, threshold, dimension, most);
         let whole = std::mem::take(&mut walk.vertices);
         match walk.grow(0, &whole) {
@@ -143,6 +146,25 @@ pub(super) fn common(one: &[(u32, f64)], other: &[(u32, f64)], mut visit: impl F
     }
 }
 
+/// Whether there are more simplices than `most`: counted before any is stored, where bounds leave that open and there are few vertices. If this says no, there may
+/// be more all the same.
+fn may_exceed(graph: &WeightedGraph, threshold: f64, dimension: usize, most: usize) -> bool {
+    let edges = || graph.edges().iter().filter(|edge| edge.2 <= threshold);
+    let vertex_count = graph.vertex_count();
+    let edge_count = edges().count();
+    // Each simplex of degree 2 or more is an edge and others of the rest.
+    let bound = (2..=dimension).map(|degree| (vertex_count as f64).powi(degree as i32 - 1)).sum::<f64>();
+    if vertex_count > MOST_ROWS || edge_count as f64 * bound <= most as f64 {
+        return false;
+    }
+    let mut near = Rows::new(vertex_count);
+    let mut count = 0;
+    edges().any(|&(i, j, _)| {
+        count = near.with_edge(i, j, dimension, count, most);
+        count > most
+    })
+}
+
 /// The error of more simplices than there may be, with a threshold that fits.
 fn too_many(graph: &WeightedGraph, threshold: f64, dimension: usize, most: usize) -> Error {
     let at = if threshold.is_finite() { format!(" at the threshold {threshold}") } else { String::new() };
@@ -173,9 +195,21 @@ impl FlagLimit {
         }
         let mut edges: Vec<(u32, u32, f64)> = graph.edges().to_vec();
         edges.sort_by(|a, b| a.2.total_cmp(&b.2));
+        if graph.vertex_count() <= MOST_ROWS {
+            return Self::by_rows(&edges, graph.vertex_count(), dimension, most);
+        }
+        Self::by_lists(&edges, graph.vertex_count(), dimension, most)
+    }
+
+    fn by_lists(
+        edges: &[(u32, u32, f64)],
+        vertex_count: usize,
+        dimension: usize,
+        most: usize,
+    ) -> Option<Self> {
         // As many vertices as there are: those that enter later are counted too.
-        let mut count = graph.vertex_count();
-        let mut near: Vec<Vec<(u32, f64)>> = vec![Vec::new(); graph.vertex_count()];
+        let mut count = vertex_count;
+        let mut near: Vec<Vec<(u32, f64)>> = vec![Vec::new(); vertex_count];
         let mut fitting = None;
         for run in edges.chunk_by(|a, b| a.2 == b.2) {
             for &(i, j, value) in run {
@@ -197,6 +231,85 @@ impl FlagLimit {
             fitting = Some(Self { threshold: run[0].2, count });
         }
         fitting
+    }
+
+    /// The same with the neighbors of each vertex as bits.
+    fn by_rows(
+        edges: &[(u32, u32, f64)],
+        vertex_count: usize,
+        dimension: usize,
+        most: usize,
+    ) -> Option<Self> {
+        let mut count = vertex_count;
+        let mut near = Rows::new(vertex_count);
+        let mut fitting = None;
+        for run in edges.chunk_by(|a, b| a.2 == b.2) {
+            for &(i, j, _) in run {
+                count = near.with_edge(i, j, dimension, count, most);
+                if count > most {
+                    return fitting;
+                }
+            }
+            fitting = Some(Self { threshold: run[0].2, count });
+        }
+        fitting
+    }
+}
+
+/// Up to so many vertices their neighbors are bits: 32 MiB.
+const MOST_ROWS: usize = 1 << 14;
+
+/// The neighbors of each vertex as bits.
+struct Rows {
+    width: usize,
+    bits: Vec<u64>,
+}
+
+impl Rows {
+    fn new(vertex_count: usize) -> Self {
+        let width = vertex_count.div_ceil(64);
+        Self { width, bits: vec![0; width * vertex_count] }
+    }
+
+    fn row(&self, vertex: u32) -> &[u64] {
+        &self.bits[vertex as usize * self.width..][..self.width]
+    }
+
+    /// Adds an edge; gives the count with the simplices that it makes, which is no more looked at once it exceeds `most`.
+    fn with_edge(&mut self, i: u32, j: u32, dimension: usize, count: usize, most: usize) -> usize {
+        let mut count = count.saturating_add(1);
+        if dimension > 1 {
+            let both: Vec<u64> = self.row(i).iter().zip(self.row(j)).map(|(a, b)| a & b).collect();
+            count = self.cliques(&both, dimension - 1, count, most);
+        }
+        for (one, other) in [(i, j), (j, i)] {
+            self.bits[one as usize * self.width + other as usize / 64] |= 1 << (other % 64);
+        }
+        count
+    }
+
+    /// Adds the number of sets of at most `size` of these vertices that are joined.
+    fn cliques(&self, of: &[u64], size: usize, mut count: usize, most: usize) -> usize {
+        count = count.saturating_add(of.iter().map(|word| word.count_ones() as usize).sum());
+        if size == 1 {
+            return count;
+        }
+        for (place, &word) in of.iter().enumerate() {
+            let mut left = word;
+            while left != 0 && count <= most {
+                let bit = left.trailing_zeros();
+                left &= left - 1;
+                let row = self.row(place as u32 * 64 + bit);
+                // Those behind this vertex.
+                let mut rest: Vec<u64> = of.iter().zip(row).map(|(a, b)| a & b).collect();
+                rest[..place].fill(0);
+                rest[place] &= !0u64 << bit & !(1 << bit);
+                if rest.iter().any(|&word| word != 0) {
+                    count = self.cliques(&rest, size - 1, count, most);
+                }
+            }
+        }
+        count
     }
 }
 
@@ -289,7 +402,13 @@ mod tests {
                 Ok(complex) => prop_assert!(whole <= most && complex.complex().len() == whole),
                 Err(_) => {
                     prop_assert!(whole > most);
-                    if let Some(FlagLimit { threshold, count }) = FlagLimit::of(&graph, dimension, most) {
+                    let mut edges = graph.edges().to_vec();
+                    edges.sort_by(|a, b| a.2.total_cmp(&b.2));
+                    let by_lists = FlagLimit::by_lists(&edges, graph.vertex_count(), dimension, most);
+                    let found = FlagLimit::of(&graph, dimension, most);
+                    let facts = |limit: &FlagLimit| (limit.threshold, limit.count);
+                    prop_assert_eq!(by_lists.as_ref().map(facts), found.as_ref().map(facts));
+                    if let Some(FlagLimit { threshold, count }) = found {
                         let part = FilteredComplex::flag_of_at_most(&graph, threshold, dimension, most).unwrap();
                         prop_assert!(part.complex().len() <= count && count <= most);
                     }

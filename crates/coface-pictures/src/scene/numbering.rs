@@ -83,6 +83,22 @@ mod tests {
     }
 
     #[test]
+    fn answers_name_vertices_by_the_numbers_of_the_model() {
+        let model = read(&b"[[5, 6], [6, 9], [5, 9]]"[..], Format::Json).unwrap();
+        let mut scene = Scene::of("triangle", &model).unwrap();
+        scene.add_result("star", &serde_json::json!({"simplices": [[9], [5, 9], [6, 9]]})).unwrap();
+        assert_eq!((&scene.layers()[0].points[..], scene.layers()[0].lines.len()), (&[2][..], 2));
+        for (simplices, fault) in
+            [("[[7]]", "has vertex 7"), ("[[9], [2]]", "has another one"), ("[[10]]", "has vertex 10")]
+        {
+            let answer: serde_json::Value =
+                serde_json::from_str(&format!("{{\"simplices\": {simplices}}}")).unwrap();
+            let error = scene.add_result("star", &answer).unwrap_err();
+            assert!(error.message().contains(fault), "{error}");
+        }
+    }
+
+    #[test]
     fn large_simplices_are_drawn_by_their_edges() {
         let facet = |n: u32| read(format!("[{:?}]", Vec::from_iter(0..n)).as_bytes(), Format::Json).unwrap();
         let scene = Scene::of("16", &facet(16)).unwrap();

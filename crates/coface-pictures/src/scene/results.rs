@@ -52,18 +52,23 @@ impl Scene {
             Err(Error::invalid(format!("{what} in {name}"))
                 .with_cure("show it with the model that it was computed from"))
         };
-        let sources = result.source.0.iter().copied().max().filter(|&last| last as usize >= vertex_count);
-        if let Some(last) = sources {
-            return other_model(format!("the model has {vertex_count} vertices, but there is vertex {last}"));
-        }
-        let too_high = layers.iter().find_map(|layer| {
-            let count = layer.positions.as_ref().map_or(vertex_count, Vec::len);
-            layer.last_point().filter(|&last| last as usize >= count).map(|last| (layer, last))
-        });
-        if let Some((layer, last)) = too_high {
-            let what = layer.name.clone();
+        let is_there = |vertex: u32| (self.numbering.of(vertex) as usize) < vertex_count;
+        if let Some(vertex) = result.source.0.iter().copied().find(|&vertex| !is_there(vertex)) {
             return other_model(format!(
-                "the model has {vertex_count} vertices, but {what} has vertex {last}"
+                "the model has {vertex_count} vertices, but there is vertex {vertex}"
+            ));
+        }
+        for layer in &layers {
+            let count = layer.positions.as_ref().map_or(vertex_count, Vec::len);
+            let renumbered = self.numbering.of_layer(layer.clone());
+            if renumbered.last_point().is_none_or(|last| (last as usize) < count) {
+                continue;
+            }
+            let vertex = layer.last_point().filter(|&last| !is_there(last));
+            let vertex = vertex.map_or("another one".to_owned(), |vertex| format!("vertex {vertex}"));
+            return other_model(format!(
+                "the model has {vertex_count} vertices, but {} has {vertex}",
+                layer.name
             ));
         }
         if let Some((layer, [a, b])) = self.strange_edge(&layers) {

@@ -244,6 +244,7 @@ def point_rows(points: Any, weights: Any = None) -> NDArray[np.float64]:
     if rows.ndim != 2:
         raise_invalid(f"points have the shape {rows.shape}", "give an array of two axes, a row for each point")
     if weights is None:
+        rows.flags.writeable = False
         return rows
     behind = numbers(weights, "weights")
     if behind.shape != (len(rows),):

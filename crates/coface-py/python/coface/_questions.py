@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -1079,11 +1079,20 @@ def zigzag(
             times = [[float(time) for time in stays] for stays in times]
             steps = [[int(vertex) for vertex in simplex] for simplex in steps]
         else:
-            steps = [(step[0], [int(vertex) for vertex in step[1]], *map(float, step[2:])) for step in steps]
+            steps = [_step(step) for step in steps]
     kinds: dict[str, list[tuple[int, tuple[float, float]]]] = {"closed-open": [], "closed-closed": [], "open-closed": [], "open-open": []}
     for kind, degree, birth, death in _coface._zigzag(steps, times, coefficients=coefficients, least=least):
         kinds[kind].append((degree, (birth, death)))
     return kinds
+
+
+def _step(step: Any) -> tuple[Any, ...]:
+    """A step of a zigzag: a letter, the vertices of a simplex, and its time if it has one."""
+    try:
+        letter, simplex, *time = step
+        return letter, [int(vertex) for vertex in simplex], *map(float, time)
+    except (TypeError, ValueError):
+        raise_invalid(f"{step!r} is no step of a zigzag", 'give ("i", simplex) where a simplex enters and ("d", simplex) where it leaves, with a time behind if there are times')
 
 
 def _distances(x: Any, distances: Any) -> tuple[Any, Any]:
@@ -1221,17 +1230,34 @@ def _edges(edges: Any, vertex_values: Any) -> Any:
         table = [[number] for number in place.values()]
         table += [[place[i], place[j], float(value)] for i, j, value in edges.edges(data="weight", default=1.0) if i != j]
     else:
+        table = []
         if hasattr(edges, "tocoo"):
             entries = edges.tocoo()
+            if len(entries.shape) != 2 or entries.shape[0] != entries.shape[1]:
+                raise_invalid(f"the matrix of edges has the shape {entries.shape}", "give a square one, a row and a column for each vertex")
+            # Vertices without an edge are there too.
+            table = [[vertex] for vertex in range(entries.shape[0])]
             edges = np.column_stack([entries.row, entries.col, entries.data])
+        elif _is_matrix(rows := numbers(edges, "edges")):
+            raise_invalid(
+                f"edges have the shape {rows.shape}, are symmetric and have zeros on the diagonal: they could be a matrix of values",
+                "give scipy.sparse.coo_array(x) for a matrix, or rows of two vertices and a value, the smaller vertex first",
+            )
         rows = numbers(edges, "edges")
         if rows.size and (rows.ndim != 2 or rows.shape[1] not in (2, 3)):
-            raise_invalid(f"edges have the shape {rows.shape}", "give rows of two vertices and a value")
-        table = rows.reshape(len(rows), -1).tolist() if rows.size else []
+            cure = "give rows of two vertices and a value"
+            is_square = rows.ndim == 2 and rows.shape[0] == rows.shape[1]
+            raise_invalid(f"edges have the shape {rows.shape}", f"{cure}, or scipy.sparse.coo_array(x) for a matrix of values" if is_square else cure)
+        table += rows.reshape(len(rows), -1).tolist() if rows.size else []
     if vertex_values is not None:
         values = vertex_values.items() if isinstance(vertex_values, Mapping) else enumerate(numbers(vertex_values, "vertex_values").tolist())
         table += [[vertex, vertex, value] for vertex, value in values]
     return table
+
+
+def _is_matrix(rows: NDArray[np.float64]) -> bool:
+    """Whether rows of edges could be the values of all edges."""
+    return rows.shape in ((2, 2), (3, 3)) and bool((rows == rows.T).all() and not np.diag(rows).any() and rows.any())
 
 
 @in_words
@@ -1256,7 +1282,7 @@ def flag(
     edges
         Rows ``u, v, value`` of two vertices, whole numbers from 0 on, and the value at which their edge enters; rows ``u, v`` are edges of the value 1, and
         ``u, u, value`` is a vertex that enters at the value. Of an edge that is given twice the smaller value is taken, with a warning. Or a square sparse
-        matrix of values; a graph of networkx, whose nodes are numbered in its order and whose edges enter at their ``weight``; or the path of an edge list or
+        matrix of values, with a vertex for each row; a graph of networkx, whose nodes are numbered in its order and whose edges enter at their ``weight``; or the path of an edge list or
         of GraphML, where vertices may have names.
     vertex_values
         A mapping of vertices to the values at which they enter, or a value for each vertex from 0 on; vertices without one enter at 0, or with their first
@@ -1358,7 +1384,7 @@ def cech(
 ) -> Persistence:
     """Persistent homology of the Čech complex of points of any dimension.
 
-    A set of points enters at the radius of the smallest ball that holds it, as in ``CechComplex`` of GUDHI. Diagrams are those of :func:`alpha` with ``radii=True``,
+    A set of points enters at the radius of the smallest ball that holds it, as in ``Cech_complex`` of GUDHI in C++. Diagrams are those of :func:`alpha` with ``radii=True``,
     which takes less time and memory where points have at most three coordinates.
 
     Parameters
@@ -1673,7 +1699,7 @@ def cubical(
     periodic
         The axes whose last voxel meets their first.
     mask
-        Truth values in the shape of `x`: which voxels are inside.
+        Truth values in the shape of `x`: which voxels are inside. Those that a masked array of numpy masks are outside.
     coefficients
         A prime field: ``"f2"``, ``"f3"``, ...
     least
@@ -1705,9 +1731,17 @@ def cubical(
         if values is None:
             raise_invalid(f"{os.fspath(x)!r} is no volume", "give an array, or a file of the format .npy, NRRD, NIfTI, MetaImage, PGM or PNG")
         x = values
+    if isinstance(x, np.ma.MaskedArray):
+        # What is masked is outside.
+        inside = ~np.ma.getmaskarray(x)
+        given = None if mask is None else np.asarray(plain(mask))
+        mask = inside if given is None else inside & (given != 0) if given.shape == inside.shape else given
+        x = np.ma.getdata(x)
     x = np.asarray(plain(x))
     if x.dtype != np.float32:
         x = numbers(x, "x")
+        # Made here: the answer need not copy it to remember it.
+        x.flags.writeable = False
     if x.ndim == 0:
         raise_invalid("an array without axes has no voxels", "give an array with one to four axes")
     if mask is not None:
@@ -1730,6 +1764,10 @@ def cubical(
     return found
 
 
+@overload
+def bottleneck(a: Any, b: Any, *, degree: int | None = None, matching: Literal[False] = False) -> float: ...
+@overload
+def bottleneck(a: Any, b: Any, *, degree: int | None = None, matching: Literal[True]) -> tuple[float, list[NDArray[np.int64]]]: ...
 @in_words
 def bottleneck(a: Any, b: Any, *, degree: int | None = None, matching: bool = False) -> Any:
     """The bottleneck distance of two persistence diagrams: the length of the longest pair of the matching in which it is shortest.
@@ -1765,6 +1803,14 @@ def bottleneck(a: Any, b: Any, *, degree: int | None = None, matching: bool = Fa
     return (distance, pairs) if matching else distance
 
 
+@overload
+def wasserstein(
+    a: Any, b: Any, *, order: float = 1.0, internal_p: float = np.inf, degree: int | None = None, matching: Literal[False] = False
+) -> float: ...
+@overload
+def wasserstein(
+    a: Any, b: Any, *, order: float = 1.0, internal_p: float = np.inf, degree: int | None = None, matching: Literal[True]
+) -> tuple[float, list[NDArray[np.int64]]]: ...
 @in_words
 def wasserstein(
     a: Any, b: Any, *, order: float = 1.0, internal_p: float = np.inf, degree: int | None = None, matching: bool = False

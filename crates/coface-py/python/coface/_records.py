@@ -64,7 +64,7 @@ MAKERS: dict[str, Callable[..., Any]] = {
     "Surface.cut": Surface.cut,
     "YinSet.cut_cells": YinSet.cut_cells,
     "interface": _coface._interface,
-    **{name: getattr(_coface, name) for name in ("_chains", "_curve", "_group", "_model", "_report", "_surface", "_yin_set")},
+    **{name: getattr(_coface, name) for name in ("_chains", "_named_chains", "_curve", "_group", "_model", "_report", "_surface", "_yin_set")},
     **{name: getattr(_coface, name) for name in ("alpha", "arrange", "boolean", "cech", "congruence", "cubical", "flag", "persistence", "rips", "witness")},
 }
 #: Functions of pickles that have other names in dictionaries.
@@ -88,7 +88,7 @@ MADE = (ChainComplex, Complex, CuboidGrid, Curve, FundamentalGroup, Kinks, LarMo
 
 
 def asked(name: str, *arguments: Any, **options: Any) -> Any:
-    """The answer of a maker, which remembers how it was made.
+    """The answer of a maker, which remembers how it was made: of what a caller may change later it keeps a copy, so that the answer can be made again.
 
     Examples
     --------
@@ -96,10 +96,41 @@ def asked(name: str, *arguments: Any, **options: Any) -> Any:
     >>> coface.arrange(coface.generate("box", boundary=True)).__dict__["recipe"][0]
     'arrange'
     """
-    found = _TOLD.get(name, MAKERS[name])(*arguments, **options)
-    kept = {key: value for key, value in options.items() if key != "progress"}
-    found.__dict__["recipe"] = (name, arguments, kept)
+    progress = {key: options.pop(key) for key in ("progress",) if key in options}
+    arguments, options = kept(arguments), kept(options)
+    found = _TOLD.get(name, MAKERS[name])(*arguments, **options, **progress)
+    found.__dict__["recipe"] = (name, arguments, options)
     return found
+
+
+def kept(value: Any) -> Any:
+    """A value that nobody else can change: arrays, matrices, lists and dictionaries are copied, but for arrays that are read-only and own their numbers.
+
+    Examples
+    --------
+    >>> given = np.zeros(2)
+    >>> held = kept([given, {"a": given}])
+    >>> given[:] = 7
+    >>> held[0].tolist(), held[1]["a"].tolist(), kept(held[0]) is held[0]
+    ([0.0, 0.0], [0.0, 0.0], True)
+    """
+    if isinstance(value, np.ndarray):
+        if type(value) is np.ndarray and value.flags.owndata and not value.flags.writeable and value.dtype != object:
+            return value
+        copied = np.array(value)
+        copied.flags.writeable = False
+        return copied
+    if type(value) is list:
+        return [one if type(one) in _PLAIN else kept(one) for one in value]
+    if type(value) is tuple:
+        return tuple(one if type(one) in _PLAIN else kept(one) for one in value)
+    if type(value) is dict:
+        return {key: kept(one) for key, one in value.items()}
+    return value.copy() if hasattr(value, "tocoo") else value
+
+
+#: What cannot be changed.
+_PLAIN = frozenset({int, float, str, bool, bytes, type(None)})
 
 
 def _again(name: str, arguments: tuple[Any, ...], options: dict[str, Any]) -> Any:
@@ -194,6 +225,8 @@ _TOLD: dict[str, Callable[..., Any]] = {name: maker for name, maker in MAKERS.it
 
 def from_dict(cls: type[Answer], facts: Mapping[str, Any]) -> Answer:
     """The answer that ``to_dict()`` wrote."""
+    if cls is Report and isinstance(facts, Mapping) and facts and "recipe" not in facts:
+        raise_invalid("this report was written without its model", "write it with report.to_dict(model=True)")
     if not isinstance(facts, Mapping) or "recipe" not in facts:
         raise_invalid(f"there is no recipe for a {cls.__name__}", f"give what {cls.__name__}.to_dict() gave")
     found = read_back(facts["recipe"])
@@ -255,10 +288,29 @@ def _or_none(value: float) -> float | None:
 
 
 def _equal(self: Any, other: object) -> Any:
+    """Whether two answers say the same, however they were asked for."""
     if not isinstance(other, type(self)):
         return NotImplemented
-    facts: Callable[[], Any] = getattr(other, "to_dict")
-    return bool(self.to_dict() == facts())
+    return self is other or bool(facts_of(self) == facts_of(other) and _parts_of(self) == _parts_of(other))
+
+
+def _parts_of(x: Any) -> Any:
+    """What an answer has besides its facts, to be compared."""
+    if isinstance(x, Persistence):
+        return [_cells_of(x, degree) for degree in range(len(x.diagrams))]
+    if isinstance(x, Cocycles):
+        forms = None if x.harmonic is None else [np.asarray(form).tolist() for form in x.harmonic]
+        return [chain.to_dict()["chain"] for chain in x.cocycles], forms
+    if isinstance(x, Interface):
+        return x.vertices, x.edges
+    model = getattr(x, "model", None)
+    return model() if callable(model) else model
+
+
+def _cells_of(x: Persistence, degree: int) -> Any:
+    """The simplices, or the voxels of an image, that make and end the classes of a degree."""
+    name = x.__dict__.get("recipe", ("",))[0]
+    return x.voxels(degree).tolist() if name == "cubical" else x.simplices(degree)
 
 
 def _equal_surfaces(self: Surface, other: object) -> Any:
@@ -390,6 +442,17 @@ def install() -> None:
     setattr(Verdict, "__hash__", _hash)
     setattr(Surface, "__eq__", _equal_surfaces)
     setattr(Surface, "__hash__", _hash)
+    shortened = Persistence.longer_than
+
+    def longer_than(self: Persistence, length: float) -> Persistence:
+        found: Persistence = shortened(self, length)
+        if "recipe" in self.__dict__:
+            name, arguments, options = self.__dict__["recipe"]
+            found.__dict__["recipe"] = (name, arguments, {**options, "least": max(options.get("least", 0.0), float(length))})
+        return found
+
+    functools.update_wrapper(longer_than, shortened)
+    setattr(Persistence, "longer_than", in_words(longer_than))
     yin_facts, report_facts = YinSet.to_dict, Report.to_dict
     FACTS[YinSet] = yin_facts
     FACTS[Report] = report_facts

@@ -148,8 +148,10 @@ def _one(x: Any) -> Shown:
     if isinstance(x, Cocycles):
         return _cocycles(x)
     if isinstance(x, Persistence):
-        complex = x.__dict__.get("recipe", (None, (None,)))[1][0]
-        return Shown(None if complex is None else complex.source, [{"diagram": facts_of(x)["diagram"]}] if len(x) else [])
+        # Points, graphs and images are no complexes.
+        asked_of = x.__dict__.get("recipe", (None, (None,)))[1][0]
+        model = asked_of.source if isinstance(asked_of, ChainComplex) else None
+        return Shown(model, [{"diagram": facts_of(x)["diagram"]}] if len(x) else [])
     if isinstance(x, PlanarArrangement):
         model = x.model()
         is_plain = len(ragged(model.faces)[1]) - 1 == len(x.measures) > 0

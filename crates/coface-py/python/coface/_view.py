@@ -45,7 +45,8 @@ def page(
     Returns
     -------
     str
-        HTML. Of an answer without cells to draw, such as homology without generators, a page with its table.
+        HTML. Of an answer without cells to draw, such as homology without generators, a page with its table; of persistence of points or an image one with its
+        diagram.
 
     Examples
     --------
@@ -63,7 +64,7 @@ def page(
     """
     together = shown(x, results)
     members = colored(together.members, colors)
-    if together.model is None and not together.facts and is_answer(x):
+    if together.model is None and is_answer(x) and (not together.facts or isinstance(x, Persistence) and not results):
         body = getattr(x, "_repr_html_", lambda: f"<pre>{html.escape(repr(x))}</pre>")()
         name = html.escape(title or type(x).__name__)
         return f"<!doctype html><html><head><meta charset=\"utf-8\"><title>{name}</title></head><body><h1>{name}</h1>{body}</body></html>"

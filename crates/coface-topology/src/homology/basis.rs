@@ -5,6 +5,7 @@ use crate::homology::adapted_basis::{AdaptedBasis, adapted_bases};
 use crate::homology::class::{Bounding, Generator, HomologyClass};
 use crate::homology::coefficients::Coefficients;
 use crate::homology::computation::Homology;
+use crate::homology::summands::Summands;
 use coface_algebra::chains::{Chain, ChainComplex, Reduction};
 use coface_algebra::progress::stage;
 use coface_algebra::{CellId, Error, ErrorKind};
@@ -374,43 +375,48 @@ impl<'a> HomologyBasis<'a> {
     /// ```
     pub fn generators_with(&self, degree: usize, coefficients: Coefficients) -> Vec<Generator> {
         let own = self.generators(degree).iter();
-        let modulus = match coefficients {
-            Coefficients::Integers => return own.cloned().collect(),
-            Coefficients::Rationals => {
-                return own.filter(|generator| generator.order.is_none()).cloned().collect();
+        match coefficients {
+            Coefficients::Integers => own.cloned().collect(),
+            Coefficients::Rationals => own.filter(|generator| generator.order.is_none()).cloned().collect(),
+            Coefficients::Modulo(n) => {
+                let (summands, chains) = self.cyclic_generators(degree, &n.into());
+                let chains = summands.generators(chains).into_iter();
+                let chains = chains.map(|terms| to_chain(self.complex, degree, terms));
+                chains.zip(summands.orders()).map(|(chain, order)| Generator { chain, order }).collect()
             }
-            Coefficients::Modulo(n) => Integer::from(n),
-        };
-        let reduce = |chain: &Chain<Integer>, factor: &Integer| {
-            let terms =
-                chain.terms().iter().map(|(cell, x)| (*cell, (x * factor).div_rem_nearest(&modulus).1));
-            Chain::new(self.complex, degree, terms).expect("the cells are those of a chain of the complex")
+        }
+    }
+
+    /// Cycles modulo n of cyclic summands, and how they become summands whose orders divide each other. Smaller orders are first, whole summands last, as
+    /// over the integers.
+    pub(super) fn cyclic_generators(
+        &self,
+        degree: usize,
+        modulus: &Integer,
+    ) -> (Summands, Vec<SparseVector>) {
+        let own = self.generators(degree).iter();
+        let reduced = |chain: &Chain<Integer>, factor: &Integer| -> SparseVector {
+            let terms = chain.terms().iter();
+            let terms = terms.map(|(cell, x)| (cell.to_u32(), (x * factor).div_rem_nearest(modulus).1));
+            terms.filter(|(_, x)| !x.is_zero()).collect()
         };
         let below = degree.checked_sub(1).map_or(&[][..], |below| self.generators(below));
         let from_below = below.iter().enumerate().filter_map(|(i, generator)| {
-            let common = generator.order.as_ref()?.gcd(&modulus);
+            let common = generator.order.as_ref()?.gcd(modulus);
             let chain = (!common.is_unit()).then(|| self.certificate(degree - 1, i))??;
-            Some((common, chain))
+            let factor = modulus.exact_quotient(&common).expect("a gcd divides");
+            Some((common, reduced(&chain, &factor)))
         });
-        let summands = own
-            .map(|generator| match &generator.order {
-                None => (modulus.clone(), generator.chain.clone(), Integer::ONE),
-                Some(order) => (order.gcd(&modulus), generator.chain.clone(), Integer::ONE),
-            })
-            .chain(from_below.map(|(common, chain)| {
-                let factor = modulus.exact_quotient(&common).expect("a gcd divides");
-                (common, chain, factor)
-            }));
-        let mut list: Vec<Generator> = summands
-            .filter(|(order, ..)| !order.is_unit())
-            .map(|(order, chain, factor)| Generator {
-                chain: reduce(&chain, &factor),
-                order: (order != modulus).then_some(order),
-            })
-            .collect();
-        // Smaller orders first, whole summands last, as over the integers.
-        list.sort_by_key(|generator| (generator.order.is_none(), generator.order.clone()));
-        list
+        let own = own.map(|generator| match &generator.order {
+            None => (modulus.clone(), &generator.chain),
+            Some(order) => (order.gcd(modulus), &generator.chain),
+        });
+        let own = own.filter(|(order, _)| !order.is_unit());
+        let mut list: Vec<(Integer, SparseVector)> =
+            own.map(|(order, chain)| (order, reduced(chain, &Integer::ONE))).chain(from_below).collect();
+        list.sort_by(|a, b| a.0.cmp(&b.0));
+        let (orders, chains) = list.into_iter().unzip();
+        (Summands::new(modulus, orders), chains)
     }
 
     /// Replaces a generator by another cycle of the same class.
@@ -610,12 +616,18 @@ mod tests {
                     group.torsion().iter().cloned().chain((0..group.betti()).map(|_| Integer::from(n))).collect(),
                 );
                 let list: Vec<_> = generators.iter().map(|g| whole(g.order())).collect();
+                // The summands are those that are listed, and so are those of the cocycles.
+                prop_assert_eq!(list.iter().flatten().cloned().collect::<Vec<_>>(), expected.torsion());
                 prop_assert_eq!(&orders(list.iter().map(Option::as_ref)), &expected);
                 let list: Vec<_> = cocycles.iter().map(|c| whole(c.order())).collect();
+                prop_assert_eq!(list.iter().flatten().cloned().collect::<Vec<_>>(), expected.torsion());
                 prop_assert_eq!(&orders(list.iter().map(Option::as_ref)), &expected);
                 for (i, cocycle) in cocycles.iter().enumerate() {
                     let coboundary = complex.coboundary(cocycle.cochain()).unwrap();
                     prop_assert!(coboundary.terms().iter().all(|(_, x)| is_zero(x)));
+                    let class = basis.class_of_cocycle_modulo(cocycle.cochain(), n).unwrap();
+                    let unit = (0..cocycles.len()).map(|j| Integer::from(i64::from(i == j)));
+                    prop_assert_eq!(class.coefficients(), unit.collect::<Vec<_>>());
                     for (j, generator) in generators.iter().enumerate() {
                         let boundary = complex.boundary(generator.chain()).unwrap();
                         prop_assert!(boundary.terms().iter().all(|(_, x)| is_zero(x)));

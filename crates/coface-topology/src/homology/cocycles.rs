@@ -3,6 +3,7 @@
 use crate::homology::basis::HomologyBasis;
 use crate::homology::class::{Cocycle, HomologyClass};
 use crate::homology::coefficients::Coefficients;
+use crate::homology::summands::Summands;
 use coface_algebra::chains::Cochain;
 use coface_algebra::{CellId, Error, ErrorKind};
 use coface_algebra::{Integer, SparseVector, WideMatrix, inner_product};
@@ -72,15 +73,7 @@ impl HomologyBasis<'_> {
         let Some(basis) = self.degrees.get(degree) else {
             return Ok(HomologyClass { coefficients: Vec::new(), orders: Vec::new() });
         };
-        let mut columns = vec![SparseVector::new(); self.complex.cell_count(degree)];
-        for (cell, value) in cocycle.terms() {
-            columns[cell.index()].push((0, value.clone()));
-        }
-        let values = WideMatrix::from_integer_columns(1, columns).expect("cells have 32-bit numbers");
-        let (restricted, _) = self.reduction.restriction_and_cohomotopy(degree, &values);
-        let restricted = restricted.transpose();
-        let restricted: SparseVector =
-            restricted.column(0).terms().map(|(cell, x)| (cell as u32, x.clone())).collect();
+        let restricted = self.restricted(cocycle);
         let below = degree.checked_sub(1).map_or(&[][..], |below| &self.degrees[below].orders);
         let torsion = below.iter().enumerate().filter(|(_, order)| !order.is_unit());
         let torsion = torsion.map(|(position, order)| (position, Some(order.clone())));
@@ -116,59 +109,133 @@ impl HomologyBasis<'_> {
     /// ```
     pub fn cocycles_with(&self, degree: usize, coefficients: Coefficients) -> Vec<Cocycle> {
         let Some(basis) = self.degrees.get(degree) else { return Vec::new() };
-        let modulus = match coefficients {
-            Coefficients::Modulo(n) => Some(Integer::from(n)),
-            _ => None,
-        };
-        // (dual, factor, order of the summand)
-        let mut summands: Vec<(&SparseVector, Integer, Option<Integer>)> = Vec::new();
+        if let Coefficients::Modulo(n) = coefficients {
+            let (summands, cochains) = self.cyclic_cocycles(degree, &n.into());
+            let cochains = summands.generators(cochains).into_iter();
+            let cochains = cochains.map(|terms| self.cochain(degree, terms));
+            return cochains
+                .zip(summands.orders())
+                .map(|(cochain, order)| Cocycle { order, cochain })
+                .collect();
+        }
         let below = degree.checked_sub(1).map_or(&[][..], |below| &self.degrees[below].orders);
-        // In the order of generators_with: those of this degree, then those from one below.
+        // Over Z the torsion of cohomology comes from one degree below.
+        let torsion = below.iter().zip(&basis.duals).filter(|(order, _)| !order.is_unit());
+        let torsion = torsion.filter(|_| coefficients == Coefficients::Integers);
+        let torsion = torsion.map(|(order, dual)| (Some(order.clone()), dual.clone()));
+        let free = basis.duals[basis.rank + basis.orders.len()..].iter().map(|dual| (None, dual.clone()));
+        let (orders, duals): (Vec<Option<Integer>>, Vec<SparseVector>) = torsion.chain(free).unzip();
+        let cochains = self.pulled_back(degree, &duals).into_iter();
+        orders.into_iter().zip(cochains).map(|(order, cochain)| Cocycle { order, cochain }).collect()
+    }
+
+    /// Cocycles modulo n of cyclic summands, in the order of [`Self::cyclic_generators`], and how they become summands whose orders divide each other.
+    pub(super) fn cyclic_cocycles(&self, degree: usize, modulus: &Integer) -> (Summands, Vec<SparseVector>) {
+        let list = self.cyclic_summands(degree, modulus);
+        let duals: Vec<SparseVector> =
+            list.iter().map(|one| self.degrees[degree].duals[one.position].clone()).collect();
+        let reduced = |(one, cochain): (&CyclicSummand, Cochain<Integer>)| -> SparseVector {
+            let terms = cochain.terms().iter();
+            let terms = terms.map(|(cell, x)| (cell.to_u32(), (x * &one.factor).div_rem_nearest(modulus).1));
+            terms.filter(|(_, x)| !x.is_zero()).collect()
+        };
+        let cochains = list.iter().zip(self.pulled_back(degree, &duals)).map(reduced).collect();
+        (Summands::new(modulus, list.into_iter().map(|one| one.order).collect()), cochains)
+    }
+
+    /// The summands of cohomology over Z/n that positions of the basis make: those of this degree, then those from one below, by rising orders.
+    fn cyclic_summands(&self, degree: usize, modulus: &Integer) -> Vec<CyclicSummand> {
+        let Some(basis) = self.degrees.get(degree) else { return Vec::new() };
+        let below = degree.checked_sub(1).map_or(&[][..], |below| &self.degrees[below].orders);
+        let mut list = Vec::new();
         for position in (basis.rank..basis.duals.len()).chain(0..basis.rank) {
-            let dual = &basis.duals[position];
             let order = match position.checked_sub(basis.rank) {
-                None => &below[position],
-                Some(cycle) if cycle < basis.orders.len() => &basis.orders[cycle],
-                Some(_) => {
-                    summands.push((dual, Integer::ONE, None));
-                    continue;
-                }
+                None => below[position].gcd(modulus),
+                Some(cycle) => basis.orders.get(cycle).map_or(modulus.clone(), |order| order.gcd(modulus)),
             };
-            match &modulus {
-                // Over Z the torsion of cohomology comes from one degree below.
-                None => {
-                    if position < basis.rank && !order.is_unit() && coefficients == Coefficients::Integers {
-                        summands.push((dual, Integer::ONE, Some(order.clone())));
-                    }
-                }
-                Some(n) => {
-                    let common = order.gcd(n);
-                    if !common.is_unit() {
-                        let factor = match position < basis.rank {
-                            true => Integer::ONE,
-                            false => n.exact_quotient(&common).expect("a gcd divides"),
-                        };
-                        summands.push((dual, factor, (common != *n).then_some(common)));
-                    }
-                }
+            if !order.is_unit() {
+                let factor = match position < basis.rank {
+                    true => Integer::ONE,
+                    false => modulus.exact_quotient(&order).expect("a gcd divides"),
+                };
+                list.push(CyclicSummand { position, factor, order });
             }
         }
-        summands.sort_by_key(|(_, _, order)| (order.is_none(), order.clone()));
-        let duals: Vec<SparseVector> = summands.iter().map(|(dual, ..)| (*dual).clone()).collect();
-        let cochains = self.pulled_back(degree, &duals);
-        let cocycle =
-            |((_, factor, order), cochain): ((&SparseVector, Integer, Option<Integer>), Cochain<Integer>)| {
-                let cochain = match &modulus {
-                    None => cochain,
-                    Some(n) => {
-                        let terms = cochain.terms().iter();
-                        let terms = terms.map(|(cell, x)| (*cell, (x * &factor).div_rem_nearest(n).1));
-                        Cochain::new(self.complex, degree, terms).expect("the cells are those of a cochain")
-                    }
-                };
-                Cocycle { order, cochain }
-            };
-        summands.into_iter().zip(cochains).map(cocycle).collect()
+        list.sort_by(|a, b| a.order.cmp(&b.order));
+        list
+    }
+
+    /// The class of a cochain that is closed modulo n in the basis of [`Self::cocycles_with`] over Z/n: coefficients from 0 to m - 1 on cocycles of order m, up to
+    /// n - 1 on those of whole summands.
+    ///
+    /// # Errors
+    /// As of [`Self::class_of_cocycle`], where the coboundary is not zero modulo n.
+    ///
+    /// # Complexity
+    /// As of [`Self::class_of_cocycle`].
+    ///
+    /// # Examples
+    /// A loop with a disk that runs twice along it: 3 on the loop is closed modulo 6, and a class of order 2.
+    /// ```
+    /// use coface_algebra::CellId;
+    /// use coface_algebra::{Integer, SparseMatrix};
+    /// use coface_algebra::chains::{ChainComplex, Cochain};
+    /// use coface_topology::HomologyBasis;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let plane = ChainComplex::new(vec![
+    ///     SparseMatrix::zero(1, 1)?,
+    ///     SparseMatrix::from_entries(1, 1, [(0, 0, 2)])?,
+    /// ])?;
+    /// let three = Cochain::new(&plane, 1, [(CellId::new(0), Integer::from(3))])?;
+    /// let class = HomologyBasis::new(&plane).class_of_cocycle_modulo(&three, 6)?;
+    /// assert_eq!((class.coefficients(), class.order()), (&[1.into()][..], Some(2.into())));
+    /// # Ok(()) }
+    /// ```
+    pub fn class_of_cocycle_modulo(
+        &self,
+        cocycle: &Cochain<Integer>,
+        n: u64,
+    ) -> Result<HomologyClass, Error> {
+        let (degree, modulus) = (cocycle.degree(), Integer::from(n));
+        let coboundary = self.complex.coboundary(cocycle)?;
+        if let Some((cell, value)) = coboundary.terms().iter().find(|(_, value)| !modulus.divides(value)) {
+            return Err(Error::new(
+                ErrorKind::NotACycle,
+                format!(
+                    "the cochain of degree {degree} is not closed modulo {n}: its coboundary has the value {value} on cell {cell} of degree {}",
+                    degree + 1
+                ),
+            )
+            .with_cure("give a cochain whose coboundary is zero modulo n"));
+        }
+        let list = self.cyclic_summands(degree, &modulus);
+        if list.is_empty() {
+            return Ok(HomologyClass { coefficients: Vec::new(), orders: Vec::new() });
+        }
+        let restricted = self.restricted(cocycle);
+        let given = list.iter().map(|one| {
+            let value = inner_product(&restricted, &self.degrees[degree].elements[one.position]);
+            let value = value.div_rem_floor(&modulus).1.exact_quotient(&one.factor);
+            value.expect("values of what is closed are multiples of the factor").div_rem_floor(&one.order).1
+        });
+        let given = given.collect();
+        let summands = Summands::new(&modulus, list.into_iter().map(|one| one.order).collect());
+        // n times a class is zero, also in a whole summand.
+        let orders = summands.orders().into_iter().map(|order| order.or(Some(modulus.clone()))).collect();
+        Ok(HomologyClass { coefficients: summands.coefficients(given), orders })
+    }
+
+    /// The values of a cochain on the cells of the reduced complex.
+    fn restricted(&self, cochain: &Cochain<Integer>) -> SparseVector {
+        let degree = cochain.degree();
+        let mut columns = vec![SparseVector::new(); self.complex.cell_count(degree)];
+        for (cell, value) in cochain.terms() {
+            columns[cell.index()].push((0, value.clone()));
+        }
+        let values = WideMatrix::from_integer_columns(1, columns).expect("cells have 32-bit numbers");
+        let (restricted, _) = self.reduction.restriction_and_cohomotopy(degree, &values);
+        let restricted = restricted.transpose();
+        restricted.column(0).terms().map(|(cell, x)| (cell as u32, x.clone())).collect()
     }
 
     /// Cochains of the reduced complex as cochains of the original one.
@@ -199,4 +266,11 @@ impl HomologyBasis<'_> {
             .expect("cells have 32-bit numbers");
         self.reduction.pullback(degree, &values.transpose())
     }
+}
+
+/// A cyclic summand of cohomology over Z/n: the dual basis at a position, times a factor.
+struct CyclicSummand {
+    position: usize,
+    factor: Integer,
+    order: Integer,
 }

@@ -125,8 +125,7 @@ impl CupProductTable {
 /// The products of a basis of cohomology in degree `p` with a basis in degree `q`, in the basis of degree p + q that
 /// [`HomologyBasis::cocycles_with`] gives.
 ///
-/// Over Z torsion takes part, as factor and as product. Over Z/n for n that is no prime the bases are those of the
-/// summands Z/n.
+/// Over Z torsion takes part, as factor and as product, and over Z/n the summands of smaller order do.
 ///
 /// # Errors
 /// None beyond a broken invariant: the bases belong to the complex.
@@ -148,6 +147,10 @@ impl CupProductTable {
 /// let table = cup_product_table(&plane, 1, 1, Coefficients::Modulo(2))?;
 /// assert_eq!(table.values(), [vec![vec![1.into()]]]);
 /// assert!(cup_product_table(&plane, 1, 1, Coefficients::Integers)?.values().is_empty());
+/// // Over Z/6 both have order 2.
+/// let table = cup_product_table(&plane, 1, 1, Coefficients::Modulo(6))?;
+/// assert_eq!((table.first()[0].order(), table.target()[0].order()), (Some(&2.into()), Some(&2.into())));
+/// assert_eq!(table.values(), [vec![vec![1.into()]]]);
 /// # Ok(()) }
 /// ```
 pub fn cup_product_table(
@@ -157,12 +160,7 @@ pub fn cup_product_table(
     coefficients: Coefficients,
 ) -> Result<CupProductTable, Error> {
     let basis = HomologyBasis::unshortened(cochains.chains());
-    let cocycles = |degree| -> Vec<Cocycle> {
-        let cocycles = basis.cocycles_with(degree, coefficients).into_iter();
-        cocycles
-            .filter(|cocycle| cocycle.order().is_none() || coefficients == Coefficients::Integers)
-            .collect()
-    };
+    let cocycles = |degree| basis.cocycles_with(degree, coefficients);
     let (first, second, target) = (cocycles(p), cocycles(q), cocycles(p + q));
     let of = |cocycles: &[Cocycle]| -> Vec<Cochain<Integer>> {
         cocycles.iter().map(|cocycle| cocycle.cochain().clone()).collect()
@@ -172,7 +170,12 @@ pub fn cup_product_table(
     if target.iter().any(|cocycle| cocycle.order().is_some()) {
         for (row, a) in values.iter_mut().zip(&left) {
             for (entry, b) in row.iter_mut().zip(&right) {
-                *entry = basis.class_of_cocycle(&cochains.cup(a, b)?)?.coefficients().to_vec();
+                let product = cochains.cup(a, b)?;
+                let class = match coefficients {
+                    Coefficients::Modulo(n) => basis.class_of_cocycle_modulo(&product, n)?,
+                    _ => basis.class_of_cocycle(&product)?,
+                };
+                *entry = class.coefficients().to_vec();
             }
         }
         return Ok(CupProductTable { coefficients, first, second, target, values });
@@ -191,4 +194,78 @@ pub fn cup_product_table(
         }
     }
     Ok(CupProductTable { coefficients, first, second, target, values })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use coface_complexes::known_spaces::{
+        klein_grid, lens_space, moore_space, projective_plane, real_projective_space, small_klein_bottle,
+    };
+    use coface_complexes::simplicial::SimplicialComplex;
+
+    fn algebra(complex: Result<SimplicialComplex, Error>) -> CochainAlgebra {
+        CochainAlgebra::new(complex.unwrap().freeze().to_delta().unwrap()).unwrap()
+    }
+
+    fn orders(cocycles: &[Cocycle]) -> Vec<i64> {
+        cocycles.iter().map(|one| one.order().map_or(0, |order| order.to_i64().unwrap())).collect()
+    }
+
+    #[test]
+    fn classes_of_smaller_order_take_part() {
+        let plane = algebra(projective_plane());
+        // The class is 3x with x of order 2 over Z, and its square 9 x^2.
+        let table = cup_product_table(&plane, 1, 1, Coefficients::Modulo(6)).unwrap();
+        assert_eq!((orders(&table.first), orders(&table.target)), (vec![2], vec![2]));
+        assert_eq!(table.values(), [vec![vec![1.into()]]]);
+        // 2x, and 4 x^2 is zero.
+        let table = cup_product_table(&plane, 1, 1, Coefficients::Modulo(4)).unwrap();
+        assert_eq!((orders(&table.first), table.is_zero()), (vec![2], true));
+        assert!(cup_product_table(&plane, 1, 1, Coefficients::Modulo(9)).unwrap().first().is_empty());
+        let bottle =
+            cup_product_table(&algebra(small_klein_bottle()), 1, 1, Coefficients::Modulo(4)).unwrap();
+        assert_eq!((orders(&bottle.first), orders(&bottle.target)), (vec![2, 0], vec![2]));
+        // Z/2 + Z/3 of two degrees is one summand.
+        let lens = cup_product_table(&algebra(lens_space(6, 1)), 1, 1, Coefficients::Modulo(12)).unwrap();
+        assert_eq!((orders(&lens.first), orders(&lens.target)), (vec![6], vec![6]));
+    }
+
+    /// Modulo each prime p of n, the sum that the table gives has the values of the product on all cycles modulo p.
+    #[test]
+    fn products_are_the_sums_of_the_table() {
+        let spaces = [
+            projective_plane(),
+            small_klein_bottle(),
+            klein_grid(3, 4),
+            lens_space(4, 1),
+            lens_space(6, 1),
+            moore_space(12),
+            real_projective_space(3),
+        ];
+        for (place, space) in spaces.into_iter().enumerate() {
+            let algebra = algebra(space);
+            let basis = HomologyBasis::new(algebra.chains());
+            for n in [4u64, 6, 8, 9, 12, 30] {
+                for (p, q) in [(0, 1), (0, 2), (1, 1), (1, 2)] {
+                    let table = cup_product_table(&algebra, p, q, Coefficients::Modulo(n)).unwrap();
+                    for (a, row) in table.first.iter().zip(&table.values) {
+                        for (b, sum) in table.second.iter().zip(row) {
+                            assert_eq!(sum.len(), table.target.len());
+                            let mut rest = algebra.cup(a.cochain(), b.cochain()).unwrap();
+                            for (x, class) in sum.iter().zip(&table.target) {
+                                rest = rest.plus(&class.cochain().scaled(&-x).unwrap()).unwrap();
+                            }
+                            for prime in [2u64, 3, 5].into_iter().filter(|prime| n % prime == 0) {
+                                for cycle in basis.generators_with(p + q, Coefficients::Modulo(prime)) {
+                                    let value = rest.pairing(cycle.chain()).unwrap().unwrap_or_default();
+                                    assert!(Integer::from(prime).divides(&value), "{place} {n} {p} {q}");
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
 }

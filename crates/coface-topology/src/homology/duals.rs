@@ -38,12 +38,11 @@ impl HomologyBasis<'_> {
             Coefficients::Integers => positions,
             Coefficients::Rationals => basis.rank + basis.orders.len()..positions.end,
             Coefficients::Modulo(n) => {
-                let cocycles = self.cocycles_with(degree, coefficients);
-                let cochains: Vec<_> = cocycles.iter().map(|one| terms_of(one.cochain().terms())).collect();
-                let generators = self.generators_with(degree, coefficients);
-                let chains: Vec<_> = generators.iter().map(|one| terms_of(one.chain().terms())).collect();
-                let corrected = corrected(&cochains, &chains, Some(&n.into())).into_iter();
-                return corrected.map(|terms| self.cochain(degree, terms)).collect();
+                let modulus = Integer::from(n);
+                let (summands, chains) = self.cyclic_generators(degree, &modulus);
+                let (_, cochains) = self.cyclic_cocycles(degree, &modulus);
+                let duals = summands.duals(corrected(&cochains, &chains, Some(&modulus))).into_iter();
+                return duals.map(|terms| self.cochain(degree, terms)).collect();
             }
         };
         self.pulled_back(degree, &basis.duals[positions])
@@ -73,10 +72,13 @@ impl HomologyBasis<'_> {
     /// # Ok(()) }
     /// ```
     pub fn cocycle_duals(&self, degree: usize, coefficients: Coefficients) -> Vec<Chain<Integer>> {
-        let modulus = match coefficients {
-            Coefficients::Modulo(n) => Some(Integer::from(n)),
-            _ => None,
-        };
+        if let Coefficients::Modulo(n) = coefficients {
+            let modulus = Integer::from(n);
+            let (summands, cochains) = self.cyclic_cocycles(degree, &modulus);
+            let (_, chains) = self.cyclic_generators(degree, &modulus);
+            let duals = summands.duals(corrected(&chains, &cochains, Some(&modulus))).into_iter();
+            return duals.map(|terms| to_chain(self.complex, degree, terms)).collect();
+        }
         let mut chains: Vec<SparseVector> = Vec::new();
         if coefficients == Coefficients::Integers
             && let Some(below) = degree.checked_sub(1)
@@ -84,17 +86,16 @@ impl HomologyBasis<'_> {
             let torsion = (0..self.generators(below).len()).filter_map(|i| self.certificate(below, i));
             chains.extend(torsion.map(|chain| terms_of(chain.terms())));
         }
-        let own = self.generators_with(degree, coefficients);
-        let own = own.iter().filter(|one| modulus.is_some() || one.order().is_none());
-        chains.extend(own.map(Generator::chain).map(|chain| terms_of(chain.terms())));
+        let free = self.generators(degree).iter().filter(|one| one.order().is_none());
+        chains.extend(free.map(Generator::chain).map(|chain| terms_of(chain.terms())));
         let cocycles = self.cocycles_with(degree, coefficients);
         let cochains: Vec<_> =
             cocycles.iter().map(Cocycle::cochain).map(|one| terms_of(one.terms())).collect();
-        let corrected = corrected(&chains, &cochains, modulus.as_ref()).into_iter();
+        let corrected = corrected(&chains, &cochains, None).into_iter();
         corrected.map(|terms| to_chain(self.complex, degree, terms)).collect()
     }
 
-    fn cochain(&self, degree: usize, terms: SparseVector) -> Cochain<Integer> {
+    pub(super) fn cochain(&self, degree: usize, terms: SparseVector) -> Cochain<Integer> {
         let terms = terms.into_iter().map(|(cell, x)| (CellId::new(cell as usize), x));
         Cochain::new(self.complex, degree, terms).expect("the cells are those of a cochain of the complex")
     }

@@ -46,6 +46,7 @@ mod long_exact_sequence;
 mod parts;
 mod short_loops;
 mod shortening;
+mod summands;
 
 pub use abelian_group::AbelianGroup;
 pub use basis::HomologyBasis;

@@ -15,10 +15,10 @@ pub(super) fn assert_proved(
 ) {
     let pair = found.pair();
     let degree = pair.degree();
-    let order = |degree: usize, cell: CellId| {
-        let value = filtration.values(degree)[cell.index()];
-        (if filtration.is_falling() { -value } else { value }, cell)
-    };
+    // The places of the cells of both degrees in the order of entrance.
+    let places: Vec<Vec<u32>> =
+        (0..degree + 2).map(|degree| super::reduction::numbers(filtration.entrance(degree))).collect();
+    let order = |degree: usize, cell: CellId| (places[degree][cell.index()], cell);
     let is_zero = |x: &Integer| x.div_rem_floor(&Integer::from(i64::from(prime))).1 == Integer::ZERO;
     let last = |chain: &Chain<Integer>| {
         let cells = chain.support().map(|cell| order(chain.degree(), cell));

@@ -38,6 +38,7 @@ pub struct Filtration {
 impl PartialEq for Filtration {
     fn eq(&self, other: &Self) -> bool {
         (&self.values, self.is_falling) == (&other.values, other.is_falling)
+            && (0..self.values.len()).all(|degree| self.entrance(degree) == other.entrance(degree))
     }
 }
 
@@ -71,6 +72,58 @@ impl Filtration {
         }
         let filtration = Self::of_values(values, false);
         filtration.check(complex)?;
+        Ok(filtration)
+    }
+
+    /// The same with the order in which the cells of each degree enter, which says what [`Self::new`] leaves to the numbers of cells: which of those with one
+    /// value come first. Pairs depend on it, births and deaths do not.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`]; [`ErrorKind::InvalidInput`] for a degree whose list does not have each cell once, by rising values.
+    ///
+    /// # Complexity
+    /// As of [`Self::new`].
+    ///
+    /// # Examples
+    /// Of two points that enter together, the one that enters first stays.
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, Filtration, persistence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let segment = ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?])?;
+    /// let filtration = Filtration::in_order(&segment, vec![vec![0.0; 2], vec![3.0]], vec![vec![1, 0], vec![0]])?;
+    /// let diagram = persistence(&segment, &filtration, Coefficients::Modulo(2))?;
+    /// assert_eq!(diagram.pairs()[0].birth_cell(), CellId::new(1));
+    /// assert!(Filtration::in_order(&segment, vec![vec![0.0, 1.0], vec![3.0]], vec![vec![1, 0], vec![0]]).is_err());
+    /// # Ok(()) }
+    /// ```
+    pub fn in_order(
+        complex: &ChainComplex,
+        values: Vec<Vec<f64>>,
+        order: Vec<Vec<u32>>,
+    ) -> Result<Self, Error> {
+        let mut filtration = Self::new(complex, values)?;
+        let mut is_there = Vec::new();
+        for (degree, values) in filtration.values.iter().enumerate() {
+            let cells = order.get(degree).map_or(&[][..], Vec::as_slice);
+            is_there.clear();
+            is_there.resize(values.len(), false);
+            let is_new = |&cell: &u32| {
+                is_there.get_mut(cell as usize).is_some_and(|is_there| !std::mem::replace(is_there, true))
+            };
+            let is_right = cells.len() == values.len()
+                && cells.iter().all(is_new)
+                && cells.is_sorted_by(|&a, &b| values[a as usize] <= values[b as usize]);
+            if !is_right {
+                return Err(Error::invalid(format!(
+                    "the order of degree {degree} is not one of its cells by rising values"
+                ))
+                .with_cure("list each cell once, in the order of the values"));
+            }
+        }
+        filtration.entrances = order.into_iter().map(OnceLock::from).collect();
+        filtration.entrances.resize_with(filtration.values.len(), OnceLock::new);
         Ok(filtration)
     }
 
@@ -294,7 +347,7 @@ impl Filtration {
         if self.is_falling { b.total_cmp(&a) } else { a.total_cmp(&b) }
     }
 
-    /// The cells of a degree in the order in which they enter; ties by rising ids.
+    /// The cells of a degree in the order in which they enter; ties by rising ids, unless their order was given.
     pub(super) fn entrance(&self, degree: usize) -> &[u32] {
         let Some(order) = self.entrances.get(degree) else { return &[] };
         order.get().unwrap_or_else(|| {

@@ -14,6 +14,7 @@ use crate::output::{give, print_json, print_text, write_file, write_json};
 use crate::pictures::PictureFormat;
 use crate::progress::Progress;
 use crate::remarks::say_remarks;
+use crate::target::check_extension;
 use clap::Args;
 use coface::answers::answer::GeneratorsFile;
 use coface::answers::text;
@@ -109,6 +110,10 @@ impl Homology {
         let progress = Progress::start(common.quiet);
         let input = self.input.as_deref().ok_or_else(|| Failure::new("no model is named"))?;
         let loaded = input::read(input, common.reading(), &progress)?;
+        for place in self.generators.iter().flatten() {
+            // Before the work, not after it.
+            check_extension(place)?;
+        }
         let mesh_output = common.output.as_deref().filter(|place| is_msh(place));
         let diagram = common.output.as_deref().and_then(|place| Some((place, PictureFormat::of(place)?)));
         if let Some((place, _)) = diagram.filter(|_| !self.sequence) {

@@ -1,7 +1,13 @@
 //! Persistence diagrams to draw: those in files.
 
+use crate::arguments::Common;
+use crate::commands::persistence::image::stream;
 use crate::commands::view::read_result;
 use crate::failure::Failure;
+use crate::input::Source;
+use crate::remarks;
+use coface::Error;
+use coface::answers::{GreyImage, ImageRequest};
 use coface::pictures::DiagramPoint;
 use serde::Deserialize;
 use std::path::Path;
@@ -40,13 +46,32 @@ pub(super) fn points_of_result(path: &Path) -> Result<Option<Vec<DiagramPoint>>,
     })
 }
 
+/// The classes of a volume by its own values, as of `coface persistence`; none where something chooses voxels, or the input is no volume.
+pub(super) fn points_of_volume(
+    source: &Source<'_>,
+    common: &Common,
+    superlevel: bool,
+) -> Result<Option<Vec<DiagramPoint>>, Failure> {
+    if common.voxels.rule_given().is_some() {
+        return Ok(None);
+    }
+    let Some((name, stream)) = stream(source, common)? else { return Ok(None) };
+    let (image, said) = GreyImage::read(stream).map_err(|error| error.in_file(name.clone()))?;
+    remarks::take(&name, &said);
+    let request = ImageRequest::new().superlevel(superlevel).periodic(common.voxels.reading());
+    let found = request.found(&name, image)?;
+    let pairs = found.diagram().pairs().iter();
+    let point = |(degree, birth, death): (usize, f64, Option<f64>)| DiagramPoint { degree, birth, death };
+    Ok(Some(pairs.map(|pair| point((pair.degree(), pair.birth(), pair.death()))).collect()))
+}
+
 /// No complex here has more degrees.
 const MOST_DEGREES: usize = 64;
 
 /// The classes in a `.pers` file: a line for each, with the field (which may be left out), the degree, birth and death.
 pub(super) fn read_pers(path: &Path) -> Result<Vec<DiagramPoint>, Failure> {
     let text = std::fs::read_to_string(path)
-        .map_err(|error| Failure::new(format!("{}: cannot be read: {error}", path.display())))?;
+        .map_err(|error| Error::from(error).in_file(path.display().to_string()))?;
     let mut points = Vec::new();
     for (number, line) in text.lines().enumerate() {
         let line = line.split('#').next().unwrap_or_default();

@@ -28,7 +28,7 @@ use coface::pictures::{
     blocked_matrix_picture, diagram_picture, image_picture, interface_picture, matrix_picture, pane_picture,
     schema_picture, set_picture,
 };
-use diagram::{points_of_result, read_pers};
+use diagram::{points_of_result, points_of_volume, read_pers};
 use spin::SpinOutput;
 use std::path::{Path, PathBuf};
 
@@ -462,6 +462,11 @@ impl Render {
         {
             return Ok(points);
         }
+        if self.function.is_none()
+            && let Some(points) = points_of_volume(source, common, self.upper_star)?
+        {
+            return Ok(points);
+        }
         let (name, producer) = input::identify(source.model(common.reading(), progress)?, progress)?;
         let function = self.function.as_deref().map(read_function).transpose()?;
         let growth = if self.upper_star { Growth::Upper(function) } else { Growth::Lower(function) };
@@ -483,7 +488,15 @@ impl Render {
         progress: &Progress,
         remarks: &mut Vec<Remark>,
     ) -> Result<Drawn, Failure> {
-        let loaded = source.model(common.reading(), progress)?;
+        let loaded = source.model(common.reading(), progress).map_err(|failure| {
+            match points_of_result(self.input()) {
+                Ok(Some(_)) => Failure::new(format!(
+                    "{}: is a persistence diagram, and no model; draw it with --diagram",
+                    self.input().display()
+                )),
+                _ => failure,
+            }
+        })?;
         progress.stage("drawing");
         let in_file = |error: coface::Error| error.in_file(loaded.name.clone());
         let mut scene = Scene::of(&self.title(), &loaded.model).map_err(in_file)?;

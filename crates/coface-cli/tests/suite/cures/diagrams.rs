@@ -33,6 +33,22 @@ pub(super) const CASES: &[Case] = &[
         .files(&[("image.pgm", "P2\n2 2\n9\n1 2\n3 4\n")])
         .refused("coface persistence image.pgm --cycles")
         .cured(&[&["coface persistence image.pgm"]]),
+    Case::new("commands/persistence.rs", "--upper-star is for functions on vertices")
+        .files(&[("image.pgm", "P2\n2 2\n9\n1 2\n3 4\n")])
+        .refused("coface persistence image.pgm --upper-star")
+        .cured(&[
+            &["coface persistence image.pgm --superlevel"],
+            &["coface persistence image.pgm --upper-star --function y"],
+        ]),
+    Case::new("commands/persistence.rs", "--extended is for functions on vertices")
+        .files(&[("image.pgm", "P2\n2 2\n9\n1 2\n3 4\n")])
+        .refused("coface persistence image.pgm --extended")
+        .cured(&[&["coface persistence image.pgm --extended --function y"]]),
+    Case::new("render/mod.rs", "draw it with --diagram")
+        .files(LINE)
+        .before(&["coface persistence model.off -o a.json"])
+        .refused("coface render a.json -o a.svg")
+        .cured(&[&["coface render a.json --diagram -o a.svg"]]),
     Case::new("persistence/vineyard.rs", "and {more} more; all with -o or --json")
         .files(&[(
             "path.json",

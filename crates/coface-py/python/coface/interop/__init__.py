@@ -10,6 +10,8 @@ import importlib
 from types import ModuleType
 from typing import Any
 
+import numpy as np
+
 #: The first part of a class's module, and the file here that reads it.
 ADAPTERS = {
     "gudhi": "gudhi",
@@ -30,7 +32,9 @@ _PACKAGES = {"skimage": "scikit-image", "sklearn": "scikit-learn"}
 
 
 def adapter_of(value: Any) -> ModuleType | None:
-    """The file that reads objects of this class, or of a class that it comes from; ``None`` if there is none."""
+    """The file that reads objects of this class, or of a class that it comes from; ``None`` if there is none, and of arrays, such as the ``faces`` of trimesh."""
+    if isinstance(value, np.ndarray):
+        return None
     for base in type(value).__mro__:
         root = str(getattr(base, "__module__", "")).partition(".")[0]
         if root in ADAPTERS:

@@ -14,7 +14,8 @@ from coface.interop import needed
 def simplices(value: Any) -> dict[int, tuple[Any, Any]]:
     """The simplices of a tree by dimension: arrays ``(m, dimension + 1)`` of vertices, and their filtration values."""
     if not hasattr(value, "get_simplices"):
-        raise_invalid(f"gudhi's {type(value).__name__} is no simplex tree", "call its create_simplex_tree()")
+        cure = "call its create_simplex_tree()" if hasattr(value, "create_simplex_tree") else "ask coface.cubical(x) for the array that it was made of"
+        raise_invalid(f"gudhi's {type(value).__name__} is no simplex tree", cure)
     found: dict[int, tuple[list[Any], list[float]]] = {}
     for simplex, level in value.get_simplices():
         rows, levels = found.setdefault(len(simplex) - 1, ([], []))

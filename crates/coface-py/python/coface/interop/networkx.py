@@ -6,7 +6,7 @@ from typing import Any, NoReturn
 
 import numpy as np
 
-from coface._coface import ChainComplex, Model
+from coface._coface import ChainComplex, Model, _named_chains
 from coface._arrays import raise_invalid
 from coface.interop import needed
 
@@ -44,7 +44,7 @@ def to_model(value: Any) -> Model:
 def to_chain_complex(value: Any) -> ChainComplex:
     """A graph as a chain complex: nodes in degree 0, edges in degree 1, each from its first node to its second.
 
-    Parallel edges and loops are cells of their own; so the first Betti number is that of the multigraph.
+    Parallel edges and loops are cells of their own; so the first Betti number is that of the multigraph. Vertex i is the i-th node in the order of ``graph.nodes``.
     """
     from scipy.sparse import csc_array
 
@@ -54,7 +54,8 @@ def to_chain_complex(value: Any) -> ChainComplex:
     matrix = csc_array((entries, (pairs.reshape(-1), columns)), shape=(len(number), len(pairs)))
     matrix.sum_duplicates()
     matrix.eliminate_zeros()
-    return ChainComplex.from_boundaries([matrix])
+    names = [[[vertex] for vertex in range(len(number))], pairs.tolist()]
+    return _named_chains([matrix], names)
 
 
 def _pairs(value: Any) -> tuple[dict[Any, int], Any]:

@@ -5,6 +5,7 @@ Vertices and faces of a :class:`trimesh.Trimesh` are plain arrays, ``(n, 3)`` of
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 import numpy as np
@@ -41,12 +42,12 @@ def to_model(value: Any) -> Model:
 
 
 def from_model(model: Model, **options: Any) -> Any:
-    """A model as :class:`trimesh.Trimesh`; one of lines as :class:`trimesh.path.Path3D`.
+    """A model as :class:`trimesh.Trimesh`; one of lines as :class:`trimesh.path.Path3D`; of 3-cells the surface that bounds them.
 
     Parameters
     ----------
     model
-        Its faces have to be triangles.
+        Its faces have to be triangles. Where it has faces and 3-cells, the faces are taken, and a warning says so.
     **options
         Go to the class of trimesh. ``process=False`` stands unless said otherwise, so that vertices keep their numbers.
     """
@@ -55,8 +56,29 @@ def from_model(model: Model, **options: Any) -> Any:
         path = needed("trimesh.path", "to_trimesh")
         entities = [path.entities.Line(pair) for pair in steps(model)]
         return path.Path3D(entities=entities, vertices=positions(model, "to_trimesh"), **{"process": False, **options})
+    if len(model.cells):
+        if len(model.faces):
+            from coface._coface import AssumptionWarning
+
+            warnings.warn("left out of the mesh: the 3-cells of the model, which has faces too", AssumptionWarning, stacklevel=4)
+        else:
+            model = _boundary(model)
     points = positions(model, "to_trimesh")
     return library.Trimesh(points, triangles(model, "to_trimesh"), **{"process": False, **options})
+
+
+def _boundary(model: Model) -> Model:
+    """The faces that lie in one 3-cell, from outside counterclockwise. Those of tetrahedra are on all vertices of the model, which keep their numbers."""
+    if set(model.cells) != {"tetra"}:
+        return model.surface(boundary=True).model()
+    corners = np.asarray(model.cells["tetra"], np.int64)
+    at = positions(model, "to_trimesh")
+    edges = at[corners[:, 1:]] - at[corners[:, :1]]
+    is_mirrored = np.linalg.det(edges) < 0
+    corners = np.where(is_mirrored[:, None], corners[:, [1, 0, 2, 3]], corners)
+    faces = corners[:, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]].reshape(-1, 3)
+    _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
+    return Model.from_arrays(at, faces[np.sort(first[count == 1])])
 
 
 def boolean(meshes: Any, operation: str = "union", **options: Any) -> Any:

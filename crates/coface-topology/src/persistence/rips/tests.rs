@@ -4,7 +4,7 @@ use super::*;
 use crate::homology::Coefficients;
 use crate::persistence::{Filtration, persistence, persistent_cycles};
 use coface_algebra::chains::ChainComplex;
-use coface_algebra::{ErrorKind, SparseMatrix};
+use coface_algebra::{CellId, ErrorKind, SparseMatrix, VertexId};
 use coface_complexes::filtered::{Distances, WeightedGraph};
 use proptest::prelude::*;
 
@@ -205,11 +205,32 @@ proptest! {
         let graph = WeightedGraph::new(births.iter().map(|&birth| birth.into()).collect(), edges).unwrap();
         let filtration = RipsFiltration::of_graph(&graph, threshold.map(f64::from)).unwrap();
         let diagram = filtration.persistence(dimension, Coefficients::Modulo(p.into())).unwrap();
-        let (simplices, values) = filtration.complex_of(&diagram).unwrap().into_parts();
+        let made = filtration.complex_of(&diagram).unwrap();
+        let order = RipsFiltration::order_of(&made);
+        let (simplices, values) = made.into_parts();
         let complex = simplices.chain_complex().unwrap();
-        let stored = Filtration::new(&complex, values).unwrap();
+        let stored = Filtration::in_order(&complex, values, order).unwrap();
         let whole = persistence(&complex, &stored, Coefficients::Modulo(p.into())).unwrap().up_to_degree(dimension);
         let cycles = persistent_cycles(&complex, &stored, &whole, 0.0).unwrap();
+        // The same pairs of simplices in the same order, also where values are equal.
+        let points = |degree: usize, cell: CellId| simplices.numbers(degree, cell.index()).to_vec();
+        let of_cycles: Vec<_> = cycles
+            .iter()
+            .map(|one| {
+                let pair = one.pair();
+                let death = pair.death_cell().map(|cell| points(pair.degree() + 1, cell));
+                (pair.birth(), pair.death(), points(pair.degree(), pair.birth_cell()), death)
+            })
+            .collect();
+        let numbers = |simplex: &[VertexId]| simplex.iter().map(|point| point.index() as u32).collect::<Vec<_>>();
+        let of_pairs: Vec<_> = diagram
+            .pairs()
+            .map(|pair| {
+                let death = pair.death_simplex().map(numbers);
+                (pair.birth(), pair.death(), numbers(pair.birth_simplex()), death)
+            })
+            .collect();
+        prop_assert_eq!(of_cycles, of_pairs);
         let mut classes: Vec<_> = cycles
             .iter()
             .map(|one| (one.pair().degree(), format!("{:?} {:?}", one.pair().birth(), one.pair().death())))
