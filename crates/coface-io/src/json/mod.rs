@@ -43,6 +43,7 @@ mod exact;
 mod facets;
 mod faults;
 mod gluings;
+mod interface;
 mod matrices;
 mod outline;
 mod points;
