@@ -101,7 +101,7 @@ fn other_verbs_take_interfaces_and_their_phases() {
     assert_eq!((&found["f_vector"][2], found["measures"].as_array().unwrap().len()), (&json!(3), 3));
     let wkt = folder.path().join("left.wkt");
     for name in ["left", "1"] {
-        coface(&["convert", argument(&phase(name)), "-o", argument(&wkt), "--quiet"]).succeeds();
+        assert_eq!(coface(&["convert", argument(&phase(name)), "-o", argument(&wkt), "--quiet"]).status, 0);
         let found = coface(&["yin", "info", argument(&wkt), "--json", "--quiet"]).json();
         assert_eq!(found["area"], json!(1.0));
     }
@@ -109,9 +109,9 @@ fn other_verbs_take_interfaces_and_their_phases() {
     assert_eq!(found["components"], json!(1));
     for name in ["bar", "2"] {
         let svg = folder.path().join("a.svg");
-        coface(&["render", argument(&phase(name)), "-o", argument(&svg), "--quiet"]).succeeds();
+        assert_eq!(coface(&["render", argument(&phase(name)), "-o", argument(&svg), "--quiet"]).status, 0);
         let page = folder.path().join("a.html");
-        coface(&["view", argument(&phase(name)), "-o", argument(&page), "--quiet"]).succeeds();
+        assert_eq!(coface(&["view", argument(&phase(name)), "-o", argument(&page), "--quiet"]).status, 0);
     }
     let said = coface(&["info", argument(&phase("cellar")), "--quiet"]).fails_with(1);
     assert!(said.contains("there is no phase \"cellar\"") && said.contains("0 to 2"), "{said}");

@@ -89,9 +89,9 @@ pub(crate) fn read_boundary(input: impl Read, name: Option<&str>) -> Result<Boun
         Content::Interface(_) => {
             return Err(Error::new(
                 ErrorKind::UnsupportedFormat,
-                "this is an interface of several regions, and not one set in the plane",
+                "this is an interface of regions, and not one set in the plane",
             )
-            .with_cure("name one of its phases behind a #, or by its number from 0"));
+            .with_cure("read it as an interface"));
         }
         content @ Content::Unknown(_) => {
             return Err(to_model(content, None).expect_err("nothing is known of it"));
