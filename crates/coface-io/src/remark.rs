@@ -299,7 +299,7 @@ pub enum RemarkCode {
     ToleranceAssumed,
     /// Cells are so thin that they are not meant, as a rule.
     ThinCells,
-    /// An area or a length is beyond the range of numbers.
+    /// An area or a length is beyond the range of numbers, or an area is so small that it is none of them.
     BeyondRange,
     /// Groups and data on cells were left out.
     DataLeftOut,

@@ -98,6 +98,7 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<yin::CutCells>()?;
     module.add_class::<yin::Interface>()?;
     module.add_function(wrap_pyfunction!(yin::_interface, module)?)?;
+    module.add_function(wrap_pyfunction!(yin::_interface_of_text, module)?)?;
     module.add_function(wrap_pyfunction!(yin::_label_sets, module)?)?;
     module.add_function(wrap_pyfunction!(yin::_feature_sets, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::persistence, module)?)?;

@@ -11,7 +11,7 @@ mod places;
 
 pub(crate) use curve::{_curve, Curve};
 pub(crate) use cut_cells::CutCells;
-pub(crate) use interface::{_feature_sets, _interface, _label_sets, Interface};
+pub(crate) use interface::{_feature_sets, _interface, _interface_of_text, _label_sets, Interface};
 pub(crate) use kinks::Kinks;
 
 use self::kink_request::kinks_of;

@@ -48,6 +48,8 @@ def _answers() -> dict[str, Any]:
         "YinSet": sets[0] - sets[1],
         "CutCells": sets[0].cut_cells((3, 4), spacing=(1.0, 0.5)),
         "Interface": coface.interface(np.array([[1, 2, 2], [3, 3, 2]])),
+        "fitted interface": coface.interface(np.array([[1, 2, 2], [3, 3, 2]])).fit(4, kinks=45.0),
+        "moved interface": coface.interface(np.array([[1, 1, 2], [1, 1, 2]])).advected("translation", 1.0, spacing=3.0)[0],
         "Curve": coface.Curve.circle([0, 0], 1),
         "Model": odd,
         "volume": coface.volume(np.arange(8).reshape(2, 2, 2), periodic=[1]),

@@ -102,6 +102,8 @@ impl PlanarSet {
     pub fn answer(&self) -> Result<YinSetAnswer, Error> {
         /// Areas and lengths of sets that are so much smaller are numbers.
         const DOWN: f64 = 1e-200;
+        /// And areas of sets that are so much larger.
+        const UP: f64 = 1e100;
         let set = &self.set;
         let frame = self.bounding_box();
         let extent = frame.map_or(0.0, |[low, high]| (high[0] - low[0]).max(high[1] - low[1]));
@@ -136,6 +138,10 @@ impl PlanarSet {
         if area.is_some_and(|area| !area.is_finite()) || !perimeter.is_finite() {
             let what = if perimeter.is_finite() { "the area" } else { "the perimeter" };
             let message = format!("{what} is beyond the range of numbers: scale the set down by {DOWN:e}");
+            remarks.push(Remark::new(RemarkCode::BeyondRange, message));
+        }
+        if area.is_some_and(|area| area.abs() < f64::MIN_POSITIVE) && set.curve_count() > 0 {
+            let message = format!("the area is below the range of numbers: scale the set up by {UP:e}");
             remarks.push(Remark::new(RemarkCode::BeyondRange, message));
         }
         Ok(YinSetAnswer {

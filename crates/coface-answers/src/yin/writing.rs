@@ -63,6 +63,13 @@ impl PlanarSet {
                 .with_cure("write .json, or the meet with a set that is bounded"));
         }
         if self.set.order() > Order::LINEAR {
+            if let (None, Some([low, high])) = (flatten, self.set.bounding_box()) {
+                // What the format cannot hold with chords either is the fault, and chords are no cure.
+                let coarse = (0.01 * (high[0] - low[0]).hypot(high[1] - low[1])).max(f64::MIN_POSITIVE);
+                if let Ok(chords) = self.flattened(Some(coarse)) {
+                    chords.write(&mut std::io::sink(), format, None)?;
+                }
+            }
             return self.flattened(flatten)?.write(out, format, None);
         }
         let (mut flat, mut lines) = (Vec::new(), RaggedArray::new());

@@ -89,6 +89,46 @@ fn phases_of_curves_are_written_and_give_the_same_interface() {
     assert!((again["length"].as_f64().unwrap() - found["length"].as_f64().unwrap()).abs() < 1e-13);
 }
 
+/// What `interface -o` writes is a file for every verb, and its phases behind a # too.
+#[test]
+fn other_verbs_take_interfaces_and_their_phases() {
+    let folder = TempDir::new().unwrap();
+    let map = file(&folder, "map.geojson", MAP);
+    let all = folder.path().join("all.json");
+    interface(&[argument(&map), "-o", argument(&all)]);
+    let phase = |name: &str| folder.path().join(format!("all.json#{name}"));
+    let found = coface(&["arrange", argument(&all), "--json", "--quiet"]).json();
+    assert_eq!((&found["f_vector"][2], found["measures"].as_array().unwrap().len()), (&json!(3), 3));
+    let wkt = folder.path().join("left.wkt");
+    for name in ["left", "1"] {
+        assert_eq!(coface(&["convert", argument(&phase(name)), "-o", argument(&wkt), "--quiet"]).status, 0);
+        let found = coface(&["yin", "info", argument(&wkt), "--json", "--quiet"]).json();
+        assert_eq!(found["area"], json!(1.0));
+    }
+    let found = coface(&["info", argument(&phase("0")), "--json", "--quiet"]).json();
+    assert_eq!(found["components"], json!(1));
+    for name in ["bar", "2"] {
+        let svg = folder.path().join("a.svg");
+        assert_eq!(coface(&["render", argument(&phase(name)), "-o", argument(&svg), "--quiet"]).status, 0);
+        let page = folder.path().join("a.html");
+        assert_eq!(coface(&["view", argument(&phase(name)), "-o", argument(&page), "--quiet"]).status, 0);
+    }
+    let said = coface(&["info", argument(&phase("cellar")), "--quiet"]).fails_with(1);
+    assert!(said.contains("there is no phase \"cellar\"") && said.contains("0 to 2"), "{said}");
+}
+
+#[test]
+fn points_beside_phases_are_told() {
+    let folder = TempDir::new().unwrap();
+    let text = MAP.replace(
+        "\"features\":[",
+        "\"features\":[{\"type\":\"Feature\",\"properties\":{},\"geometry\":{\"type\":\"Point\",\"coordinates\":[5,5]}},",
+    );
+    let found = interface(&[argument(&file(&folder, "map.geojson", &text))]);
+    assert_eq!(found["phases"].as_array().unwrap().len(), 3);
+    assert!(found["remarks"][0]["message"].as_str().unwrap().contains("1 point beside polygons"), "{found}");
+}
+
 #[test]
 fn trivial_sets_are_phases_too() {
     let folder = TempDir::new().unwrap();

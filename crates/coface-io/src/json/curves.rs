@@ -115,6 +115,13 @@ impl CurveKeys {
         let mut made: Vec<BoundaryCurve> = Vec::with_capacity(curves.len());
         for (number, mut curve) in curves.into_iter().enumerate() {
             let carriers = std::mem::take(&mut curve.carriers);
+            let repeated = curve.drop_repetitions();
+            if repeated > 0 {
+                let (noun, verb) = if repeated == 1 { ("point", "repeats") } else { ("points", "repeat") };
+                let message =
+                    format!("{repeated} {noun} of curve {number} {verb} the one before, and count once");
+                drawing.remark(Remark::new(RemarkCode::RepeatedVertex, message).at(repeated, []));
+            }
             let mut curve = curve.into_curve(number, order)?;
             if !carriers.is_empty() {
                 let carriers = carriers
@@ -140,6 +147,44 @@ impl CurveKeys {
 }
 
 impl RawCurve {
+    /// Leaves out points that are at the place of the one before, the first again at the end among them, if nothing but kinks depends on their
+    /// numbers: how many these were.
+    fn drop_repetitions(&mut self) -> usize {
+        let (Some(points), None, None) = (&mut self.points, &self.controls, &self.knots) else { return 0 };
+        let count = points.len();
+        let mut kept: Vec<[f64; 2]> = Vec::with_capacity(count);
+        let mut number_of = Vec::with_capacity(count);
+        for &point in points.iter() {
+            if kept.last() != Some(&point) {
+                kept.push(point);
+            }
+            number_of.push(kept.len() as u32 - 1);
+        }
+        while kept.len() > 1 && kept.last() == kept.first() {
+            kept.pop();
+        }
+        let names = self.vertices.as_ref().map_or(self.kinks.len(), Vec::len);
+        let is_clear = self.kinks.iter().all(|&kink| (kink as usize) < count) && names == self.kinks.len();
+        if kept.len() == count || kept.len() < 3 || !is_clear {
+            return 0;
+        }
+        let left = kept.len() as u32;
+        let mut kinks: Vec<u32> = Vec::with_capacity(self.kinks.len());
+        let mut vertices: Vec<u32> = Vec::new();
+        for (at, &kink) in self.kinks.iter().enumerate() {
+            let kink = number_of[kink as usize] % left;
+            // A kink at both of two equal points is one.
+            if !kinks.contains(&kink) {
+                kinks.push(kink);
+                vertices.extend(self.vertices.as_ref().map(|names| names[at]));
+            }
+        }
+        *points = kept;
+        self.kinks = kinks;
+        self.vertices = self.vertices.is_some().then_some(vertices);
+        count - left as usize
+    }
+
     fn into_curve(self, number: usize, order: Order) -> Result<BoundaryCurve, Error> {
         let named = |error: Error| {
             let renamed = Error::new(error.kind(), format!("curve {number}: {}", error.message()));

@@ -7,6 +7,7 @@ use super::exact_segments::ExactSegmentList;
 use super::facets::{Facet, FacetList, HalfedgeList, OuterFaces, TwinList};
 use super::faults::Faults;
 use super::gluings::GluingList;
+use super::interface::{Interface, InterfaceKeys};
 use super::matrices::MatrixList;
 use super::points::{PointList, Points};
 use crate::yin::BoundaryDrawing;
@@ -14,6 +15,7 @@ use coface_algebra::Error;
 use coface_algebra::{RaggedArray, SparseMatrix};
 use coface_complexes::gluing::GluingTable;
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
+use serde_json::Value;
 use std::fmt;
 
 /// What one object describes.
@@ -43,6 +45,7 @@ pub(super) enum Content {
     },
     Gluings(GluingTable),
     Boundary(BoundaryDrawing),
+    Interface(Box<Interface>),
     /// None of these; some of the keys that stand there instead.
     Unknown(Vec<String>),
 }
@@ -171,7 +174,7 @@ fn visit_object<'de, A: MapAccess<'de>>(
     let (mut name, mut facets, mut next, mut twin, mut boundaries) = (None, None, None, None, None);
     let (mut gluings, mut points, mut coboundaries, mut others) = (None, None, Vec::new(), Vec::new());
     let (mut curves, mut pieces, mut outer) = (CurveKeys::default(), None, Vec::new());
-    let (mut exact, mut segments) = (None, None);
+    let (mut exact, mut segments, mut interface) = (None, None, InterfaceKeys::default());
     while let Some(key) = map.next_key::<String>()? {
         match key.as_str() {
             "name" => name = map.next_value_seed(Name)?,
@@ -192,7 +195,17 @@ fn visit_object<'de, A: MapAccess<'de>>(
                 points = Some(map.next_value_seed(Points)?);
                 others.push(key);
             }
+            "phases" | "edges" | "smooth_pairs" => {
+                let value = Some(map.next_value()?);
+                match key.as_str() {
+                    "phases" => interface.phases = value,
+                    "edges" => interface.edges = value,
+                    _ => interface.smooth_pairs = value,
+                }
+                others.push(key);
+            }
             _ => {
+                interface.has_junctions |= key == "junctions";
                 if let Some(degree) = degree_of_key(&key) {
                     coboundaries.push((degree, map.next_value_seed(CoboundaryOf { degree, faults })?));
                     continue;
@@ -220,7 +233,14 @@ fn visit_object<'de, A: MapAccess<'de>>(
         }
         (None, None, None, Some(table), true) => Content::Gluings(table),
         (None, None, None, None, false) => Content::Coboundaries { matrices: coboundaries, points },
-        (None, None, None, None, true) => Content::Unknown(others),
+        (None, None, None, None, true) => {
+            let positions = points.and_then(PointList::into_list);
+            let order = curves.order.as_ref().and_then(Value::as_u64);
+            match interface.into_interface(order, positions) {
+                Some(found) => Content::Interface(Box::new(found.map_err(|fault| faults.raise(fault))?)),
+                None => Content::Unknown(others),
+            }
+        }
         _ => return Err(several(faults)),
     };
     Ok((name, content))

@@ -50,6 +50,7 @@ mod exact_segments;
 mod facets;
 mod faults;
 mod gluings;
+mod interface;
 mod matrices;
 mod outline;
 mod points;

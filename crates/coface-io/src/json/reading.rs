@@ -86,6 +86,13 @@ pub(crate) fn read_boundary(input: impl Read, name: Option<&str>) -> Result<Boun
         Content::Halfedges { .. } => "permutations of halfedges",
         Content::Boundaries { .. } | Content::Coboundaries { .. } => "a chain complex",
         Content::Gluings(_) => "a gluing table",
+        Content::Interface(_) => {
+            return Err(Error::new(
+                ErrorKind::UnsupportedFormat,
+                "this is an interface of regions, and not one set in the plane",
+            )
+            .with_cure("read it as an interface"));
+        }
         content @ Content::Unknown(_) => {
             return Err(to_model(content, None).expect_err("nothing is known of it"));
         }
@@ -134,6 +141,9 @@ fn chosen(document: Document, wanted: &str) -> Result<Content, Error> {
         Document::One(None, Content::Facets(..)) if wanted != "1" => {
             return Err(Error::invalid(format!("there is no entry {wanted}: the file is a list of facets"))
                 .with_cure("leave the entry out"));
+        }
+        Document::One(_, Content::Interface(interface)) => {
+            return Ok(Content::Boundary(interface.phase(wanted)?));
         }
         Document::One(name, content) => {
             let mut choice = Choice::new(Some(wanted));
@@ -242,19 +252,12 @@ fn to_model(content: Content, tolerance: Option<f64>) -> Result<Model, Error> {
         }
         Content::Gluings(table) => Structure::Gluings(table),
         Content::Boundary(drawing) => return model_of_drawing(&drawing, tolerance),
+        Content::Interface(interface) => return model_of_drawing(&interface.phases()?, tolerance),
         Content::Unknown(keys) if keys.is_empty() => {
             return Err(Error::parse(
                 "the object has none of the keys \"facets\", \"next\", \"boundaries\", \"d0\", \"gluings\", \"curves\"",
             )
             .with_cure("give one of them"));
-        }
-        Content::Unknown(keys)
-            if ["phases", "junctions"].iter().all(|word| keys.iter().any(|key| key == word)) =>
-        {
-            return Err(Error::parse(
-                "the object is an interface of regions, and neither a model nor one set",
-            )
-            .with_cure("read it as an interface"));
         }
         Content::Unknown(keys) => {
             let keys: Vec<String> = keys.iter().map(|key| format!("\"{}\"", shortened(key))).collect();

@@ -241,3 +241,18 @@ proptest! {
         prop_assert_eq!(again, model);
     }
 }
+
+/// Points that repeat the one before count once, and kinks keep their places.
+#[test]
+fn repeated_points_of_curves_count_once() {
+    let text = r#"{"order": 4, "curves": [{"points": [[0,0],[1,0],[1,0],[1,1],[0,1],[0,0]], "kinks": [1,2,3,5], "vertices": [7,8,9,4]}]}"#;
+    let drawing = super::reading::read_boundary(text.as_bytes(), None).unwrap();
+    let curve = &drawing.curves()[0];
+    assert_eq!(curve.points(), [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+    assert_eq!((curve.kinks(), curve.kink_names()), (&[1, 2, 0][..], Some(&[7, 9, 4][..])));
+    assert_eq!(drawing.remarks()[0].code, RemarkCode::RepeatedVertex);
+    assert_eq!(drawing.remarks()[0].count, 2);
+    // Parameters and control points go with their points.
+    let text = r#"{"order": 2, "curves": [{"points": [[0,0],[1,0],[1,1],[0,0]], "knots": [0,1,2,3,4]}]}"#;
+    assert!(super::reading::read_boundary(text.as_bytes(), None).is_err());
+}

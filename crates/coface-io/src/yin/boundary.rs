@@ -513,15 +513,20 @@ pub(crate) fn model_of_drawing(drawing: &BoundaryDrawing, stated: Option<f64>) -
     let mut flat: Vec<f64> = Vec::new();
     let (mut lines, mut rings) = (RaggedArray::new(), Vec::new());
     let mut names: Vec<(String, Vec<u32>)> = Vec::new();
-    let mut doubled_area = 0.0;
-    for (number, curve) in drawing.curves.iter().enumerate() {
+    let mut polygons = Vec::new();
+    let mut doubled_areas = vec![0.0; drawing.groups.len()];
+    for (group, number) in (0..)
+        .zip(&drawing.groups)
+        .flat_map(|(group, (_, curves))| curves.clone().map(move |number| (group, number)))
+    {
+        let curve = &drawing.curves[number];
         let points = if drawing.order == Order::LINEAR {
             Curve::polyline(&curve.points)?;
             curve.points.clone()
         } else {
             flattened(&curve.curve(drawing.order, &EndCondition::NotAKnot)?, tolerance)?
         };
-        doubled_area += (0..points.len())
+        doubled_areas[group] += (0..points.len())
             .map(|i| [points[i], points[(i + 1) % points.len()]])
             .map(|[a, b]| {
                 (a[0] - points[0][0]) * (b[1] - points[0][1]) - (b[0] - points[0][0]) * (a[1] - points[0][1])
@@ -537,21 +542,23 @@ pub(crate) fn model_of_drawing(drawing: &BoundaryDrawing, stated: Option<f64>) -
             }
         }
         lines.push(&line);
-        rings.push(number as i64);
+        rings.push((number - drawing.groups[group].1.start) as i64);
+        polygons.push(group as i64);
     }
-    if doubled_area < 0.0 {
+    if doubled_areas.iter().any(|&doubled_area| doubled_area < 0.0) {
         return refuse("an unbounded set");
     }
     let count = lines.len();
     let model = Model::from_lines(Positions::from_flat(2, flat)?, lines)?;
     let column = |name: &str, numbers: Vec<i64>| CellData::integers(name, GroupKind::Lines, 1, numbers);
     let mut model = model
-        .with_data(column("polygon", vec![0; count])?)?
+        .with_data(column("polygon", polygons)?)?
         .with_data(column("ring", rings)?)?
         .with_data(column("fill_rule", vec![0; count])?)?;
     for (name, members) in names {
         model = model.with_group(Group::new(name, GroupKind::Lines, members))?;
     }
+    model.remarks.extend(drawing.remarks.iter().cloned());
     if stated.is_none() && drawing.order != Order::LINEAR {
         model.remarks.push(flattening_remark(count, tolerance));
     }

@@ -7,7 +7,8 @@
 //!   knots, and the control points if it is not the curve that is fitted to its points.
 //!
 //! # Our JSON
-//! `{"order": 2|4|6|8, "curves": [{"points": [[x, y], ..], ..}, ..]}`: closed curves, the first point not repeated, the set on their left.
+//! `{"order": 2|4|6|8, "curves": [{"points": [[x, y], ..], ..}, ..]}`: closed curves, the first point not repeated, the set on their left;
+//! points that repeat the one before count once, with a remark.
 //! `{"plane": true}` is the whole plane and `{"curves": []}` the empty set; the order is 2 if it is not said. A curve may also have
 //! * `"kinks": [i, ..]`: the points that need not be smooth, none twice, and `"vertices": [v, ..]`: their names, as many; without
 //!   names kinks are numbered in their order; `"next_vertex"` beside the curves is the first name that was never used;

@@ -57,7 +57,7 @@ pub fn drawing_of_model(model: &Model) -> Result<BoundaryDrawing, Error> {
         }
         return Ok(drawing);
     }
-    let mut passed_over = 0;
+    let (mut passed_over, mut points) = (0, 0);
     for (shape, group) in shapes {
         let curve = |ring: &[u32]| {
             let mut curve = BoundaryCurve::new(ring.iter().map(|&vertex| place(vertex)).collect());
@@ -83,7 +83,7 @@ pub fn drawing_of_model(model: &Model) -> Result<BoundaryDrawing, Error> {
                 drawing.push(Filling::OuterWithoutHoles, vec![ring]);
             }
             Shape::Line(_) => passed_over += 1,
-            Shape::Point(_) => {}
+            Shape::Point(_) => points += 1,
         }
     }
     if passed_over > 0 {
@@ -93,6 +93,11 @@ pub fn drawing_of_model(model: &Model) -> Result<BoundaryDrawing, Error> {
             Remark::new(RemarkCode::ElementsLeftOut, format!("{passed_over} {what} nothing and passed over"))
                 .at(passed_over, []),
         );
+    }
+    if points > 0 {
+        let what = if points == 1 { "point beside polygons bounds" } else { "points beside polygons bound" };
+        let message = format!("{points} {what} nothing and passed over");
+        drawing.remark(Remark::new(RemarkCode::ElementsLeftOut, message).at(points, []));
     }
     for remark in model.remarks() {
         drawing.remark(remark.clone());

@@ -64,7 +64,7 @@ MAKERS: dict[str, Callable[..., Any]] = {
     "Surface.cut": Surface.cut,
     "YinSet.cut_cells": YinSet.cut_cells,
     "interface": _coface._interface,
-    **{name: getattr(_coface, name) for name in ("_chains", "_named_chains", "_curve", "_group", "_model", "_report", "_surface", "_yin_set")},
+    **{name: getattr(_coface, name) for name in ("_chains", "_named_chains", "_curve", "_group", "_interface_of_text", "_model", "_report", "_surface", "_yin_set")},
     **{name: getattr(_coface, name) for name in ("alpha", "arrange", "boolean", "cech", "congruence", "cubical", "flag", "persistence", "rips", "witness")},
 }
 #: Functions of pickles that have other names in dictionaries.
@@ -76,7 +76,6 @@ ASKED = (
     Cover,
     CutCells,
     Domain,
-    Interface,
     Persistence,
     PlanarArrangement,
     PlanarBoolean,
@@ -84,7 +83,7 @@ ASKED = (
     SpatialArrangement,
 )
 #: Classes that are made again of their parts.
-MADE = (ChainComplex, Complex, CuboidGrid, Curve, FundamentalGroup, Kinks, LarModel, Model, Report, SimplicialGrid, Simplices, Surface, YinSet)
+MADE = (ChainComplex, Complex, CuboidGrid, Curve, FundamentalGroup, Interface, Kinks, LarModel, Model, Report, SimplicialGrid, Simplices, Surface, YinSet)
 
 
 def asked(name: str, *arguments: Any, **options: Any) -> Any:
@@ -429,7 +428,7 @@ def install() -> None:
         setattr(cls, "__hash__", _hash)
     for made in MADE:
         setattr(made, "from_dict", classmethod(from_dict))
-        if made not in (Kinks, Report, Simplices, YinSet):
+        if made not in (Interface, Kinks, Report, Simplices, YinSet):
             setattr(made, "to_dict", _recipe_of)
     for grid, reduce in ((LarModel, _reduce_lar), (SimplicialGrid, _reduce_simplicial), (CuboidGrid, _reduce_cuboids), (Kinks, _reduce_kinks)):
         setattr(grid, "__reduce__", reduce)
@@ -453,13 +452,18 @@ def install() -> None:
 
     functools.update_wrapper(longer_than, shortened)
     setattr(Persistence, "longer_than", in_words(longer_than))
-    yin_facts, report_facts = YinSet.to_dict, Report.to_dict
+    yin_facts, report_facts, interface_facts = YinSet.to_dict, Report.to_dict, Interface.to_dict
     FACTS[YinSet] = yin_facts
+    FACTS[Interface] = interface_facts
     FACTS[Report] = report_facts
 
     def set_to_dict(self: YinSet) -> dict[str, Any]:
         """The set as a dictionary, in the words of the program's JSON, with its curves in ``recipe``, which ``from_dict`` reads."""
         return dict(sorted({**yin_facts(self), **_recipe_of(self)}.items()))
+
+    def interface_to_dict(self: Interface) -> dict[str, Any]:
+        """The interface as a dictionary, in the words of the program's JSON, with what it is made of in ``recipe``, which ``from_dict`` reads."""
+        return dict(sorted({**interface_facts(self), **_recipe_of(self)}.items()))
 
     def report_to_dict(self: Report, limit: int = 100, *, model: bool = False) -> dict[str, Any]:
         """The report as ``coface info --json`` prints it, but for ``file``.
@@ -489,4 +493,7 @@ def install() -> None:
         return {**found, **_recipe_of(self)} if model else found
 
     setattr(YinSet, "to_dict", set_to_dict)
+    setattr(Interface, "to_dict", interface_to_dict)
+    setattr(Interface, "__eq__", _equal)
+    setattr(Interface, "__hash__", _hash)
     setattr(Report, "to_dict", report_to_dict)

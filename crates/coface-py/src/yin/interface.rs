@@ -574,6 +574,11 @@ answer! { Interface {
         Ok((found, to_python(py, &facts)?))
     }
 
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>,))> {
+        let rebuild = py.import("coface._coface")?.getattr("_interface_of_text")?;
+        Ok((rebuild, (PyBytes::new(py, to_json(&self.answer).as_bytes()),)))
+    }
+
     fn __len__(&self) -> usize {
         self.answer.phases.len()
     }
@@ -658,6 +663,21 @@ pub(crate) fn _interface(
         let options =
             InterfaceOptions::new(PlanarInterface::order_for(&named)).smooth_angle(smooth.to_radians());
         Interface::of(PlanarInterface::of(named, &options, overlaps)?)
+    })
+}
+
+/// Makes an interface again, for pickling.
+#[pyfunction]
+pub(crate) fn _interface_of_text(py: Python<'_>, text: Vec<u8>) -> PyResult<Interface> {
+    run(py, None, || {
+        let answer = YinInterfaceAnswer::of_json(&text).unwrap_or_else(|| {
+            Err(Error::new(ErrorKind::Parse, "there is no interface in it")
+                .with_cure("pickle the interface again"))
+        })?;
+        // It was one when it was written.
+        let mut found = Interface::of(PlanarInterface::unchecked(&answer)?)?;
+        found.answer.remarks = answer.remarks;
+        Ok(found)
     })
 }
 

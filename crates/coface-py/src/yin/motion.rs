@@ -89,7 +89,7 @@ pub(super) fn tracking_options(
     extent: Option<[[f64; 2]; 2]>,
 ) -> TrackingOptions {
     let [low, high] = extent.unwrap_or([[0.0; 2], [1.0; 2]]);
-    let step = step.unwrap_or(end.abs() / 100.0).max(f64::MIN_POSITIVE);
+    let step = step.unwrap_or((end.abs() / 100.0).max(f64::MIN_POSITIVE));
     let spacing = spacing.unwrap_or(f64::max(high[0] - low[0], high[1] - low[1]) / 100.0);
     TrackingOptions::new(end, step, spacing)
 }

@@ -36,6 +36,8 @@ pub struct UncertifiedDecision {
     pub(crate) point: [f64; 2],
     pub(crate) pieces: [PieceSource; 2],
     pub(crate) assumption: Assumption,
+    /// The area that curves are off by where their ends were moved.
+    pub(crate) misplaced: f64,
 }
 
 impl UncertifiedDecision {
@@ -106,6 +108,7 @@ impl Combination {
             // The parameter need not grow evenly: the whole piece is too long at most.
             if part == 0.0 { 0.0 } else { polygon_length(curve.piece(source.piece as usize)) }
         };
+        let moved: f64 = self.report.iter().map(|decision| decision.misplaced).sum();
         let misplaced: f64 = self
             .report
             .iter()
@@ -120,7 +123,7 @@ impl Combination {
                 }
             })
             .sum();
-        self.area_error += rounding_of_area(&self.set) + APART * self.resolution * misplaced;
+        self.area_error += rounding_of_area(&self.set) + moved + APART * self.resolution * misplaced;
         self
     }
 

@@ -1,6 +1,7 @@
 //! Boolean combinations of sets with curves of order 4 and more.
 
 use super::Combination;
+use super::welding::{Welded, welded};
 use crate::PieceSource;
 use crate::curve::{bernstein, distance_to};
 use crate::overlay::{CurvedOverlay, NEARNESS_CURE};
@@ -49,7 +50,28 @@ pub(super) fn combine_curved(
     })
 }
 
+/// The combination of sets as they are; or where that fails, with pieces that are one but for rounding made one.
 fn combine_closely(
+    sets: &[&YinSet],
+    regions: Regions,
+    condition: impl Fn(&[(u32, i32)]) -> bool,
+) -> Result<Combination, Error> {
+    let error = match combine_as_they_are(sets, regions, &condition) {
+        Err(error) if error.kind() == ErrorKind::InvalidInput => error,
+        found => return found,
+    };
+    let Some(Welded { sets: welded, decisions }) = welded(sets, rounding_limit(sets)) else {
+        return Err(error);
+    };
+    let welded: Vec<&YinSet> = welded.iter().collect();
+    let Ok(mut found) = combine_as_they_are(&welded, regions, &condition) else { return Err(error) };
+    let report = std::mem::replace(&mut found.report, decisions);
+    found = found.with_area_error(sets);
+    found.report.extend(report);
+    Ok(found)
+}
+
+fn combine_as_they_are(
     sets: &[&YinSet],
     regions: Regions,
     condition: impl Fn(&[(u32, i32)]) -> bool,
@@ -60,18 +82,26 @@ fn combine_closely(
         Err(error) if error.kind() != ErrorKind::InvalidInput => return at_usual,
         _ => {}
     }
+    // What is taken for one has to be one but for rounding: else something would be lost in silence.
+    let limit = rounding_limit(sets);
+    let lossy = |found: &Combination| {
+        found
+            .report
+            .iter()
+            .find(|decision| is_lossy(sets, decision, limit))
+            .map(|decision| lost(found, decision))
+    };
+    let is_lossless = |found: &Combination| lossy(found).is_none();
     // What is nearer together than the usual resolution may be apart.
     let mut at_fine = None;
     for fine in FINE {
-        match combine_at(sets, regions, &condition, fine) {
+        match combine_at(sets, regions, &condition, fine)
+            .and_then(|found| lossy(&found).map_or(Ok(found), Err))
+        {
             Ok(found) => return Ok(found),
             Err(error) => _ = at_fine.get_or_insert(error),
         }
     }
-    // What is taken for one has to be one but for rounding: else something would be lost in silence.
-    let limit = rounding_limit(sets);
-    let is_lossless =
-        |found: &Combination| found.report.iter().all(|decision| !is_lossy(sets, decision, limit));
     match at_usual {
         Ok(found) if is_lossless(&found) => return Ok(found),
         Ok(_) => return Err(at_fine.expect("finer resolutions have failed")),
@@ -94,6 +124,17 @@ fn rounding_limit(sets: &[&YinSet]) -> f64 {
     let largest = corners.fold(0.0, |largest: f64, x| largest.max(x.abs()));
     let order = sets.iter().map(|set| set.order().value()).max().unwrap_or(0);
     ROUNDING * order as f64 * f64::EPSILON * largest
+}
+
+/// The error for what was taken for one although double coordinates tell it apart.
+fn lost(found: &Combination, decision: &UncertifiedDecision) -> Error {
+    let [x, y] = decision.point;
+    let what = match decision.assumption {
+        Assumption::SmallCurve => "whether a curve is more than a point",
+        _ => "which arcs curves have in common",
+    };
+    Error::invalid(format!("{what} near ({x}, {y}) cannot be decided at resolution {:e}", found.resolution))
+        .with_cure(NEARNESS_CURE)
 }
 
 /// Whether two arcs were taken for one that are farther apart than double coordinates tell, or a curve for a point.

@@ -8,6 +8,7 @@ mod linear;
 mod outline;
 mod repair;
 mod rounding;
+mod welding;
 
 pub use algebra::Normalized;
 pub use combination::{Assumption, Combination, PieceSource, UncertifiedDecision};

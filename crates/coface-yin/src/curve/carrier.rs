@@ -130,7 +130,7 @@ impl Carrier {
     }
 
     /// The carrier of the reverse of the piece, which has this number on its curve.
-    pub(super) fn reversed(&self, piece: u32) -> Self {
+    pub(crate) fn reversed(&self, piece: u32) -> Self {
         Self { piece, range: [self.range[1], self.range[0]], ..*self }
     }
 

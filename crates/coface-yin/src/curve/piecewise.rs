@@ -334,6 +334,9 @@ pub(crate) fn checked_chord_lengths(points: &[[f64; 2]]) -> Result<Vec<f64>, Err
             } else if pair[0] == pair[1] {
                 Error::invalid(format!("points {} and {at} are equal", at - 1))
                     .with_cure("leave out one of them")
+            } else if !next.is_finite() {
+                Error::invalid(format!("the way to point {at} is longer than any number"))
+                    .with_cure("scale the points down")
             } else {
                 Error::invalid(format!(
                     "the chord from point {} to point {at} has no length that counts",

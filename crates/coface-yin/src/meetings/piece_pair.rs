@@ -98,6 +98,12 @@ impl<'a> PairSolver<'a> {
                 self.meet_parts(own);
             }
         }
+        if self.is_exhausted
+            && let Some(exact) = meetings_of_cubics(pieces, pair)
+        {
+            found.points.extend(exact);
+            return;
+        }
         self.collect(pair, found);
         found.overlaps.extend(overlaps);
         if self.is_exhausted {

@@ -1,7 +1,7 @@
 //! The pieces of the boundaries of several sets, numbered one after the other.
 
 use crate::curve::bernstein::Piece;
-use crate::curve::{bernstein, distance_to};
+use crate::curve::{bernstein, distance, distance_to};
 use crate::meetings::{Carriers, resolution};
 use crate::set::CurveArena;
 use crate::{Carrier, Order, PieceSource};
@@ -247,6 +247,19 @@ impl<'a> Boundaries<'a> {
                 (0..=PLACES + 1).all(|place| is_near(bernstein::value(piece, place as f64 / steps)))
             })
         })
+    }
+
+    /// The length of the control polygons of the pieces around a position: of its own, and at a knot of that before it.
+    pub(super) fn length_around(&self, at: Position) -> f64 {
+        let length = |piece: u32| -> f64 {
+            self.controls(piece).windows(2).map(|pair| distance(pair[0], pair[1])).sum()
+        };
+        if at.parameter != 0.0 {
+            return length(at.piece);
+        }
+        let pieces = self.pieces(self.curve_of(at.piece));
+        let before = if at.piece == pieces.start { pieces.end } else { at.piece } - 1;
+        length(before) + length(at.piece)
     }
 
     /// Whether the way from one position to another, which is not the same, stays within the resolution.

@@ -1,6 +1,6 @@
 //! What lies between the breaks of curves, and which of it runs along common arcs.
 
-use super::boundaries::Boundaries;
+use super::boundaries::{Boundaries, Position};
 use super::nodes::{Break, Nodes, OverlapEnd, tell};
 use crate::meetings::Overlap;
 use crate::{Assumption, UncertifiedDecision};
@@ -14,6 +14,12 @@ const NONE: u32 = u32::MAX;
 
 /// Chains are one that are nowhere farther apart than so many times what rounding does to points.
 const THIN: f64 = 3.0;
+
+/// Two chains between the same nodes that are within so many times the resolution from end to end are one where they are near each other.
+const SHORT: f64 = 4096.0;
+
+/// Short chains are near each other within this many times the resolution: their ends may be off by a few of it.
+const NEAR: f64 = 8.0;
 
 /// Chains have the numbers of the breaks that they begin at.
 pub(super) struct Chains<'a> {
@@ -101,9 +107,13 @@ impl Chains<'_> {
     }
 
     /// Unites chains between the same nodes that are nowhere farther apart than rounding of results: what is between them could not be
-    /// written. Those of two curves that run against each other, where sets touch from outside, are left: one edge would join the sets.
+    /// written; and short ones within some times the resolution, which is what is between crossings of curves that run along each other.
+    /// Those of two curves that run against each other, where sets touch from outside, are left: one edge would join the sets.
     fn unite_thin(&self, equal: &mut ParityUnionFind, report: &mut Vec<UncertifiedDecision>) {
-        let limit = THIN * self.boundaries.rounding;
+        let thin = THIN * self.boundaries.rounding;
+        let near = thin.max(NEAR * self.boundaries.resolution);
+        let short = SHORT * self.boundaries.resolution;
+        let is_short = |[from, to]: [Position; 2]| self.boundaries.is_within(from, to, short);
         let chains = (0..self.nodes.breaks.len() as u32).map(|chain| (self.ends(chain), chain));
         let chains = chains.filter(|([from, to], _)| from != to);
         let mut parallel: Vec<([u32; 2], u32)> =
@@ -119,7 +129,12 @@ impl Chains<'_> {
                     let sign = if self.ends(a) == self.ends(b) { Sign::Plus } else { Sign::Minus };
                     let is_touching = sign == Sign::Minus && self.curve_of(a) != self.curve_of(b);
                     let is_one = equal.find(a).0 == equal.find(b).0;
-                    if is_touching || is_one || !self.boundaries.are_near([arc(a), arc(b)], limit) {
+                    if is_touching || is_one {
+                        continue;
+                    }
+                    let arcs = [arc(a), arc(b)];
+                    let limit = if arcs.into_iter().all(is_short) { near } else { thin };
+                    if !self.boundaries.are_near(arcs, limit) {
                         continue;
                     }
                     if equal.unite(a, b, sign) != ParityUnion::Contradicts {

@@ -9,9 +9,10 @@
 //! * A **node** is a point where curves meet. What lies between breaks of a curve is a **chain**; chains along a common arc are one
 //!   **edge**. Around nodes, orbits, faces and winding numbers there is no difference to polygons, and the code is the same.
 //! * Nodes are brought together along curves only: where the arc between two of them is shorter than the resolution, it is
-//!   contracted. Contraction of an edge never makes a plane drawing impossible; so a rotation that has no plane drawing is a
+//!   contracted; longer arcs that run along each other are one edge. Contraction of an edge never makes a plane drawing impossible; so a rotation that has no plane drawing is a
 //!   contradiction, and an error.
-//! * What lies below a component is read off on a vertical line that comes near no node, with enclosures of all heights.
+//! * What lies below a component is read off on a vertical line that comes near no node, with enclosures of all heights; where these
+//!   are too wide, exact arithmetic has them.
 
 mod arcs;
 mod boundaries;
@@ -19,6 +20,7 @@ mod chains;
 mod columns;
 mod curved_overlay;
 mod departures;
+mod exact_columns;
 mod jordan;
 mod nesting;
 mod nodes;

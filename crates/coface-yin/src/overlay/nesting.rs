@@ -7,6 +7,7 @@
 use super::boundaries::{Boundaries, Position};
 use super::chains::{Chains, undecided};
 use super::columns::{ColumnCrossing, NearDegenerate, column_crossings};
+use super::exact_columns::exact_crossings;
 use super::nodes::compare;
 use crate::curve::bernstein;
 use crate::meetings::ArcTree;
@@ -17,6 +18,9 @@ use rayon::prelude::*;
 
 /// How many lines are tried through a component.
 const MOST_LINES: usize = 48;
+
+/// How many of them with exact heights, the last ones.
+const EXACT_LINES: usize = 8;
 
 /// What components lie in.
 pub(super) struct Nesting {
@@ -30,8 +34,25 @@ pub(super) struct Nesting {
 #[derive(Clone, Copy)]
 struct Line {
     x: f64,
-    /// Between which heights the component is lowest there.
+    /// Between which heights the component is lowest there, from the base on if there is one.
     heights: [f64; 2],
+    /// What heights are counted from if they are exact.
+    base: Option<f64>,
+}
+
+impl Line {
+    /// Adds the crossings of a piece with the line.
+    fn crossings(
+        &self,
+        boundaries: &Boundaries<'_>,
+        piece: u32,
+        found: &mut Vec<ColumnCrossing>,
+    ) -> Result<(), NearDegenerate> {
+        match self.base {
+            Some(base) => exact_crossings(boundaries, piece, self.x, base, found),
+            None => column_crossings(boundaries, piece, self.x, found),
+        }
+    }
 }
 
 /// What a component sees below itself.
@@ -164,19 +185,21 @@ impl<'a> Nester<'a> {
             // Multiples of the golden section are spread evenly.
             let part = (0.381_966_011_250_105 + attempt as f64 * 0.618_033_988_749_895).fract();
             let at = range[0] + part * (range[1] - range[0]);
-            let x = self.boundaries().point(Position { piece, parameter: at })[0];
+            let [x, y] = self.boundaries().point(Position { piece, parameter: at });
             // At first heights have to be farther apart than the resolution.
             let apart = if attempt < MOST_LINES / 2 { 4.0 * self.boundaries().resolution } else { 0.0 };
+            let base = (attempt + EXACT_LINES >= MOST_LINES).then_some(y);
+            let line = Line { x, heights: [0.0; 2], base };
             crossings.clear();
-            let is_told = parts()
-                .try_for_each(|(piece, _)| column_crossings(self.boundaries(), piece, x, &mut crossings));
+            let is_told =
+                parts().try_for_each(|(piece, _)| line.crossings(self.boundaries(), piece, &mut crossings));
             if is_told.is_err() {
                 continue;
             }
             let Ok(Some((lowest, halfedge))) = self.extreme(&crossings, apart, false) else {
                 continue;
             };
-            let line = Line { x, heights: lowest.heights };
+            let line = Line { heights: lowest.heights, ..line };
             let own = self.component(halfedge);
             let below = self.first_below(tree, line, apart, &mut |other| other == own);
             if let Ok(below) = below {
@@ -196,7 +219,7 @@ impl<'a> Nester<'a> {
     ) -> Result<Option<u32>, NearDegenerate> {
         let mut crossings = Vec::new();
         let below = [f64::NEG_INFINITY, line.heights[0]];
-        self.column(tree, line.x, below, &mut Vec::new(), &mut crossings)?;
+        self.column(tree, line, below, &mut Vec::new(), &mut crossings)?;
         let mut heights = line.heights;
         for crossing in &crossings {
             let halfedge = self.upper_halfedge(crossing)?;
@@ -217,13 +240,14 @@ impl<'a> Nester<'a> {
     ) -> Result<Option<u32>, NearDegenerate> {
         let [_, whole] = tree.window();
         let (mut pieces, mut crossings, mut others) = (Vec::new(), Vec::new(), Vec::new());
+        let lowest = whole[0] - line.base.unwrap_or(0.0);
         // Few pieces are that high above each other on average.
         let mut height = (whole[1] - whole[0]) / self.boundaries().piece_count() as f64;
         let mut top = line.heights[1];
         loop {
             let low = line.heights[0] - height;
-            let is_last = low <= whole[0];
-            self.column(tree, line.x, [low, top], &mut pieces, &mut crossings)?;
+            let is_last = low <= lowest;
+            self.column(tree, line, [low, top], &mut pieces, &mut crossings)?;
             top = low;
             others.clear();
             for crossing in &crossings {
@@ -256,19 +280,26 @@ impl<'a> Nester<'a> {
     fn column(
         &self,
         tree: &ArcTree,
-        x: f64,
+        line: Line,
         heights: [f64; 2],
         pieces: &mut Vec<u32>,
         crossings: &mut Vec<ColumnCrossing>,
     ) -> Result<(), NearDegenerate> {
         let old = pieces.len();
-        tree.visit(&[[x, x], heights], |piece| pieces.push(piece));
+        let heights = match line.base {
+            Some(base) => {
+                let margin = 2.0 * self.boundaries().rounding;
+                [heights[0] + base - margin, heights[1] + base + margin]
+            }
+            None => heights,
+        };
+        tree.visit(&[[line.x; 2], heights], |piece| pieces.push(piece));
         let (known, new) = pieces.split_at_mut(old);
         new.sort_unstable();
         // Several arcs of a piece may be there.
         for own in new.chunk_by(|a, b| a == b) {
             if known.binary_search(&own[0]).is_err() {
-                column_crossings(self.boundaries(), own[0], x, crossings)?;
+                line.crossings(self.boundaries(), own[0], crossings)?;
             }
         }
         pieces.sort_unstable();

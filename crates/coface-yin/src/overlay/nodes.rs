@@ -1,7 +1,7 @@
 //! Where curves meet: events along curves, brought together to nodes.
 
 use super::boundaries::{Boundaries, Position};
-use crate::curve::on_grid;
+use crate::curve::{distance, on_grid};
 use crate::meetings::{Meeting, Overlap};
 use crate::{Assumption, UncertifiedDecision};
 use coface_algebra::UnionFind;
@@ -10,12 +10,6 @@ use std::cmp::Ordering;
 
 /// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
 const NONE: u32 = u32::MAX;
-
-/// Two arcs between the same nodes that are shorter than this many times the resolution are contracted if they are near each other.
-const SHORT: f64 = 4096.0;
-
-/// Arcs are near each other within this many times the resolution: their ends may be off by a few of it.
-const NEAR: f64 = 8.0;
 
 /// A place where a curve comes to a node.
 #[derive(Clone, Copy, Debug)]
@@ -73,7 +67,7 @@ pub(super) fn tell(
     parts: [(u32, [f64; 2]); 2],
 ) -> UncertifiedDecision {
     let pieces = parts.map(|(piece, range)| boundaries.source(piece, range));
-    UncertifiedDecision { point, pieces, assumption }
+    UncertifiedDecision { point, pieces, assumption, misplaced: 0.0 }
 }
 
 impl Nodes {
@@ -194,53 +188,7 @@ impl Gathering<'_> {
                 self.classes.unite(own[at].site, own[(at + 1) % own.len()].site);
             }
         }
-        self.contract_bigons(&mut is_tiny);
         is_tiny
-    }
-
-    /// Contracts short arcs of which two run between the same sites, near each other. Two that bound a blob are not.
-    fn contract_bigons(&mut self, is_tiny: &mut [bool]) {
-        let boundaries = self.boundaries;
-        let mut short: Vec<([u32; 2], u32)> = Vec::new();
-        // The event that follows each on its curve.
-        let mut next: Vec<u32> = Vec::with_capacity(self.events.len());
-        let curve_of = |event: &Event| boundaries.curve_of(event.position.piece);
-        let mut first = 0;
-        for own in self.events.chunk_by(|a, b| curve_of(a) == curve_of(b)) {
-            for (at, from) in own.iter().enumerate() {
-                let to = &own[(at + 1) % own.len()];
-                next.push((first + (at + 1) % own.len()) as u32);
-                let is_short = !is_tiny[first + at]
-                    && from.position != to.position
-                    && boundaries.is_within(from.position, to.position, SHORT * boundaries.resolution);
-                if is_short {
-                    let [a, b] = [from, to].map(|event| self.classes.find(event.site));
-                    short.push(([a.min(b), a.max(b)], (first + at) as u32));
-                }
-            }
-            first += own.len();
-        }
-        short.sort_unstable();
-        let mut is_near = vec![false; self.events.len()];
-        for group in short.chunk_by(|a, b| a.0 == b.0).filter(|group| group.len() > 1) {
-            let arc = |at: u32| [at, next[at as usize]].map(|event| self.events[event as usize].position);
-            for (i, &(_, a)) in group.iter().enumerate() {
-                for &(_, b) in &group[i + 1..] {
-                    if boundaries.are_near([arc(a), arc(b)], NEAR * boundaries.resolution) {
-                        is_near[a as usize] = true;
-                        is_near[b as usize] = true;
-                    }
-                }
-            }
-            // Between two sites that are one all arcs end where they begin: those that are not near any other stay.
-            if group.iter().any(|&(_, at)| is_near[at as usize]) {
-                self.classes.unite(group[0].0[0], group[0].0[1]);
-            }
-            group
-                .iter()
-                .filter(|(_, at)| is_near[*at as usize])
-                .for_each(|&(_, at)| is_tiny[at as usize] = true);
-        }
     }
 
     /// Adds to each side of overlaps what the other has: whether there was anything to add.
@@ -355,7 +303,8 @@ impl Gathering<'_> {
     /// Gives nodes the points of knots where there are such, and tells which were brought together.
     fn place(&mut self, number_of: &[u32], points: &mut [[f64; 2]], report: &mut Vec<UncertifiedDecision>) {
         let mut is_at_knot = vec![false; points.len()];
-        let mut is_merged = vec![false; points.len()];
+        // How far the points are that became one.
+        let mut apart = vec![0.0f64; points.len()];
         for event in &self.events {
             let node = number_of[self.classes.find(event.site) as usize];
             if node == NONE {
@@ -372,14 +321,15 @@ impl Gathering<'_> {
             if node != NONE {
                 let [a, b] = [points[node as usize], self.points[site as usize]];
                 // Points that are equal up to rounding are told where they are not certain in themselves.
-                let is_far = (0..2).any(|axis| (a[axis] - b[axis]).abs() > self.boundaries.rounding);
-                is_merged[node as usize] |= is_far;
+                if (0..2).any(|axis| (a[axis] - b[axis]).abs() > self.boundaries.rounding) {
+                    apart[node as usize] = apart[node as usize].max(distance(a, b));
+                }
             }
         }
         let mut merged: Vec<(u32, Position)> = Vec::new();
         for event in &self.events {
             let node = number_of[self.classes.find(event.site) as usize];
-            if node != NONE && is_merged[node as usize] {
+            if node != NONE && apart[node as usize] > 0.0 {
                 merged.push((node, event.position));
             }
         }
@@ -387,7 +337,13 @@ impl Gathering<'_> {
         for own in merged.chunk_by(|a, b| a.0 == b.0) {
             let place = points[own[0].0 as usize];
             let parts = [own[0].1, own[own.len() - 1].1].map(|at| (at.piece, [at.parameter; 2]));
-            report.push(tell(self.boundaries, Assumption::SamePoint, place, parts));
+            // What goes to the point and from it is moved along with its end.
+            let length: f64 = own.iter().map(|&(_, at)| self.boundaries.length_around(at)).sum();
+            let misplaced = apart[own[0].0 as usize] * length;
+            report.push(UncertifiedDecision {
+                misplaced,
+                ..tell(self.boundaries, Assumption::SamePoint, place, parts)
+            });
         }
     }
 }

@@ -5,7 +5,7 @@
 //! other, and nothing is lost below a resolution.
 
 use super::YinSet;
-use super::gaps::{NormalGaps, farthest, normal_gaps};
+use super::gaps::{NormalGaps, farthest, normal_gaps, turn_limits};
 use crate::curve::{bernstein, gauss_legendre, monotone_breaks};
 use coface_algebra::Error;
 use coface_geometry::Sum;
@@ -154,8 +154,8 @@ impl Comparison {
         self.normals.distance_error
     }
 
-    /// The part of the places of the first boundary whose normal lines do not meet the second one within twice the Hausdorff distance: what
-    /// [`Self::along_normals`] and [`Self::curvature`] say nothing about.
+    /// The part of the places of the first boundary about which [`Self::curvature`] says nothing: whose normal lines do not meet the second
+    /// one within twice the Hausdorff distance, or meet it on the other side of a kink only.
     ///
     /// # Examples
     /// ```
@@ -169,7 +169,9 @@ impl Comparison {
     }
 
     /// The greatest difference of the curvatures of the two boundaries, taken where the normal lines of the first meet the second, in the
-    /// inverse of the unit of the coordinates; curvature is positive where a boundary turns left. None where no normal line does.
+    /// inverse of the unit of the coordinates; curvature is positive where a boundary turns left. At kinks, where each side has a curvature of
+    /// its own, and near them those of the same side are taken: where both boundaries go in one direction up to half the angle of the kink.
+    /// None where no normal line does.
     ///
     /// # Examples
     /// ```
@@ -180,7 +182,7 @@ impl Comparison {
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn curvature(&self) -> Option<f64> {
-        self.normals.is_matched().then_some(self.normals.curvature)
+        self.normals.has_curvature().then_some(self.normals.curvature)
     }
 
     /// An estimate from above of how far [`Self::curvature`] is off: as [`Self::hausdorff_error`], with what rounding of control points does to
@@ -245,7 +247,10 @@ impl YinSet {
         }
         // Coordinates are taken from the middle of the box, so that large ones do no harm.
         let center = [0, 1].map(|axis| low[axis] + 0.5 * extent[axis]);
-        let pieces = sets.map(|set| local_pieces(set, center));
+        let curves = sets.map(|set| local_curves(set, center));
+        let limits =
+            curves.each_ref().map(|own| own.iter().flat_map(|own| turn_limits(own)).collect::<Vec<f64>>());
+        let pieces = curves.map(|own| own.concat());
         let largest = extent[0].max(extent[1]);
         let (from, to) = (farthest(&pieces[0], &pieces[1]), farthest(&pieces[1], &pieces[0]));
         let hausdorff = from.most.max(to.most);
@@ -254,7 +259,11 @@ impl YinSet {
             false => 0.0,
         };
         let normals = match hausdorff.is_finite() {
-            true => normal_gaps(&pieces[0], &pieces[1], 2.0 * hausdorff + 8.0 * f64::EPSILON * largest),
+            true => normal_gaps(
+                pieces.each_ref().map(Vec::as_slice),
+                limits.each_ref().map(Vec::as_slice),
+                2.0 * hausdorff + 8.0 * f64::EPSILON * largest,
+            ),
             false => NormalGaps::default(),
         };
         let arcs: Vec<Arc> = pieces.iter().flatten().flat_map(|piece| arcs_of(piece)).collect();
@@ -286,9 +295,10 @@ impl YinSet {
 /// The control points of a piece, from the middle of all.
 pub(super) type Controls = Vec<[f64; 2]>;
 
-fn local_pieces(set: &YinSet, center: [f64; 2]) -> Vec<Controls> {
-    let curves = (0..set.curve_count()).map(|curve| set.curve(curve));
-    let pieces = curves.flat_map(|curve| {
+/// The pieces of each curve of a set.
+fn local_curves(set: &YinSet, center: [f64; 2]) -> Vec<Vec<Controls>> {
+    let of_curve = |curve: usize| {
+        let curve = set.curve(curve);
         let own = |piece: usize| -> Controls {
             let local = curve.piece(piece).iter().map(|point| [0, 1].map(|k| point[k] - center[k]));
             let local: Controls = local.collect();
@@ -297,9 +307,9 @@ fn local_pieces(set: &YinSet, center: [f64; 2]) -> Vec<Controls> {
                 false => local,
             }
         };
-        (0..curve.piece_count()).map(own).collect::<Vec<_>>()
-    });
-    pieces.collect()
+        (0..curve.piece_count()).map(own).collect()
+    };
+    (0..set.curve_count()).map(of_curve).collect()
 }
 
 /// Adds the area between a piece and the origin: half the integral of the cross product of points and derivatives.

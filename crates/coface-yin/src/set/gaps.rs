@@ -123,20 +123,52 @@ pub(super) struct NormalGaps {
     pub(super) curvature: f64,
     pub(super) curvature_error: f64,
     /// The part of the places whose normals do not meet the other boundary.
+    unmet: f64,
+    /// The part of the places where curvatures are not compared.
     pub(super) left_out: f64,
 }
 
 impl Default for NormalGaps {
     fn default() -> Self {
-        Self { distance: 0.0, distance_error: 0.0, curvature: 0.0, curvature_error: 0.0, left_out: 1.0 }
+        Self {
+            distance: 0.0,
+            distance_error: 0.0,
+            curvature: 0.0,
+            curvature_error: 0.0,
+            unmet: 1.0,
+            left_out: 1.0,
+        }
     }
 }
 
 impl NormalGaps {
     /// Whether some normal meets the other boundary.
     pub(super) fn is_matched(&self) -> bool {
+        self.unmet < 1.0
+    }
+
+    /// Whether curvatures are compared somewhere.
+    pub(super) fn has_curvature(&self) -> bool {
         self.left_out < 1.0
     }
+}
+
+/// For each piece of a closed curve the cosine of half the angle by which the curve turns at its less sharp kink; less than that for pieces
+/// without.
+///
+/// What goes in another direction than that by more belongs to the other side of the kink.
+pub(super) fn turn_limits(pieces: &[Controls]) -> Vec<f64> {
+    /// The cosine of an angle that is far above what rounding makes between smooth neighbors.
+    const SMOOTH: f64 = 1.0 - 1e-6;
+    let tangents: Vec<[Option<[f64; 2]>; 2]> =
+        pieces.iter().map(|piece| [0.0, 1.0].map(|s| bend(piece, s).map(|own| own.tangent))).collect();
+    let limit = |before: usize, after: usize| {
+        let ([_, Some(a)], [Some(b), _]) = (tangents[before], tangents[after]) else { return -2.0 };
+        let cosine = a[0] * b[0] + a[1] * b[1];
+        if cosine > SMOOTH { -2.0 } else { (0.5 * (1.0 + cosine)).max(0.0).sqrt() }
+    };
+    let count = pieces.len();
+    (0..count).map(|at| limit((at + count - 1) % count, at).max(limit(at, (at + 1) % count))).collect()
 }
 
 /// A point of a piece with its unit tangent and its curvature.
@@ -167,21 +199,44 @@ fn bend(piece: &[[f64; 2]], s: f64) -> Option<Bend> {
     Some(Bend { point: bernstein::value(piece, s), tangent: way.map(|x| x / speed), curvature, doubt })
 }
 
-/// What is found at places of the first pieces, whose normals are followed so far to either side.
-pub(super) fn normal_gaps(from: &[Controls], to: &[Controls], reach: f64) -> NormalGaps {
+/// A place at which a normal meets a boundary.
+struct Hit {
+    far: f64,
+    tangent: [f64; 2],
+    curvature: f64,
+    doubt: f64,
+    limit: f64,
+}
+
+/// What is found at a place: how far the other boundary is along the normal, and the difference of curvatures with how far that is off.
+struct Gap {
+    far: f64,
+    curvature: Option<[f64; 2]>,
+}
+
+/// What is found at places of the first pieces, whose normals are followed so far to either side; both with [`turn_limits`].
+///
+/// At a kink and near it the normal of one side may meet the other side of the kink of the other boundary: curvatures are compared where
+/// both go the same way, up to half the angle of the kinks at the ends of both pieces.
+pub(super) fn normal_gaps(
+    [from, to]: [&[Controls]; 2],
+    [own_limits, other_limits]: [&[f64]; 2],
+    reach: f64,
+) -> NormalGaps {
     if from.is_empty() || to.is_empty() {
         return NormalGaps::default();
     }
     let tree = BoxTree::new(&boxes_of(to));
-    // The distance along the normal, the difference of curvatures, and how far that is off.
-    let at_place = |own: &Bend| -> Option<[f64; 3]> {
+    let at_place = |own: &Bend, own_limit: f64| -> Option<Gap> {
         let along = |point: [f64; 2]| {
             (point[0] - own.point[0]) * own.tangent[0] + (point[1] - own.point[1]) * own.tangent[1]
         };
         let across = |point: [f64; 2]| {
             (point[1] - own.point[1]) * own.tangent[0] - (point[0] - own.point[0]) * own.tangent[1]
         };
-        let mut best: Option<(f64, u32, f64)> = None;
+        let cosine = |hit: &Hit| hit.tangent[0] * own.tangent[0] + hit.tangent[1] * own.tangent[1];
+        let mut nearest = f64::INFINITY;
+        let mut best: Option<Hit> = None;
         let normal = [own.tangent[1].abs() * reach, own.tangent[0].abs() * reach];
         let query = [
             [own.point[0] - normal[0], own.point[0] + normal[0]],
@@ -201,34 +256,57 @@ pub(super) fn normal_gaps(from: &[Controls], to: &[Controls], reach: f64) -> Nor
             );
             for s in roots {
                 let far = across(bernstein::value(other, s)).abs();
-                if far <= reach && best.is_none_or(|(known, ..)| far < known) {
-                    best = Some((far, number, s));
+                if far > reach {
+                    continue;
+                }
+                nearest = nearest.min(far);
+                let Some(Bend { tangent, curvature, doubt, .. }) = bend(other, s) else { continue };
+                let hit = Hit { far, tangent, curvature, doubt, limit: other_limits[number as usize] };
+                if cosine(&hit) < own_limit.max(hit.limit) {
+                    continue;
+                }
+                // Of those that are one point the one that goes on as this one does.
+                let is_better = best.as_ref().is_none_or(|known| {
+                    let is_one = (far - known.far).abs() <= slack;
+                    if is_one { cosine(&hit) > cosine(known) } else { far < known.far }
+                });
+                if is_better {
+                    best = Some(hit);
                 }
             }
         });
-        let (far, number, s) = best?;
-        let other = bend(&to[number as usize], s)?;
-        Some([far, (own.curvature - other.curvature).abs(), own.doubt + other.doubt])
+        let curvature = best.map(|hit| [(own.curvature - hit.curvature).abs(), own.doubt + hit.doubt]);
+        (nearest <= reach).then_some(Gap { far: nearest, curvature })
     };
-    let of_piece = |piece: &Controls| {
-        let places: Vec<Option<[f64; 3]>> =
-            (0..=PLACES).map(|i| at_place(&bend(piece, i as f64 / PLACES as f64)?)).collect();
-        let of =
-            |k: usize| Greatest::of_places(&places.iter().map(|at| at.map(|own| own[k])).collect::<Vec<_>>());
-        let missing = places.iter().filter(|at| at.is_none()).count();
-        ([of(0), of(1), of(2)], missing)
+    let of_piece = |(piece, &limit): (&Controls, &f64)| {
+        let places: Vec<Option<Gap>> =
+            (0..=PLACES).map(|i| at_place(&bend(piece, i as f64 / PLACES as f64)?, limit)).collect();
+        let of = |number: &dyn Fn(&Gap) -> Option<f64>| {
+            Greatest::of_places(&places.iter().map(|at| at.as_ref().and_then(number)).collect::<Vec<_>>())
+        };
+        let found = [
+            of(&|gap| Some(gap.far)),
+            of(&|gap| gap.curvature.map(|[apart, _]| apart)),
+            of(&|gap| gap.curvature.map(|[_, doubt]| doubt)),
+        ];
+        let unmet = places.iter().filter(|at| at.is_none()).count();
+        let is_left_out = |at: &&Option<Gap>| at.as_ref().is_none_or(|gap| gap.curvature.is_none());
+        (found, [unmet, places.iter().filter(is_left_out).count()])
     };
-    let none = || ([Greatest::default(); 3], 0);
+    let none = || ([Greatest::default(); 3], [0; 2]);
     let ([far, curvature, doubt], missing) = from
         .par_iter()
+        .zip(own_limits)
         .with_min_len(8)
         .map(of_piece)
-        .reduce(none, |(a, m), (b, n)| ([0, 1, 2].map(|k| a[k].or(b[k])), m + n));
+        .reduce(none, |(a, m), (b, n)| ([0, 1, 2].map(|k| a[k].or(b[k])), [0, 1].map(|k| m[k] + n[k])));
+    let [unmet, left_out] = missing.map(|count| count as f64 / (from.len() * (PLACES + 1)) as f64);
     NormalGaps {
         distance: far.most,
         distance_error: far.peak - far.most + f64::EPSILON * reach,
         curvature: curvature.most,
         curvature_error: curvature.peak - curvature.most + doubt.most,
-        left_out: missing as f64 / (from.len() * (PLACES + 1)) as f64,
+        unmet,
+        left_out,
     }
 }

@@ -20,6 +20,7 @@ mod yin_kinks;
 mod yin_lattice;
 mod yin_nesting;
 mod yin_places;
+mod yin_scales;
 mod yin_sets;
 mod yin_soups;
 mod yin_tangencies;

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a failing test shows where")]
 
 use crate::splines::{Random, case_count, smooth_set};
-use coface_yin::{Curve, Order, YinSet};
+use coface_yin::{Curve, EndCondition, Order, YinSet};
 
 fn circle(count: usize) -> Curve<'static> {
     Curve::circle([0.0, 0.0], 1.0, count, Order::CUBIC).unwrap()
@@ -155,4 +155,40 @@ fn normals_and_curvatures_are_those_of_closed_forms() {
     let moved = YinSet::new(&[circle.curve(0).translated([9.0, 0.0])]).unwrap();
     let far = circle.comparison(&moved).unwrap();
     assert!(far.normals_left_out() > 0.5 && far.normals_left_out() < 1.0, "{}", far.normals_left_out());
+}
+
+/// At a kink each side has a curvature of its own: a set has no other curvature than itself, moved by a little nearly the same, and one that is
+/// scaled another.
+#[test]
+fn curvatures_are_those_of_the_same_side_of_kinks() {
+    let mut random = Random::new(31);
+    let mut compared = 0;
+    for case in 0..case_count(60) {
+        let count = 4 + random.below(8) as u32;
+        let points: Vec<[f64; 2]> = (0..count)
+            .map(|at| {
+                let radius = 0.6 + 0.8 * random.part();
+                let (sine, cosine) = (std::f64::consts::TAU * f64::from(at) / f64::from(count)).sin_cos();
+                [radius * cosine, radius * sine]
+            })
+            .collect();
+        let mut kinks: Vec<u32> = (0..3).map(|_| random.below(u64::from(count)) as u32).collect();
+        kinks.sort_unstable();
+        kinks.dedup();
+        let curve = Curve::fit_closed(&points, &kinks, Order::CUBIC, &EndCondition::NotAKnot).unwrap();
+        let Ok(set) = YinSet::new(std::slice::from_ref(&curve)) else { continue };
+        compared += 1;
+        let found = set.comparison(&set).unwrap();
+        let apart = found.curvature().unwrap();
+        assert!(
+            apart <= found.curvature_error() + 1e-9 && found.normals_left_out() == 0.0,
+            "case {case}: {apart:e}"
+        );
+        let moved = YinSet::new(&[curve.translated([1e-9, 0.0])]).unwrap();
+        let found = set.comparison(&moved).unwrap();
+        let apart = found.curvature().unwrap();
+        assert!(apart < 1e-4, "case {case}: {apart:e}");
+        assert!(found.normals_left_out() < 0.1, "case {case}: {}", found.normals_left_out());
+    }
+    assert!(compared > 30, "{compared}");
 }

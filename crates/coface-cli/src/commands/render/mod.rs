@@ -22,6 +22,7 @@ use coface::answers::{
     PolygonSchema, Report, ReportRequest, SetRequest,
 };
 use coface::complexes::simplicial::SimplexSet;
+use coface::io;
 use coface::io::Format;
 use coface::pictures::{
     Camera, DiagramPoint, FlatPicture, Pane, Picture, PictureStyle, Scene, SetPicture,
@@ -418,6 +419,10 @@ impl Render {
         common: &Common,
         progress: &Progress,
     ) -> Result<Option<FlatPicture>, Failure> {
+        // One model of a file of several, or a phase of an interface, is no image.
+        if matches!(source, Source::File(path) if !path.exists() && io::entry_of(path).is_some()) {
+            return Ok(None);
+        }
         let Some((name, stream)) = stream(source, common)? else { return Ok(None) };
         let &[first, second] = stream.shape() else { return Ok(None) };
         progress.stage(format!("reading {name}"));
