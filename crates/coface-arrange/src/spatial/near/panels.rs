@@ -242,6 +242,10 @@ impl NearChains {
             }
             own = pieces;
         }
+        let mut fixed: Vec<[u32; 2]> = panel.sides.iter().chain(&inner).map(|&[a, b]| [a.min(b), a.max(b)]).collect();
+        fixed.sort_unstable();
+        let normal = if is_turned { lie.normal.map(|x| -x) } else { lie.normal };
+        self.flip_thin(&mut own, &fixed, normal, tolerance);
         if is_turned {
             own.iter_mut().for_each(|triangle| triangle.swap(1, 2));
         }
