@@ -190,7 +190,13 @@ impl Drawing {
             // Faces of different polygons become one in the end alone: a round that draws them with less vertices than their
             // neighbors makes them cross.
             let of_end = options.merge_coplanar.then(|| patches.clone());
-            let found = SpatialArrangement::of_triangles(&positions, &triangles, patches, None, &bounded.merge_coplanar(false));
+            let found = SpatialArrangement::of_triangles(
+                &positions,
+                &triangles,
+                patches,
+                None,
+                &bounded.merge_coplanar(false),
+            );
             let mut arrangement = found.map_err(|error| match error.kind() {
                 ErrorKind::TooLarge if is_own => {
                     given_up(format!("more than {most_cells} cells"), joined.tolerance, first.len())
@@ -205,19 +211,11 @@ impl Drawing {
             if !is_settled && is_rounding && vertex_count > most_vertices {
                 return Err(given_up(format!("{vertex_count} vertices"), joined.tolerance, first.len()));
             }
-            if std::env::var_os("DBG").is_some() {
-                eprintln!("round {round} reach {:e} counts {:?} v {} hot {} {:?}", joined.tolerance, joined.counts, vertex_count, hot.len(), &hot[..hot.len().min(4)]);
-                if std::env::var("DBG").is_ok_and(|x| x == "2") {
-                    for (t, tri) in triangles.iter().enumerate() {
-                        let near = hot.first().is_some_and(|h| tri.iter().any(|&c| { let p = positions.point(VertexId::from_u32(c)); (0..3).map(|i| (p[i]-h[i]).powi(2)).sum::<f64>() < 1e-2 }));
-                        if near { eprintln!("  t{t} patch {} {:?}", arrangement.patches.patch_of_triangle[t], tri.map(|c| { let p = positions.point(VertexId::from_u32(c)); (c, p[0], p[1], p[2]) })); }
-                    }
-                }
-            }
             let is_last = !is_rounding && (round + 1 == most || vertex_count > most_vertices);
             if is_settled || is_last {
                 if let Some(patches) = of_end {
-                    arrangement = SpatialArrangement::of_triangles(&positions, &triangles, patches, None, options)?;
+                    arrangement =
+                        SpatialArrangement::of_triangles(&positions, &triangles, patches, None, options)?;
                 }
                 if !is_settled {
                     joined.unsettled = hot.len();
@@ -397,7 +395,18 @@ impl SpatialArrangement {
         if self.is_exactly_rounded() {
             return Ok(Crossings::default());
         }
-        crossings(self.cut.positions(), &self.drawn_triangles()?.triangles, most_listed)
+        let triangles = self.drawn_triangles()?.triangles;
+        let mut found = crossings(self.cut.positions(), &triangles, most_listed)?;
+        // Different vertices at one place are one for whoever reads the coordinates.
+        let mut drawn: Vec<u32> = triangles.into_flattened();
+        drawn.sort_unstable();
+        drawn.dedup();
+        let key = |&vertex: &u32| self.rounded(vertex).map(|x| (x + 0.0).to_bits());
+        drawn.sort_by_key(key);
+        for pair in drawn.windows(2).filter(|pair| key(&pair[0]) == key(&pair[1])) {
+            found.add(self.rounded(pair[0]), most_listed);
+        }
+        Ok(found)
     }
 
     /// Whether all of a face is exactly in one plane. Faces of polygons that are not planar, and those that rounding

@@ -39,7 +39,9 @@ impl NearChains {
             let [x, y, z] = triangles[number];
             for [a, b, c] in [[x, y, z], [y, z, x], [z, x, y]] {
                 // c is the corner opposite to the side from a to b.
-                if fixed.binary_search(&[a.min(b), a.max(b)]).is_ok() || !self.is_beside([a, b], c, normal, limit) {
+                if fixed.binary_search(&[a.min(b), a.max(b)]).is_ok()
+                    || !self.is_beside([a, b], c, normal, limit)
+                {
                     continue;
                 }
                 let Some(&Some(other)) = left.get(&[b, a]) else { continue };
@@ -58,9 +60,14 @@ impl NearChains {
                 left.remove(&[a, b]);
                 left.remove(&[b, a]);
                 (triangles[number], triangles[other]) = ([c, a, d], [d, b, c]);
-                for (side, own) in
-                    [([c, a], number), ([a, d], number), ([d, c], number), ([d, b], other), ([b, c], other), ([c, d], other)]
-                {
+                for (side, own) in [
+                    ([c, a], number),
+                    ([a, d], number),
+                    ([d, c], number),
+                    ([d, b], other),
+                    ([b, c], other),
+                    ([c, d], other),
+                ] {
                     left.entry(side).and_modify(|known| *known = known.map(|_| own)).or_insert(Some(own));
                 }
                 due.extend([other, number]);
