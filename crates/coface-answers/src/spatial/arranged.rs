@@ -36,7 +36,8 @@ impl Arranged {
         let arrangement = SpatialArrangement::new(&scene.polygons()?, &options);
         // A polygon that is none is named by its number in its own model.
         let mut arrangement = match arrangement {
-            Err(error) if error.kind() == ErrorKind::InvalidInput => {
+            // Of exact polygons the rounded ones say nothing.
+            Err(error) if error.kind() == ErrorKind::InvalidInput && scene.exact.is_empty() => {
                 scene.check(request.non_planar)?;
                 return Err(error);
             }

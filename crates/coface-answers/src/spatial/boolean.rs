@@ -1,5 +1,6 @@
 //! Boolean combinations of the models of a scene.
 
+use super::coincident::coincident;
 use super::enclosed::turned_parts;
 use super::{InputState, OpenInputs, SceneArrangement};
 use crate::answer::{
@@ -216,7 +217,8 @@ impl<'a> SolidBoolean<'a> {
                     merged_facets = Some(facets_of_patches(&merged, surface.facets()));
                     surface = drawn;
                 }
-                if is_rounded && !is_turned {
+                let positions = surface.positions(arranged.drawn_positions())?;
+                if is_rounded && !is_turned && coincident(&surface, &positions).is_empty() {
                     // It was looked for crossings and turned parts.
                     crossings.get_or_init(Crossings::default);
                     turned.get_or_init(Vec::new);
@@ -349,10 +351,14 @@ impl<'a> SolidBoolean<'a> {
             let polygons =
                 SpatialPolygons::from_polygons(self.positions()?, self.surface.polygons().clone())?;
             // A polygon that is not simple any more is refused.
-            polygons.crossings(MOST_LISTED).or_else(|error| match error.kind() {
+            let mut found = polygons.crossings(MOST_LISTED).or_else(|error| match error.kind() {
                 ErrorKind::InvalidInput => self.arrangement.crossings().cloned(),
                 _ => Err(error),
-            })?
+            })?;
+            for place in coincident(&self.surface, &self.positions()?) {
+                found.add(place, MOST_LISTED);
+            }
+            found
         };
         Ok(self.crossings.get_or_init(|| found))
     }

@@ -4,6 +4,7 @@ mod arranged;
 mod bent;
 mod boolean;
 mod certificate;
+mod coincident;
 mod congruent;
 mod congruent_boolean;
 mod enclosed;

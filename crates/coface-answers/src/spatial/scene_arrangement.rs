@@ -438,6 +438,7 @@ impl SceneArrangement {
         let mut remarks = self.scene.remarks().to_vec();
         remarks.extend(self.warped_polygons());
         remarks.extend(self.joined_features());
+        remarks.extend(self.unsettled_features());
         remarks.extend(self.thin_apart.clone().or_else(|| self.thin_cells()));
         if crossings.count > 0 {
             let places = text::count(crossings.count, "place");
@@ -566,6 +567,17 @@ impl SceneArrangement {
             return None;
         }
         self.joined()?.remark(self.request.tolerance.is_some(), "cell")
+    }
+
+    /// Says that features are left that are nearer to each other than was asked for.
+    fn unsettled_features(&self) -> Option<Remark> {
+        let joined = self.arranged.joined().filter(|joined| joined.unsettled > 0)?;
+        let places = text::count(joined.unsettled, "place");
+        let message = format!(
+            "in {places} features are left that are less than {:.2e} apart, since putting them together brings others together: cells there may be thinner than that",
+            joined.tolerance
+        );
+        Some(Remark::new(RemarkCode::ThinCells, message).at(joined.unsettled, []))
     }
 
     /// Tells of cells thinner than a part of the extent that nobody means, and what would remove them.

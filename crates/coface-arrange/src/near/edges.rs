@@ -63,14 +63,15 @@ impl NearChains {
                 }
             }
         }
-        if pairs.is_empty() {
-            return false;
-        }
         let is_first = |a: u32, b: u32| {
             let [first, second] = [a, b].map(|own| self.is_passing[own as usize]);
             first.cmp(&second).then_with(|| compare(self.point(a), self.point(b))).is_lt()
         };
         pairs.iter_mut().filter(|pair| is_first(pair[1], pair[0])).for_each(|pair| pair.swap(0, 1));
+        pairs.retain(|&[first, second]| self.may_go(second, first));
+        if pairs.is_empty() {
+            return false;
+        }
         let distance = |&[a, b]: &[u32; 2]| squared(minus(self.point(a), self.point(b)));
         pairs.sort_by(|x, y| {
             let places = |i: usize| compare(self.point(x[i]), self.point(y[i]));

@@ -27,6 +27,8 @@ pub struct JoinedFeatures {
     /// The distance within which features were put together in the end; more than what was asked for where that did
     /// not come to an end.
     pub tolerance: f64,
+    /// The number of places where faces were still cut anew when that was given up, since points would have gone too far.
+    pub unsettled: usize,
 }
 
 impl JoinedFeatures {

@@ -10,6 +10,7 @@
 mod edges;
 mod hot_places;
 mod joined;
+mod movement;
 mod precision;
 mod vertices;
 
@@ -19,6 +20,7 @@ pub(crate) use joined::{NONE, STEADY_ROUNDS, least_tolerance, reach};
 pub use precision::CoordinatePrecision;
 
 use coface_geometry::{AxisBox, dot};
+use movement::MovementBound;
 
 /// After so many passes a rest that is still near something is left to the next cut.
 const MOST_PASSES: usize = 64;
@@ -41,6 +43,8 @@ pub(crate) struct NearChains {
     pub(crate) precision: CoordinatePrecision,
     /// Where features are put together; everywhere without.
     hot: Option<HotPlaces>,
+    /// How far points may go in all, where that is bounded.
+    bound: Option<MovementBound>,
 }
 
 /// Sides, of which no two cancel.
@@ -155,6 +159,9 @@ impl NearChains {
         self.points.push(self.precision.rounded_point(point));
         self.target.push(number);
         self.is_passing.push(true);
+        if let Some(bound) = &mut self.bound {
+            bound.ways.push(0.0);
+        }
         number
     }
 

@@ -54,12 +54,13 @@ impl NearChains {
         let mut new_targets: Vec<(u32, u32)> = Vec::new();
         for class in members.iter().filter(|class| class.len() > 1) {
             let best = self.representative(&used, class);
-            let others = class.iter().map(|&i| used[i as usize]).filter(|&own| own != best);
+            let others = class.iter().map(|&i| used[i as usize]);
+            let others = others.filter(|&own| own != best && self.may_go(own, best));
             new_targets.extend(others.map(|own| (own, best)));
         }
         self.counts.vertices += new_targets.len();
         self.put(&new_targets);
-        true
+        equal || !new_targets.is_empty()
     }
 
     /// The member of a class that is nearest to the mean of those that come first.
@@ -96,6 +97,7 @@ impl NearChains {
     /// Puts vertices to others, which are put nowhere themselves.
     pub(super) fn put(&mut self, new_targets: &[(u32, u32)]) {
         for &(own, target) in new_targets {
+            self.note_way(own, target);
             self.target[own as usize] = target;
         }
         for chain in &mut self.chains {

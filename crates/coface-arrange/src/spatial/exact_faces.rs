@@ -2,6 +2,7 @@
 
 use super::cutting::CutTriangles;
 use super::exact_polygons::{ExactPart, ExactPolygons};
+use super::wanted_parts::walks;
 use super::{SpatialArrangement, SpatialPredicates};
 use coface_algebra::{FaceId, RaggedArray, Sign, UnionFind, VertexId};
 use coface_geometry::predicates::{PointDefinition, are_coplanar, plane_axis};
@@ -186,30 +187,6 @@ impl Exporter<'_> {
         }
         ExactPolygons::from_trusted_parts(numbers.points, vertices, parts, is_shared)
     }
-}
-
-/// Closed walks along sides that are sorted by where they begin, through corners alone.
-fn walks(sides: &[[u32; 2]], is_corner: &[bool]) -> Vec<Vec<u32>> {
-    let mut is_used = vec![false; sides.len()];
-    let mut walks = Vec::new();
-    for first in 0..sides.len() {
-        let mut walk = Vec::new();
-        let mut next = Some(first).filter(|&first| !is_used[first]);
-        while let Some(side) = next {
-            is_used[side] = true;
-            let [from, to] = sides[side];
-            if is_corner[from as usize] {
-                walk.push(from);
-            }
-            let start = sides.partition_point(|other| other[0] < to);
-            let going_on = (start..sides.len()).take_while(|&i| sides[i][0] == to);
-            next = going_on.into_iter().find(|&i| !is_used[i]);
-        }
-        if !walk.is_empty() {
-            walks.push(walk);
-        }
-    }
-    walks
 }
 
 /// Numbers of points, by their first use.

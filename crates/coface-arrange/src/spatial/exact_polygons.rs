@@ -1,5 +1,6 @@
 //! Polygons in space that are known exactly, wherever their vertices are.
 
+use super::wanted_parts::WantedParts;
 use coface_algebra::{Error, ErrorKind, RaggedArray};
 use coface_geometry::predicates::{PointDefinition, SpatialPlane, SpatialPoint, plane_axis};
 
@@ -148,10 +149,14 @@ impl ExactPolygons {
         Self { points, vertices, parts, is_shared }
     }
 
-    /// The polygons that are wanted, on the same points and vertices.
+    /// The polygons that are wanted, on the same points. Those that are cut out of one triangle and share a side become one
+    /// polygon, since the polygon that ended there may not be wanted: then nothing cuts the triangle at that side.
     ///
     /// # Panics
     /// Unless there is an entry for each polygon.
+    ///
+    /// # Complexity
+    /// $O(n \log n)$ for n sides of parts.
     ///
     /// # Examples
     /// ```
@@ -161,20 +166,10 @@ impl ExactPolygons {
     #[must_use]
     pub fn with(&self, is_wanted: &[bool]) -> Self {
         assert_eq!(is_wanted.len(), self.is_shared.len(), "an entry for each polygon");
-        let mut number = vec![0; is_wanted.len()];
-        let mut is_shared = Vec::new();
-        for polygon in (0..is_wanted.len()).filter(|&polygon| is_wanted[polygon]) {
-            number[polygon] = is_shared.len() as u32;
-            is_shared.push(self.is_shared[polygon]);
+        if !is_wanted.contains(&false) {
+            return self.clone();
         }
-        let parts = self.parts.iter().filter(|part| is_wanted[part.polygon as usize]);
-        let parts = parts.map(|part| ExactPart { polygon: number[part.polygon as usize], ..part.clone() });
-        Self {
-            points: self.points.clone(),
-            vertices: self.vertices.clone(),
-            parts: parts.collect(),
-            is_shared,
-        }
+        WantedParts::new(self, is_wanted).polygons(self)
     }
 
     /// The given points.
@@ -241,7 +236,7 @@ impl ExactPolygons {
         part.triangle.map(|point| self.points[point as usize])
     }
 
-    fn definition(&self, vertex: usize) -> PointDefinition {
+    pub(super) fn definition(&self, vertex: usize) -> PointDefinition {
         let at = |point: u32| self.points[point as usize];
         match *self.vertices.list(vertex) {
             [a] => PointDefinition::Given(at(a)),

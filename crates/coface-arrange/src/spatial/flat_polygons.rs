@@ -147,7 +147,15 @@ impl SpatialPolygons {
     /// ```
     pub fn crossings(&self, most_listed: usize) -> Result<Crossings, Error> {
         let made = PolygonTriangles::new(self, NonPlanar::Split)?;
-        crossings(self.positions(), &made.triangles, most_listed)
+        let mut found = crossings(self.positions(), &made.triangles, most_listed)?;
+        for &polygon in &made.without_area {
+            let walk = self.polygon_of_walk().partition_point(|&own| own < polygon);
+            if let Some(&corner) = self.walks().list(walk).first() {
+                let point = self.positions().point(VertexId::from_u32(corner));
+                found.add([point[0], point[1], point[2]], most_listed);
+            }
+        }
+        Ok(found)
     }
 }
 

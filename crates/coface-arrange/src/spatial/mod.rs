@@ -47,6 +47,7 @@ mod radial_order;
 mod settling;
 mod shells;
 mod snapping;
+mod wanted_parts;
 
 pub use arrangement::SpatialArrangement;
 pub use ball_cells::{BallComplex, BallRules};

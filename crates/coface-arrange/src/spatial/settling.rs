@@ -14,9 +14,10 @@ use coface_geometry::{Positions, cross, dot, frame_around};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
-/// Where a tolerance is given, features up to eight times as far apart are joined everywhere before that is done only where
-/// faces still cross.
-const ROUNDS_WITH_TOLERANCE: usize = 8;
+/// Where a tolerance is given, it is given up after so many rounds; what was joined until then is cut.
+const ROUNDS_WITH_TOLERANCE: usize = 12;
+/// Where a tolerance is given, no point goes further than so many times that.
+const MOST_WAY: f64 = 2.0;
 
 /// Rounding is given up where a round has so many times the vertices of the first one, and some more.
 const GROWTH: usize = 2;
@@ -140,10 +141,12 @@ impl Drawing {
     /// The arrangement of the drawing, drawn and arranged again until there are no new vertices or, where rounding is
     /// all that is asked for, none that is not exactly at its rounded coordinates.
     ///
-    /// Features within the tolerance are put together everywhere. After some rounds, those that are farther apart are put
-    /// together too, but only around the places where faces still cross: within a reach that is twice that of the round
-    /// before, and boxes around these places that grow with it. When the reach is that of the whole drawing, all of
-    /// it is one point, and no faces are left that cross: so this ends.
+    /// Features within the tolerance are put together everywhere. When rounding is all that is asked for, those that are
+    /// farther apart are put together too after some rounds, but only around the places where faces still cross: within a
+    /// reach that is twice that of the round before, and boxes around these places that grow with it. When the reach is
+    /// that of the whole drawing, all of it is one point, and no faces are left that cross: so this ends. Where a
+    /// tolerance is asked for, it stays what it is, and no point goes further than twice that; after some rounds
+    /// what was joined is cut as it is, and [`JoinedFeatures::unsettled`] counts the places that were cut anew.
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) for more cells than the options take;
@@ -158,8 +161,11 @@ impl Drawing {
         let mut drawing = self;
         let precision = options.precision;
         let mut joined = JoinedFeatures { tolerance, ..JoinedFeatures::default() };
-        let steady = if is_rounding { STEADY_ROUNDS } else { ROUNDS_WITH_TOLERANCE };
-        let most = rounds_to_an_end(&drawing.points, tolerance);
+        let most = match is_rounding {
+            true => rounds_to_an_end(&drawing.points, tolerance),
+            false => ROUNDS_WITH_TOLERANCE,
+        };
+        let most_way = (!is_rounding).then_some(MOST_WAY * tolerance);
         let most_vertices = GROWTH * drawing.points.len() + GROWTH_OF_SMALL;
         let given_up = |makes: String, tolerance: f64, points: usize| {
             Error::invalid(format!(
@@ -173,14 +179,24 @@ impl Drawing {
         let bounded = if is_own { options.max_cells(most_cells) } else { *options };
         let mut hot = Vec::new();
         for round in 0..most {
-            joined.tolerance = reach(tolerance, round);
-            let is_local = round >= steady;
-            let everywhere = if is_local { tolerance } else { joined.tolerance };
+            if is_rounding {
+                joined.tolerance = reach(tolerance, round);
+            }
+            let is_local = is_rounding && round >= STEADY_ROUNDS;
             let places = is_local.then(|| HotPlaces::new(&hot, joined.tolerance));
-            joined.counts.add(&drawing.join(everywhere, places, joined.tolerance, precision));
+            joined.counts.add(&drawing.join(tolerance, places, joined.tolerance, (precision, most_way)));
             let Self { points, triangles, patches, first, place, .. } = drawing;
             let positions = Positions::from_flat(3, points.into_flattened())?;
-            let found = SpatialArrangement::of_triangles(&positions, &triangles, patches, None, &bounded);
+            // Faces of different polygons become one in the end alone: a round that draws them with less vertices than their
+            // neighbors makes them cross.
+            let of_end = options.merge_coplanar.then(|| patches.clone());
+            let found = SpatialArrangement::of_triangles(
+                &positions,
+                &triangles,
+                patches,
+                None,
+                &bounded.merge_coplanar(false),
+            );
             let mut arrangement = found.map_err(|error| match error.kind() {
                 ErrorKind::TooLarge if is_own => {
                     given_up(format!("more than {most_cells} cells"), joined.tolerance, first.len())
@@ -195,7 +211,15 @@ impl Drawing {
             if !is_settled && is_rounding && vertex_count > most_vertices {
                 return Err(given_up(format!("{vertex_count} vertices"), joined.tolerance, first.len()));
             }
-            if is_settled {
+            let is_last = !is_rounding && (round + 1 == most || vertex_count > most_vertices);
+            if is_settled || is_last {
+                if let Some(patches) = of_end {
+                    arrangement =
+                        SpatialArrangement::of_triangles(&positions, &triangles, patches, None, options)?;
+                }
+                if !is_settled {
+                    joined.unsettled = hot.len();
+                }
                 joined.tell(&first, &place, positions.as_flat().as_chunks().0);
                 arrangement.round_count = round + 1;
                 arrangement.joined = Some(joined);
@@ -221,8 +245,9 @@ impl Drawing {
         tolerance: f64,
         places: Option<HotPlaces>,
         reach: f64,
-        precision: CoordinatePrecision,
+        (precision, most_way): (CoordinatePrecision, Option<f64>),
     ) -> NearCounts {
+        let ways = most_way.map(|_| self.ways());
         let mut near = NearChains::of_panels(
             std::mem::take(&mut self.points),
             &self.triangles,
@@ -232,6 +257,9 @@ impl Drawing {
             tolerance,
         );
         near.precision = precision;
+        if let Some((most, ways)) = most_way.zip(ways) {
+            near.bound_movements(most, ways);
+        }
         near.join(tolerance, |near| near.put_vertices_on_panels(tolerance));
         if let Some(places) = places {
             near.stay_near(places);
@@ -255,6 +283,16 @@ impl Drawing {
         self.patches.patch_of_triangle = patch_of_triangle;
         self.fold();
         near.counts
+    }
+
+    /// How far the points that became each vertex went, the longest way of each.
+    fn ways(&self) -> Vec<f64> {
+        let mut ways = vec![0.0; self.points.len()];
+        for (first, &place) in self.first.iter().zip(&self.place).filter(|(_, place)| **place != NONE) {
+            let way: &mut f64 = &mut ways[place as usize];
+            *way = way.max(squared(minus(self.points[place as usize], *first)).sqrt());
+        }
+        ways
     }
 
     /// Finds out which patches are not planar any more, with the pictures in which all of their triangles run
@@ -357,7 +395,18 @@ impl SpatialArrangement {
         if self.is_exactly_rounded() {
             return Ok(Crossings::default());
         }
-        crossings(self.cut.positions(), &self.drawn_triangles()?.triangles, most_listed)
+        let triangles = self.drawn_triangles()?.triangles;
+        let mut found = crossings(self.cut.positions(), &triangles, most_listed)?;
+        // Different vertices at one place are one for whoever reads the coordinates.
+        let mut drawn: Vec<u32> = triangles.into_flattened();
+        drawn.sort_unstable();
+        drawn.dedup();
+        let key = |&vertex: &u32| self.rounded(vertex).map(|x| (x + 0.0).to_bits());
+        drawn.sort_by_key(key);
+        for pair in drawn.windows(2).filter(|pair| key(&pair[0]) == key(&pair[1])) {
+            found.add(self.rounded(pair[0]), most_listed);
+        }
+        Ok(found)
     }
 
     /// Whether all of a face is exactly in one plane. Faces of polygons that are not planar, and those that rounding

@@ -20,4 +20,5 @@ mod reference;
 mod selection_meshes;
 mod solids;
 mod spatial_congruence;
+mod spatial_rooms;
 mod spatial_triangles;

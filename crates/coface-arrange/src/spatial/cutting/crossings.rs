@@ -17,6 +17,25 @@ pub struct Crossings {
     pub places: Vec<[f64; 3]>,
 }
 
+impl Crossings {
+    /// One more, at a place, which is listed if not that many are.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::spatial::Crossings;
+    /// let mut found = Crossings::default();
+    /// found.add([0.0; 3], 1);
+    /// found.add([1.0; 3], 1);
+    /// assert_eq!((found.count, found.places), (2, vec![[0.0; 3]]));
+    /// ```
+    pub fn add(&mut self, place: [f64; 3], most_listed: usize) {
+        self.count += 1;
+        if self.places.len() < most_listed {
+            self.places.push(place);
+        }
+    }
+}
+
 /// Decides exactly where triangles meet otherwise than in common corners and sides. A corner that touches the inside of a
 /// triangle is no crossing.
 ///

@@ -9,6 +9,7 @@
 //! panel divide it, and each part is triangulated by its own sides alone, seen along the same axis whatever panel it
 //! is part of: so panels that lie on each other have the same triangles there.
 
+mod flips;
 mod panels;
 mod planes;
 

@@ -213,35 +213,40 @@ impl NearChains {
             };
             let mut all: Vec<[u32; 2]> = panel.sides.iter().chain(inner).map(turned).collect();
             all.sort_by(|x, y| order(x[0], y[0]).then_with(|| order(x[1], y[1])));
-            match is_rough {
+            let found = match is_rough {
                 true => triangulate_sides(&all, order, rough_turn),
                 false => triangulate_sides(&all, order, turn),
-            }
+            };
+            // Where all of a part is in line, it may be left out: then there would be a gap.
+            let own = found.ok()?;
+            bounds(&own, panel, is_turned).then_some(own)
         };
-        let roughly = SWEEP_SLOPES.iter().find_map(|&slope| attempt(&inner, slope, true).ok());
-        let found =
-            roughly.map_or_else(|| attempt(&inner, 0.0, false).or_else(|_| attempt(&[], 0.0, false)), Ok);
-        let Ok(mut own) = found else { return fan(&panel.sides) };
+        let roughly = SWEEP_SLOPES.iter().find_map(|&slope| attempt(&inner, slope, true));
+        let found = roughly.or_else(|| attempt(&inner, 0.0, false)).or_else(|| attempt(&[], 0.0, false));
+        let Some(mut own) = found else { return fan(&panel.sides) };
         // Vertices on the inside at which no side ends.
         let mut alone: Vec<u32> = panel.inside.clone();
         alone.sort_by(|&a, &b| compare(self.point(a), self.point(b)));
         alone.dedup();
         alone.retain(|&vertex| !own.as_flattened().contains(&vertex));
         for vertex in alone {
-            // In one triangle, or on the side of two.
-            let mut pieces = Vec::with_capacity(own.len() + 2);
-            for [a, b, c] in own {
-                let turns = [[a, b], [b, c], [c, a]].map(|[x, y]| rough_turn(x, y, vertex));
-                let on = turns.iter().filter(|turn| turn.is_eq()).count();
-                if turns.contains(&Ordering::Less) || on > 1 {
-                    pieces.push([a, b, c]);
-                    continue;
-                }
-                let sides = [[a, b], [b, c], [c, a]].into_iter().zip(turns);
-                pieces.extend(sides.filter(|(_, turn)| turn.is_gt()).map(|([x, y], _)| [x, y, vertex]));
+            // What is on a side of one triangle only nearly may be beside that side for the other: that leaves a gap.
+            let found = [true, false].into_iter().find_map(|is_rough| {
+                let pieces = match is_rough {
+                    true => divided_at(&own, vertex, rough_turn),
+                    false => divided_at(&own, vertex, turn),
+                };
+                bounds(&pieces, panel, is_turned).then_some(pieces)
+            });
+            if let Some(pieces) = found {
+                own = pieces;
             }
-            own = pieces;
         }
+        let mut fixed: Vec<[u32; 2]> =
+            panel.sides.iter().chain(&inner).map(|&[a, b]| [a.min(b), a.max(b)]).collect();
+        fixed.sort_unstable();
+        let normal = if is_turned { lie.normal.map(|x| -x) } else { lie.normal };
+        self.flip_thin(&mut own, &fixed, normal, tolerance);
         if is_turned {
             own.iter_mut().for_each(|triangle| triangle.swap(1, 2));
         }
@@ -283,6 +288,36 @@ impl NearChains {
         }
         found
     }
+}
+
+/// Triangles divided at a vertex inside of one, or on the side of two.
+fn divided_at(
+    triangles: &[[u32; 3]],
+    vertex: u32,
+    turn: impl Fn(u32, u32, u32) -> Ordering,
+) -> Vec<[u32; 3]> {
+    let mut pieces = Vec::with_capacity(triangles.len() + 2);
+    for &[a, b, c] in triangles {
+        let turns = [[a, b], [b, c], [c, a]].map(|[x, y]| turn(x, y, vertex));
+        let on = turns.iter().filter(|turn| turn.is_eq()).count();
+        if turns.contains(&Ordering::Less) || on > 1 {
+            pieces.push([a, b, c]);
+            continue;
+        }
+        let sides = [[a, b], [b, c], [c, a]].into_iter().zip(turns);
+        pieces.extend(sides.filter(|(_, turn)| turn.is_gt()).map(|([x, y], _)| [x, y, vertex]));
+    }
+    pieces
+}
+
+/// Whether triangles, which may all be turned, have the sides of a panel as their boundary.
+fn bounds(triangles: &[[u32; 3]], panel: &Chain, is_turned: bool) -> bool {
+    let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let turned = |[a, b]: [u32; 2]| if is_turned { [b, a] } else { [a, b] };
+    let back = panel.sides.iter().map(|&[a, b]| [b, a]);
+    let mut rest = Chain::new(panel.owner, sides.map(turned).chain(back).collect());
+    rest.cancel();
+    rest.sides.is_empty()
 }
 
 /// The triangle that three sides are.
