@@ -11,6 +11,10 @@ use coface_arrange::spatial::{
 use coface_geometry::Positions;
 use std::sync::OnceLock;
 
+/// Where rounding an arrangement does not come to an end, features of the inputs are put together that are so many units of the
+/// last digit apart.
+const UNITS_OF_ROUNDING: [f64; 3] = [32.0, 128.0, 512.0];
+
 /// The cells that the polygons of a scene cut space into.
 ///
 /// Cells of the complex are those of the arrangement. Polygons and triangles that faces are drawn with have **drawn** vertices: those
@@ -44,7 +48,12 @@ impl Arranged {
             other => other?,
         };
         if request.snap {
-            arrangement = arrangement.snapped(&options)?;
+            arrangement = match arrangement.snapped(&options) {
+                Err(error) if error.kind() == ErrorKind::InvalidInput => {
+                    return Self::within_rounding(scene, request)?.ok_or(error);
+                }
+                other => other?,
+            };
         }
         Self::of(scene, arrangement)
     }
@@ -56,6 +65,32 @@ impl Arranged {
             .max_cells(request.max_cells)
             .precision(request.precision);
         Self::of(scene, self.arrangement.snapped(&options)?)
+    }
+
+    /// The scene with features put together that are some units of the last digit apart; none where that does not come to an
+    /// end, or leaves coordinates that are not exact, and where a tolerance is given.
+    pub(super) fn within_rounding(
+        scene: &SpatialScene,
+        request: &SpatialRequest,
+    ) -> Result<Option<Self>, Error> {
+        if request.tolerance.is_some() {
+            return Ok(None);
+        }
+        let polygons = scene.polygons()?;
+        let largest = polygons.positions().as_flat().iter().fold(0.0, |most: f64, x| x.abs().max(most));
+        for units in UNITS_OF_ROUNDING {
+            let options = SpatialOptions::new()
+                .merge_coplanar(request.merge_coplanar)
+                .max_cells(request.max_cells)
+                .precision(request.precision)
+                .tolerance(units * request.precision.unit() * largest);
+            let found = SpatialArrangement::new(&polygons, &options)?;
+            let is_settled = found.joined().is_some_and(|joined| joined.unsettled == 0);
+            if is_settled && found.is_exactly_rounded() {
+                return Self::of(scene, found).map(Some);
+            }
+        }
+        Ok(None)
     }
 
     fn of(scene: &SpatialScene, arrangement: SpatialArrangement) -> Result<Self, Error> {

@@ -128,7 +128,12 @@ impl SceneArrangement {
     /// # Ok(()) }
     /// ```
     pub fn snapped(&self) -> Result<Self, Error> {
-        let arranged = self.arranged.snapped(&self.scene, &self.request)?;
+        let arranged = match self.arranged.snapped(&self.scene, &self.request) {
+            Err(error) if error.kind() == ErrorKind::InvalidInput => {
+                Arranged::within_rounding(&self.scene, &self.request)?.ok_or(error)?
+            }
+            other => other?,
+        };
         let inputs = Inputs::new(&self.scene, &arranged)?;
         let cells_apart = self.cells_apart.or(Some(self.complex().cell_count(3)));
         let thin_apart = self.thin_cells();
