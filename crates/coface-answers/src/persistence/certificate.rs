@@ -183,12 +183,7 @@ pub(super) fn chains(
 
 /// The cells of a degree in the order in which they enter.
 pub(super) fn entering(filtration: &Filtration, degree: usize) -> Vec<u32> {
-    let values = filtration.values(degree);
-    let sign = if filtration.is_falling() { -1.0 } else { 1.0 };
-    let key = |cell: u32| sign * values[cell as usize];
-    let mut cells: Vec<u32> = (0..values.len() as u32).collect();
-    cells.sort_by(|&a, &b| key(a).partial_cmp(&key(b)).expect("values are numbers"));
-    cells
+    filtration.entrance(degree).to_vec()
 }
 
 /// The simplices that no other one has as a face, if all cells are simplices.

@@ -237,7 +237,7 @@ mod tests {
         let spaces = [
             projective_plane(),
             small_klein_bottle(),
-            klein_grid(3, 4),
+            klein_grid(4, 3),
             lens_space(4, 1),
             lens_space(6, 1),
             moore_space(12),

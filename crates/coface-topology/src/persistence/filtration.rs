@@ -347,8 +347,22 @@ impl Filtration {
         if self.is_falling { b.total_cmp(&a) } else { a.total_cmp(&b) }
     }
 
-    /// The cells of a degree in the order in which they enter; ties by rising ids, unless their order was given.
-    pub(super) fn entrance(&self, degree: usize) -> &[u32] {
+    /// The cells of a degree in the order in which they enter; ties by rising ids, unless their [order was given](Self::in_order).
+    ///
+    /// # Complexity
+    /// n log n for n cells, when a degree is asked for first.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::Filtration;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let segment = ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?])?;
+    /// assert_eq!(Filtration::lower_star(&segment, &[3.0, 2.0])?.entrance(0), [1, 0]);
+    /// # Ok(()) }
+    /// ```
+    pub fn entrance(&self, degree: usize) -> &[u32] {
         let Some(order) = self.entrances.get(degree) else { return &[] };
         order.get().unwrap_or_else(|| {
             // Sorted before the lock is taken: a thread that waits for others while it sorts may be given work that asks for the same order.
