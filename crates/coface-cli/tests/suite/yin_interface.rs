@@ -113,7 +113,8 @@ fn other_verbs_take_interfaces_and_their_phases() {
         let page = folder.path().join("a.html");
         assert_eq!(coface(&["view", argument(&phase(name)), "-o", argument(&page), "--quiet"]).status, 0);
     }
-    let said = coface(&["info", argument(&phase("cellar")), "--quiet"]).fails_with(1);
+    let refused = coface(&["info", argument(&phase("cellar")), "--quiet"]);
+    let said = refused.fails_with(1);
     assert!(said.contains("there is no phase \"cellar\"") && said.contains("0 to 2"), "{said}");
 }
 
