@@ -712,7 +712,6 @@ fn what_is_no_set_is_refused_with_the_place() {
         ("bow.json", curves(2, &[&[[0., 0.], [2., 2.], [2., 0.], [0., 2.]]]), "(1, 1)"),
         ("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))".to_owned(), "(1, 1)"),
         ("cross.json", curves(2, &[&square(0., 0., 2.), &square(1., 1., 2.)]), "cross"),
-        ("twice.json", curves(2, &[&[[0., 0.], [1., 0.], [1., 0.], [0., 1.]]]), "points 1 and 2"),
         ("nested.json", curves(2, &[&square(0., 0., 4.), &square(1., 1., 1.)]), "orientation"),
         ("few.json", curves(2, &[&[[0., 0.], [1., 0.]]]), "curve 0"),
         ("one.json", curves(2, &[&[[0., 0.]]]), "curve 0 has 1 points"),

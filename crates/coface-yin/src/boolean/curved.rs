@@ -190,7 +190,32 @@ fn combine_at(
         ))
         .with_cure(NEARNESS_CURE));
     }
+    if let Some([x, y]) = doubled_piece(&found) {
+        // Points that became one took what was between two straight pieces.
+        return Err(Error::invalid(format!(
+            "which arcs curves have in common near ({x}, {y}) cannot be decided at resolution {:e}",
+            found.resolution
+        ))
+        .with_cure(NEARNESS_CURE));
+    }
     Ok(found.with_area_error(sets))
+}
+
+/// Where two pieces of a result have the same control points, in one order or the other: the boundary of a set has none twice.
+fn doubled_piece(found: &Combination) -> Option<[f64; 2]> {
+    let curves = (0..found.set.curve_count()).map(|curve| found.set.curve(curve));
+    let mut pieces: Vec<Vec<[f64; 2]>> = Vec::new();
+    for curve in curves {
+        for piece in 0..curve.piece_count() {
+            let mut own = curve.piece(piece).to_vec();
+            if own.iter().rev().partial_cmp(own.iter()) == Some(std::cmp::Ordering::Less) {
+                own.reverse();
+            }
+            pieces.push(own);
+        }
+    }
+    pieces.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+    pieces.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0][0])
 }
 
 /// How curves lie that are Jordan curves and almost disjoint, or the first fault. Curves that are nearer together than the usual resolution

@@ -113,7 +113,7 @@ fn replacement(sets: &[&YinSet], sorted: &[Place], own: &Place, limit: f64) -> O
     found.min_by_key(|found| (found.other.operand, found.other.curve, found.other.piece))
 }
 
-/// A curve with pieces of sets in place of its own, as far as they hang together.
+/// A curve with pieces of sets in place of its own, as far as they are connected.
 fn with_pieces(
     curve: &Curve<'_>,
     sets: &[YinSet],

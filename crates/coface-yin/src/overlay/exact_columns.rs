@@ -168,16 +168,17 @@ mod tests {
 
     #[test]
     fn heights_are_told_apart_far_below_the_last_digit() {
-        // Two lines that rise from (0, 1) to (3, 2), the second by 2^-52 less in the end.
+        // Two lines that rise from (0, 1) to (3, 2), the second by 2^-52 less in the end, with heights from 4/3 on.
+        let base = Dyadic::from(4.0 / 3.0);
         let line = |end: f64| -> ColumnCrossing {
-            let (xs, ys) = (exact(&[-1.0, 2.0]), exact(&[0.0, end - 1.0]));
+            let (xs, ys) = (exact(&[-1.0, 2.0]), [1.0, end].map(|y| &Dyadic::from(y) - &base));
             let mut found = Vec::new();
             search(0, &xs, &ys, [0.0, 1.0], 0, &mut found).expect("the line is away from both ends");
             found[0]
         };
         let [a, b] = [line(2.0), line(2.0 - f64::EPSILON)];
         assert!(b.heights[1] < a.heights[0] && a.is_rightward);
-        assert!((a.heights[0] - 1.0 / 3.0).abs() < 1e-15 && a.range[0] < 1.0 / 3.0 && 1.0 / 3.0 < a.range[1]);
+        assert!(a.heights[0].abs() < 1e-15 && a.range[0] < 1.0 / 3.0 && 1.0 / 3.0 < a.range[1]);
     }
 
     #[test]

@@ -55,6 +55,8 @@ pub(super) struct OverlapEnd {
 struct Gathering<'a> {
     boundaries: &'a Boundaries<'a>,
     points: Vec<[f64; 2]>,
+    /// How far the places on curves were moved that became each of these points: to a knot within the resolution.
+    shifts: Vec<f64>,
     events: Vec<Event>,
     classes: UnionFind,
 }
@@ -80,6 +82,7 @@ impl Nodes {
         let mut all = Gathering {
             boundaries,
             points: Vec::with_capacity(meetings.len() + 2 * overlaps.len()),
+            shifts: Vec::with_capacity(meetings.len() + 2 * overlaps.len()),
             events: Vec::with_capacity(2 * meetings.len() + 4 * overlaps.len()),
             classes: UnionFind::new(meetings.len() + 2 * overlaps.len()),
         };
@@ -139,6 +142,11 @@ impl Gathering<'_> {
             (None, Some(point)) => point,
             (None, None) => self.boundaries.point(positions[0]),
         };
+        let shift = |(&(piece, parameter), settled): (&(u32, f64), &Position)| {
+            let own = self.boundaries.position(piece, parameter);
+            if own == *settled { 0.0 } else { distance(self.boundaries.point(own), point) }
+        };
+        self.shifts.push(sides.iter().zip(&positions).map(shift).fold(0.0, f64::max));
         self.points.push(point);
         for position in positions {
             self.events.push(Event { position, site, at: NONE });
@@ -321,8 +329,9 @@ impl Gathering<'_> {
             if node != NONE {
                 let [a, b] = [points[node as usize], self.points[site as usize]];
                 // Points that are equal up to rounding are told where they are not certain in themselves.
-                if (0..2).any(|axis| (a[axis] - b[axis]).abs() > self.boundaries.rounding) {
-                    apart[node as usize] = apart[node as usize].max(distance(a, b));
+                let far = distance(a, b) + self.shifts[site as usize];
+                if far > self.boundaries.rounding {
+                    apart[node as usize] = apart[node as usize].max(far);
                 }
             }
         }

@@ -280,3 +280,33 @@ fn turned_by_a_symmetry_far_from_the_origin() {
         }
     }
 }
+
+/// Ends of sides that become one take what is between the sides: that is no curve that comes back along itself.
+#[test]
+fn sides_with_ends_that_became_one() {
+    let set = |little: f64| {
+        let controls = [
+            [[0.0, little], [3.0, 4.0], [4.0, 1.0], [4.0, -little]],
+            [[4.0, -little], [10.0 / 3.0, -1.0], [8.0 / 3.0, -2.0], [2.0, -3.0]],
+            [[2.0, -3.0], [4.0 / 3.0, -2.0], [2.0 / 3.0, -1.0], [0.0, little]],
+        ];
+        let straight =
+            |[a, b]: [[f64; 2]; 2]| Curve::polyline(&[a, b]).unwrap().raised(Order::CUBIC).unwrap();
+        let mut all = controls[0].to_vec();
+        for piece in [[controls[1][0], controls[1][3]], [controls[2][0], controls[2][3]]] {
+            all.extend_from_slice(&straight(piece).controls()[1..]);
+        }
+        // The set is on the right of the curve.
+        YinSet::new(&[Curve::from_controls(Order::CUBIC, all, vec![0.0, 1.0, 2.0, 3.0]).unwrap().reversed()])
+            .unwrap()
+    };
+    let (a, b) = (set(0.0), set(1e-13));
+    match YinSet::combine(&[&a, &b], &BooleanFormula::parse("a ^ b", &[]).unwrap()) {
+        Ok(found) => {
+            for curve in 0..found.set().curve_count() {
+                assert!(found.set().curve(curve).signed_area() != 0.0, "{:?}", found.set().curve(curve));
+            }
+        }
+        Err(error) => assert!(error.cure().is_some(), "{error}"),
+    }
+}

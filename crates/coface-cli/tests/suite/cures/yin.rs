@@ -216,15 +216,15 @@ pub(super) const CASES: &[Case] = &[
             "coface yin advect good.json --velocity 1,0",
         ]]),
     Case::new("yin/combine.rs", "could not be certified at the resolution of the arithmetic; --json lists them")
-        .files(DISKS)
-        .answered("coface yin xor a.svg b.svg")
-        .cured(&[&["coface yin xor a.svg b.svg --json"]])
+        .files(ARCS)
+        .answered("coface yin meet a.svg b.svg")
+        .cured(&[&["coface yin meet a.svg b.svg --json"]])
         .shows("\"uncertified\":[{")
         .stays(),
     Case::new("overlay/chains.rs", "or take chords for curves, which are exact: --order 2 --flatten LENGTH")
         .files(ARCS)
-        .refused("coface yin meet a.svg b.svg")
-        .cured(&[&["coface yin meet a.svg b.svg --order 2 --flatten 1e-3"]]),
+        .refused("coface yin xor a.svg b.svg")
+        .cured(&[&["coface yin xor a.svg b.svg --order 2 --flatten 1e-3"]]),
     Case::new("commands/yin/advect.rs", "which says how points move already; leave one of them out")
         .files(DISK)
         .refused("coface yin advect disk.svg --flow vortex --velocity 1,0 -o out.json")
@@ -318,6 +318,6 @@ pub(super) const CASES: &[Case] = &[
     Case::new("cli/src/failure.rs", "coface yin info INPUT says what it is, and coface view INPUT -o OUT.html shows it")
         .files(ROOMS)
         .before(INTERFACE)
-        .refused("coface homology rooms.json")
+        .refused("coface render rooms.json --forest -o rooms.svg")
         .cured(&[&["coface yin info rooms.json"], &["coface view rooms.json -o rooms.html"]]),
 ];
