@@ -1169,9 +1169,9 @@ export interface InfoAnswer {
   mass?: MassAnswer | null;
   /** The integrals of monomials that were asked for. */
   moments: MomentAnswer[];
-  /** The surface in words, such as `torus`, or the 3-manifold, such as `L(8,3)`, where it is proved which one it is; else `null`. */
+  /** The surface in words, such as `torus`, or the 3-manifold, such as `L(8,3)`, where it is proved which one it is, up to orientation (in a sum each summand up to one of its own); else `null`. */
   name?: string | null;
-  /** What the name of a 3-manifold rests on: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces` or `normal_spheres`; absent without such a name. */
+  /** What the name of a 3-manifold rests on: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces`, `normal_spheres` or `fundamental_group`; absent without such a name. */
   name_proof?: string | null;
   /** Whether the top cells can be oriented so that neighbors agree; `null` where one of their facets lies in three. */
   orientable?: boolean | null;
@@ -2113,9 +2113,9 @@ export interface RowAnswer {
   mass?: MassAnswer | null;
   /** The integrals of monomials that were asked for. */
   moments: MomentAnswer[];
-  /** The surface in words, such as `torus`, or the 3-manifold, such as `L(8,3)`, where it is proved which one it is; else `null`. */
+  /** The surface in words, such as `torus`, or the 3-manifold, such as `L(8,3)`, where it is proved which one it is, up to orientation (in a sum each summand up to one of its own); else `null`. */
   name?: string | null;
-  /** What the name of a 3-manifold rests on: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces` or `normal_spheres`; absent without such a name. */
+  /** What the name of a 3-manifold rests on: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces`, `normal_spheres` or `fundamental_group`; absent without such a name. */
   name_proof?: string | null;
   /** Whether the top cells can be oriented so that neighbors agree; `null` where one of their facets lies in three. */
   orientable?: boolean | null;
@@ -2303,7 +2303,7 @@ export interface SimplifyAnswer {
   moves: string[];
   /** Which 3-manifold it is, where that is proved. */
   name?: string | null;
-  /** What the name rests on: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces` or `normal_spheres`. */
+  /** What the name rests on: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces`, `normal_spheres` or `fundamental_group`. */
   name_proof?: string | null;
   /** What was assumed or left out. */
   remarks: Remark[];
@@ -2365,7 +2365,7 @@ export interface SolidBooleanAnswer {
 export interface SpaceAnswer {
   /** The name: `S3`, `RP3`, `L(8,3)`, `S2 x S1`, `SFS [S2: (2,1) (3,1) (5,-4)]`, ... */
   name: string;
-  /** What the name rests on: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces` or `normal_spheres`. */
+  /** What the name rests on: `layered_solid_tori`, `folded_tetrahedron`, `seifert_fibration`, `fibered_pieces`, `normal_spheres` or `fundamental_group`. */
   proof: string;
 }
 

@@ -1715,7 +1715,7 @@ class Interface:
         ...
     def __len__(self) -> int: ...
     def to_dict(self) -> dict[str, Json]:
-        """The answer as a dictionary, in the words of the program's JSON, and how it was made: ``recipe``, which ``from_dict`` reads."""
+        """The interface as a dictionary, in the words of the program's JSON, with what it is made of in ``recipe``, which ``from_dict`` reads."""
         ...
     @classmethod
     def from_dict(cls, facts: Mapping[str, Any]) -> Interface:
@@ -2951,7 +2951,8 @@ class PlanarBoolean:
         ...
     def model(self) -> Model:
         """The rings as a model of closed lines, which is input again. With ``exact=True`` it keeps exact points, and has no
-        properties of features."""
+        properties of features.
+        """
         ...
     @classmethod
     def from_dict(cls, facts: Mapping[str, Any]) -> PlanarBoolean:
