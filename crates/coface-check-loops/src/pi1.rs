@@ -62,7 +62,7 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
         ));
         match (name(&simplified), optional(said, "name")) {
             (Some(found), Some(said)) if *said == json!(found) => {
-                claims.prove(format!("this group is {found}"))
+                claims.prove(format!("this group is {found}"));
             }
             (Some(found), Some(said)) => {
                 return Err(Fault::new("answer", format!("a group is {found}, and the answer says {said}")));

@@ -12,7 +12,7 @@ use std::io::Read;
 /// their own coordinates: where instances move them, a remark says so.
 ///
 /// # Errors
-/// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) and [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) with the
+/// [`ErrorKind::Parse`] and [`ErrorKind::InvalidInput`] with the
 /// line: a word where a number should be, an element of a node that is not there, a file without nodes.
 ///
 /// # Complexity

@@ -663,15 +663,18 @@ mod tests {
         assert_eq!(groups, [("surface 1", 6), ("surface 2", 2), ("surface 3", 6)]);
         assert_eq!(model.remarks().len(), 1, "{:?}", model.remarks());
         // What is written comes back.
+        let corners = |model: &Model| -> Vec<Vec<f64>> {
+            let corner = |vertex: &u32| model.positions().as_flat()[3 * *vertex as usize..][..3].to_vec();
+            model.polygons().iter().map(|polygon| polygon.iter().flat_map(corner).collect()).collect()
+        };
         for model in [&one, &model] {
             let mut written = Vec::new();
             write(model, &mut written).unwrap();
-            let again = read(&written[..]).unwrap();
-            assert_eq!((again.polygons(), again.positions()), (model.polygons(), model.positions()));
             let mut bytes = Vec::new();
             wkb::write(model, &mut bytes, wkb::Encoding::Bytes).unwrap();
-            let again = wkb::read(&bytes[..]).unwrap();
-            assert_eq!((again.polygons(), again.positions()), (model.polygons(), model.positions()));
+            for again in [read(&written[..]).unwrap(), wkb::read(&bytes[..]).unwrap()] {
+                assert_eq!((again.vertex_count(), corners(&again)), (model.vertex_count(), corners(model)));
+            }
         }
         // Without heights they lie in the plane.
         let flat = read(&b"TIN(((0 0,1 0,0 1,0 0)),((1 0,1 1,0 1,1 0)))"[..]).unwrap();

@@ -115,7 +115,7 @@ def test_files_places_phases_and_comparisons(tmp_path: Path) -> None:
     assert again.compare(rooms)["area_xor"] == 0.0
     moved, _ = rooms.advected("translation", 1.0, velocity=(0.5, 0.0), spacing=3.0)
     assert rooms.compare(moved)["area_xor"] == pytest.approx(1 + 1 + 2)
-    with pytest.raises(coface.ParseError, match="coface.Interface.read"):
+    with pytest.raises(coface.UnsupportedFormatError, match="coface.Interface.read"):
         coface.YinSet.read(path)
     other = tmp_path / "other.json"
     other.write_text('{"curves": []}')

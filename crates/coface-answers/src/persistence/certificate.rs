@@ -102,7 +102,7 @@ impl FoundDiagram<'_> {
         let [(_, bytes)] = inputs else {
             return Err(Error::invalid("a certificate of persistence is of one input"));
         };
-        let listed = facets.as_ref().map(|facets| crate::answer::to_json(facets));
+        let listed = facets.as_ref().map(crate::answer::to_json);
         let bytes = listed.as_ref().map_or(*bytes, |text| text.as_bytes());
         let read = coface_check::Complex::read(bytes).map_err(|fault| refused(&fault.to_string()))?;
         let mut answer = self.answer();
@@ -155,6 +155,9 @@ impl FoundDiagram<'_> {
     }
 }
 
+/// The terms of a chain: coefficients with cells.
+pub(super) type Terms = Vec<(Number, u32)>;
+
 /// For each degree from 1 on the chains that end classes, and the cycles of those that stay, with cells in this order and their numbers by `place`.
 pub(super) fn chains(
     complex: &ChainComplex,
@@ -162,7 +165,7 @@ pub(super) fn chains(
     prime: u32,
     order: &[Vec<u32>],
     place: impl Fn(usize, CellId) -> u32,
-) -> Result<Vec<Vec<Vec<(Number, u32)>>>, Error> {
+) -> Result<Vec<Vec<Terms>>, Error> {
     let whole = persistence(complex, filtration, Coefficients::Modulo(prime.into()))?;
     let mut ranks: Vec<Vec<u32>> = order.iter().map(|own| vec![0; own.len()]).collect();
     for (ranks, order) in ranks.iter_mut().zip(order) {

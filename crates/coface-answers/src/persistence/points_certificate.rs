@@ -21,10 +21,13 @@ struct Certificate<'a> {
     proof: &'a Proof,
 }
 
+/// Coefficients with simplices by their points.
+type Terms = Vec<(u32, Vec<u32>)>;
+
 #[derive(Serialize)]
 struct Proof {
     /// For each degree from 1 on the cochains of several terms: coefficients with simplices by their points.
-    cochains: Vec<Vec<Vec<(u32, Vec<u32>)>>>,
+    cochains: Vec<Vec<Terms>>,
 }
 
 /// How a file may hold points or distances.

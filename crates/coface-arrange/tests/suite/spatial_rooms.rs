@@ -86,9 +86,9 @@ impl Building {
             }
             inputs.resize(lists.len(), input);
         }
-        let positions = Positions::from_flat(3, flat).unwrap();
-        let polygons = SpatialPolygons::from_polygons(positions, RaggedArray::from_lists(lists)).unwrap();
-        polygons.with_inputs(inputs).unwrap()
+        let positions = Positions::from_flat(3, flat).expect("three coordinates a corner");
+        let polygons = SpatialPolygons::from_polygons(positions, RaggedArray::from_lists(lists));
+        polygons.and_then(|polygons| polygons.with_inputs(inputs)).expect("boxes are polygons")
     }
 
     /// The volumes of boxes and rooms, rising.

@@ -211,7 +211,7 @@ fn faults_are_named() {
         (&["--cycle", "0 1; 1 3"][..], "its boundary has the coefficient -1 on {v0}"),
         (&["--cycle", "0 1; 1 9"], "there is no cell [1, 9]"),
         (&["--cycle", "0 1; banana"], "\"banana\" is no part of a chain"),
-        (&["--cycle", "nowhere.json"], "nowhere.json: cannot be read"),
+        (&["--cycle", "nowhere.json"], "nowhere.json: there is no such file or folder"),
         (&["--cycle", "0 1 2; 0 1"], "of degree 2 and the cell [0, 1] of degree 1"),
     ] {
         let run = coface_reading(&[&["homology", "-"], arguments].concat(), PLANE.as_bytes());

@@ -89,10 +89,11 @@ fn time_beyond_the_limit_ends_the_program_in_words() {
     let folder = tempfile::tempdir().unwrap();
     let large = simplex(folder.path(), 21);
     let generators = folder.path().join("generators.json");
+    let page = folder.path().join("page.html");
     let before = names(folder.path());
     for line in [
         &["homology", &large][..],
-        &["info", &large, "--html", argument(&generators)],
+        &["info", &large, "--html", argument(&page)],
         &["homology", &large, "--generators", argument(&generators)],
     ] {
         let run = coface(&[line, &["--time-limit", "20ms"]].concat());

@@ -186,12 +186,12 @@ fn edges_that_the_model_lacks_are_refused() {
     let folder = Folder::new();
     let model = folder.generated(&["torus"], "torus.obj");
     let page = folder.path("page.html");
-    let chain = folder.file("chain.json", "[[1,[0,1]],[1,[1,577]]]");
-    let message = coface(&["view", &model, "--with", &chain, "-o", argument(&page)]).fails_with(1).to_owned();
+    let other = folder.file("star.json", "{\"simplices\":[[0,1],[1,577]]}");
+    let message = coface(&["view", &model, "--with", &other, "-o", argument(&page)]).fails_with(1).to_owned();
     assert!(message.contains("the model has no edge from vertex 1 to vertex 577"), "{message}");
     // Over points alone, a complex of them may have any edges.
     let points = folder.file("points.csv", "0,0\n1,0\n0,1\n");
-    let edge = folder.file("edge.json", "[[1,[0,2]]]");
+    let edge = folder.file("edge.json", "{\"simplices\":[[0,2]]}");
     assert_eq!(coface(&["view", &points, "--with", &edge, "-o", argument(&page)]).status, 0);
 }
 
@@ -251,7 +251,7 @@ fn what_is_no_answer_is_refused() {
         assert!(message.contains(said) && message.contains("result.json"), "{message}");
     }
     let run = coface(&["view", &model, "--with", argument(&folder.path("missing.json"))]);
-    assert!(run.fails_with(1).contains("missing.json: cannot be read"));
+    assert!(run.fails_with(1).contains("missing.json: there is no such file"));
 }
 
 #[test]

@@ -83,10 +83,8 @@ fn every_type_of_cell_is_read() {
     assert_eq!(polygons, [&[0, 1, 3, 2][..], &[0, 1, 2], &[2, 1, 3], &[0, 1, 3, 2], &[0, 3, 2]]);
     assert_eq!(model.lines().list(0), [3, 2, 1, 0]);
     assert_eq!(model.points().len(), 2);
-    let remarks: Vec<&str> = model.remarks().iter().map(|remark| &remark.message[..]).collect();
-    assert!(remarks[0].starts_with("1 cell is a point: the data on it are left out"), "{remarks:?}");
-    assert!(remarks[1].contains("of higher order"), "{remarks:?}");
-    // The strip is two triangles.
+    assert!(model.remarks()[0].message.contains("1 elements of higher order"));
+    // The strip is two triangles; the points have no data.
     let column = |name: &str, kind| -> Vec<i64> {
         let data = model.data_named(name, kind).unwrap();
         (0..data.len()).map(|i| data.integer_row(i).unwrap()[0]).collect()
@@ -96,6 +94,18 @@ fn every_type_of_cell_is_read() {
     assert_eq!(column("x", GroupKind::Lines), [80]);
     assert!(model.data_named("v", GroupKind::Lines).unwrap().real_row(0)[2].is_nan());
     assert_eq!(column("id", GroupKind::Vertices), [0, 1, 2, 3, 4, 5, 6, 7]);
+}
+
+#[test]
+fn data_on_cells_that_are_points_are_left_out_with_a_remark() {
+    for (value, remarks) in [(9, 1), (0, 0)] {
+        let text = format!(
+            "{POINTS}CELLS 2 7\n1 7\n4 0 1 2 3\nCELL_TYPES 2\n1 9\nCELL_DATA 2\nSCALARS x int 1\nLOOKUP_TABLE default\n{value} 10\n"
+        );
+        let model = read(text.as_bytes()).unwrap();
+        assert_eq!(model.data_named("x", GroupKind::Polygons).unwrap().integer_row(0), Some(vec![10]));
+        assert_eq!(model.remarks().len(), remarks, "{:?}", model.remarks());
+    }
 }
 
 #[test]

@@ -112,7 +112,10 @@ impl Scene {
         on_model().find_map(|layer| {
             let mut pairs =
                 layer.lines.iter().flat_map(|line| line.windows(2).map(|pair| [pair[0], pair[1]]));
-            let strange = |&[a, b]: &[u32; 2]| a != b && edges.binary_search(&[a.min(b), a.max(b)]).is_err();
+            let strange = |edge: &[u32; 2]| {
+                let [a, b] = edge.map(|vertex| self.numbering.of(vertex));
+                a != b && edges.binary_search(&[a.min(b), a.max(b)]).is_err()
+            };
             pairs.find(strange).map(|edge| (layer, edge))
         })
     }

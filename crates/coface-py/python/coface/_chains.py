@@ -270,7 +270,7 @@ def induced_map(
     >>> abs(maps[1]["matrix"]), maps[1]["cokernel"]
     (array([[2]]), 'Z/2')
     """
-    images: Any = dict(vertices) if isinstance(vertices, Mapping) else [tuple(pair) for pair in plain(vertices)]
+    images: Any = dict(vertices) if isinstance(vertices, Mapping) else [tuple(pair) if isinstance(pair, (list, tuple)) else pair for pair in plain(vertices)]
     return _coface.induced_map(as_model(source), as_model(target), images, progress=progress)
 
 

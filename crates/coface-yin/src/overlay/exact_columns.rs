@@ -178,7 +178,7 @@ mod tests {
         };
         let [a, b] = [line(2.0), line(2.0 - f64::EPSILON)];
         assert!(b.heights[1] < a.heights[0] && a.is_rightward);
-        assert!(a.heights[0].abs() < 1e-15 && a.range[0] < 1.0 / 3.0 && 1.0 / 3.0 < a.range[1]);
+        assert!(a.heights[0].abs() < 1e-15 && a.range[0] <= 1.0 / 3.0 && 1.0 / 3.0 <= a.range[1]);
     }
 
     #[test]

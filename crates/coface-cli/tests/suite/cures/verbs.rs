@@ -24,6 +24,16 @@ pub(super) const CASES: &[Case] = &[
             &["coface persistence points.csv --alpha --weighted"],
             &["coface persistence points.csv --alpha --radii"],
         ]),
+    Case::new("simplicial/lists.rs", "take a skeleton of it: coface skeleton INPUT --dimension K -o OUT.json")
+        .files(&[(
+            "large.json",
+            "[[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27,28,29,30]]",
+        )])
+        .refused("coface homology large.json")
+        .cured(&[&[
+            "coface skeleton large.json --dimension 2 -o skeleton.json",
+            "coface homology skeleton.json",
+        ]]),
     Case::new("src/points.rs", "to end the alpha complex at the value A give --alpha A")
         .files(POINTS)
         .refused("coface homology points.csv --alpha --threshold 9")

@@ -207,6 +207,13 @@ pub(super) const CASES: &[Case] = &[
         .cured(&[&[
             "coface yin advect hole.wkt --inputs features --flow translation --time 0.1 --spacing 1 --keep-small",
         ]]),
+    Case::new("json/interface.rs", "give the file that coface yin interface -o FILE.json writes")
+        .files(&[
+            ("bad.json", r#"{"order":2,"phases":[{"name":"a"}],"junctions":[]}"#),
+            ("rooms.wkt", "POLYGON((0 0,1 0,1 1,0 1,0 0))\n"),
+        ])
+        .refused("coface info bad.json")
+        .cured(&[&["coface yin interface rooms.wkt -o good.json", "coface info good.json"]]),
     Case::new("yin/interface_file.rs", "give the file that coface yin interface -o FILE.json writes")
         .files(DISK)
         .with(&[("bad.json", "{\"phases\":[],\"junctions\":[]}")])

@@ -25,7 +25,15 @@ def to_model(value: Any) -> Model:
 
 
 def from_model(model: Model) -> Any:
-    """A planar model as a geometry of shapely: polygons with holes, lines and points, in one collection if there are several kinds."""
+    """A model as a geometry of shapely: polygons with holes, lines and points, in one collection if there are several kinds. shapely has no surfaces in space: their faces are polygons."""
     library = needed("shapely", "to_shapely")
-    found = [library.from_wkb(line) for line in model.to_bytes("hex").decode().splitlines() if line]
+    found = [library.from_wkb(_known(line)) for line in model.to_bytes("hex").decode().splitlines() if line]
     return found[0] if len(found) == 1 else library.GeometryCollection(found)
+
+
+def _known(digits: str) -> str:
+    """Well-known binary with the polygons of a surface (kind 15) as those of a MULTIPOLYGON (kind 6), which is laid out alike."""
+    kind = int.from_bytes(bytes.fromhex(digits[2:10]), "little")
+    if kind & 0xFFFFFFF not in (15, 1015):
+        return digits
+    return digits[:2] + (kind - 9).to_bytes(4, "little").hex().upper() + digits[10:]
