@@ -10,6 +10,9 @@ use super::{Layer, Scene};
 use coface_algebra::Error;
 use serde::Serialize;
 
+/// Polygons of more sides may have lines anywhere across them.
+const MOST_SIDES: usize = 64;
+
 impl Scene {
     /// Adds what an answer of coface says, as its type or as the JSON object of its verb: generators, cocycles, harmonic forms, seams with the domain
     /// that they cut, covers, loops, sets of simplices, facts about the cells of an arrangement, forests, persistence diagrams. A list of terms
@@ -108,7 +111,18 @@ impl Scene {
         if !is_mesh || on_model().next().is_none() {
             return None;
         }
-        let edges = self.parts.edges();
+        let mut edges = self.parts.edges();
+        // What cuts polygons into triangles has lines across them.
+        let large: Vec<&[u32]> = self.parts.polygons.iter().filter(|polygon| polygon.len() > 3).collect();
+        if large.iter().any(|polygon| polygon.len() > MOST_SIDES) {
+            return None;
+        }
+        for polygon in large {
+            for (i, &a) in polygon.iter().enumerate() {
+                edges.extend(polygon[i + 1..].iter().map(|&b| [a.min(b), a.max(b)]));
+            }
+        }
+        edges.sort_unstable();
         on_model().find_map(|layer| {
             let mut pairs =
                 layer.lines.iter().flat_map(|line| line.windows(2).map(|pair| [pair[0], pair[1]]));
