@@ -43,19 +43,26 @@ pub struct Verdict {
     unchecked: Vec<String>,
 }
 
+/// Keys whose empty list is a claim: that there are none.
+const CLAIMS_OF_NONE: [&str; 2] = ["problems", "warnings"];
+
 impl Verdict {
-    /// What was proved; the keys of an answer beyond the known ones that hold something are unchecked.
+    /// What was proved; the keys of an answer beyond the known ones that hold something, or say that there are no problems, are unchecked.
     ///
     /// # Examples
     /// ```
-    /// let answer = serde_json::json!({"genus": 1, "area": 2.5, "remarks": []});
+    /// let answer = serde_json::json!({"genus": 1, "area": 2.5, "problems": [], "remarks": []});
     /// let verdict = coface_check::Verdict::of(vec!["genus = 1".to_owned()], &answer, &["genus"]);
-    /// assert_eq!(verdict.unchecked(), ["area"]);
+    /// assert_eq!(verdict.unchecked(), ["area", "problems"]);
     /// ```
     pub fn of(proved: Vec<String>, answer: &Value, known: &[&str]) -> Self {
-        let says = |value: &Value| !matches!(value, Value::Null) && *value != Value::Array(vec![]);
+        let says = |key: &str, value: &Value| match value {
+            Value::Null => false,
+            Value::Array(list) => !list.is_empty() || CLAIMS_OF_NONE.contains(&key),
+            _ => true,
+        };
         let others = answer.as_object().into_iter().flatten();
-        let others = others.filter(|(key, value)| !known.contains(&key.as_str()) && says(value));
+        let others = others.filter(|(key, value)| !known.contains(&key.as_str()) && says(key, value));
         Self { proved, unchecked: others.map(|(key, _)| key.clone()).collect() }
     }
 

@@ -48,7 +48,7 @@ const SEEN: &str = ", glb, gltf, png";
 /// The file has an extension that nothing is written by; `more` are those beyond the formats of models.
 pub(crate) fn unknown_extension(path: &Path, more: &str) -> Failure {
     let names: Vec<&str> =
-        Format::ALL.into_iter().filter(|format| format.is_written()).map(Format::name).collect();
+        Format::ALL.into_iter().filter(|format| !format.is_read_only()).map(Format::name).collect();
     let names = names.join(", ");
     let fault = match path.extension() {
         Some(extension) => format!("the extension \"{}\" is no format known here", extension.display()),

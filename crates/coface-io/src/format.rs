@@ -266,31 +266,6 @@ impl Format {
         })
     }
 
-    /// Whether files of the format are written, and not read alone.
-    ///
-    /// # Examples
-    /// ```
-    /// use coface_io::Format;
-    /// assert!(Format::Obj.is_written() && !Format::Gltf.is_written());
-    /// ```
-    pub const fn is_written(self) -> bool {
-        !matches!(
-            self,
-            Self::Nrrd
-                | Self::Nifti
-                | Self::MetaImage
-                | Self::Pgm
-                | Self::Png
-                | Self::Gltf
-                | Self::ThreeMf
-                | Self::Collada
-                | Self::Abaqus
-                | Self::TetGen
-                | Self::Points
-                | Self::CityJson
-        )
-    }
-
     /// Whether [`crate::write`] writes the named groups of a model in this format; the others leave them out.
     ///
     /// # Examples
@@ -428,7 +403,7 @@ pub(super) fn names() -> String {
 
 /// The names of the formats that are written, for an error message.
 pub(super) fn names_of_written() -> String {
-    let written = Format::ALL.into_iter().filter(|format| format.is_written());
+    let written = Format::ALL.into_iter().filter(|format| !format.is_read_only());
     written.map(Format::name).collect::<Vec<_>>().join(", ")
 }
 

@@ -2,7 +2,7 @@
 
 use crate::holed_faces::triangulated;
 use crate::lists::Elements;
-use crate::oddities::Oddities;
+use crate::oddities::{Oddities, Oddity};
 use crate::{Place, Remark, RemarkCode};
 
 /// The faces of surfaces, ring by ring.
@@ -58,6 +58,10 @@ impl SpaceFaces {
                 |triangles| triangles.into_iter().map(|triangle| triangle.to_vec()).collect(),
             );
             for polygon in polygons {
+                if polygon.len() < 3 {
+                    oddities.note(Oddity::Collapsed, || Place::cell(&polygon));
+                    continue;
+                }
                 elements.polygons.items_mut().extend_from_slice(&polygon);
                 elements.finish_face(&mut oddities, Place::default());
                 surfaces.resize(elements.polygons.len(), face[0].1);

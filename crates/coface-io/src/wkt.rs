@@ -676,6 +676,9 @@ mod tests {
                 assert_eq!((again.vertex_count(), corners(&again)), (model.vertex_count(), corners(model)));
             }
         }
+        // What has too few corners is left out.
+        let thin = read(&b"TIN Z (((0 0 0,1 0 0,0 0 0)),((0 0 0,1 0 0,0 1 1,0 0 0)))"[..]).unwrap();
+        assert_eq!((thin.polygons().len(), thin.remarks().len()), (1, 1), "{:?}", thin.remarks());
         // Without heights they lie in the plane.
         let flat = read(&b"TIN(((0 0,1 0,0 1,0 0)),((1 0,1 1,0 1,1 0)))"[..]).unwrap();
         assert_eq!((flat.polygons().len(), flat.lines().len()), (0, 2));

@@ -80,19 +80,7 @@ impl PlanarArrangement {
     /// # Ok(()) }
     /// ```
     pub fn exact_area(&self, face: Option<FaceId>) -> Rational {
-        let mut doubled = Rational::ZERO;
-        for walk in self.walks(face) {
-            let mut corners = walk.iter().map(|&h| self.vertices[self.tail(h) as usize].to_rational());
-            let Some(first) = corners.next() else { continue };
-            let minus = |p: &[Rational; 2]| [&p[0] - &first[0], &p[1] - &first[1]];
-            let mut last = [Rational::ZERO, Rational::ZERO];
-            for corner in corners {
-                let corner = minus(&corner);
-                doubled += &(&(&last[0] * &corner[1]) - &(&last[1] * &corner[0]));
-                last = corner;
-            }
-        }
-        &doubled * &Rational::from(2).inverse().expect("2 is not zero")
+        exact_walks_area(self.walks(face), |halfedge| self.vertices[self.tail(halfedge) as usize])
     }
 
     /// The vertex where a halfedge starts.
@@ -112,4 +100,23 @@ pub fn walks_area<'a>(
     let corners = |walk: &'a [u32]| walk.iter().map(|&corner| point(corner));
     let [area, error] = approximate_area(walks.map(corners))?;
     (area.abs() * RELATIVE > error * (1.0 + RELATIVE)).then_some(area)
+}
+
+/// The same area as a fraction.
+pub(super) fn exact_walks_area<'a>(
+    walks: impl Iterator<Item = &'a [u32]>,
+    point: impl Fn(u32) -> PlanarPoint,
+) -> Rational {
+    let mut doubled = Rational::ZERO;
+    for walk in walks {
+        let mut corners = walk.iter().map(|&corner| point(corner).to_rational());
+        let Some(first) = corners.next() else { continue };
+        let mut last = [Rational::ZERO, Rational::ZERO];
+        for corner in corners {
+            let corner = [&corner[0] - &first[0], &corner[1] - &first[1]];
+            doubled += &(&(&last[0] * &corner[1]) - &(&last[1] * &corner[0]));
+            last = corner;
+        }
+    }
+    &doubled * &Rational::from(2).inverse().expect("2 is not zero")
 }

@@ -1,10 +1,10 @@
 //! Polygons with holes that some faces of an arrangement make up.
 
 use super::PlanarArrangement;
-use super::areas::walks_area;
+use super::areas::{exact_walks_area, walks_area};
 use super::faces::NONE;
 use super::simple_rings::simple_rings;
-use coface_algebra::{EdgeId, FaceId, RaggedArray, Rational, UnionFind, VertexId};
+use coface_algebra::{EdgeId, FaceId, RaggedArray, UnionFind, VertexId};
 use coface_geometry::predicates::{PlanarLine, PlanarPoint, direction_turn};
 
 /// Polygons with holes around some faces of an arrangement.
@@ -82,26 +82,10 @@ impl FaceOutline {
         let point = |vertex: u32| arrangement.vertices[vertex as usize];
         let area = |polygon: &[u32]| {
             let walks = || polygon.iter().map(|&ring| self.rings.list(ring as usize));
-            walks_area(walks(), point).unwrap_or_else(|| exact_area(walks(), point).to_f64())
+            walks_area(walks(), point).unwrap_or_else(|| exact_walks_area(walks(), point).to_f64())
         };
         self.polygons.iter().map(area).collect()
     }
-}
-
-/// The area that walks enclose.
-fn exact_area<'a>(walks: impl Iterator<Item = &'a [u32]>, point: impl Fn(u32) -> PlanarPoint) -> Rational {
-    let mut doubled = Rational::ZERO;
-    for walk in walks {
-        let mut corners = walk.iter().map(|&vertex| point(vertex).to_rational());
-        let Some(first) = corners.next() else { continue };
-        let mut last = [Rational::ZERO, Rational::ZERO];
-        for corner in corners {
-            let corner = [&corner[0] - &first[0], &corner[1] - &first[1]];
-            doubled += &(&(&last[0] * &corner[1]) - &(&last[1] * &corner[0]));
-            last = corner;
-        }
-    }
-    &doubled * &Rational::from(2).inverse().expect("2 is not zero")
 }
 
 impl PlanarArrangement {

@@ -514,5 +514,16 @@ pub(crate) fn losses_of(model: &Model, format: Format) -> Vec<Remark> {
         Remark::new(RemarkCode::FormatKeepsLess, message).at(count, [])
     };
     let system = model.reference_system().and_then(|system| reference_loss(system, format));
-    losses.into_iter().filter(is_lost).map(remark).chain(system).collect()
+    let surface = (format == Format::GeoJson && is_surface_in_space(model)).then(|| {
+        let message =
+            "GeoJSON has no surfaces in space: polygons that are read from it lie in the plane, with heights";
+        Remark::new(RemarkCode::FormatKeepsLess, message)
+    });
+    losses.into_iter().filter(is_lost).map(remark).chain(system).chain(surface).collect()
+}
+
+/// Whether polygons do not lie in the plane of the first two coordinates.
+fn is_surface_in_space(model: &Model) -> bool {
+    let heights = model.positions().as_flat().iter().skip(2).step_by(3);
+    model.positions().dimension() == 3 && !model.polygons().is_empty() && heights.clone().any(|&z| z != 0.0)
 }

@@ -398,7 +398,7 @@ impl Persistence {
             (Some(star), _) => writeln!(page, "    function: {function}, {star} star"),
             (None, Some(threshold)) => {
                 let what = if function == "vietoris-rips" { "diameters" } else { "values" };
-                writeln!(page, "    {function}, {what} up to {threshold}")
+                writeln!(page, "    {function}, {what} up to {}", text::number(threshold))
             }
             (None, None) if self.zigzag => writeln!(page, "    zigzag: intervals with closed and open ends"),
             (None, None) => writeln!(page, "    values: {function}"),

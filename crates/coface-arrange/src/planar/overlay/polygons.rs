@@ -2,7 +2,7 @@
 
 use super::PlanarOverlay;
 use crate::planar::VertexSource;
-use crate::planar::areas::walks_area;
+use crate::planar::areas::{exact_walks_area, walks_area};
 use crate::planar::faces::NONE;
 use coface_algebra::{EdgeId, VertexId};
 use coface_algebra::{RaggedArray, Rational};
@@ -436,16 +436,7 @@ impl PlanarPolygons<'_> {
     }
 
     fn exact_ring_area(&self, ring: u32) -> Rational {
-        let mut corners =
-            self.rings.list(ring as usize).iter().map(|&v| self.point(VertexId::from_u32(v)).to_rational());
-        let Some(first) = corners.next() else { return Rational::ZERO };
-        let mut doubled = Rational::ZERO;
-        let mut last = [Rational::ZERO, Rational::ZERO];
-        for corner in corners {
-            let corner = [&corner[0] - &first[0], &corner[1] - &first[1]];
-            doubled += &(&(&last[0] * &corner[1]) - &(&last[1] * &corner[0]));
-            last = corner;
-        }
-        &doubled * &Rational::from(2).inverse().expect("2 is not zero")
+        let walk = std::iter::once(self.rings.list(ring as usize));
+        exact_walks_area(walk, |vertex| self.point(VertexId::from_u32(vertex)))
     }
 }

@@ -17,7 +17,7 @@ array([[1., 1., 1., 1., 1., 0.]])
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,7 +35,25 @@ from sklearn.base import BaseEstimator, TransformerMixin  # noqa: E402
 __all__ = ["BettiCurves", "Diagrams", "Landscapes", "PersistenceImages", "PointDiagrams"]
 
 
-class Diagrams(TransformerMixin, BaseEstimator):  # type: ignore[misc]
+_Step = TypeVar("_Step", bound="_ListsOfDiagrams")
+
+
+class _ListsOfDiagrams(TransformerMixin, BaseEstimator):  # type: ignore[misc]
+    """A step that learns nothing and gives lists of diagrams."""
+
+    def fit(self: _Step, X: Iterable[Any], y: Any = None) -> _Step:
+        """Nothing is learned."""
+        return self
+
+    def __sklearn_is_fitted__(self) -> bool:
+        return True
+
+    def set_output(self: _Step, *, transform: str | None = None) -> _Step:
+        """Nothing: diagrams are lists of arrays in any case. A pipeline asks all of its steps."""
+        return self
+
+
+class Diagrams(_ListsOfDiagrams):
     """Persistence diagrams of many images, or of many spaces with values at their vertices.
 
     A sample is an array of numbers with 1 to 8 axes, whose voxels come at their values, or a pair ``(space, values)``: anything that
@@ -64,17 +82,6 @@ class Diagrams(TransformerMixin, BaseEstimator):  # type: ignore[misc]
         self.coefficients = coefficients
         self.upper = upper
         self.least = least
-
-    def fit(self, X: Iterable[Any], y: Any = None) -> Diagrams:
-        """Nothing is learned."""
-        return self
-
-    def __sklearn_is_fitted__(self) -> bool:
-        return True
-
-    def set_output(self, *, transform: str | None = None) -> Diagrams:
-        """Nothing: diagrams are lists of arrays in any case. A pipeline asks all of its steps."""
-        return self
 
     @in_words
     def transform(self, X: Iterable[Any]) -> list[list[NDArray[np.float64]]]:
@@ -105,7 +112,7 @@ class Diagrams(TransformerMixin, BaseEstimator):  # type: ignore[misc]
         return [_falling(diagram) for diagram in found] if self.upper else found
 
 
-class PointDiagrams(TransformerMixin, BaseEstimator):  # type: ignore[misc]
+class PointDiagrams(_ListsOfDiagrams):
     """Persistence diagrams of the Vietoris-Rips filtrations of many clouds of points.
 
     Parameters
@@ -137,17 +144,6 @@ class PointDiagrams(TransformerMixin, BaseEstimator):  # type: ignore[misc]
         self.distances = distances
         self.coefficients = coefficients
         self.least = least
-
-    def fit(self, X: Iterable[Any], y: Any = None) -> PointDiagrams:
-        """Nothing is learned."""
-        return self
-
-    def __sklearn_is_fitted__(self) -> bool:
-        return True
-
-    def set_output(self, *, transform: str | None = None) -> PointDiagrams:
-        """Nothing: diagrams are lists of arrays in any case. A pipeline asks all of its steps."""
-        return self
 
     @in_words
     def transform(self, X: Iterable[Any]) -> list[list[NDArray[np.float64]]]:
