@@ -1,7 +1,6 @@
 //! Images: arrays of numbers, and the cubes that they make.
 
-use crate::KNOWN;
-use crate::pairs;
+use crate::{KNOWN, above, pairs};
 use coface_check::json::{field, index, list, optional, text, truth};
 use coface_check::{Complex, Fault, Verdict};
 use serde_json::Value;
@@ -313,7 +312,8 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     ];
     for (k, count) in counts.iter().enumerate() {
         proved.push(format!(
-            "degree {k}: the births and deaths of the {count} pairs whose persistence is above {least} and not 0, and no others, each the value of its voxel"
+            "degree {k}: the births and deaths of the {count} pairs whose persistence is {}, and no others, each the value of its voxel",
+            above(least)
         ));
     }
     Ok(Verdict::of(proved, answer, &[&KNOWN[..], &["function"]].concat()))

@@ -130,10 +130,22 @@ fn diagram(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     proved.push(format!("Betti numbers over F_{prime} = {betti:?}"));
     for k in 0..betti.len() {
         let count = found.iter().filter(|pair| pair.0 == k).count();
-        proved
-            .push(format!("degree {k}: the {count} pairs whose persistence is above {least}, and no others"));
+        proved.push(format!(
+            "degree {k}: the {count} pairs whose persistence is above {}, and no others",
+            shown(least)
+        ));
     }
     Ok(Verdict::of(proved, answer, &known))
+}
+
+/// What the persistence of pairs is that live longer than this and not no time at all.
+fn above(least: f64) -> String {
+    if least < 0.0 { "not 0".to_owned() } else { format!("above {}", shown(least)) }
+}
+
+/// A length for people, with a power of ten where it is large or small.
+fn shown(length: f64) -> String {
+    format!("{length:?}").trim_end_matches(".0").to_owned()
 }
 
 /// The cells of each degree by their vertices in rising order, or by their numbers where they have no vertices.

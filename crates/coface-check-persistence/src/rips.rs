@@ -1,7 +1,7 @@
 //! Certificates of Vietoris-Rips persistence: cochains instead of the chains of all simplices, so that the simplices of the highest degree are not listed.
 
-use crate::PAIR_KEYS;
 use crate::points::Near;
+use crate::{PAIR_KEYS, above};
 use coface_check::json::{field, index, list, optional, text};
 use coface_check::{Fault, Verdict};
 use serde_json::Value;
@@ -87,7 +87,8 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     ];
     for (k, count) in counts.iter().enumerate() {
         proved.push(format!(
-            "degree {k}: the {count} pairs whose persistence is above {least} and not 0, and no others"
+            "degree {k}: the {count} pairs whose persistence is {}, and no others",
+            above(least)
         ));
     }
     Ok(Verdict::of(proved, answer, &KNOWN))

@@ -271,7 +271,7 @@ impl PlanarDrawing {
 
     /// Whether the ends of these segments are on one line.
     fn are_on_one_line(&self, segments: &[[u32; 2]]) -> bool {
-        let places = || segments.iter().map(|segment| self.place(segment[1]));
+        let places = || segments.iter().flatten().map(|&end| self.place(end));
         let Some(first) = places().next() else { return true };
         let Some(second) = places().find(|&place| place != first) else { return true };
         places().all(|place| orientation(first, second, place).is_eq())

@@ -121,6 +121,19 @@ fn exact_results_in_the_plane_are_input_again() {
     }
     let slivers = coface(&["boolean", "--formula", "a ^ (b | c)", &land, &rounded, &rest, "--json"]).json();
     assert_ne!(slivers["f_vector"], json!([0, 0, 0]));
+    // Nothing is said of what was assumed: exact results are what they are.
+    let triangle = argument(&file(&folder, "triangle.wkt", "POLYGON((0 0,3 1,1 3,0 0))\n")).to_owned();
+    let cut = argument(&file(&folder, "cut.wkt", "POLYGON((1 0,2 4,0 2,1 0))\n")).to_owned();
+    let [part, other, both] = ["part.json", "other.json", "both.json"].map(path);
+    for (operation, inputs, output) in [
+        ("difference", [&triangle, &cut], &part),
+        ("intersection", [&triangle, &cut], &other),
+        ("union", [&part, &other], &both),
+        ("union", [&both, &both], &part),
+    ] {
+        let run = coface(&["boolean", operation, inputs[0], inputs[1], "--exact", "-o", output]);
+        assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{operation}");
+    }
     // What is empty is input as well.
     assert_eq!(coface(&["boolean", "difference", &whole, &land, "--exact", "-o", &xor]).status, 0);
     let run = coface(&["boolean", "union", &xor, &knife, "--json"]).json();
