@@ -40,9 +40,13 @@ fn point<'a>(mut words: impl Iterator<Item = &'a str>) -> [f64; 3] {
     [(); 3].map(|()| words.next().and_then(|word| word.parse().ok()).unwrap_or(f64::NAN))
 }
 
+/// The lines without comments and blanks at their ends.
+fn lines_of(text: &str) -> impl Iterator<Item = &str> {
+    text.lines().map(|line| line.split('#').next().unwrap_or("").trim())
+}
+
 fn off(text: &str) -> Result<Surface, Fault> {
-    let lines = text.lines().map(|line| line.split('#').next().unwrap_or("").trim());
-    let mut lines = lines.filter(|line| !line.is_empty());
+    let mut lines = lines_of(text).filter(|line| !line.is_empty());
     let mut next = || lines.next().ok_or_else(|| Fault::new(STEP, "the OFF file ends early"));
     let first = next()?;
     let counts = match first.strip_prefix("OFF").map(str::trim) {
@@ -79,13 +83,12 @@ fn off(text: &str) -> Result<Surface, Fault> {
 
 fn obj(text: &str) -> Result<Surface, Fault> {
     let mut surface = Surface::default();
-    for line in text.lines() {
-        let line = line.split('#').next().unwrap_or("");
+    for line in lines_of(text) {
         let mut words = line.split_whitespace();
         let Some(key) = words.next() else { continue };
         let vertex = |word: &str| corner(word, surface.points.len());
         match key {
-            _ if line.trim_end().ends_with('\\') => {
+            _ if line.ends_with('\\') => {
                 return Err(Fault::new(STEP, "a line of the OBJ file goes on in the next"));
             }
             "v" => surface.points.push(point(words)),
@@ -128,10 +131,8 @@ impl Surface {
     pub fn read(bytes: &[u8]) -> Result<Self, Fault> {
         let text =
             std::str::from_utf8(bytes).map_err(|_| Fault::new(STEP, "the checker reads text, not this"))?;
-        match text.split_whitespace().next() {
-            Some("OFF") => off(text),
-            _ => obj(text),
-        }
+        let first = lines_of(text).find(|line| !line.is_empty());
+        if first.is_some_and(|line| line.starts_with("OFF")) { off(text) } else { obj(text) }
     }
 
     fn complex(self, size: usize) -> Result<Complex, Fault> {

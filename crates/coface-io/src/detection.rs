@@ -85,7 +85,9 @@ impl Format {
             // The type may come behind all coordinates.
             Self::GeoJson if !whole && start.trim_ascii_start().starts_with(b"{") => Likeness::Possible,
             Self::GeoJson => Likeness::No,
-            Self::Wkt => certain_if(wkt::is_geometry(first_line(start))),
+            Self::Wkt => certain_if(
+                wkt::is_geometry(first_line(start)) || is_text(start) && wkt_table::is_table(start),
+            ),
             Self::Wkb => certain_if(!is_text(start) && wkb::is_binary(start)),
             Self::WkbHex => certain_if(wkb::is_digits(first_line(start))),
             Self::Svg => certain_if(is_svg(start)),

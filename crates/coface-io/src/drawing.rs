@@ -81,6 +81,9 @@ pub(super) struct Drawing {
     /// What the file says of the features, and whether what comes next is of the last of them.
     descriptions: FeatureTexts,
     is_described: bool,
+    /// How much had been drawn before that feature, and how many features have drawn nothing.
+    drawn_before: usize,
+    empty_features: usize,
     /// The features without names that have lines, and whether the next such line is of another one.
     feature_count: i64,
     begins_feature: bool,
@@ -140,6 +143,7 @@ impl Drawing {
     /// What comes next is another feature, with this name or none.
     pub(super) fn begin_feature(&mut self, name: Option<String>) {
         self.begins_feature = true;
+        self.empty_features += usize::from(self.is_described && self.drawn() == self.drawn_before);
         self.is_described = false;
         self.name = name.filter(|name| !name.is_empty()).map(|name| {
             *self.number_of_name.entry(name).or_insert_with_key(|name| {
@@ -155,6 +159,11 @@ impl Drawing {
         self.begin_feature(name.map(str::to_owned));
         self.descriptions.push(properties, id);
         self.is_described = true;
+        self.drawn_before = self.drawn();
+    }
+
+    fn drawn(&self) -> usize {
+        self.lines.len() + self.points.len() + self.corners.len()
     }
 
     /// The feature of what is drawn now, by its place among the descriptions.
@@ -373,7 +382,15 @@ impl Drawing {
     /// # Errors
     /// [`ErrorKind::TooLarge`] beyond 2^32 - 1 corners.
     pub(super) fn finish(mut self) -> Result<Model, Error> {
+        self.begin_feature(None);
         let faces = self.space_faces();
+        if self.empty_features > 0 {
+            let message = match self.empty_features {
+                1 => "1 feature has no geometry, and nothing is drawn for it".to_owned(),
+                count => format!("{count} features have no geometry, and nothing is drawn for them"),
+            };
+            self.remarks.push(Remark::new(RemarkCode::DataLeftOut, message).at(self.empty_features, []));
+        }
         let remark = |remarks: &mut Vec<Remark>, code: RemarkCode, count: usize, what: &str| {
             if count > 0 {
                 remarks.push(Remark::new(code, format!("{count} {what}")).at(count, []));

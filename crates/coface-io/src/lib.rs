@@ -93,6 +93,7 @@ pub mod vtk;
 mod witness;
 pub mod wkb;
 pub mod wkt;
+mod wkt_table;
 mod word_columns;
 #[cfg(feature = "xml")]
 mod xml_text;

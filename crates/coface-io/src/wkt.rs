@@ -6,7 +6,8 @@
 //! become chords. The faces of a `POLYHEDRALSURFACE` or `TIN` with heights become polygons of a mesh in space; of several each is a group.
 //! Heights and the number of the reference system are kept, measures passed over.
 //! A file whose reference system has a number is written with `SRID=..;` in front of each geometry.
-//! A geometry may also be well-known binary in hexadecimal digits, as databases give it.
+//! A geometry may also be well-known binary in hexadecimal digits, as databases give it. A table with a column of geometries (CSV) is read
+//! too: each row is a feature, and its other entries are the properties.
 //!
 //! Rings of polygons become closed lines with the integers `polygon` and `ring`, as in [`geojson`](super::geojson), and with `feature`, the
 //! number of the geometry, where one has several polygons.
@@ -18,6 +19,7 @@ use super::drawing::{
 };
 use super::scanner::{Scanner, parse_f64, quoted};
 use super::wkb;
+use super::wkt_table;
 use super::{Model, ReferenceSystem};
 use coface_algebra::{Error, ErrorKind};
 use std::io::{Read, Write};
@@ -28,6 +30,8 @@ const LONGEST: usize = 1 << 12;
 const DEEPEST: usize = 64;
 /// How a list begins, what is between its things, and how it ends.
 const LIST: [&[u8]; 3] = [b"(", b", ", b")"];
+/// So much of a file is looked at to tell whether it is a table.
+const START: usize = 1 << 12;
 const CURE: &str = "write it as in POLYGON ((0 0, 1 0, 0 1, 0 0))";
 
 /// The kinds of geometry, by their names.
@@ -148,7 +152,11 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
 /// `None`, with a remark then.
 pub(super) fn read_flattened(input: impl Read, flatten: Option<f64>) -> Result<Model, Error> {
     let drawing = Drawing::flattened(flatten);
-    let mut reader = Reader { scanner: Scanner::new(input), line: 1, word: Vec::new(), drawing };
+    let mut scanner = Scanner::new(input);
+    if wkt_table::is_table(scanner.available(START)?) {
+        return wkt_table::read(scanner, drawing)?.finish();
+    }
+    let mut reader = Reader { scanner, line: 1, word: Vec::new(), drawing };
     let mut seen = false;
     while let Some(byte) = reader.peek()? {
         if byte == b';' {
@@ -167,6 +175,23 @@ pub(super) fn read_flattened(input: impl Read, flatten: Option<f64>) -> Result<M
         return Err(Error::parse("the file has no geometry").at_line(reader.line).with_cure(CURE));
     }
     reader.drawing.finish()
+}
+
+/// Draws the one geometry of a text that begins on this line.
+///
+/// # Errors
+/// As of [`read`]; also for what stands behind the geometry.
+pub(super) fn draw(text: &[u8], line: u64, drawing: Drawing) -> Result<Drawing, Error> {
+    let mut reader = Reader { scanner: Scanner::new(text), line, word: Vec::new(), drawing };
+    if text.first() == Some(&b'0') {
+        wkb::read_digits(&mut reader.scanner, &mut reader.drawing, line)?;
+    } else {
+        reader.geometry(0)?;
+    }
+    match reader.peek()? {
+        None => Ok(reader.drawing),
+        Some(byte) => Err(reader.fault(format!("{} stands behind a geometry", quoted(&[byte])))),
+    }
 }
 
 struct Reader<R> {

@@ -186,9 +186,12 @@ fn edges_that_the_model_lacks_are_refused() {
     let folder = Folder::new();
     let model = folder.generated(&["torus"], "torus.obj");
     let page = folder.path("page.html");
-    let other = folder.file("star.json", "{\"simplices\":[[0,1],[1,577]]}");
-    let message = coface(&["view", &model, "--with", &other, "-o", argument(&page)]).fails_with(1).to_owned();
-    assert!(message.contains("the model has no edge from vertex 1 to vertex 577"), "{message}");
+    for other in ["{\"simplices\":[[0,1],[1,577]]}", "[[1,[0,1]],[2.5,[1,577]]]"] {
+        let other = folder.file("star.json", other);
+        let message =
+            coface(&["view", &model, "--with", &other, "-o", argument(&page)]).fails_with(1).to_owned();
+        assert!(message.contains("the model has no edge from vertex 1 to vertex 577"), "{message}");
+    }
     // Over points alone, a complex of them may have any edges.
     let points = folder.file("points.csv", "0,0\n1,0\n0,1\n");
     let edge = folder.file("edge.json", "{\"simplices\":[[0,2]]}");

@@ -25,7 +25,7 @@ impl Statement {
         }
     }
 
-    const fn role(self) -> GroupRole {
+    pub(super) const fn role(self) -> GroupRole {
         match self {
             Self::Group => GroupRole::Group,
             Self::Object => GroupRole::Object,

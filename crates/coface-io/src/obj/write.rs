@@ -1,17 +1,17 @@
 //! Writing OBJ.
 
-use super::groups::MOST_NAMES;
+use super::groups::{MOST_NAMES, Statement};
 use crate::decimal::{flush, push_f64, push_natural};
 use crate::limits::{require_dimension, require_mesh};
-use crate::{GroupKind, Model};
+use crate::{Group, GroupKind, GroupRole, Model};
 use coface_algebra::{Error, ErrorKind};
 use std::io::Write;
 
 /// Writes a model in OBJ.
 ///
 /// Coordinates are written so that they read back bit for bit; fewer than three are filled up with zeros. Groups of
-/// polygons are written as `g`, with all names of a polygon in one statement; `_` stands for the blanks in a name, which
-/// `g` does not allow. Data `red`, `green` and `blue` on vertices, a byte each, stand behind the coordinates as numbers from 0 to 1, as many
+/// polygons are written as `g`, with all names of a polygon in one statement, objects as `o` and materials as `usemtl`; these give one name at a time:
+/// an object that shares a polygon with another is a group. `_` stands for the blanks in a name behind `g`, and at the ends of others. Data `red`, `green` and `blue` on vertices, a byte each, stand behind the coordinates as numbers from 0 to 1, as many
 /// programs write and read them; our reader passes over them. [Texture coordinates](Model::texture_coordinates) are written as `vt`; then
 /// vertices at one place with one number in data `source` are one, so that a surface that was cut open to be laid out is whole. OBJ has no names for vertices and lines: such groups are left out.
 ///
@@ -68,20 +68,10 @@ pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
     }
     let numbers = numbers.as_deref();
     names.declare(&mut text);
-    let mut changes = names.changes.iter().peekable();
-    let mut current: Vec<usize> = Vec::new();
+    let mut naming = names.namings.iter().peekable();
     for (i, polygon) in model.polygons.iter().enumerate() {
-        if changes.peek().is_some_and(|change| change.polygon as usize <= i) {
-            while let Some(change) = changes.next_if(|change| change.polygon as usize <= i) {
-                match current.binary_search(&change.group) {
-                    Ok(at) if !change.enters => {
-                        current.remove(at);
-                    }
-                    Err(at) if change.enters => current.insert(at, change.group),
-                    _ => {}
-                }
-            }
-            names.push_statement(&mut text, &current)?;
+        while let Some(naming) = naming.next_if(|naming| naming.polygon as usize <= i) {
+            names.push_statement(&mut text, naming.statement, &naming.groups)?;
         }
         push_statement(&mut text, b'f', polygon, numbers);
         flush(&mut text, &mut output)?;
@@ -104,60 +94,98 @@ fn push_short(text: &mut Vec<u8>, share: f64) {
     push_f64(text, (share * 1e4).round() / 1e4);
 }
 
-/// The names of the groups of polygons and where they begin and end.
-struct Names {
-    names: Vec<String>,
-    changes: Vec<Change>,
-    /// Whether the groups come in another order than their first polygons, or some have none.
+/// The names of the groups of polygons and the statements that give them.
+struct Names<'a> {
+    groups: Vec<&'a Group>,
+    /// The names behind `g`, and behind `o` and `usemtl`, which may have blanks.
+    words: Vec<String>,
+    titles: Vec<String>,
+    /// In the order of their polygons.
+    namings: Vec<Naming>,
+    /// Whether the statements name the groups in another order than theirs, or leave some out.
     to_declare: bool,
 }
 
-/// A polygon at which a group begins or has ended.
-struct Change {
+/// A statement in front of a polygon: these groups, and no others of its kind, hold what follows.
+struct Naming {
     polygon: u32,
-    group: usize,
-    enters: bool,
+    statement: Statement,
+    groups: Vec<usize>,
 }
 
-impl Names {
-    fn new(model: &Model) -> Result<Self, Error> {
-        let groups: Vec<_> =
+impl<'a> Names<'a> {
+    fn new(model: &'a Model) -> Result<Self, Error> {
+        let groups: Vec<&Group> =
             model.groups.iter().filter(|group| group.kind() == GroupKind::Polygons).collect();
-        let names: Vec<String> = groups.iter().map(|group| one_word(group.name())).collect();
-        let mut sorted: Vec<&String> = names.iter().collect();
-        sorted.sort_unstable();
-        if let Some(pair) = sorted.windows(2).find(|pair| pair[0] == pair[1]) {
-            return Err(Error::invalid(format!("two groups would have the name \"{}\" in OBJ", pair[0]))
-                .with_cure("rename one of them"));
+        let names: Vec<&str> = (0..groups.len()).map(|group| plain_name(&groups, group)).collect();
+        let words: Vec<String> = names.iter().map(|name| one_word(name)).collect();
+        let titles: Vec<String> = names.iter().map(|name| one_line(name)).collect();
+        let mut namings = Vec::new();
+        let mut rest: Vec<usize> = Vec::new();
+        for statement in [Statement::Object, Statement::Material] {
+            let of_role: Vec<usize> =
+                (0..groups.len()).filter(|&group| groups[group].has_role(statement.role())).collect();
+            let (alone, others) = apart(&groups, &of_role, model.polygons.len());
+            rest.extend(others);
+            require_distinct(&alone, &titles)?;
+            add_namings(&groups, &alone, statement, &mut namings);
         }
-        let mut changes = Vec::new();
-        let mut firsts = Vec::with_capacity(groups.len());
-        for (group, members) in groups.iter().map(|group| group.members()).enumerate() {
-            let mut members = members.to_vec();
-            members.sort_unstable();
-            members.dedup();
-            firsts.push(members.first().copied());
-            for run in members.chunk_by(|a, b| a + 1 == *b) {
-                changes.push(Change { polygon: run[0], group, enters: true });
-                changes.push(Change { polygon: run[run.len() - 1] + 1, group, enters: false });
+        let words_of: Vec<usize> = (0..groups.len())
+            .filter(|group| groups[*group].has_role(GroupRole::Group) || rest.contains(group))
+            .collect();
+        require_distinct(&words_of, &words)?;
+        add_namings(&groups, &words_of, Statement::Group, &mut namings);
+        namings.sort_by_key(|naming| {
+            let first =
+                naming.groups.iter().find(|&&group| first_member(groups[group]) == Some(naming.polygon));
+            (naming.polygon, first.copied().unwrap_or(usize::MAX))
+        });
+        let mut named = vec![false; groups.len()];
+        let mut order = Vec::with_capacity(groups.len());
+        for &group in namings.iter().flat_map(|naming| &naming.groups) {
+            if !std::mem::replace(&mut named[group], true) {
+                order.push(group);
             }
         }
-        changes.sort_by_key(|change| change.polygon);
-        let to_declare = !firsts.is_sorted() || firsts.contains(&None);
-        Ok(Self { names, changes, to_declare })
+        let to_declare = !order.iter().copied().eq(0..groups.len());
+        Ok(Self { groups, words, titles, namings, to_declare })
     }
 
     /// Names all groups once, without polygons, so that a reader meets them in their order.
     fn declare(&self, text: &mut Vec<u8>) {
-        if self.to_declare {
-            for names in self.names.chunks(MOST_NAMES) {
-                text.extend_from_slice(format!("g {}\n", names.join(" ")).as_bytes());
+        if !self.to_declare {
+            return;
+        }
+        let mut used = Vec::new();
+        let mut words = 0;
+        for (group, title) in self.titles.iter().enumerate() {
+            let roles = [Statement::Object, Statement::Material];
+            let role = roles.into_iter().find(|statement| self.groups[group].has_role(statement.role()));
+            let statement = role.unwrap_or(Statement::Group);
+            if statement == Statement::Group && used.last() == Some(&statement) && words < MOST_NAMES {
+                text.pop();
+                text.extend_from_slice(format!(" {}\n", self.words[group]).as_bytes());
+                words += 1;
+                continue;
             }
-            text.extend_from_slice(b"g\n");
+            let name = if statement == Statement::Group { &self.words[group] } else { title };
+            text.extend_from_slice(format!("{} {name}\n", statement.keyword()).as_bytes());
+            words = 1;
+            used.push(statement);
+        }
+        used.sort_unstable();
+        used.dedup();
+        for statement in used {
+            text.extend_from_slice(format!("{}\n", statement.keyword()).as_bytes());
         }
     }
 
-    fn push_statement(&self, text: &mut Vec<u8>, groups: &[usize]) -> Result<(), Error> {
+    fn push_statement(
+        &self,
+        text: &mut Vec<u8>,
+        statement: Statement,
+        groups: &[usize],
+    ) -> Result<(), Error> {
         if groups.len() > MOST_NAMES {
             return Err(Error::new(
                 ErrorKind::UnsupportedFormat,
@@ -168,13 +196,85 @@ impl Names {
             )
             .with_cure("write MSH or VTK, or leave groups out"));
         }
-        text.push(b'g');
+        text.extend_from_slice(statement.keyword().as_bytes());
+        let names = if statement == Statement::Group { &self.words } else { &self.titles };
         for &group in groups {
             text.push(b' ');
-            text.extend_from_slice(self.names[group].as_bytes());
+            text.extend_from_slice(names[group].as_bytes());
         }
         text.push(b'\n');
         Ok(())
+    }
+}
+
+/// The name without the keyword that reading puts in front of it where a group before it has the name.
+fn plain_name<'a>(groups: &[&'a Group], group: usize) -> &'a str {
+    let name = groups[group].name();
+    let role = |statement: &Statement| groups[group].has_role(statement.role());
+    let statements = [Statement::Object, Statement::Material, Statement::Group];
+    statements
+        .into_iter()
+        .filter(role)
+        .filter_map(|statement| name.strip_prefix(statement.keyword())?.strip_prefix(':'))
+        .find(|plain| groups[..group].iter().any(|before| before.name() == *plain))
+        .unwrap_or(name)
+}
+
+/// Those of these groups that share no polygon with one of them before, and the others: `o` and `usemtl` give one name at a time.
+fn apart(groups: &[&Group], wanted: &[usize], polygon_count: usize) -> (Vec<usize>, Vec<usize>) {
+    let mut taken = vec![false; if wanted.is_empty() { 0 } else { polygon_count }];
+    wanted.iter().partition(|&&group| {
+        let members = groups[group].members();
+        let free = members.iter().all(|&polygon| !taken[polygon as usize]);
+        if free {
+            members.iter().for_each(|&polygon| taken[polygon as usize] = true);
+        }
+        free
+    })
+}
+
+fn first_member(group: &Group) -> Option<u32> {
+    group.members().iter().min().copied()
+}
+
+/// # Errors
+/// [`ErrorKind::InvalidInput`] if two of these groups would have one name.
+fn require_distinct(groups: &[usize], names: &[String]) -> Result<(), Error> {
+    let mut sorted: Vec<&String> = groups.iter().map(|&group| &names[group]).collect();
+    sorted.sort_unstable();
+    match sorted.windows(2).find(|pair| pair[0] == pair[1]) {
+        Some(pair) => Err(Error::invalid(format!("two groups would have the name \"{}\" in OBJ", pair[0]))
+            .with_cure("rename one of them")),
+        None => Ok(()),
+    }
+}
+
+/// Adds the statements of one kind, where one of these groups begins or has ended.
+fn add_namings(groups: &[&Group], wanted: &[usize], statement: Statement, namings: &mut Vec<Naming>) {
+    // (polygon, group, whether it begins there)
+    let mut changes = Vec::new();
+    for &group in wanted {
+        let mut members = groups[group].members().to_vec();
+        members.sort_unstable();
+        members.dedup();
+        for run in members.chunk_by(|a, b| a + 1 == *b) {
+            changes.push((run[0], group, true));
+            changes.push((run[run.len() - 1] + 1, group, false));
+        }
+    }
+    changes.sort_by_key(|&(polygon, ..)| polygon);
+    let mut current: Vec<usize> = Vec::new();
+    for at_one in changes.chunk_by(|a, b| a.0 == b.0) {
+        for &(_, group, begins) in at_one {
+            match current.binary_search(&group) {
+                Ok(at) if !begins => {
+                    current.remove(at);
+                }
+                Err(at) if begins => current.insert(at, group),
+                _ => {}
+            }
+        }
+        namings.push(Naming { polygon: at_one[0].0, statement, groups: current.clone() });
     }
 }
 
@@ -184,6 +284,21 @@ fn one_word(name: &str) -> String {
         return "_".to_owned();
     }
     name.chars().map(|c| if c.is_whitespace() || c.is_control() || c == '\\' { '_' } else { c }).collect()
+}
+
+/// The name with its blanks, with `_` for those at its ends, for control characters and backslashes.
+fn one_line(name: &str) -> String {
+    let inner = name.trim();
+    if inner.is_empty() {
+        return one_word(name);
+    }
+    let start = name.len() - name.trim_start().len();
+    let ends = start + inner.len();
+    let written = |(at, c): (usize, char)| match c {
+        _ if at < start || at >= ends || c.is_control() || c == '\\' => '_',
+        _ => c,
+    };
+    name.char_indices().map(written).collect()
 }
 
 /// Adds a statement about vertices, which are written under these numbers if they are not all their own; then faces have texture coordinates.

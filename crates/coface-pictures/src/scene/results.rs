@@ -74,8 +74,7 @@ impl Scene {
                 layer.name
             ));
         }
-        if let Some((layer, [a, b])) = self.strange_edge(&layers) {
-            let what = layer.name.clone();
+        if let Some((what, [a, b])) = self.strange_edge(&layers, result) {
             return other_model(format!(
                 "the model has no edge from vertex {a} to vertex {b}, but {what} has one"
             ));
@@ -103,12 +102,22 @@ impl Scene {
         Ok(())
     }
 
-    /// The first edge of lines of layers that runs from one vertex of a mesh to another and is no edge of it. Over points alone, complexes of
-    /// them may have any edges.
-    fn strange_edge<'l>(&self, layers: &'l [Layer]) -> Option<(&'l Layer, [u32; 2])> {
-        let on_model = || layers.iter().filter(|layer| layer.positions.is_none() && !layer.lines.is_empty());
+    /// The first edge of layers or of a chain that runs from one vertex of a mesh to another and is no edge of it, with its name. Over points
+    /// alone, complexes of them may have any edges.
+    fn strange_edge(&self, layers: &[Layer], result: &Shown) -> Option<(String, [u32; 2])> {
+        let of_layers = layers.iter().filter(|layer| layer.positions.is_none()).flat_map(|layer| {
+            let pairs = layer.lines.iter().flat_map(|line| line.windows(2));
+            pairs.map(|pair| (&layer.name[..], [pair[0], pair[1]]))
+        });
+        // Chains on edges are drawn as arrows, which have places of their own.
+        let of_chain =
+            result.chain.iter().flat_map(|chain| &chain.0).filter_map(|term| match term.cell[..] {
+                [a, b] => Some(("the chain", [a, b])),
+                _ => None,
+            });
+        let mut pairs = of_layers.chain(of_chain).peekable();
         let is_mesh = !self.parts.polygons.is_empty() || !self.parts.cells.is_empty();
-        if !is_mesh || on_model().next().is_none() {
+        if !is_mesh || pairs.peek().is_none() {
             return None;
         }
         let mut edges = self.parts.edges();
@@ -123,14 +132,10 @@ impl Scene {
             }
         }
         edges.sort_unstable();
-        on_model().find_map(|layer| {
-            let mut pairs =
-                layer.lines.iter().flat_map(|line| line.windows(2).map(|pair| [pair[0], pair[1]]));
-            let strange = |edge: &[u32; 2]| {
-                let [a, b] = edge.map(|vertex| self.numbering.of(vertex));
-                a != b && edges.binary_search(&[a.min(b), a.max(b)]).is_err()
-            };
-            pairs.find(strange).map(|edge| (layer, edge))
+        pairs.find_map(|(name, edge)| {
+            let [a, b] = edge.map(|vertex| self.numbering.of(vertex));
+            let is_strange = a != b && edges.binary_search(&[a.min(b), a.max(b)]).is_err();
+            is_strange.then(|| (name.to_owned(), edge))
         })
     }
 
