@@ -188,7 +188,11 @@ fn new_bar(begin: Instant) -> ProgressBar {
 #[cfg(unix)]
 pub(crate) fn end_on_signals() {
     use nix::sys::signal::{SigSet, Signal};
-    let signals: SigSet = [Signal::SIGINT, Signal::SIGTERM].into_iter().collect();
+    let mut signals: SigSet = [Signal::SIGINT, Signal::SIGTERM].into_iter().collect();
+    // A terminal that is closed ends what runs in it, unless that was started by nohup.
+    if !ignores_hangup() {
+        signals.add(Signal::SIGHUP);
+    }
     // Without somebody who waits for them the system ends the program, as it does others.
     if signals.thread_block().is_err() {
         return;
@@ -196,10 +200,21 @@ pub(crate) fn end_on_signals() {
     std::thread::spawn(move || {
         let status = match signals.wait() {
             Ok(Signal::SIGTERM) => TERMINATED,
+            Ok(Signal::SIGHUP) => HUNG_UP,
             _ => INTERRUPTED,
         };
         end(status)
     });
+}
+
+/// Whether the program was started to outlive its terminal; where the system does not tell, it counts as such.
+#[cfg(unix)]
+fn ignores_hangup() -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    // The bit of signal 1.
+    mask.is_none_or(|mask| mask & 1 != 0)
 }
 
 /// Ends the program when the user interrupts it: no temporary file stays, and no half a line.
@@ -239,6 +254,9 @@ pub(crate) fn clear_line() {
 const INTERRUPTED: i32 = 130;
 /// The exit status of what the system asked to end.
 const TERMINATED: i32 = 143;
+/// The exit status of what ended with its terminal.
+#[cfg(unix)]
+const HUNG_UP: i32 = 129;
 
 #[cfg(test)]
 mod tests {

@@ -236,7 +236,7 @@ const OF_INPUTS: [&str; 24] = [
 
 const AFTER_HELP: &str = "\
 Vertices are numbered from 0 in the order of the file, whatever the format does.
-Exit status: 0 done; 1 the input or the request cannot be served; 2 wrong usage; 130 interrupted; 143 terminated.
+Exit status: 0 done; 1 the input or the request cannot be served; 2 wrong usage; 129 its terminal was closed; 130 interrupted; 143 terminated.
 
   coface bunny.ply                   what is it, and what is wrong with it? (coface info)
   coface homology torus.off --json   integral homology for a program
