@@ -45,7 +45,7 @@ pub use editing::{CellName, Edit, EditLog, EditRecord, EditorState, SurfaceEdito
 pub use facts::{
     Answer, BoundaryPart, DataSummary, DrawnFault, DrawnPlace, DrawnPolygons, GeometryCheck, GeometryFacts,
     GeometryUnchecked, GroupSummary, Kind, Moment, Problem, ProblemKind, Report, ReportRequest, Skin,
-    Witness, homology_of_volume,
+    Witness, group_of_space, homology_of_volume,
 };
 pub use groups::{FoundGroups, GivenWalks, GroupsRequest, ShortPaths, SurfaceLoops};
 pub use handles::{FillHandlesRequest, HandlesRequest};

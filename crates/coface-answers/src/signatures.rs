@@ -172,24 +172,29 @@ impl SignatureRequest {
                 true => Some(named_space(table, faces, ATTEMPTS)?.as_ref().map(SpaceAnswer::of)),
                 false => None,
             },
-            groups: if self.has_groups { Some(presented(faces)?) } else { None },
+            groups: if self.has_groups { Some(presented(table, faces)?) } else { None },
         })
     }
 }
 
-/// The fundamental groups of the components.
-fn presented(faces: &FaceClasses) -> Result<Vec<PresentedGroup>, Error> {
+/// The fundamental groups of the components; where a presentation does not say which group it is, the name of the space may.
+fn presented(table: &GluingTable, faces: &FaceClasses) -> Result<Vec<PresentedGroup>, Error> {
     let groups = EdgePathGroups::new(&faces.two_skeleton()?);
     let effort = Effort::new().max_steps(STEPS);
-    let of_component = |component: usize| {
+    let of_component = |component: usize| -> Result<PresentedGroup, Error> {
         let simpler = Simplification::new(groups.presentation(component), effort);
         let presentation = simpler.presentation();
-        PresentedGroup {
-            name: presentation.recognized(effort).as_ref().map(GroupName::to_string),
+        let mut name = presentation.recognized(effort);
+        if matches!(name, None | Some(GroupName::Finite { name: None, .. })) {
+            let space = named_space(table, faces, ATTEMPTS)?;
+            name = space.and_then(|space| space.name().fundamental_group()).or(name);
+        }
+        Ok(PresentedGroup {
+            name: name.as_ref().map(GroupName::to_string),
             generators: presentation.generator_count(),
             relators: presentation.relators().iter().map(Word::letters).map(<[i32]>::to_vec).collect(),
             abelianization: GroupAnswer::from(&presentation.abelianization()),
-        }
+        })
     };
-    Ok((0..groups.component_count()).map(of_component).collect())
+    (0..groups.component_count()).map(of_component).collect()
 }

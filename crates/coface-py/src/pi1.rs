@@ -9,6 +9,7 @@ use crate::source::Source;
 use crate::surface::numbers_of;
 use crate::work::run;
 use coface::algebra::Word;
+use coface::answers::group_of_space;
 use coface::topology::{
     AbelianGroup, CosetTable, EdgePathGroups, Effort, GroupName, PermutationGroup, Presentation,
     Simplification, SubgroupClass,
@@ -16,6 +17,7 @@ use coface::topology::{
 use coface::{Error, ErrorKind, VertexId};
 use numpy::PyArray1;
 use pyo3::prelude::*;
+use pyo3::types::PyInt;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -127,7 +129,10 @@ pub(crate) fn fundamental_groups(
         for i in 0..groups.component_count() {
             let presentation = groups.presentation(i);
             let simpler = Simplification::new(presentation, effort);
-            let name = simpler.presentation().recognized(effort);
+            let mut name = simpler.presentation().recognized(effort);
+            if matches!(name, None | Some(GroupName::Finite { name: None, .. })) {
+                name = group_of_space(producer)?.map(|(group, _)| group).or(name);
+            }
             let letters = |count: usize| (1..=count as i32).map(|letter| Word::from_letters([letter]));
             let (shown, words): (&Presentation, Vec<Word>) = if simplify {
                 let shown = simpler.presentation();
@@ -206,10 +211,11 @@ impl FundamentalGroup {
         self.name.as_ref().map(ToString::to_string)
     }
 
-    /// The number of elements, where the group was recognized as a finite one: ``int``, or a word such as ``infinite``.
+    /// The number of elements, where the group was recognized as a finite one; ``None`` where it is infinite or not recognized.
     #[getter]
-    fn order(&self) -> Option<String> {
-        self.name.as_ref().and_then(GroupName::order)
+    fn order<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let order = self.name.as_ref().and_then(GroupName::order);
+        order.map(|digits| py.get_type::<PyInt>().call1((digits,))).transpose()
     }
 
     /// The loops of the generators, each an array of vertices, the first one again at the end.

@@ -1,6 +1,6 @@
 //! The answer of `pi1`: fundamental groups.
 
-use super::{GroupAnswer, Remark};
+use super::{GroupAnswer, Remark, SpaceAnswer};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -41,6 +41,9 @@ pub struct Pi1Component {
     pub abelianization: GroupAnswer,
     /// The group in words; `null` if it is not recognized, which says nothing.
     pub name: Option<String>,
+    /// The closed 3-manifold that the complex is, where the name of the group follows from it; absent where it follows from the presentation.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub space: Option<SpaceAnswer>,
     /// The lengths of the loops of a surface, in the unit of the file.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub lengths: Option<Vec<f64>>,

@@ -3,13 +3,14 @@
 use super::polygons::counted;
 use super::report::{Answer, BoundaryPart, Report, Skin, Witness};
 use super::{Problem, ProblemKind};
+use crate::producer::{Cells, Producer};
 use crate::answer::{Remark, RemarkCode};
 use coface_algebra::CellId;
 use coface_algebra::Error;
 use coface_algebra::RaggedArray;
 use coface_complexes::gluing::{FaceClasses, GluingTable, GluingWitness};
 use coface_complexes::surface::{GeneralizedMap, SurfaceComponent, SurfaceType};
-use coface_topology::{NamedSpace, gluing_manifold_verdict, homology, named_space};
+use coface_topology::{GroupName, NamedSpace, gluing_manifold_verdict, homology, named_space};
 
 /// The report on a table with its face classes.
 ///
@@ -70,7 +71,7 @@ pub(crate) fn report(table: &GluingTable, faces: &FaceClasses) -> Result<Report,
 }
 
 /// Larger tables are not looked at for the name of their 3-manifold.
-const NAMED_SIMPLICES: usize = 500;
+pub(super) const NAMED_SIMPLICES: usize = 500;
 
 /// How often moves are tried where a triangulation does not show what it is.
 const ATTEMPTS: usize = 60;
@@ -81,6 +82,33 @@ const ATTEMPTS: usize = 60;
 /// Those of [`named_space`].
 pub(crate) fn space_of(table: &GluingTable, faces: &FaceClasses) -> Result<Option<NamedSpace>, Error> {
     if table.simplex_count() > NAMED_SIMPLICES { Ok(None) } else { named_space(table, faces, ATTEMPTS) }
+}
+
+/// The fundamental group of a closed 3-manifold that has a name, with that name: where a presentation does not say which group it is.
+///
+/// # Errors
+/// Those of [`named_space`].
+///
+/// # Complexity
+/// That of [`named_space`], with 60 attempts; nothing is looked at beyond 500 tetrahedra.
+///
+/// # Examples
+/// ```
+/// use coface_answers::{Producer, group_of_space};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let table = coface_io::read(&b"kLAMzMzkbccdefghijjemkihhqqhxj"[..], coface_io::Format::Isosig)?;
+/// let Some((group, space)) = group_of_space(&Producer::of(table)?)? else { return Ok(()) };
+/// assert_eq!(space.name().to_string(), "SFS [S2: (2,1) (2,1) (37,-11)]");
+/// assert_eq!(group.order().as_deref(), Some("3848"));
+/// # Ok(()) }
+/// ```
+pub fn group_of_space(producer: &Producer) -> Result<Option<(GroupName, NamedSpace)>, Error> {
+    let space = match &producer.cells {
+        Cells::Gluings(gluings) => space_of(&gluings.0, &gluings.1)?,
+        Cells::Simplices(complex) => super::simplicial::space_of(complex)?,
+        _ => None,
+    };
+    Ok(space.and_then(|space| Some((space.name().fundamental_group()?, space))))
 }
 
 fn shapes(table: &GluingTable) -> Vec<(&'static str, usize)> {

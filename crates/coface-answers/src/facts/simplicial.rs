@@ -53,6 +53,19 @@ pub(crate) fn report(complex: &FrozenComplex, budget: u64) -> Result<Report, Err
     })
 }
 
+/// Which 3-manifold a complex is, where that is proved and it is one.
+pub(super) fn space_of(complex: &FrozenComplex) -> Result<Option<NamedSpace>, Error> {
+    if complex.dimension() != Some(3) || complex.f_vector().get(3).copied().unwrap_or(0) > super::gluings::NAMED_SIMPLICES {
+        return Ok(None);
+    }
+    let tetrahedra = RaggedArray::uniform(4, complex.flat(3).to_vec())?;
+    // Three tetrahedra on a triangle are no gluing, and tetrahedra that meet in less than a triangle are not glued.
+    let Ok(table) = GluingTable::from_simplices(&tetrahedra) else { return Ok(None) };
+    let faces = table.faces()?;
+    let is_all = faces.class_counts() == complex.f_vector();
+    if is_all { super::gluings::space_of(&table, &faces) } else { Ok(None) }
+}
+
 /// Which 3-manifold a complex is, where that is proved.
 fn space(complex: &FrozenComplex) -> Result<Option<NamedSpace>, Error> {
     let table = GluingTable::from_simplices(&RaggedArray::uniform(4, complex.flat(3).to_vec())?)?;

@@ -261,6 +261,7 @@ fn component(shown: &Shown) -> Pi1Component {
         relators: relators(shown),
         abelianization: GroupAnswer::from(&shown.presentation.abelianization()),
         name: shown.name.as_ref().map(GroupName::to_string),
+        space: shown.space.clone(),
         lengths: shown.lengths.clone(),
         counts: shown.counts.as_ref().map(super::Counts::answer),
     }

@@ -14,7 +14,10 @@ pub use found::FoundGroups;
 pub(crate) use surface::roles_of_edges;
 
 use crate::Producer;
-use crate::answer::{GroupCounts, HomomorphismAnswer, Remark, RemarkCode, SubgroupCount, TreesAnswer};
+use crate::answer::{
+    GroupCounts, HomomorphismAnswer, Remark, RemarkCode, SpaceAnswer, SubgroupCount, TreesAnswer,
+};
+use crate::facts::group_of_space;
 use coface_algebra::chains::{ChainComplex, TwoSkeleton};
 use coface_algebra::progress::stage;
 use coface_algebra::{CellId, Error, VertexId, Word};
@@ -266,7 +269,7 @@ impl GroupsRequest {
         drop(steps);
         let _steps = stage("simplifying presentations", 0);
         let effort = Effort::new().time_limit(self.time_limit);
-        let shown = (0..groups.component_count()).map(|component| {
+        let shown = (0..groups.component_count()).map(|component| -> Result<Shown, Error> {
             let mut shown = self.shown(groups.presentation(component), effort);
             shown.base = number(groups.base(component));
             if self.has_loops {
@@ -274,9 +277,14 @@ impl GroupsRequest {
                 let path = |word| groups.loop_vertices(component, word).into_iter().map(number).collect();
                 shown.loops = words.map(path).collect();
             }
-            shown
+            let is_known =
+                !matches!(shown.name, None | Some(GroupName::Finite { name: None, .. }));
+            if let Some((name, space)) = if is_known { None } else { group_of_space(producer)? } {
+                (shown.name, shown.space) = (Some(name), Some(SpaceAnswer::of(&space)));
+            }
+            Ok(shown)
         });
-        let mut found = FoundGroups::new(self, shown.collect(), producer);
+        let mut found = FoundGroups::new(self, shown.collect::<Result<_, _>>()?, producer);
         let cut = |said: &&Remark| said.code == RemarkCode::IdealVerticesCut;
         found.remarks.extend(producer.remarks().iter().filter(cut).cloned());
         found.trees = small.map(|(vertices, ends)| trees_of(&groups, vertices, &ends, number));
@@ -303,7 +311,7 @@ impl GroupsRequest {
         } else {
             (presentation.clone(), letters(presentation.generator_count()).collect())
         };
-        Shown { presentation, generators, name, counts, lengths: None, base: 0, loops: Vec::new() }
+        Shown { presentation, generators, name, space: None, counts, lengths: None, base: 0, loops: Vec::new() }
     }
 }
 
@@ -344,6 +352,8 @@ struct Shown {
     /// Its generators as words in those of the edge-path group.
     generators: Vec<Word>,
     name: Option<GroupName>,
+    /// The space that the name follows from, if it does not follow from the presentation.
+    space: Option<SpaceAnswer>,
     counts: Option<Counts>,
     /// The lengths of the loops, of a surface.
     lengths: Option<Vec<f64>>,
@@ -359,7 +369,7 @@ impl Shown {
         let name = Some(SurfaceGroup::free(0).name());
         let presentation = SurfaceGroup::free(0).presentation();
         let (generators, loops) = (Vec::new(), Vec::new());
-        Self { presentation, generators, name, counts: None, lengths: Some(Vec::new()), base, loops }
+        Self { presentation, generators, name, space: None, counts: None, lengths: Some(Vec::new()), base, loops }
     }
 }
 

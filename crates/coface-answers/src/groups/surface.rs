@@ -91,6 +91,7 @@ pub(super) fn found(request: &GroupsRequest, producer: &Producer) -> Result<Foun
         let path = |walk: &ClosedWalk| walk.vertices(map.skeleton()).into_iter().map(number).collect();
         let loops = if request.has_loops { found.loops.iter().map(path).collect() } else { Vec::new() };
         shown.push(Shown {
+            space: None,
             presentation: found.presentation.clone(),
             generators: Vec::new(),
             name: Some(group.name()),

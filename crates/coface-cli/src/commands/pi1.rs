@@ -162,11 +162,12 @@ fn page(name: &str, answer: &Pi1Answer, presentations: &[&Presentation], is_all:
         if groups.len() > 1 {
             fact("component", format!("{} of {}", i + 1, groups.len()), "");
         }
-        let (name, gloss) = match &group.name {
-            Some(name) => (name.clone(), ""),
-            None => ("not recognized".to_owned(), "it may still be a well-known one"),
+        let (name, gloss) = match (&group.name, &group.space) {
+            (Some(name), Some(space)) => (name.clone(), format!("the space is {}", space.name)),
+            (Some(name), None) => (name.clone(), String::new()),
+            (None, _) => ("not recognized".to_owned(), "it may still be a well-known one".to_owned()),
         };
-        fact("group", name, gloss);
+        fact("group", name, &gloss);
         fact("base", format!("vertex {}", group.base), "");
         fact("generators", presentation.generator_count().to_string(), "loops at the base");
         let relators = presentation.relators();

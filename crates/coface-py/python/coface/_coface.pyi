@@ -1110,8 +1110,8 @@ class FundamentalGroup:
         """What the group is called, where it was recognized."""
         ...
     @property
-    def order(self) -> str | None:
-        """The number of elements, where the group was recognized as a finite one: ``int``, or a word such as ``infinite``."""
+    def order(self) -> int | None:
+        """The number of elements, where the group was recognized as a finite one; ``None`` where it is infinite or not recognized."""
         ...
     @property
     def loops(self) -> list[NDArray[np.int64]]:

@@ -39,6 +39,8 @@ pub enum GroupName {
         /// Its own name, if it has one here: `Q8`, `SL(2,5)`, `dihedral group of order 10`.
         name: Option<String>,
     },
+    /// The group with a presentation in standard form, which is written out: `<x1, x2, x3, h | h central, x1^2 h, ..>`.
+    Presented(String),
     /// The free product of groups that are neither trivial nor free, and of a free group.
     FreeProduct(Vec<GroupName>),
     /// The direct product.
@@ -67,7 +69,7 @@ impl GroupName {
     }
 
     /// The free product, with free factors collected.
-    pub(super) fn free_product(factors: Vec<Self>) -> Self {
+    pub(crate) fn free_product(factors: Vec<Self>) -> Self {
         let mut rank = 0;
         let mut others = Vec::new();
         for factor in factors {
@@ -157,6 +159,7 @@ impl fmt::Display for GroupName {
             Self::Heisenberg(k) => write!(f, "<a, b, c | c central, [a, b] = c^{k}>"),
             Self::Finite { name: Some(name), .. } => f.write_str(name),
             Self::Finite { order, name: None } => write!(f, "finite group of order {order}"),
+            Self::Presented(text) => f.write_str(text),
             Self::FreeProduct(names) => f.write_str(&factors(names, " * ")),
             Self::DirectProduct(names) => f.write_str(&factors(names, " x ")),
         }

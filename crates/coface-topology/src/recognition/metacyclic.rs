@@ -145,7 +145,7 @@ fn quotient(relators: &[Vec<i32>]) -> Option<GroupName> {
 }
 
 /// The name of the group in which an element of even order n inverts one of order p, with nothing in common.
-fn split(p: u128, n: u128) -> String {
+pub(crate) fn split(p: u128, n: u128) -> String {
     let two_power = n & n.wrapping_neg();
     let own = match (two_power, p) {
         (2, 3) => "S3".to_owned(),
@@ -156,7 +156,8 @@ fn split(p: u128, n: u128) -> String {
     times_cyclic(own, n / two_power)
 }
 
-fn times_cyclic(own: String, odd: u128) -> String {
+/// The name of the direct product with a cyclic group of odd order.
+pub(crate) fn times_cyclic(own: String, odd: u128) -> String {
     match odd {
         1 => own,
         odd if own.contains(' ') && own.contains(',') => format!("({own}) x Z/{odd}"),

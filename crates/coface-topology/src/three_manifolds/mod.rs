@@ -21,6 +21,7 @@ mod recognition;
 mod seifert;
 mod simplification;
 mod stacks;
+mod standard_groups;
 mod summands;
 
 pub use graph::{GraphSpace, TorusBundle};
