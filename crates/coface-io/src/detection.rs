@@ -3,7 +3,7 @@
 use super::format::names;
 use super::{
     Format, abaqus, cityjson, container, foreign, geojson, isosig, lines_text, points_text, volume, wkb, wkt,
-    yin,
+    wkt_table, yin,
 };
 use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};

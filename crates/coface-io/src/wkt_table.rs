@@ -266,11 +266,7 @@ mod tests {
         assert_eq!(model.features().properties(0), r#"{"id":7,"name":"a, \"b\""}"#);
         assert_eq!(model.features().properties(1), r#"{"id":"008","name":"c"}"#);
         assert_eq!(model.groups()[0].name(), "a, \"b\"");
-        assert!(
-            model.remarks()[0].message().starts_with("1 feature has no geometry"),
-            "{:?}",
-            model.remarks()
-        );
+        assert!(model.remarks()[0].message.starts_with("1 feature has no geometry"), "{:?}", model.remarks());
     }
 
     #[test]

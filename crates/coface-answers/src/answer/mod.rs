@@ -109,7 +109,8 @@ pub use map::{
 };
 pub use persistence::{PersistenceAnswer, PersistencePairAnswer, VineAnswer, VineyardAnswer};
 pub use pi1::{
-    ClosedPath, GroupCounts, HomomorphismAnswer, Pi1Answer, Pi1Component, SubgroupCount, WalkAnswer, WalkPair,
+    ClosedPath, GroupCounts, HomomorphismAnswer, Pi1Answer, Pi1Component, SubgroupCount, Unrecognized,
+    WalkAnswer, WalkPair,
 };
 pub use picture::{BlockAnswer, MatrixAnswer, RenderAnswer, SchemaAnswer};
 pub(crate) use remark::remarks_of_file;

@@ -41,6 +41,9 @@ pub struct Pi1Component {
     pub abelianization: GroupAnswer,
     /// The group in words; `null` if it is not recognized, which says nothing.
     pub name: Option<String>,
+    /// Why there is no name; absent with one.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub unrecognized: Option<Unrecognized>,
     /// The closed 3-manifold that the complex is, where the name of the group follows from it; absent where it follows from the presentation.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub space: Option<SpaceAnswer>,
@@ -50,6 +53,18 @@ pub struct Pi1Component {
     /// Numbers that distinguish groups; absent unless they are asked for.
     #[serde(flatten)]
     pub counts: Option<GroupCounts>,
+}
+
+/// Why a group has no name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum Unrecognized {
+    /// Counting its elements was given up: it may be finite or not.
+    GaveUp,
+    /// It is infinite, since its abelianization is, and no rule for such groups fits.
+    NoRule,
 }
 
 /// Numbers that distinguish groups.

@@ -3,8 +3,8 @@
 use super::polygons::counted;
 use super::report::{Answer, BoundaryPart, Report, Skin, Witness};
 use super::{Problem, ProblemKind};
-use crate::producer::{Cells, Producer};
 use crate::answer::{Remark, RemarkCode};
+use crate::producer::{Cells, Producer};
 use coface_algebra::CellId;
 use coface_algebra::Error;
 use coface_algebra::RaggedArray;

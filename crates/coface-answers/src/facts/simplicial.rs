@@ -55,7 +55,9 @@ pub(crate) fn report(complex: &FrozenComplex, budget: u64) -> Result<Report, Err
 
 /// Which 3-manifold a complex is, where that is proved and it is one.
 pub(super) fn space_of(complex: &FrozenComplex) -> Result<Option<NamedSpace>, Error> {
-    if complex.dimension() != Some(3) || complex.f_vector().get(3).copied().unwrap_or(0) > super::gluings::NAMED_SIMPLICES {
+    if complex.dimension() != Some(3)
+        || complex.f_vector().get(3).copied().unwrap_or(0) > super::gluings::NAMED_SIMPLICES
+    {
         return Ok(None);
     }
     let tetrahedra = RaggedArray::uniform(4, complex.flat(3).to_vec())?;

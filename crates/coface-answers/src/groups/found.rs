@@ -5,7 +5,7 @@ use crate::Producer;
 use crate::answer::{
     ClosedPath, CyclesAnswer, GroupAnswer, HomotopicAnswer, HomotopicComponent, LoopsAnswer, LoopsComponent,
     Pi1Answer, Pi1Component, Remark, RemarkCode, SubgroupsAnswer, SubgroupsComponent, TreesAnswer,
-    WalkAnswer, WalkPair,
+    Unrecognized, WalkAnswer, WalkPair,
 };
 use coface_algebra::{Error, Word};
 use coface_geometry::Positions;
@@ -261,6 +261,11 @@ fn component(shown: &Shown) -> Pi1Component {
         relators: relators(shown),
         abelianization: GroupAnswer::from(&shown.presentation.abelianization()),
         name: shown.name.as_ref().map(GroupName::to_string),
+        unrecognized: match (&shown.name, shown.presentation.abelianization().betti()) {
+            (Some(_), _) => None,
+            (None, 0) => Some(Unrecognized::GaveUp),
+            (None, _) => Some(Unrecognized::NoRule),
+        },
         space: shown.space.clone(),
         lengths: shown.lengths.clone(),
         counts: shown.counts.as_ref().map(super::Counts::answer),

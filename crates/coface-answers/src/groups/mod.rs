@@ -277,8 +277,7 @@ impl GroupsRequest {
                 let path = |word| groups.loop_vertices(component, word).into_iter().map(number).collect();
                 shown.loops = words.map(path).collect();
             }
-            let is_known =
-                !matches!(shown.name, None | Some(GroupName::Finite { name: None, .. }));
+            let is_known = !matches!(shown.name, None | Some(GroupName::Finite { name: None, .. }));
             if let Some((name, space)) = if is_known { None } else { group_of_space(producer)? } {
                 (shown.name, shown.space) = (Some(name), Some(SpaceAnswer::of(&space)));
             }
@@ -311,7 +310,16 @@ impl GroupsRequest {
         } else {
             (presentation.clone(), letters(presentation.generator_count()).collect())
         };
-        Shown { presentation, generators, name, space: None, counts, lengths: None, base: 0, loops: Vec::new() }
+        Shown {
+            presentation,
+            generators,
+            name,
+            space: None,
+            counts,
+            lengths: None,
+            base: 0,
+            loops: Vec::new(),
+        }
     }
 }
 
@@ -369,7 +377,16 @@ impl Shown {
         let name = Some(SurfaceGroup::free(0).name());
         let presentation = SurfaceGroup::free(0).presentation();
         let (generators, loops) = (Vec::new(), Vec::new());
-        Self { presentation, generators, name, space: None, counts: None, lengths: Some(Vec::new()), base, loops }
+        Self {
+            presentation,
+            generators,
+            name,
+            space: None,
+            counts: None,
+            lengths: Some(Vec::new()),
+            base,
+            loops,
+        }
     }
 }
 

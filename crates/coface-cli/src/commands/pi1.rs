@@ -7,7 +7,7 @@ use crate::groups::{self, Asked, FEW};
 use crate::output::give;
 use crate::progress::Progress;
 use clap::Args;
-use coface::answers::answer::{GroupCounts, Pi1Answer};
+use coface::answers::answer::{GroupCounts, Pi1Answer, Unrecognized};
 use coface::answers::text;
 use coface::answers::{GroupsRequest, ShortPaths, SurfaceLoops};
 use coface::topology::Presentation;
@@ -165,7 +165,13 @@ fn page(name: &str, answer: &Pi1Answer, presentations: &[&Presentation], is_all:
         let (name, gloss) = match (&group.name, &group.space) {
             (Some(name), Some(space)) => (name.clone(), format!("the space is {}", space.name)),
             (Some(name), None) => (name.clone(), String::new()),
-            (None, _) => ("not recognized".to_owned(), "it may still be a well-known one".to_owned()),
+            (None, _) => {
+                let why = match group.unrecognized {
+                    Some(Unrecognized::GaveUp) => "counting its elements was given up: it may be finite or not",
+                    _ => "infinite, and no rule fits: it may still be a well-known one",
+                };
+                ("not recognized".to_owned(), why.to_owned())
+            }
         };
         fact("group", name, &gloss);
         fact("base", format!("vertex {}", group.base), "");

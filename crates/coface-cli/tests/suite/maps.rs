@@ -148,6 +148,24 @@ fn lots(lots: &[(i32, &str)]) -> String {
 }
 
 #[test]
+fn tables_with_a_column_of_geometries_are_maps() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let square = |x: i32| format!("\"POLYGON(({x} 0,{0} 0,{0} 1,{x} 1,{x} 0))\"", x + 1);
+    let table = format!("id,owner,geom\n1,\"A, B\",{}\n2,C,{}\n3,C,\n", square(0), square(1));
+    file(folder, "lots.csv", &table);
+    let info = answer(folder, "info lots.csv");
+    assert_eq!(info["polygons"]["count"], 2);
+    assert_eq!(codes(&info), ["format-by-content", "data-left-out"]);
+    let once = answer(folder, "boolean union lots.csv --dissolve owner -o out.geojson");
+    let values: Vec<&Value> =
+        once["groups"].as_array().unwrap().iter().map(|group| &group["values"][0]).collect();
+    assert_eq!(values, ["A, B", "C"]);
+    let run = coface_in(folder, &["info", "lots.csv", "--format", "points"]);
+    run.fails_with(1);
+}
+
+#[test]
 fn features_are_dissolved_by_a_property() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();

@@ -70,6 +70,22 @@ fn people_get_a_page() {
 }
 
 #[test]
+fn named_spaces_name_their_groups() {
+    let answer = coface_reading(&["pi1", "-", "--json"], b"kLAMzMzkbccdefghijjemkihhqqhxj\n").json();
+    let component = &answer["components"][0];
+    assert_eq!(component["name"], "(semidirect product of Z/37 by Z/8, acting by inversion) x Z/13");
+    assert_eq!(component["space"]["name"], "SFS [S2: (2,1) (2,1) (37,-11)]");
+    assert_eq!(component["abelianization"], json!({ "betti": 0, "torsion": [104] }));
+    assert_eq!(component.get("unrecognized"), None);
+    let page = coface_reading(&["pi1", "-"], b"kLAMzMzkbccdefghijjemkihhqqhxj\n");
+    assert!(page.stdout.contains("the space is SFS [S2: (2,1) (2,1) (37,-11)]"), "{}", page.stdout);
+    // The complement of the figure-eight knot.
+    let knot = coface_reading(&["pi1", "-", "--json"], b"cPcbbbiht\n").json();
+    assert_eq!(knot["components"][0]["name"], Value::Null);
+    assert_eq!(knot["components"][0]["unrecognized"], "no_rule");
+}
+
+#[test]
 fn what_has_no_loops_is_said() {
     let chains = br#"{"boundaries":[{"rows":1,"cols":1,"entries":[]}]}"#;
     let run = coface_reading(&["pi1", "-"], chains);

@@ -17,5 +17,5 @@ mod rewriting;
 mod surface_groups;
 
 pub use group_name::GroupName;
-pub(crate) use metacyclic::{split, times_cyclic};
 pub use manifold::{gluing_manifold_verdict, manifold_verdict};
+pub(crate) use metacyclic::{split, times_cyclic};

@@ -31,14 +31,17 @@ impl SpaceName {
     /// # Ok(()) }
     /// ```
     pub fn fundamental_group(&self) -> Option<GroupName> {
-        let abelian =
-            |rank, torsion: Option<u64>| AbelianGroup::new(rank, torsion.into_iter().map(Into::into).collect());
+        let abelian = |rank, torsion: Option<u64>| {
+            AbelianGroup::new(rank, torsion.into_iter().map(Into::into).collect())
+        };
         Some(match self {
             Self::Sphere | Self::Ball => GroupName::Abelian(abelian(0, None)),
             Self::Lens { p, .. } => GroupName::Abelian(abelian(0, Some(*p))),
             Self::SphereBundle { .. } => GroupName::Abelian(abelian(1, None)),
             Self::ProjectivePlaneTimesCircle => GroupName::Abelian(abelian(1, Some(2))),
-            Self::Seifert(space) => spherical_group(space).unwrap_or_else(|| Standard::of_space(space).name()),
+            Self::Seifert(space) => {
+                spherical_group(space).unwrap_or_else(|| Standard::of_space(space).name())
+            }
             Self::TorusBundle(bundle) => Standard::of_bundle(bundle).name(),
             Self::Graph(_) => return None,
             Self::Sum(summands) => {
@@ -217,7 +220,8 @@ mod tests {
             let elements = CosetTable::new(&standard, &[], 20_000).unwrap().index();
             assert_eq!(name.order(), Some(elements.to_string()), "{space}: {name}");
             // What is named by the table of the group has that name.
-            if let Some(GroupName::Finite { name: Some(other), .. }) = standard.recognized(Effort::default()) {
+            if let Some(GroupName::Finite { name: Some(other), .. }) = standard.recognized(Effort::default())
+            {
                 assert_eq!(name.to_string(), other, "{space}");
                 found.push(other);
             }
@@ -253,7 +257,11 @@ mod tests {
             let standard = standard.presentation();
             assert_eq!(standard.abelianization(), group.abelianization(), "{signature}");
             let effort = Effort::default();
-            for target in [PermutationGroup::Symmetric(3), PermutationGroup::Symmetric(4), PermutationGroup::Alternating(5)] {
+            for target in [
+                PermutationGroup::Symmetric(3),
+                PermutationGroup::Symmetric(4),
+                PermutationGroup::Alternating(5),
+            ] {
                 let counts = [&standard, group].map(|group| {
                     let small = crate::groups::Simplification::new(group, effort);
                     small.presentation().homomorphisms_to(target, effort).map(|count| [count.all, count.onto])
@@ -268,7 +276,10 @@ mod tests {
     #[test]
     fn forms_are_the_same_whatever_the_triangulation_is() {
         let name = |space: SeifertSpace| SpaceName::Seifert(space).fundamental_group().unwrap().to_string();
-        assert_eq!(name(space(&[(2, 1), (2, 1), (37, -11)])), "(semidirect product of Z/37 by Z/8, acting by inversion) x Z/13");
+        assert_eq!(
+            name(space(&[(2, 1), (2, 1), (37, -11)])),
+            "(semidirect product of Z/37 by Z/8, acting by inversion) x Z/13"
+        );
         assert_eq!(
             name(space(&[(2, 1), (3, 1), (7, 1)])),
             "<x1, x2, x3, h | h central, x1^2 h, x2^3 h, x3^7 h, x1 x2 x3>"
