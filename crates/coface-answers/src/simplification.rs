@@ -5,9 +5,9 @@ use crate::census::Census;
 use crate::facts::space_of;
 use crate::isomorphism::table_of;
 use coface_algebra::{Error, ErrorKind};
-use coface_complexes::gluing::GluingTable;
+use coface_complexes::gluing::{FaceClasses, GluingTable};
 use coface_io::{Model, Structure};
-use coface_topology::{GluingMove, homology, simplified, simplified_until};
+use coface_topology::{GluingMove, Homology, homology, simplified, simplified_until};
 
 /// A triangulated 3-manifold as a gluing table with fewer tetrahedra, and what is said of it.
 #[derive(Clone, Debug)]
@@ -101,7 +101,14 @@ impl SimplifiedManifold {
             return Err(Error::invalid(format!("edge {} is identified with its own reverse", edge.index()))
                 .with_cure("subdivide such simplices"));
         }
-        let before = homology(&faces.chain_complex()?);
+        // Ideal vertices are no points of the space: their homology is that of what is left when they are cut off.
+        let groups = |table: &GluingTable, faces: &FaceClasses| -> Result<Homology, Error> {
+            Ok(match table.ideal_vertices(faces)?.is_empty() {
+                true => homology(&faces.chain_complex()?),
+                false => homology(&table.truncated(faces)?.faces()?.chain_complex()?),
+            })
+        };
+        let before = groups(&table, &faces)?;
         let found = match census {
             None => simplified(&table, attempts)?,
             Some(census) => simplified_until(&table, attempts, |table| {
@@ -111,7 +118,7 @@ impl SimplifiedManifold {
         let moves = found.moves().iter().map(GluingMove::to_string).collect();
         let table: GluingTable = found.into_table();
         let faces_after = table.faces()?;
-        let after = homology(&faces_after.chain_complex()?);
+        let after = groups(&table, &faces_after)?;
         if after != before {
             return Err(Error::invalid("moves have changed the homology")
                 .with_cure("please report this model as a fault of coface"));

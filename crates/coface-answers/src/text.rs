@@ -502,7 +502,11 @@ fn boundary(page: &mut Page, report: &Report, limit: usize) {
         return;
     };
     if loops.is_empty() {
-        page.fact("boundary", PLAIN, "none", "closed: every edge lies in two or more faces");
+        let gloss = match report.is_pure() {
+            Some(false) => "closed: no edge lies in one face alone",
+            _ => "closed: every edge lies in two or more faces",
+        };
+        page.fact("boundary", PLAIN, "none", gloss);
         return;
     }
     page.fact("boundary", PLAIN, &count(loops.len(), "loop"), "of edges that lie in one face only");

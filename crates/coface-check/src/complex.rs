@@ -31,6 +31,7 @@ impl Complex {
     /// A **facet list** is `[[0, 1, 2], ..]` or `{"facets": [..]}`. Its cells of degree k are the faces with k + 1 vertices, in the order
     /// of their rising lists of vertices; face i, without vertex i, has incidence $(-1)^i$. A **chain complex** is
     /// `{"boundaries": [{"rows": m, "cols": n, "entries": [[row, column, value], ..]}, ..]}`; that its boundaries compose to zero is checked.
+    /// Both may have `"vertices"`, a list of places, which are all vertices then.
     /// A surface of triangles alone is the simplicial complex of its triangles, edges and vertices, used or not. With polygons of more
     /// sides, cells of degree 2 are the polygons in the order of the file, and edges run from the smaller to the larger vertex.
     ///
@@ -61,23 +62,39 @@ impl Complex {
     }
 
     fn of_json(value: Value, size: usize) -> Result<Self, Fault> {
-        let of_facets = |list: Value| {
+        let step = "input";
+        let of_facets = |list: Value, vertices: Option<u32>| {
             let facets = facets_of(&list)?;
             // What the list was read from is not needed while the faces are made.
             drop(list);
-            simplices::of_facets(&facets, &[], size)
+            let last = facets.iter().flatten().max();
+            match vertices.zip(last).filter(|(count, last)| *last >= count) {
+                Some((_, last)) => Err(Fault::new(step, format!("vertex {last} is not there"))),
+                None => simplices::of_facets(&facets, &(0..vertices.unwrap_or(0)).collect::<Vec<_>>(), size),
+            }
         };
         let mut object = match value {
             Value::Object(object) => object,
-            list => return of_facets(list),
+            list => return of_facets(list, None),
+        };
+        // Where vertices lie has no part in what is proved; without a facet they are vertices too.
+        let vertices = match object.remove("vertices") {
+            Some(points) => u32::try_from(list(&points, "\"vertices\"", step)?.len()).ok(),
+            None => None,
         };
         let of_other = object.keys().find(|key| !["name", "facets", "boundaries"].contains(&key.as_str()));
         if let Some(key) = of_other {
             return Err(Fault::new("input", format!("the checker does not know the key {key:?}")));
         }
         match (object.remove("facets"), object.get("boundaries")) {
-            (Some(facets), None) => of_facets(facets),
-            (None, Some(matrices)) => Self::of_matrices(list(matrices, "\"boundaries\"", "input")?),
+            (Some(facets), None) => of_facets(facets, vertices),
+            (None, Some(matrices)) => {
+                let complex = Self::of_matrices(list(matrices, "\"boundaries\"", step)?)?;
+                match vertices.filter(|count| *count as usize != complex.counts[0]) {
+                    Some(count) => Err(Fault::new(step, format!("{count} vertices have places"))),
+                    None => Ok(complex),
+                }
+            }
             _ => Err(Fault::new("input", "the object needs one of \"facets\" and \"boundaries\"")),
         }
     }

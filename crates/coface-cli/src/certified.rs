@@ -13,9 +13,24 @@ pub(crate) fn check_place(
     verb: &str,
     common: &Common,
 ) -> Result<(), Failure> {
-    check_output(place)?;
+    check_other_output(place, inputs, common)?;
     refuse_standard_input(inputs)?;
     common.points.refuse(&format!("{verb} with a certificate"))
+}
+
+/// Whether a file can be written that stands beside the answer: it is neither an input nor what `-o` writes.
+pub(crate) fn check_other_output(place: &Path, inputs: &[PathBuf], common: &Common) -> Result<(), Failure> {
+    check_output(place)?;
+    let place_of = |path: &Path| path.canonicalize().or_else(|_| std::path::absolute(path)).ok();
+    let is_this = |path: &Path| place_of(path).is_some_and(|path| Some(path) == place_of(place));
+    let fault = if inputs.iter().any(|input| is_this(input)) {
+        "the file is an input, and would be replaced"
+    } else if common.output.as_deref().is_some_and(is_this) {
+        "-o writes the same file"
+    } else {
+        return Ok(());
+    };
+    Err(Failure::new(format!("{}: {fault}; name another file", place.display())))
 }
 
 /// A certificate has the hash of a file.

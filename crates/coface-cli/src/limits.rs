@@ -7,6 +7,7 @@ use crate::progress;
 use crate::verbs::{Arguments, Verb};
 use coface::scale::workers::{bytes_text, seconds_text};
 use coface_allocator::{CountingAllocator, Shortage, free_memory};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
@@ -34,10 +35,25 @@ pub(crate) fn keep(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Whether the work is done, or was ended for its time: the first of these holds.
+static IS_OVER: AtomicBool = AtomicBool::new(false);
+
+/// The work is done: it is not too long any more. Where it was ended just before, this does not return.
+pub(crate) fn work_is_done() {
+    if IS_OVER.swap(true, Ordering::SeqCst) {
+        loop {
+            thread::park();
+        }
+    }
+}
+
 /// Ends the program after this time.
 fn keep_time(time: Duration) -> Result<(), Failure> {
     let watch = move || {
         thread::sleep(time);
+        if IS_OVER.swap(true, Ordering::SeqCst) {
+            return;
+        }
         end(&Failure::new(format!(
             "the work takes longer than {}; allow more by --time-limit, or ask for less",
             seconds_text(time)

@@ -33,7 +33,9 @@ fn main() -> ExitCode {
     let arguments = Arguments::of_command_line();
     progress::end_on_signals();
     let started = limits::keep(&arguments).and_then(|()| start_threads(&arguments));
-    match started.and_then(|()| progress::watched(|| verbs::run(&arguments))) {
+    let done = started.and_then(|()| progress::watched(|| verbs::run(&arguments)));
+    limits::work_is_done();
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         // The reader of our output went away: it has what it wanted.
         Err(Failure::ClosedPipe) => ExitCode::SUCCESS,

@@ -37,14 +37,15 @@ impl Arguments {
     /// ends the program.
     pub(crate) fn of_command_line() -> Self {
         let words: Vec<OsString> = std::env::args_os().collect();
-        let matches = Self::shaped().try_get_matches_from(&words).or_else(|error| match file_alone(&error) {
-            Some(true) => Self::shaped().try_get_matches_from(with_info(&words)),
-            Some(false) => Err(no_such_file(&error)),
-            None => match with_input_first(&error, &words) {
-                Some(words) => Self::shaped().try_get_matches_from(words),
-                None => Err(error),
-            },
-        });
+        let matches =
+            Self::shaped().try_get_matches_from(&words).or_else(|error| match file_alone(&error, &words) {
+                Some(true) => Self::shaped().try_get_matches_from(with_info(&words)),
+                Some(false) => Err(no_such_file(&error)),
+                None => match with_input_first(&error, &words) {
+                    Some(words) => Self::shaped().try_get_matches_from(words),
+                    None => Err(error),
+                },
+            });
         matches.and_then(|matches| Self::from_arg_matches(&matches)).unwrap_or_else(|error| end_with(&error))
     }
 
@@ -138,9 +139,14 @@ fn has_dimension(verb: &Command) -> bool {
         || verb.get_subcommands().any(has_dimension)
 }
 
-/// Whether the word that is no verb names a file that is there, or standard input; `None` if it looks like a verb.
-fn file_alone(error: &clap::Error) -> Option<bool> {
+/// Whether the word that is no verb names a file that is there, or standard input; `None` if it looks like a verb, or follows one.
+fn file_alone(error: &clap::Error, words: &[OsString]) -> Option<bool> {
     let word = word_that_is_no_verb(error)?;
+    let whole = Arguments::shaped();
+    let before = words.iter().skip(1).take_while(|other| *other != word);
+    if before.into_iter().any(|other| whole.find_subcommand(other).is_some()) {
+        return None;
+    }
     // One model of a file with several is FILE#3.
     let file = word.rsplit_once('#').map_or(word, |(file, _)| file);
     let is_there = word == "-" || Path::new(word).exists() || Path::new(file).is_file();

@@ -100,8 +100,8 @@ impl<Witness, Findings> Verdict<Witness, Findings> {
         }
     }
 
-    /// Whether there is no boundary: no cell of codimension one lies in exactly one top cell. In a mesh nothing is loose
-    /// either: no edge without a face, no face without a cell.
+    /// Whether there is no boundary: no cell of codimension one lies in exactly one top cell. Loose cells, such as an
+    /// edge without a face, have no part in it.
     ///
     /// # Examples
     /// A tetrahedron has four boundary faces:

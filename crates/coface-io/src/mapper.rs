@@ -277,7 +277,8 @@ impl MapperPoints {
     pub fn into_model(self) -> Model {
         let placed = if self.positions.dimension() <= 3 { self.positions } else { Positions::default() };
         let model = model_of(&placed, self.complex.complex(), self.remarks);
-        if placed.is_empty() {
+        // A nerve of dimension 4 or more is an abstract complex, which has no data.
+        if placed.is_empty() || model.vertex_count() != self.complex.clusters().len() {
             return model;
         }
         let sizes = self.complex.clusters().iter().map(|cluster| cluster.len() as i64).collect();

@@ -363,9 +363,14 @@ impl Persistence {
         }
     }
 
-    /// The births and deaths alone; where values fall, what never dies has the death -inf.
+    /// The death of what never dies.
+    fn never(&self) -> f64 {
+        if self.is_falling() { f64::NEG_INFINITY } else { f64::INFINITY }
+    }
+
+    /// The births and deaths alone.
     fn given(&self, py: Python<'_>) -> PyResult<GivenDiagram> {
-        let never = if self.is_falling() { f64::NEG_INFINITY } else { f64::INFINITY };
+        let never = self.never();
         let mut degrees = vec![Vec::new(); self.degree_count()];
         for (degree, birth, death) in self.classes() {
             degrees[degree].push([birth, death.unwrap_or(never)]);
@@ -538,15 +543,16 @@ impl Persistence {
     /// Returns
     /// -------
     /// numpy.ndarray
-    ///     ``float64``, shape (n, 2); a class that never dies has the death inf.
+    ///     ``float64``, shape (n, 2); a class that never dies has the death inf, where values fall -inf.
     fn diagram<'py>(
         &self,
         py: Python<'py>,
         #[pyo3(from_py_with = whole)] degree: usize,
     ) -> PyResult<Bound<'py, PyAny>> {
         let classes = self.classes().into_iter().filter(|class| class.0 == degree);
+        let never = self.never();
         let values: Vec<f64> =
-            classes.flat_map(|(_, birth, death)| [birth, death.unwrap_or(f64::INFINITY)]).collect();
+            classes.flat_map(|(_, birth, death)| [birth, death.unwrap_or(never)]).collect();
         let count = values.len() / 2;
         Ok(PyArray1::from_vec(py, values).reshape([count, 2])?.into_any())
     }
@@ -561,7 +567,8 @@ impl Persistence {
 
     /// All pairs as ``(degree, (birth, death))``, as GUDHI's users have them.
     fn to_gudhi(&self) -> Vec<(usize, (f64, f64))> {
-        let pair = |(degree, birth, death): Class| (degree, (birth, death.unwrap_or(f64::INFINITY)));
+        let never = self.never();
+        let pair = |(degree, birth, death): Class| (degree, (birth, death.unwrap_or(never)));
         self.classes().into_iter().map(pair).collect()
     }
 

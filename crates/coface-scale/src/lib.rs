@@ -11,4 +11,5 @@ pub mod batch;
 pub mod shards;
 pub mod signatures;
 mod tables;
+pub use tables::csv_field;
 pub mod workers;

@@ -100,7 +100,7 @@ pub struct PhaseCell {
     pub column: usize,
     /// The row, from 0 at the bottom.
     pub row: usize,
-    /// The number of the phase.
+    /// The number of the phase, from 0, in the order of `"phases"`.
     pub phase: u32,
     /// How much of the cell is in the phase.
     pub coverage: CoverageAnswer,

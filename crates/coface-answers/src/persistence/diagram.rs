@@ -37,7 +37,7 @@ impl DiagramFormat {
 }
 
 /// Writes a persistence diagram as text: numbers in the fewest digits that give the same number back, `inf` for the
-/// death of an essential class (`-inf` where values fall; Ripser leaves the place empty).
+/// death of an essential class (`-inf` where values fall; Ripser leaves the place empty where they rise).
 ///
 /// # Errors
 /// [`coface_algebra::ErrorKind::Io`] if the stream cannot be written.
@@ -132,6 +132,8 @@ pub(super) fn write_lines(
                 while let Some(line) = lines.next_if(|line| line.degree == degree) {
                     match line.death {
                         Some(death) => writeln!(out, " [{},{death})", line.birth)?,
+                        // Without a death nothing would say that values fall.
+                        None if never < 0.0 => writeln!(out, " [{},-inf)", line.birth)?,
                         None => writeln!(out, " [{}, )", line.birth)?,
                     }
                 }

@@ -117,7 +117,8 @@ impl RipsRequest {
     /// Finds the diagram of points with these distances.
     ///
     /// # Errors
-    /// Those of [`RipsFiltration::new`] and [`RipsFiltration::persistence`]; [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) where the
+    /// Those of [`RipsFiltration::new`] and [`RipsFiltration::persistence`]; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for a
+    /// negative [`Self::min_persistence`]; [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) where the
     /// memory that is free would not do, with a threshold for which it would.
     ///
     /// # Examples
@@ -157,6 +158,13 @@ impl RipsRequest {
         graph: Option<&FileGraph>,
     ) -> Result<FoundRips, Error> {
         let in_file = |error: Error| error.in_file(name);
+        if self.min_persistence < 0.0 {
+            let message =
+                "pairs of persistence 0 of a Vietoris-Rips or flag complex are not computed one by one";
+            return Err(in_file(
+                Error::invalid(message).with_cure("ask for pairs of persistence above 0 or more"),
+            ));
+        }
         self.require_memory(&filtration).map_err(in_file)?;
         let diagram = filtration.persistence(self.dimension, self.coefficients).map_err(in_file)?;
         let pairs = diagram.pairs().filter(|pair| length(pair) > self.min_persistence).cloned().collect();

@@ -173,6 +173,10 @@ impl PlanarSet {
                     let kinks: (Vec<KnotIndex>, Vec<u32>) =
                         set.kinks().iter().map(|(at, vertex)| (at, vertex.to_u32())).unzip();
                     set = set.with_declared_kinks(&kinks.0, Some(&kinks.1), Some(next))?;
+                } else if !request.fit && order > Order::LINEAR {
+                    let (with_corners, count) = with_kinks_at_corners(set)?;
+                    set = with_corners;
+                    remarks.extend(corners_as_kinks(count));
                 }
             }
         }
@@ -421,6 +425,32 @@ fn check_curves_of_kinks(count: usize, request: &SetRequest) -> Result<(), Error
         Some(at) => Err(Error::invalid(format!("there is no curve {}", at.curve))
             .with_cure(format!("the curves are 0 to {}", count.saturating_sub(1)))),
     }
+}
+
+/// Where the boundary turns by more than this angle, in radians, it is meant to have a corner.
+const CORNER: f64 = 0.1;
+
+/// The set with its corners as kinks, which its file did not tell, and how many these are: what moves or changes it keeps them then.
+fn with_kinks_at_corners(set: YinSet) -> Result<(YinSet, usize), Error> {
+    let known: Vec<KnotIndex> = set.kinks().iter().map(|(at, _)| at).collect();
+    let mut knots = set.corners(CORNER)?;
+    knots.retain(|at| !known.contains(at));
+    let count = knots.len();
+    if count == 0 {
+        return Ok((set, 0));
+    }
+    knots.extend(known);
+    Ok((set.with_declared_kinks(&knots, None, None)?, count))
+}
+
+fn corners_as_kinks(count: usize) -> Option<Remark> {
+    let knots = match count {
+        0 => return None,
+        1 => "1 knot where the boundary has a corner is taken as a kink".to_owned(),
+        count => format!("{count} knots where the boundary has a corner are taken as kinks"),
+    };
+    let message = format!("{knots}; the file does not tell kinks");
+    Some(Remark::new(RemarkCode::InputReading, message).at(count, []))
 }
 
 fn check_listed(set: &YinSet, kinks: Option<&KinkRequest>) -> Result<(), Error> {

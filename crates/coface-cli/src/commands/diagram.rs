@@ -265,6 +265,10 @@ fn distance_page(answer: &DiagramDistanceAnswer) -> String {
         .map(|degree: &DegreeDistance| {
             let [a, b] = degree.essential;
             let gloss = match degree.distance {
+                None if a == b => {
+                    "classes that never die, here while values rise and there while they fall".to_owned()
+                }
+                None if a == 1 => format!("1 class that never dies against {b}"),
                 None => format!("{} that never die against {b}", text::count(a, "class")),
                 Some(_) => String::new(),
             };

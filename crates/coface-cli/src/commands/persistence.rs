@@ -23,7 +23,7 @@ use coface::answers::{
     VineyardRequest, write_diagram, write_kinds,
 };
 use coface::geometry::Positions;
-use coface::io::{Format, check_output, write_path};
+use coface::io::{Format, write_path};
 use coface::topology::Coefficients;
 use image::ImageArguments;
 use points::{PointQuestion, stored};
@@ -74,7 +74,7 @@ pub(crate) struct Persistence {
     /// as .csv with lines vine,degree,parameter,birth,death; the JSON has "functions", and "vines", a list of {"degree","points"} with points `[parameter,birth,death]`
     #[arg(long, value_name = "x|y|z|FILE", num_args = 1.., conflicts_with_all = ["function", "values", "upper_star", "extended", "cycles", "certificate", "zigzag"])]
     vineyard: Vec<String>,
-    /// Only pairs whose persistence is greater than R; a negative R keeps all
+    /// Only pairs whose persistence is greater than R; a negative R keeps all, of other complexes than those of --rips and --flag
     #[arg(long, value_name = "R", default_value = "0", allow_negative_numbers = true, value_parser = length)]
     min_persistence: f64,
     /// Cycles of the classes, the chains that they bound at their deaths, and cocycles, over the field, of models, points and graphs; written to OUT if given, as .json, or as a picture
@@ -139,10 +139,10 @@ impl Persistence {
         if let Some(Some(place)) = &self.cycles {
             // Before the work, not after it.
             check_extension(place)?;
-            check_output(place)?;
+            certified::check_other_output(place, std::slice::from_ref(&self.input), common)?;
         }
         if let Some(place) = &self.certificate {
-            check_output(place)?;
+            certified::check_other_output(place, std::slice::from_ref(&self.input), common)?;
             certified::refuse_standard_input(std::slice::from_ref(&self.input))?;
         }
         let progress = Progress::start(common.quiet);

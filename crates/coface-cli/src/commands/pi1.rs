@@ -167,7 +167,9 @@ fn page(name: &str, answer: &Pi1Answer, presentations: &[&Presentation], is_all:
             (Some(name), None) => (name.clone(), String::new()),
             (None, _) => {
                 let why = match group.unrecognized {
-                    Some(Unrecognized::GaveUp) => "counting its elements was given up: it may be finite or not",
+                    Some(Unrecognized::GaveUp) => {
+                        "counting its elements was given up: it may be finite or not"
+                    }
                     _ => "infinite, and no rule fits: it may still be a well-known one",
                 };
                 ("not recognized".to_owned(), why.to_owned())

@@ -245,6 +245,15 @@ fn reports_are_proved() {
         (json!(sphere).to_string(), &["manifold = [\"yes\",true]", "orientable = true", "H_3 = Z"]),
         ("[[0,1,2],[5]]".to_owned(), &["components = 2", "pure = false"]),
         (
+            "{\"vertices\":[[0,0],[1,0],[0,1]],\"facets\":[[0,1,2]]}".to_owned(),
+            &["f_vector = [3,3,1]", "boundary_loops = 1"],
+        ),
+        // A sphere with a loop of edges: nothing is its boundary.
+        (
+            "[[0,2,1],[0,1,3],[1,2,3],[2,0,3],[3,4],[4,5],[3,5]]".to_owned(),
+            &["manifold = [\"no\",true]", "pure = false"],
+        ),
+        (
             "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n2 1 0\n4 0 1 2 3\n4 1 4 5 2\n".to_owned(),
             &["genus = 0", "boundary_loops = 1"],
         ),

@@ -82,6 +82,25 @@ fn plain_tables_and_lists_are_read() {
 }
 
 #[test]
+fn all_formats_keep_the_direction_of_values() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    std::fs::write(place.join("image.pgm"), "P2\n3 2\n9\n0 1 2\n3 4 5\n").unwrap();
+    for (name, direction) in [("up", &[][..]), ("down", &["--superlevel"])] {
+        for extension in ["json", "txt", "csv", "pers"] {
+            let out = format!("{name}.{extension}");
+            let words = [&["persistence", "image.pgm", "-q", "-o", &out], direction].concat();
+            assert_eq!(coface_in(place, &words).status, 0);
+            let own = format!("{name}.json");
+            let answer = coface_in(place, &["diagram", "distance", &out, &own, "--json"]).json();
+            assert_eq!(answer["distance"], 0.0, "{out}");
+        }
+    }
+    let run = coface_in(place, &["diagram", "distance", "up.txt", "down.txt"]);
+    assert!(run.stdout.contains("here while values rise and there while they fall"), "{}", run.stdout);
+}
+
+#[test]
 fn curves_and_images_are_written_as_tables_and_arrays() {
     let folder = tempfile::tempdir().unwrap();
     let place = folder.path();

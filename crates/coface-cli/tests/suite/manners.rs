@@ -41,6 +41,11 @@ fn a_file_alone_is_reported_on() {
     assert!(unknown.fails_with(2).contains("'homology'"), "the nearest verb: {}", unknown.stderr);
     let missing = folder.path().join("missing.off");
     assert!(coface(&[argument(&missing)]).fails_with(2).contains("there is no such file"));
+    // Behind a verb that has verbs of its own a file is not a file alone.
+    for verb in ["map", "yin", "diagram", "generate"] {
+        let run = coface(&[verb, argument(&missing)]);
+        assert!(run.fails_with(2).contains("unrecognized subcommand"), "{}", run.stderr);
+    }
 }
 
 #[test]

@@ -291,6 +291,24 @@ fn mapper_of_a_circle_is_a_circle() {
     );
     assert_eq!(run.status, 0, "{}", run.stderr);
     assert_eq!(coface_in(place, &["info", "graph.vtk", "--json"]).json()["f_vector"], json!([6, 6]));
+    // Many intervals over each point: a nerve of dimension 7.
+    let large = coface_in(
+        place,
+        &[
+            "info",
+            "circle.csv",
+            "--mapper",
+            "10",
+            "--overlap",
+            "0.9",
+            "--threshold",
+            "1.2",
+            "--lens",
+            "y",
+            "--json",
+        ],
+    );
+    assert_eq!(betti(&large.json())[..2], [1, 1]);
     let run = coface_in(place, &["shard", "circle.csv", "--mapper", "4", "--parts", "2", "-o", "parts"]);
     assert!(run.fails_with(1).contains("coface convert INPUT --mapper N -o COMPLEX.json"));
     for (words, status, fault) in [

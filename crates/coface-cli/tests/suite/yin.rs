@@ -395,6 +395,39 @@ fn other_verbs_read_sets() {
     assert_eq!(yin(&["info", argument(&back)])["area"], json!(16.0));
 }
 
+/// A file of MARS tells no kinks; a square in it keeps its corners when it moves.
+#[test]
+fn corners_of_files_without_kinks_are_kinks() {
+    let folder = tempfile::tempdir().unwrap();
+    let points = "[[0,0],[2,0],[4,0],[4,2],[4,4],[2,4],[0,4],[0,2]]";
+    for order in [4, 6] {
+        let text = format!("{{\"order\":{order},\"curves\":[{{\"points\":{points},\"kinks\":[0,2,4,6]}}]}}");
+        let square = file(&folder, "square.json", &text);
+        let dat = folder.path().join("square.dat");
+        assert_eq!(coface(&["yin", "fit", argument(&square), "-o", argument(&dat), "-q"]).status, 0);
+        let info = yin(&["info", argument(&dat)]);
+        assert_eq!(info["curves"][0]["kinks"].as_array().map(Vec::len), Some(4), "{info}");
+        assert_eq!(info["remarks"][0]["code"], "input-reading");
+        let moved = folder.path().join("moved.json");
+        let words =
+            ["yin", "advect", argument(&dat), "--flow", "translation", "--time", "1e-9", "--spacing", "1"];
+        assert_eq!(coface(&[&words[..], &["-o", argument(&moved), "-q"]].concat()).status, 0);
+        let area = yin(&["info", argument(&moved)])["area"].as_f64().unwrap();
+        assert!((area - 16.0).abs() < 1e-7, "order {order}: {area}");
+    }
+    // A circle has no corners.
+    let round = folder.path().join("round.dat");
+    let circle: Vec<String> = (0..24)
+        .map(|i| (f64::from(i) * std::f64::consts::TAU / 24.0).sin_cos())
+        .map(|(y, x)| format!("[{x},{y}]"))
+        .collect();
+    let text = format!("{{\"order\":4,\"curves\":[{{\"points\":[{}]}}]}}", circle.join(","));
+    let circle = file(&folder, "circle.json", &text);
+    assert_eq!(coface(&["yin", "fit", argument(&circle), "-o", argument(&round), "-q"]).status, 0);
+    let info = yin(&["info", argument(&round)]);
+    assert_eq!((&info["curves"][0]["kinks"], &info["remarks"]), (&json!([]), &json!([])));
+}
+
 #[test]
 fn the_spadjors_of_the_reference_tests_have_their_complements() {
     let folder = tempfile::tempdir().unwrap();

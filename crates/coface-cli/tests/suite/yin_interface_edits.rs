@@ -131,12 +131,12 @@ fn cells_of_phases_add_up() {
     coface(&["yin", "cut-cells", rooms, "--grid", "8x6", "-o", argument(&table)]);
     let text = std::fs::read_to_string(&table).unwrap();
     let mut lines = text.lines();
-    assert_eq!(lines.next(), Some("column,row,phase,coverage,area,length"));
+    assert_eq!(lines.next(), Some("column,row,phase,name,coverage,area,length"));
     let mut sums = vec![0.0; 48];
     for line in lines {
         let words: Vec<&str> = line.split(',').collect();
         let [column, row] = [0, 1].map(|at: usize| words[at].parse::<usize>().unwrap());
-        sums[8 * row + column] += words[4].parse::<f64>().unwrap();
+        sums[8 * row + column] += words[5].parse::<f64>().unwrap();
     }
     assert!(sums.iter().all(|sum| (sum - 4.0 / 48.0).abs() < 1e-15), "{sums:?}");
     let shifted = yin(&["cut-cells", rooms, "--grid", "3", "--origin", "-0.3,-0.4", "--spacing", "1"]);

@@ -308,7 +308,7 @@ impl CellMesh {
         };
         Verdict {
             decision: Decision::of(witness),
-            is_closed: boundary_face_count == 0 && loose_faces.is_empty() && loose_edges.is_empty(),
+            is_closed: boundary_face_count == 0,
             findings: VolumeFindings {
                 non_manifold_faces,
                 loose_faces,

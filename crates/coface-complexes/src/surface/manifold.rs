@@ -244,7 +244,7 @@ impl PolygonMesh {
         };
         Verdict {
             decision: Decision::of(witness),
-            is_closed: boundary_edge_count == 0 && loose_edges.is_empty(),
+            is_closed: boundary_edge_count == 0,
             findings: SurfaceFindings {
                 non_manifold_edges,
                 loose_edges,

@@ -2492,7 +2492,7 @@ class Persistence:
         Returns
         -------
         numpy.ndarray
-            ``float64``, shape (n, 2); a class that never dies has the death inf.
+            ``float64``, shape (n, 2); a class that never dies has the death inf, where values fall -inf.
         """
         ...
     @property

@@ -3,6 +3,18 @@
 use super::Cell;
 use coface_algebra::escaped;
 
+/// A text as a field of a table of comma-separated values: in quotes where it must be, with an apostrophe before what a spreadsheet would take
+/// for a formula, control characters escaped.
+///
+/// # Examples
+/// ```
+/// use coface_scale::csv_field;
+/// assert_eq!(["a b", "a,b", "=1+1"].map(csv_field), ["a b", "\"a,b\"", "'=1+1"]);
+/// ```
+pub fn csv_field(text: &str) -> String {
+    field(&text.into())
+}
+
 /// A value as a field: empty for null, in one line, in quotes where it must be. What a spreadsheet would take for a
 /// formula has an apostrophe before it, which says that it is text.
 pub(super) fn field(value: &Cell) -> String {

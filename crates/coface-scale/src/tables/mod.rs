@@ -10,5 +10,6 @@ mod parquet;
 mod writer;
 
 pub(crate) use cell::Cell;
+pub use csv::csv_field;
 pub use format::TableFormat;
 pub(crate) use writer::{Column, Kind, TableWriter};

@@ -36,7 +36,8 @@ pub enum GluingMove {
         /// The class of the vertex.
         vertex: usize,
     },
-    /// An edge inside, with two different ends and different tetrahedra around it, shrinks to a point; these tetrahedra are flattened.
+    /// An edge inside, with two different ends and different tetrahedra around it, shrinks to a point; these tetrahedra are flattened. One end at least
+    /// is neither in the boundary nor ideal.
     Collapse {
         /// The class of the edge.
         edge: usize,
@@ -88,13 +89,15 @@ type Facet = (usize, [usize; CORNERS]);
 /// # Ok(()) }
 /// ```
 pub fn moved(table: &GluingTable, step: GluingMove) -> Result<Option<GluingTable>, Error> {
-    moved_with(table, &table.faces()?, step)
+    let faces = table.faces()?;
+    let ideal = table.ideal_vertices(&faces)?;
+    moved_with(table, (&faces, &ideal), step)
 }
 
-/// As [`moved`], with the face classes of the table.
+/// As [`moved`], with the face classes of the table and its ideal vertices, rising.
 pub(super) fn moved_with(
     table: &GluingTable,
-    faces: &FaceClasses,
+    (faces, ideal): (&FaceClasses, &[CellId]),
     step: GluingMove,
 ) -> Result<Option<GluingTable>, Error> {
     if table.dimension() != 3 {
@@ -106,7 +109,7 @@ pub(super) fn moved_with(
         GluingMove::ThreeToTwo { edge } => moving.three_to_two(faces, edge),
         GluingMove::TwoToZero { edge } => moving.two_to_zero(faces, edge),
         GluingMove::FourToOne { vertex } => moving.four_to_one(faces, vertex),
-        GluingMove::Collapse { edge } => moving.collapse(faces, edge),
+        GluingMove::Collapse { edge } => moving.collapse(faces, ideal, edge),
     }
 }
 
@@ -294,7 +297,12 @@ impl Moving<'_> {
         self.flattened(&[one, two], &pairs)
     }
 
-    fn collapse(&self, faces: &FaceClasses, edge: usize) -> Result<Option<GluingTable>, Error> {
+    fn collapse(
+        &self,
+        faces: &FaceClasses,
+        ideal: &[CellId],
+        edge: usize,
+    ) -> Result<Option<GluingTable>, Error> {
         let Some(ring) = self.around(faces, edge, self.table.simplex_count()) else { return Ok(None) };
         let class = |tetrahedron: usize, corners: &[usize]| {
             faces.of_face(tetrahedron, corners.iter().fold(0, |set, &corner| set | 1 << corner)).0
@@ -302,7 +310,10 @@ impl Moving<'_> {
         let (first, [a, b, ..]) = ring[0];
         let ends = [class(first, &[a]), class(first, &[b])];
         let is_outer = |degree: usize, class: usize| faces.is_boundary(degree, CellId::new(class));
-        if ends[0] == ends[1] || ends.iter().all(|&end| is_outer(0, end)) {
+        // Two components of the boundary, a cut ideal vertex among them, would become one.
+        let ends_in_boundary =
+            |&end: &usize| is_outer(0, end) || ideal.binary_search(&CellId::new(end)).is_ok();
+        if ends[0] == ends[1] || ends.iter().all(ends_in_boundary) {
             return Ok(None);
         }
         // A triangle at the edge becomes an edge, a tetrahedron a triangle: its two other edges, and facets, become one.
@@ -503,12 +514,31 @@ mod tests {
                 let faces = table.faces().unwrap();
                 let counts = faces.class_counts();
                 let step = GluingMove::Collapse { edge: choice % counts[1] };
-                let Some(next) = moved_with(&table, &faces, step).unwrap() else { continue };
+                let Some(next) = moved_with(&table, (&faces, &[]), step).unwrap() else { continue };
                 let next_faces = next.faces().unwrap();
                 prop_assert_eq!(next_faces.class_counts()[0] + 1, counts[0]);
                 prop_assert_eq!(next.manifold_verdict(&next_faces).unwrap().to_bool(), Some(true));
                 prop_assert_eq!(&homology(&next_faces.chain_complex().unwrap()), &expected);
                 table = next;
+            }
+        }
+    }
+
+    /// Ideal vertices stay apart, and what is left without them keeps its homology.
+    #[test]
+    fn ideal_vertices_are_not_brought_together() {
+        // A manifold with two cusps, gluings with two and three ideal vertices, and one with a boundary beside them.
+        for signature in ["eLMkbcddddedde", "gLLAQbceefefmoamapn", "cPcbbbiht"] {
+            for places in [&[][..], &[0, 3], &[1, 4, 2]] {
+                let table = finer(&GluingTable::from_isomorphism_signature(signature, 3).unwrap(), places);
+                let of = |table: &GluingTable| {
+                    let faces = table.faces().unwrap();
+                    let bounded = table.truncated(&faces).unwrap();
+                    let groups = homology(&bounded.faces().unwrap().chain_complex().unwrap());
+                    (table.ideal_vertices(&faces).unwrap().len(), groups)
+                };
+                let small = crate::three_manifolds::simplified(&table, 20).unwrap();
+                assert_eq!(of(small.table()), of(&table), "{signature} {places:?}");
             }
         }
     }

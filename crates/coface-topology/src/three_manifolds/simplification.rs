@@ -1,7 +1,7 @@
 //! Smaller triangulations of the same 3-manifold, found by moves.
 
 use super::GluingMove;
-use super::moves::moved_with;
+use super::moves::{moved, moved_with};
 use coface_algebra::Error;
 use coface_complexes::gluing::{FaceClasses, GluingTable};
 
@@ -30,7 +30,7 @@ impl GluingSimplification {
 
     /// Makes one move.
     fn step(&self, step: GluingMove) -> Result<Option<Self>, Error> {
-        let Some(table) = moved_with(&self.table, &self.table.faces()?, step)? else { return Ok(None) };
+        let Some(table) = moved(&self.table, step)? else { return Ok(None) };
         let mut moves = self.moves.clone();
         moves.push(step);
         Ok(Some(Self { table, moves }))
@@ -40,6 +40,7 @@ impl GluingSimplification {
     fn reduced(mut self) -> Result<Self, Error> {
         loop {
             let faces = self.table.faces()?;
+            let ideal = self.table.ideal_vertices(&faces)?;
             // The numbers of corners at vertices, and of tetrahedra around edges.
             let (vertices, edges) = (degrees(&self.table, &faces, 1), degrees(&self.table, &faces, 2));
             let of_degree = |counts: &[usize], degree: usize| -> Vec<usize> {
@@ -55,7 +56,7 @@ impl GluingSimplification {
                 .chain(threes.into_iter().map(|edge| GluingMove::ThreeToTwo { edge }));
             let mut found = None;
             for step in steps {
-                if let Some(table) = moved_with(&self.table, &faces, step)? {
+                if let Some(table) = moved_with(&self.table, (&faces, &ideal), step)? {
                     found = Some((table, step));
                     break;
                 }

@@ -17,7 +17,7 @@ use crate::target::{Target, unknown_extension};
 use clap::{Args, ValueEnum};
 use coface::answers::{ArrangementMethod, RegionSource, are_planar, welded};
 use coface::arrange::boolean::InsideRule;
-use coface::io::{Format, Model, check_output};
+use coface::io::{Format, Model};
 use std::path::{Path, PathBuf};
 
 /// Cut the plane or space into cells: the arrangement of segments, polylines and polygons.
@@ -162,9 +162,14 @@ impl CellOptions {
     }
 
     /// Refuses, before the work, a certificate that cannot be made or written.
-    pub(crate) fn check_certificate(&self, inputs: &[PathBuf], source: RegionSource) -> Result<(), Failure> {
+    pub(crate) fn check_certificate(
+        &self,
+        inputs: &[PathBuf],
+        source: RegionSource,
+        common: &Common,
+    ) -> Result<(), Failure> {
         let Some(place) = &self.certificate else { return Ok(()) };
-        check_output(place)?;
+        certified::check_other_output(place, inputs, common)?;
         certified::refuse_standard_input(inputs)?;
         match source {
             RegionSource::Models => Ok(()),
@@ -268,7 +273,7 @@ impl Arrange {
             )));
         }
         let source = self.source.map_or_else(RegionSource::default, Inputs::source);
-        self.cells.check_certificate(&self.inputs, source)?;
+        self.cells.check_certificate(&self.inputs, source, common)?;
         let progress = Progress::start(common.quiet);
         let models = self.cells.read(&self.inputs, common, &progress)?;
         match dimension_of(&models, self.cells.dimension) {

@@ -119,7 +119,7 @@ impl Boolean {
         if let Some(path) = &self.provenance {
             check_json(path)?;
         }
-        self.cells.check_certificate(inputs, self.region_source())?;
+        self.cells.check_certificate(inputs, self.region_source(), common)?;
         let progress = Progress::start(common.quiet);
         let models = self.cells.read(inputs, common, &progress)?;
         match dimension_of(&models, self.cells.dimension) {

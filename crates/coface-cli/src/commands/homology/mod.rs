@@ -19,7 +19,7 @@ use clap::Args;
 use coface::answers::answer::GeneratorsFile;
 use coface::answers::text;
 use coface::answers::{FoundHomology, GivenChain, GivenRealCochain, GivenVertexMap, HomologyRequest};
-use coface::io::{Format, Model, ReadOptions, check_output, write_path};
+use coface::io::{Format, Model, ReadOptions, write_path};
 use coface::pictures::sequence_picture;
 use coface::topology::{AbelianGroup, Coefficients};
 use parts::PartsOptions;
@@ -102,7 +102,7 @@ impl Homology {
         }
         if let Some(place) = &self.certificate {
             // Before the work, not after it.
-            check_output(place)?;
+            certified::check_other_output(place, self.input.as_slice(), common)?;
             certified::refuse_standard_input(self.input.as_slice())?;
             // The checker reads the file as it is.
             common.points.refuse("homology with a certificate")?;
@@ -113,6 +113,7 @@ impl Homology {
         for place in self.generators.iter().flatten() {
             // Before the work, not after it.
             check_extension(place)?;
+            certified::check_other_output(place, self.input.as_slice(), common)?;
         }
         let mesh_output = common.output.as_deref().filter(|place| is_msh(place));
         let diagram = common.output.as_deref().and_then(|place| Some((place, PictureFormat::of(place)?)));

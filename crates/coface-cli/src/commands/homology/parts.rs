@@ -41,8 +41,8 @@ pub(super) struct PartsOptions {
     grid: GridArguments,
 }
 
-/// A worker that does anything at all takes so much.
-const LEAST: u64 = 64 << 20;
+/// A worker that does anything at all takes up to so much.
+const LEAST: u64 = 96 << 20;
 /// Workers are not started for less each, as long as one can do the work.
 const COMFORT: u64 = 256 << 20;
 
@@ -64,9 +64,9 @@ impl PartsOptions {
         common.points.refuse("homology in parts")?;
         if let Some(memory) = self.memory().filter(|&memory| memory < LEAST) {
             return Err(Failure::new(format!(
-                "{} of memory is too little for any part; give --memory {} or more",
+                "{} of memory is too little for any part; give --memory {}M or more",
                 bytes_text(memory),
-                bytes_text(LEAST)
+                LEAST >> 20
             )));
         }
         let progress = Progress::start(common.quiet);

@@ -7,7 +7,7 @@ use crate::input;
 use crate::output::{is_json, print_json, print_text, write_file, write_json};
 use crate::progress::Progress;
 use clap::Args;
-use coface::answers::answer::{CutCellAnswer, PhaseCell, YinCutCellsAnswer, YinInterfaceCutCellsAnswer};
+use coface::answers::answer::{CutCellAnswer, YinCutCellsAnswer, YinInterfaceCutCellsAnswer};
 use coface::answers::text;
 use coface::answers::{CutCellsRequest, PlanarInterface};
 use std::fmt::Write;
@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 /// The areas of all cells add up to the area of the set in the grid. With -o the cells that have some of the set or of its boundary are
 /// written, to .csv (column, row, coverage, area, length) or .json.
 ///
-/// Phases of an interface are cut at one grid: .csv files have a line for what a phase has of a cell (column, row, phase, coverage, area, length), and the
+/// Phases of an interface are cut at one grid: .csv files have a line for what a phase has of a cell (column, row, the number of the phase from 0 and its name, coverage, area, length), and the
 /// areas of all phases in a cell add up.
 ///
 /// With --json: "grid" ("origin", "spacing", "counts"), "full", "cut" and "empty" (numbers of cells), "area" and "length" (of the set and
@@ -116,7 +116,7 @@ impl Cells {
             match is_json(path) {
                 true => write_json(path, &answer)?,
                 false => {
-                    write_file(path, phase_table(answer.cells.as_deref().unwrap_or_default()).as_bytes())?;
+                    write_file(path, phase_table(&answer).as_bytes())?;
                 }
             }
         }
@@ -131,16 +131,21 @@ impl Cells {
 }
 
 /// What phases have of cells as lines of comma-separated values.
-fn phase_table(cells: &[PhaseCell]) -> String {
-    let mut table = "column,row,phase,coverage,area,length\n".to_owned();
-    for cell in cells {
+fn phase_table(answer: &YinInterfaceCutCellsAnswer) -> String {
+    let mut table = "column,row,phase,name,coverage,area,length\n".to_owned();
+    let name_of = |phase: u32| {
+        let name = answer.phases.get(phase as usize).map_or("", |phase| phase.name.as_str());
+        coface::scale::csv_field(name)
+    };
+    for cell in answer.cells.iter().flatten() {
         // Writing to a string does not fail.
         let _ = writeln!(
             table,
-            "{},{},{},{},{:?},{:?}",
+            "{},{},{},{},{},{:?},{:?}",
             cell.column,
             cell.row,
             cell.phase,
+            name_of(cell.phase),
             cell.coverage.word(),
             cell.area,
             cell.length
