@@ -5,7 +5,7 @@ use crate::files::open_regular;
 use crate::scanner::Scanner;
 use crate::volume::{NPY_MAGIC, write_npy_header};
 use crate::word_columns::{WordColumns, is_word};
-use crate::{Format, Remark, VolumeStream};
+use crate::{Format, Remark, RemarkCode, VolumeStream};
 use coface_algebra::Error;
 use std::io::{Read, Write};
 use std::path::Path;
@@ -98,7 +98,9 @@ impl NumberTable {
         let mut scanner = Scanner::new(input);
         let mut table = Self { starts: vec![0], ..Self::default() };
         let (mut has_names, mut columns) = (false, WordColumns::default());
+        let mut has_unnamed = false;
         while let Some(line) = scanner.next_line()? {
+            let begins_unnamed = matches!(line.first(), Some(b'\t' | b',' | b';'));
             let line = line.trim_ascii();
             if line.starts_with(b"#") || line.starts_with(b"//") {
                 continue;
@@ -111,6 +113,7 @@ impl NumberTable {
             if table.numbers.is_empty() {
                 // The first line of words has the names of the columns.
                 if words.iter().all(|word| is_word(word)) && !std::mem::replace(&mut has_names, true) {
+                    has_unnamed = begins_unnamed;
                     continue;
                 }
                 columns = WordColumns::of(&words);
@@ -124,7 +127,32 @@ impl NumberTable {
             table.push_row(&numbers, scanner.line_number());
         }
         table.left_out = (columns.count() > 0).then(|| columns.remark(" of the table"));
+        if has_unnamed && table.first_column_counts() {
+            table.leave_out_first_column();
+        }
         Ok(table)
+    }
+
+    /// Whether the entries of the first column are the numbers of the rows, from 0 or 1, and there are others.
+    fn first_column_counts(&self) -> bool {
+        let Some(first) = (self.row_count() > 0).then(|| self.row(0)[0]) else { return false };
+        let counts = |row: usize| self.row(row).len() > 1 && self.row(row)[0] == first + row as f64;
+        (first == 0.0 || first == 1.0) && (0..self.row_count()).all(counts)
+    }
+
+    /// Leaves the first column out, which has no name and counts the rows, as tables of pandas have it.
+    fn leave_out_first_column(&mut self) {
+        let mut kept = Self { starts: vec![0], ..Self::default() };
+        for row in 0..self.row_count() {
+            kept.push_row(&self.row(row)[1..], self.line(row).unwrap_or_default());
+        }
+        let message = match &self.left_out {
+            Some(words) => format!("the first column, which counts the rows, is left out; {}", words.message),
+            None => "the first column, which counts the rows, is left out".to_owned(),
+        };
+        let count = 1 + self.left_out.as_ref().map_or(0, |words| words.count as usize);
+        kept.left_out = Some(Remark::new(RemarkCode::DataLeftOut, message).at(count, []));
+        *self = kept;
     }
 
     /// What was left out: columns of words, such as names, labels and dates.
@@ -340,5 +368,24 @@ impl NumberTable {
     /// See [`NumberTable`].
     pub fn line(&self, row: usize) -> Option<u64> {
         self.lines.get(row).copied()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_first_column_without_a_name_that_counts_the_rows_is_no_coordinate() {
+        let read = |text: &str| NumberTable::read(text.as_bytes()).unwrap();
+        let table = read(",x,y\n0,5,6\n1,7,8\n2,9,9\n");
+        assert_eq!((table.row_count(), table.row(1), table.line(1)), (3, &[7.0, 8.0][..], Some(3)));
+        assert!(table.left_out().unwrap().message.contains("counts the rows"));
+        let named = read("\tx\tkind\n1\t5\ta\n2\t7\tb\n");
+        assert_eq!((named.row(1), named.left_out().unwrap().count), (&[7.0][..], 2));
+        // Other numbers are coordinates, and so is what has a name.
+        for text in [",x,y\n0,5,6\n2,7,8\n", "n,x,y\n0,5,6\n1,7,8\n", "0,5,6\n1,7,8\n"] {
+            assert_eq!(read(text).row(1).len(), 3, "{text}");
+        }
     }
 }

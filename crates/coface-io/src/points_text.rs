@@ -40,6 +40,8 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
     // Points with a number that is not finite, and their lines.
     let mut suspects: Vec<(usize, u64)> = Vec::new();
     while let Some(line) = scanner.next_line()? {
+        // The first column of tables of pandas has no name.
+        let begins_unnamed = matches!(line.first(), Some(b'\t' | b',' | b';'));
         let line = line.trim_ascii();
         if line.is_empty() || line.starts_with(b"#") || line.starts_with(b"//") {
             continue;
@@ -58,7 +60,8 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
             let has_numbers = words.iter().skip(1).filter(|word| !is_word(word)).count() >= 2;
             if is_word(words[0]) && !has_numbers {
                 let unquoted = |word: &&[u8]| String::from_utf8_lossy(word).trim_matches('"').to_lowercase();
-                names = Some(words.iter().map(unquoted).collect());
+                let unnamed = begins_unnamed.then(|| "index".to_owned());
+                names = Some(unnamed.into_iter().chain(words.iter().map(unquoted)).collect());
                 continue;
             }
         }
@@ -175,6 +178,7 @@ mod tests {
             ("3\n0 0 0\n1 0 0\n0 1 0\n", 3, 3),
             ("\"X\",\"Y\"\r\n1,2\r\n", 2, 1),
             (";;\n1;2\n;;\n", 2, 1),
+            (",x,y\n0,5,6\n1,7,8\n", 2, 2),
         ] {
             let model = read(text.as_bytes()).unwrap();
             assert_eq!((model.positions().dimension(), model.points().len()), (dimension, count), "{text}");

@@ -77,7 +77,7 @@ const PHRASES: [(&str, &str); 48] = [
         "split it first: model.repaired(split_edges=\"pairs\", split_vertices=True)",
     ),
     (
-        "give the JSON of homology --generators, cut, cover, pi1, cycles, cocycles, arrange, persistence, star, link, .., or a chain as [[coefficient,[vertices..]],..]",
+        "give the JSON of homology --generators, cut, cover -o, pi1 --loops, cycles, cocycles, arrange, persistence, star, link, .., or a chain as [[coefficient,[vertices..]],..]",
         "give an answer of coface.homology(model, generators=True), coface.cut, cover, pi1, cocycles, arrange, persistence, .., or a list of coefficients with vertices",
     ),
 ];

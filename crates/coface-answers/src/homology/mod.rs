@@ -431,8 +431,8 @@ impl HomologyRequest {
                 let symbol = if self.is_cohomology { "H^" } else { "H_" };
                 let chains =
                     generators::physical(&found, &names, &whole, symbol, &self.domain.words(&mesh)?)?;
-                let before = mesh.groups().len();
                 let mesh = producer.mesh_with_chains(mesh, &chains, self.is_cohomology).map_err(in_file)?;
+                let before = mesh.groups().len() - chains.len();
                 let groups = mesh.groups()[before..].iter().zip(&chains);
                 object.physical_groups = Some(
                     groups.map(|(group, (_, chain))| PhysicalGroup::of(group, chain.degree())).collect(),

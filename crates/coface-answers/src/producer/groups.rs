@@ -149,6 +149,8 @@ impl Producer {
     ///
     /// Of cochains the values are data of the same name too: at the first element of each cell, for the direction of that element.
     ///
+    /// Groups and arrays of the model that have one of these names are replaced.
+    ///
     /// # Errors
     /// [`InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if the model is no mesh, and for a coefficient beyond 1000.
     ///
@@ -182,6 +184,12 @@ impl Producer {
         let groups = std::mem::take(&mut parts.groups).into_iter().zip(&tags);
         parts.groups = groups.map(|(group, &tag)| group.with_number(tag)).collect();
         let mut next = tags.iter().copied().max().unwrap_or(0);
+        // What was asked before on the same mesh gives way to what is asked now.
+        for (name, chain) in chains {
+            let kind = kind_of(chain.degree())?;
+            parts.groups.retain(|group| group.name() != name || group.kind() != kind);
+            parts.data.retain(|data| data.name() != name || data.kind() != kind);
+        }
         let mut added: Vec<Values> = Vec::new();
         for (name, chain) in chains {
             next = next.checked_add(1).ok_or_else(|| {

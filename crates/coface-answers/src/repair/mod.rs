@@ -2,6 +2,7 @@
 //! ([`repaired_surface`]), simplices by subdivision ([`triangulated`]).
 
 mod halfedges;
+mod outwards;
 mod polygons_of;
 mod splitting;
 mod surface;

@@ -1,5 +1,6 @@
 //! Repair of models, on request only.
 
+use super::outwards::faces_to_turn;
 use super::polygons_of::PolygonsOf;
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, FaceId, VertexId};
@@ -14,9 +15,10 @@ pub struct RepairRequest {
     pub split_edges: Option<FacesAtEdge>,
     /// Split the vertices with several fans of faces; see [`MeshRepair::split_vertices`].
     pub split_vertices: bool,
-    /// Turn faces so that all agree; see [`MeshRepair::orient`].
+    /// Turn faces so that all agree; see [`MeshRepair::orient`]. Closed parts in space look outwards then; a part whose box lies in that of another
+    /// closed one turns with it.
     pub orient: bool,
-    /// Turn faces so that those of each part agree where they can; see [`MeshRepair::orient_parts`].
+    /// Turn faces so that those of each part agree where they can, and closed parts look outwards; see [`MeshRepair::orient_parts`].
     pub orient_parts: bool,
     /// Leave out the polygons that repeat an earlier one, with their data, before anything else is done.
     pub drop_repeated: bool,
@@ -111,9 +113,12 @@ pub(super) fn repaired_polygons_model(
     if request.orient_parts {
         repair.orient_parts();
     }
-    let (lines, line_starts) = repaired_lines(model.lines(), &repair);
     let (positions, partial_positions) =
         placed(model.coordinate_count(), repaired_coordinates(&model, &repair))?;
+    if request.orient || request.orient_parts {
+        repair.turn(&faces_to_turn(repair.mesh(), &positions));
+    }
+    let (lines, line_starts) = repaired_lines(model.lines(), &repair);
     let repaired = ModelParts {
         vertex_count: repair.mesh().vertex_count(),
         positions,

@@ -1,9 +1,10 @@
 //! A surface of whatever polygons a file holds: merged, cleaned, split, turned and, on request, closed.
 
+use super::outwards::faces_to_turn;
 use super::polygons_of::PolygonsOf;
 use super::splitting::{RepairRequest, repaired_polygons_model};
 use super::weld::classes_of;
-use coface_algebra::{Error, ErrorKind, RaggedArray, Sign, VertexId};
+use coface_algebra::{Error, ErrorKind, FaceId, RaggedArray, Sign, VertexId};
 use coface_complexes::surface::{BoundaryLoop, FacesAtEdge, MeshRepair, PolygonMesh};
 use coface_geometry::Positions;
 use coface_io::{CellData, Group, GroupKind, Model, ModelParts, placed};
@@ -265,12 +266,12 @@ pub fn repaired_surface(
         orient_parts: true,
         ..RepairRequest::default()
     };
-    let (mut made, mesh) = repaired_polygons_model(cleaned.model, splitting)?;
+    let (mut made, mut mesh) = repaired_polygons_model(cleaned.model, splitting)?;
     let (mut hole_count, mut added_face_count) = (0, 0);
     if request.closed {
         let holes = Holes::new(&made, mesh.mesh());
         (hole_count, added_face_count) = (holes.count, holes.triangles.len());
-        made = holes.fill(made)?;
+        made = turned_outwards(holes.fill(made)?, &mut mesh)?;
     }
     check(&made, request.closed)?;
     let sources: Vec<usize> = kept.iter().map(|&vertex| vertex as usize).collect();
@@ -287,6 +288,25 @@ pub fn repaired_surface(
         added_face_count,
     };
     Ok((made, repair))
+}
+
+/// The model with closed parts that look outwards now that their holes are filled.
+fn turned_outwards(model: Model, repair: &mut MeshRepair) -> Result<Model, Error> {
+    let mesh = PolygonMesh::new(model.vertex_count(), model.polygons().clone(), &[])?;
+    let faces = faces_to_turn(&mesh, model.positions());
+    if faces.is_empty() {
+        return Ok(model);
+    }
+    let own: Vec<FaceId> =
+        faces.iter().copied().filter(|face| face.index() < repair.mesh().face_count()).collect();
+    repair.turn(&own);
+    let mut polygons = model.polygons().clone();
+    for face in faces {
+        let start = polygons.start(face.index());
+        let count = polygons.list(face.index()).len();
+        polygons.items_mut()[start + 1..start + count].reverse();
+    }
+    Ok(ModelParts { polygons, ..model.into_parts() }.into_model())
 }
 
 /// Nothing but a surface is given back.

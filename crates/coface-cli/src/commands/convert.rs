@@ -71,7 +71,7 @@ pub(crate) struct Convert {
     /// Split edges in three or more faces: apart (each face gets the edge for itself) or pairs (coherent pairs stay together)
     #[arg(long, value_name = "HOW")]
     split_edges: Option<Together>,
-    /// Turn faces so that all agree
+    /// Turn faces so that all agree; closed parts in space look outwards then, and voids inwards if they look against their shell
     #[arg(long)]
     orient: bool,
     /// Make a surface: merge equal vertices, leave out collapsed and repeated polygons and what is in no face, split, turn; `closed` also

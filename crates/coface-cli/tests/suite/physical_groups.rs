@@ -182,6 +182,19 @@ fn thin_and_thick_cuts_are_written_as_physical_groups_and_pair_up() {
     )
     .json();
     let model = read_path(&thick, None).unwrap();
+    // Asked again of what was written, the same groups take the place of the old ones.
+    let again = folder.path().join("again.msh");
+    for dual in [&["--cohomology"][..], &[]] {
+        let words = [&["homology", argument(&thick), "-o", argument(&again), "-q"], dual, &pair[..]].concat();
+        let run = coface(&words);
+        assert_eq!(run.status, 0, "{}", run.stderr);
+        let names = |model: &Model| {
+            let mut names: Vec<String> = model.groups().iter().map(|group| group.name().to_owned()).collect();
+            names.sort();
+            names
+        };
+        assert_eq!(names(&read_path(&again, None).unwrap()), names(&model));
+    }
     let tag = |name: &str| model.groups().iter().find(|group| group.name() == name).unwrap().number();
     assert_eq!((tag("insulation"), tag("70"), tag("H^1{1},{70,71,72,73}4")), (Some(75), Some(70), Some(88)));
     let (terminal_vertices, terminal_edges) = skeleton(&model, &TERMINALS);

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
-use crate::program::{argument, coface, coface_reading};
+use crate::program::{argument, coface, coface_in, coface_reading};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -420,4 +420,24 @@ fn convert_repairs_on_request_and_says_what_it_did() {
     assert!(printed.stdout.starts_with("OFF"), "{}", printed.stdout);
     assert!(printed.stderr.contains("vertices split: 1"), "{}", printed.stderr);
     coface(&["convert", argument(&path), "--split-edges", "some", "--to", "off"]).fails_with(2);
+}
+
+#[test]
+fn what_is_inside_out_is_turned_by_orienting_and_repair() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    // Inside out; and with one face turned, which is outwards then.
+    for (name, faces) in
+        [("all", "3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n"), ("one", "3 0 2 1\n3 0 3 1\n3 1 3 2\n3 2 3 0\n")]
+    {
+        let text = format!("OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 6\n{faces}");
+        std::fs::write(place.join(format!("{name}.off")), text).unwrap();
+        for option in ["--orient", "--repair=closed", "--repair"] {
+            let (file, out) = (format!("{name}.off"), format!("{name}.ply"));
+            let run = coface_in(place, &["convert", &file, option, "-o", &out]);
+            assert_eq!(run.status, 0, "{}", run.stderr);
+            let report = coface_in(place, &["info", &out, "--json"]).json();
+            assert_eq!(report["signed_volume"], 1.0, "{name} {option}");
+        }
+    }
 }

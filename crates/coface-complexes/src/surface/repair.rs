@@ -299,6 +299,32 @@ impl MeshRepair {
         }
     }
 
+    /// Turns these faces, which are listed once each.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_complexes::surface::{MeshRepair, PolygonMesh};
+    /// use coface_algebra::FaceId;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let mesh = PolygonMesh::new(3, RaggedArray::from_lists([[0, 1, 2]]), &[])?;
+    /// let mut repair = MeshRepair::new(mesh);
+    /// repair.turn(&[FaceId::new(0)]);
+    /// assert_eq!(repair.faces_turned(), [FaceId::new(0)]);
+    /// # Ok(()) }
+    /// ```
+    pub fn turn(&mut self, faces: &[FaceId]) {
+        if faces.is_empty() {
+            return;
+        }
+        let mut signs = vec![Sign::Plus; self.mesh.face_count()];
+        faces.iter().for_each(|face| signs[face.index()] = Sign::Minus);
+        let mut turned = faces.to_vec();
+        turned.sort_unstable();
+        self.mesh = self.mesh.with_face_signs(&signs);
+        self.note_turned(&turned);
+    }
+
     fn note_turned(&mut self, turned: &[FaceId]) {
         // Turning a second time brings a face back.
         let before = std::mem::take(&mut self.faces_turned);

@@ -96,7 +96,7 @@ impl Scene {
         self.panes.extend(forest_pane(&nested(result)));
         if (self.layers.len(), self.panes.len()) == before && !has_notes {
             return Err(Error::invalid(format!("{name} has nothing that could be shown over a model")).with_cure(
-                "give the JSON of homology --generators, cut, cover, pi1, cycles, cocycles, arrange, persistence, star, link, .., or a chain as [[coefficient,[vertices..]],..]",
+                "give the JSON of homology --generators, cut, cover -o, pi1 --loops, cycles, cocycles, arrange, persistence, star, link, .., or a chain as [[coefficient,[vertices..]],..]",
             ));
         }
         Ok(())
