@@ -138,5 +138,6 @@ pub use rips::{FlagReading, RipsPoints, RipsReading};
 pub use scratch_mesh::NO_VERTEX;
 pub use stated_surfaces::StatedSurfaces;
 pub use table_form::TableForm;
+pub use unpacking::unpacked_bytes;
 pub use volume::{VolumeReading, VolumeStream, VoxelRule};
 pub use witness::{WitnessPoints, WitnessReading};

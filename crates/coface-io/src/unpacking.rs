@@ -65,6 +65,29 @@ pub(crate) fn unpacked<'r>(input: impl Read + 'r, packing: Packing) -> Result<Bo
     Ok(Box::new(Unpacked { input: decoder(input, packing)?, packing, taken, given: 0 }))
 }
 
+/// The bytes of a stream, unpacked if they are compressed by gzip, Zstandard, bzip2 or xz.
+///
+/// # Errors
+/// [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) where the stream fails or its data are damaged, or are more than 1,100 times as large as their
+/// compressed form; [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat) in a build without the feature `compression`.
+///
+/// # Complexity
+/// Linear.
+///
+/// # Examples
+/// ```
+/// assert_eq!(coface_io::unpacked_bytes(&b"plain"[..])?, b"plain");
+/// # Ok::<(), coface_algebra::Error>(())
+/// ```
+pub fn unpacked_bytes(mut input: impl Read) -> Result<Vec<u8>, Error> {
+    let mut bytes = Vec::new();
+    input.read_to_end(&mut bytes)?;
+    let Some(packing) = Packing::of_content(&bytes) else { return Ok(bytes) };
+    let mut whole = Vec::new();
+    unpacked(&bytes[..], packing)?.read_to_end(&mut whole)?;
+    Ok(whole)
+}
+
 struct Counted<R> {
     input: R,
     taken: Rc<Cell<u64>>,

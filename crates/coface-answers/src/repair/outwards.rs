@@ -35,9 +35,10 @@ pub(super) fn faces_to_turn(mesh: &PolygonMesh, positions: &Positions) -> Vec<Fa
     }
     let mut members: Vec<Vec<usize>> = vec![Vec::new(); mesh.face_count()];
     (0..mesh.face_count()).for_each(|face| members[classes[face] as usize].push(face));
-    let mut closed: Vec<Vec<usize>> = (0..members.len())
-        .filter(|&class| is_closed[class] && !members[class].is_empty())
-        .map(|class| std::mem::take(&mut members[class]))
+    let mut closed: Vec<Vec<usize>> = members
+        .into_iter()
+        .zip(is_closed)
+        .filter_map(|(faces, is_closed)| (is_closed && !faces.is_empty()).then_some(faces))
         .collect();
     let box_of = |faces: &Vec<usize>| -> AxisBox {
         let mut own = [[f64::INFINITY, f64::NEG_INFINITY]; 3];

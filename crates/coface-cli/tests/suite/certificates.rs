@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
-use crate::program::{argument, coface};
+use crate::program::{argument, coface, coface_reading};
 use serde_json::{Value, json};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -572,6 +572,38 @@ fn complexes_of_points_have_no_certificates_of_their_files() {
             assert!(!certificate.exists());
         }
     }
+}
+
+/// Certificates and inputs come from standard input too, and a certificate never replaces its input.
+#[test]
+fn certificates_stand_beside_their_inputs() {
+    let folder = tempfile::tempdir().unwrap();
+    let (input, certificate) = (folder.path().join("disk.off"), folder.path().join("disk.cert"));
+    let text = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    fs::write(&input, text).unwrap();
+    for verb in ["homology", "info", "pi1", "cut"] {
+        let run = coface(&[verb, argument(&input), "--certificate", argument(&input)]);
+        assert!(run.fails_with(1).contains("is an input, and would be replaced"), "{verb}: {}", run.stderr);
+        let both = ["-o", argument(&certificate), "--certificate", argument(&certificate)];
+        let run = coface(&[&[verb, argument(&input)], &both[..]].concat());
+        assert!(run.fails_with(1).contains("-o writes the same file"), "{verb}: {}", run.stderr);
+        assert_eq!((fs::read_to_string(&input).unwrap(), certificate.exists()), (text.to_owned(), false));
+    }
+    let run = coface(&["homology", argument(&input), "--generators", argument(&input)]);
+    run.fails_with(1);
+    assert_eq!(
+        coface(&["homology", argument(&input), "--certificate", argument(&certificate), "-q"]).status,
+        0
+    );
+    let bytes = fs::read(&certificate).unwrap();
+    let marked = [b"\xef\xbb\xbf", &bytes[..]].concat();
+    for given in [&bytes, &marked] {
+        let run = coface_reading(&["check", "-", argument(&input)], given);
+        assert!(run.stdout.starts_with("verified"), "{}", run.stderr);
+    }
+    let run = coface_reading(&["check", argument(&certificate), "-"], text.as_bytes());
+    assert!(run.stdout.starts_with("verified: -"), "{}{}", run.stdout, run.stderr);
+    coface_reading(&["check", "-", "-"], &bytes).fails_with(1);
 }
 
 #[test]
