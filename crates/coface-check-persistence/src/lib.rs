@@ -21,7 +21,7 @@ use pairs::Pair;
 use serde_json::Value;
 use std::collections::HashMap;
 
-const KNOWN: [&str; 6] = ["file", "field", "star", "diagram", "betti", "remarks"];
+const KNOWN: [&str; 5] = ["file", "field", "star", "diagram", "betti"];
 const PAIR_KEYS: [&str; 5] = ["degree", "birth", "death", "birth_cell", "death_cell"];
 
 /// Checks a certificate of persistence, of a complex or of points, or of what [`coface_check_congruence`] knows, against the bytes of its inputs, in their order.

@@ -8,7 +8,7 @@ use serde_json::Value;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, HashMap, HashSet};
 
-const KNOWN: [&str; 8] = ["file", "field", "function", "star", "threshold", "diagram", "betti", "remarks"];
+const KNOWN: [&str; 7] = ["file", "field", "function", "star", "threshold", "diagram", "betti"];
 /// Degrees go up to this one.
 const MOST_DEGREE: usize = 12;
 /// So many simplices are listed.

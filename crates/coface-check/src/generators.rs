@@ -1,5 +1,6 @@
 //! Generators of homology and cohomology, which cochains and chains on the other side tell apart.
 
+use crate::claims::keys;
 use crate::complex::{Complex, Finder};
 use crate::groups::{Group, Ring};
 use crate::json::{field, index, integer, list, optional};
@@ -60,6 +61,11 @@ impl Generators<'_> {
         let whole = self.ring.modulus();
         let mut on_cell: BTreeMap<u32, Vec<(usize, IBig)>> = BTreeMap::new();
         for (i, (claim, order)) in claimed.iter().zip(&orders).enumerate() {
+            keys(
+                claim,
+                &["chain", "order", "length", "bounding"],
+                &format!("a generator of degree {degree}"),
+            )?;
             let chain = chain(&finder, degree, field(claim, "chain", &step)?, &step)?;
             let length: IBig = chain.values().map(|coefficient| coefficient.clone().abs()).sum();
             if integer(field(claim, "order", &step)?, "\"order\"", &step)? != **order

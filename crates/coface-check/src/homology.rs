@@ -1,5 +1,6 @@
 //! Certificates of homology and cohomology: groups, and the cycles or cocycles that generate them.
 
+use crate::claims::keys;
 use crate::generators::Generators;
 use crate::groups::{Group, Ring, integral};
 use crate::json::{field, integer, list, optional, text, truth};
@@ -108,6 +109,7 @@ pub(crate) fn compare(
 /// The group that an answer claims.
 fn group_of(claim: &Value, degree: usize) -> Result<Group, Fault> {
     let step = "answer";
+    keys(claim, &["degree", "betti", "torsion"], &format!("the group of degree {degree}"))?;
     let at = field(claim, "degree", step)?;
     if at.as_u64() != Some(degree as u64) {
         return Err(Fault::new(step, format!("group {degree} of the answer is of degree {at}")));

@@ -1,5 +1,6 @@
 //! Certificates of reports: the checker finds components, links, orientations and boundaries by itself.
 
+use crate::claims::keys;
 use crate::groups::Ring;
 use crate::homology::{compare, integral_groups};
 use crate::json::{field, optional};
@@ -16,6 +17,9 @@ pub(crate) fn check(certificate: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fa
     for (key, found) in facts(&complex)? {
         let claim = field(answer, key, step)?;
         let is_manifold = key == "manifold";
+        if is_manifold {
+            keys(claim, &["verdict", "closed", "witness"], "\"manifold\"")?;
+        }
         let said =
             if is_manifold { json!([claim.get("verdict"), claim.get("closed")]) } else { claim.clone() };
         if said != found {

@@ -395,6 +395,28 @@ fn other_verbs_read_sets() {
     assert_eq!(yin(&["info", argument(&back)])["area"], json!(16.0));
 }
 
+#[test]
+fn lists_of_sets_have_places_and_names() {
+    let folder = tempfile::tempdir().unwrap();
+    let set = |name: &str, side: f64| {
+        format!(
+            "{{\"name\":\"{name}\",\"order\":2,\"curves\":[{{\"points\":[[0,0],[{side},0],[{side},{side}],[0,{side}]]}}]}}"
+        )
+    };
+    let one = file(&folder, "one.json", &format!("[{}]", set("a", 1.0)));
+    let info = yin(&["info", argument(&one)]);
+    assert_eq!((&info["area"], &info["remarks"]), (&json!(1.0), &json!([])));
+    let two = file(&folder, "two.json", &format!("[{},{}]", set("a", 1.0), set("b", 2.0)));
+    let info = yin(&["info", argument(&two)]);
+    assert_eq!((&info["area"], &info["remarks"][0]["code"]), (&json!(1.0), &json!("several-models")));
+    for (place, area) in [("1", 1.0), ("2", 4.0), ("b", 4.0)] {
+        assert_eq!(yin(&["info", &format!("{}#{place}", argument(&two))])["area"], json!(area));
+    }
+    let meet = yin(&["meet", &format!("{}#1", argument(&two)), &format!("{}#b", argument(&two))]);
+    assert_eq!(meet["area"], json!(1.0));
+    assert!(coface(&["yin", "info", &format!("{}#3", argument(&two))]).fails_with(1).contains("two.json"));
+}
+
 /// A file of MARS tells no kinks; a square in it keeps its corners when it moves.
 #[test]
 fn corners_of_files_without_kinks_are_kinks() {

@@ -66,7 +66,7 @@ fn first(document: Document) -> Result<(Content, Option<Remark>), Error> {
             let remark = Remark::new(RemarkCode::SeveralModels, message).at(names.len(), []);
             Ok((content, (names.len() > 1).then_some(remark)))
         }
-        document => one(document).map(|content| (content, None)),
+        Document::One(_, content) => Ok((content, None)),
     }
 }
 
@@ -76,12 +76,15 @@ fn first(document: Document) -> Result<(Content, Option<Remark>), Error> {
 /// Those of [`read`] and [`read_entry`]; [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat) for anything but curves.
 pub(crate) fn read_boundary(input: impl Read, name: Option<&str>) -> Result<BoundaryDrawing, Error> {
     let document = parse(input, name)?;
-    let content = match name {
-        None => one(document)?,
-        Some(name) => chosen(document, name)?,
+    let (content, remark) = match name {
+        None => first(document)?,
+        Some(name) => (chosen(document, name)?, None),
     };
     let what = match content {
-        Content::Boundary(drawing) => return Ok(drawing),
+        Content::Boundary(mut drawing) => {
+            remark.into_iter().for_each(|remark| drawing.remark(remark));
+            return Ok(drawing);
+        }
         Content::Facets(..) => "a list of facets",
         Content::Halfedges { .. } => "permutations of halfedges",
         Content::Boundaries { .. } | Content::Coboundaries { .. } => "a chain complex",
@@ -99,17 +102,6 @@ pub(crate) fn read_boundary(input: impl Read, name: Option<&str>) -> Result<Boun
     };
     Err(Error::new(ErrorKind::UnsupportedFormat, format!("this is {what}, not a set in the plane"))
         .with_cure("give curves or polygons: {\"order\": 2, \"curves\": [{\"points\": [[x, y], ..]}, ..]}"))
-}
-
-/// The only model of a file.
-fn one(document: Document) -> Result<Content, Error> {
-    match document {
-        Document::One(_, content) => Ok(content),
-        Document::List(Choice { names, .. }) => {
-            Err(Error::invalid(format!("the file holds {} models", names.len()))
-                .with_cure(format!("choose one by its place or name after a #: {}", listed(&names))))
-        }
-    }
 }
 
 /// Reads the object of this name, or at this place from 1, from a list of objects, as [`read`] reads one alone.

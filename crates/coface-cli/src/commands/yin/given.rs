@@ -4,6 +4,7 @@ use super::{Ends, SetOptions};
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::input::{self, Source};
+use crate::output::is_json;
 use crate::progress::Progress;
 use crate::remarks::{accept, take};
 use coface::answers::answer::YinInterfaceAnswer;
@@ -148,6 +149,8 @@ impl SetOptions {
         let in_file = |error: coface::Error| error.in_file(name.clone());
         match (source.interface().map_err(in_file)?, phase) {
             (None, None) => Ok(source.boundary(&reading).map_err(in_file)?),
+            // One of several sets in a file.
+            (None, Some(_)) if is_json(&file) => Ok(io::read_boundary_path(path, &reading)?),
             (None, Some(_)) => {
                 let file = input::name(&file);
                 Err(Failure::new(format!(
