@@ -567,21 +567,22 @@ fn orientation(page: &mut Page, report: &Report) {
 fn homology(page: &mut Page, title: &str, groups: &[AbelianGroup], symbol: &str) {
     for (degree, group) in groups.iter().enumerate() {
         let label = if degree == 0 { title } else { "" };
-        page.fact(label, PLAIN, &format!("{symbol}{degree} = {group}"), &homology_gloss(degree, group));
+        let gloss = homology_gloss(degree, group, groups.len() < 5);
+        page.fact(label, PLAIN, &format!("{symbol}{degree} = {group}"), &gloss);
     }
 }
 
-/// What a homology group counts.
-fn homology_gloss(degree: usize, group: &AbelianGroup) -> String {
+/// What a homology group counts; what fits into space has cavities.
+fn homology_gloss(degree: usize, group: &AbelianGroup, fits_into_space: bool) -> String {
     let things = match degree {
         0 => "component",
         1 => "independent loop",
-        2 => "enclosed cavity",
+        2 if fits_into_space => "enclosed cavity",
         _ => "independent cycle",
     };
     let free = match (group.betti(), degree) {
         (0, _) => String::new(),
-        (number, 2) if number != 1 => format!("{} enclosed cavities", grouped(number)),
+        (number, 2) if fits_into_space && number != 1 => format!("{} enclosed cavities", grouped(number)),
         (number, _) => count(number, things),
     };
     let torsion = match group.torsion() {

@@ -41,13 +41,16 @@ pub(crate) fn report(table: &GluingTable, faces: &FaceClasses) -> Result<Report,
         _ => None,
     };
     let space = space_of(table, faces)?;
-    let remarks = match faces.has_folds() {
+    let mut remarks = match faces.has_folds() {
         true => vec![Remark::new(
             RemarkCode::SubdivisionCounted,
             "homology is that of the barycentric subdivision, because face classes are identified with themselves",
         )],
         false => Vec::new(),
     };
+    if table.dimension() == 3 && table.is_closed() {
+        remarks.extend(no_name_looked_for(table.simplex_count()));
+    }
     Ok(Report {
         f_vector: faces.class_counts(),
         shapes: shapes(table),
@@ -75,6 +78,14 @@ pub(super) const NAMED_SIMPLICES: usize = 500;
 
 /// How often moves are tried where a triangulation does not show what it is.
 const ATTEMPTS: usize = 60;
+
+/// That the name of a closed 3-manifold of so many tetrahedra was not looked for, if it was not.
+pub(super) fn no_name_looked_for(count: usize) -> Option<Remark> {
+    let message = format!(
+        "the name of the space is looked for up to {NAMED_SIMPLICES} tetrahedra, and this has {count}; a simplified triangulation may have one"
+    );
+    (count > NAMED_SIMPLICES).then(|| Remark::new(RemarkCode::SearchEnded, message))
+}
 
 /// Which 3-manifold a table is, where that is proved.
 ///

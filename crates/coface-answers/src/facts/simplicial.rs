@@ -1,5 +1,6 @@
 //! The report on simplices of any dimension.
 
+use super::gluings::{self, NAMED_SIMPLICES, no_name_looked_for};
 use super::polygons::{counted, isolated_vertices};
 use super::report::{Answer, Report, Witness};
 use super::{Problem, ProblemKind};
@@ -32,6 +33,8 @@ pub(crate) fn report(complex: &FrozenComplex, budget: u64) -> Result<Report, Err
         problems.push(Problem::new(ProblemKind::OneSidedChain, message, cells, RaggedArray::new(), "cell"));
     }
     let space = if dimension == 3 && manifold == Answer::Yes { space(complex)? } else { None };
+    let is_closed_space = dimension == 3 && manifold == Answer::Yes && closed;
+    let unnamed = is_closed_space.then(|| no_name_looked_for(complex.f_vector()[3])).flatten();
     let pure = maximal_dimensions_agree(&chains, dimension);
     if !isolated.is_empty() {
         problems.push(isolated_vertices(&isolated));
@@ -49,15 +52,14 @@ pub(crate) fn report(complex: &FrozenComplex, budget: u64) -> Result<Report, Err
         name_proof: space.as_ref().map(NamedSpace::proof),
         homology: homology(&chains).groups().to_vec(),
         problems,
+        remarks: unnamed.into_iter().collect(),
         ..Report::of_nothing()
     })
 }
 
 /// Which 3-manifold a complex is, where that is proved and it is one.
 pub(super) fn space_of(complex: &FrozenComplex) -> Result<Option<NamedSpace>, Error> {
-    if complex.dimension() != Some(3)
-        || complex.f_vector().get(3).copied().unwrap_or(0) > super::gluings::NAMED_SIMPLICES
-    {
+    if complex.dimension() != Some(3) || complex.f_vector().get(3).copied().unwrap_or(0) > NAMED_SIMPLICES {
         return Ok(None);
     }
     let tetrahedra = RaggedArray::uniform(4, complex.flat(3).to_vec())?;
@@ -65,13 +67,13 @@ pub(super) fn space_of(complex: &FrozenComplex) -> Result<Option<NamedSpace>, Er
     let Ok(table) = GluingTable::from_simplices(&tetrahedra) else { return Ok(None) };
     let faces = table.faces()?;
     let is_all = faces.class_counts() == complex.f_vector();
-    if is_all { super::gluings::space_of(&table, &faces) } else { Ok(None) }
+    if is_all { gluings::space_of(&table, &faces) } else { Ok(None) }
 }
 
 /// Which 3-manifold a complex is, where that is proved.
 fn space(complex: &FrozenComplex) -> Result<Option<NamedSpace>, Error> {
     let table = GluingTable::from_simplices(&RaggedArray::uniform(4, complex.flat(3).to_vec())?)?;
-    super::gluings::space_of(&table, &table.faces()?)
+    gluings::space_of(&table, &table.faces()?)
 }
 
 /// The vertices that lie in no edge.
