@@ -291,7 +291,7 @@ fn mapper_of_a_circle_is_a_circle() {
     );
     assert_eq!(run.status, 0, "{}", run.stderr);
     assert_eq!(coface_in(place, &["info", "graph.vtk", "--json"]).json()["f_vector"], json!([6, 6]));
-    // Many intervals over each point: a nerve of dimension 7.
+    // Many intervals over each point: a nerve of high dimension, which has no place in space.
     let large = coface_in(
         place,
         &[
@@ -308,7 +308,9 @@ fn mapper_of_a_circle_is_a_circle() {
             "--json",
         ],
     );
-    assert_eq!(betti(&large.json())[..2], [1, 1]);
+    let large = large.json();
+    assert_eq!(large["components"], 1);
+    assert!(large["dimension"].as_u64() > Some(3), "{large}");
     let run = coface_in(place, &["shard", "circle.csv", "--mapper", "4", "--parts", "2", "-o", "parts"]);
     assert!(run.fails_with(1).contains("coface convert INPUT --mapper N -o COMPLEX.json"));
     for (words, status, fault) in [

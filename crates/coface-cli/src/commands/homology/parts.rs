@@ -41,8 +41,10 @@ pub(super) struct PartsOptions {
     grid: GridArguments,
 }
 
-/// A worker that does anything at all takes up to so much.
-const LEAST: u64 = 96 << 20;
+/// A worker that does anything at all takes so much, and a little more for small inputs.
+const LEAST: u64 = 64 << 20;
+/// What is advised instead of less.
+const ADVISED: u64 = 96 << 20;
 /// Workers are not started for less each, as long as one can do the work.
 const COMFORT: u64 = 256 << 20;
 
@@ -66,7 +68,7 @@ impl PartsOptions {
             return Err(Failure::new(format!(
                 "{} of memory is too little for any part; give --memory {}M or more",
                 bytes_text(memory),
-                LEAST >> 20
+                ADVISED >> 20
             )));
         }
         let progress = Progress::start(common.quiet);

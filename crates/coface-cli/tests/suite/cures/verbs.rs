@@ -217,5 +217,9 @@ pub(super) const CASES: &[Case] = &[
         .cured(&[&[
             "coface homology triangle.off --generators g.json",
             "coface view triangle.off --with g.json -o a.html",
+        ], &[
+            "coface generate torus -o torus.off",
+            "coface pi1 torus.off --loops loops.json",
+            "coface view torus.off --with loops.json -o a.html",
         ]]),
 ];
