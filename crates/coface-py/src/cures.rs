@@ -66,7 +66,7 @@ const PHRASES: [(&str, &str); 49] = [
     ("themselves, with LarModel::with_facets", "too, all of them"),
     (
         "close it first: coface convert INPUT --repair closed -o OUT.off",
-        "close it first: model.repaired_surface(closed=True)",
+        "close it first: model.repaired_surface(closed=True).model",
     ),
     ("leave --handles out: coface cycles INPUT", "ask for other paths: model.surface().shortest_cycles()"),
     (

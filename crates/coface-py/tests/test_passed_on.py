@@ -103,6 +103,25 @@ def test_a_region_is_no_boundary(tmp_path):
     assert coface.homology(arranged) == arranged.chain_complex().homology() == coface.homology(written(arranged, tmp_path))
 
 
+def test_loops_of_a_region_are_shown(tmp_path):
+    region = coface.boolean("difference", coface.polygon(SHELL), coface.polygon(HOLE))
+    found = coface.homology(region, generators=True)
+    generator = found[1].generators[0]
+    loop = generator.loop
+    assert loop[0] == loop[-1] and len(loop) > 4
+    # Its edges go around the hole: by the positions of the vertices the winding number is 1 or -1.
+    points = np.asarray(region.cells.vertices)[loop] - 2
+    angles = np.unwrap(np.arctan2(points[:, 1], points[:, 0]))
+    assert abs(round((angles[-1] - angles[0]) / (2 * np.pi))) == 1
+    complex = coface.as_chain_complex(region)
+    assert complex.chain(generator.chain.terms()) == generator.chain
+    for shown in (found, [region, found], [region, coface.pi1(region)]):
+        assert coface.view(shown, tmp_path / "region.html").stat().st_size > 10_000
+        assert coface.render(shown).startswith(b"<svg")
+    assert coface.cut(region).model.report().name == "disk"
+    assert len(coface.extended_persistence(region, "x")["extended-"]) == 1
+
+
 def test_a_set_of_the_plane_is_no_boundary():
     annulus = coface.YinSet([coface.Curve.circle([0, 0], 2)]) - coface.YinSet([coface.Curve.circle([0, 0], 1)])
     assert list(coface.homology(annulus).betti_numbers[:2]) == annulus.betti_closed == [1, 1]
@@ -123,6 +142,10 @@ def test_an_open_star_is_refused():
     with pytest.raises(coface.NotAComplexError, match="is no complex.*closure"):
         coface.homology(star)
     assert coface.homology(star.closure()).betti_numbers == (1, 0, 0)
+    # The cure: a vertex within a disk, and one on its rim.
+    assert coface.homology(star.closure(), relative=star.closure() - star).betti_numbers == (0, 0, 0)
+    inner = coface.Complex([[0, 1, 2], [0, 2, 3], [0, 3, 1]]).star([0])
+    assert coface.homology(inner.closure(), relative=inner.closure() - inner).betti_numbers == (0, 0, 1)
     assert len(coface.render(star)) > 500
 
 

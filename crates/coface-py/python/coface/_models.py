@@ -217,10 +217,7 @@ def _refuse_open(x: Simplices) -> None:
     found = next(((row, row[:i] + row[i + 1 :]) for row in sorted(own) for i in range(len(row)) if len(row) > 1 and row[:i] + row[i + 1 :] not in own), None)
     why = "" if found is None else f": it has {list(found[0])} without its face {list(found[1])}"
     message = f"the set of simplices is no complex{why}"
-    cure = (
-        "take its closure: simplices.closure(); the homology of an open star is that of its closure relative to the rest: "
-        "coface.homology(star.closure(), relative=link)"
-    )
+    cure = "take its closure: simplices.closure(), or the homology relative to the rest: coface.homology(s.closure(), relative=s.closure() - s)"
     raise NotAComplexError(f"{message}; {cure}", fault=message, cure=cure, cells=[] if found is None else [list(found[0])])
 
 
@@ -267,7 +264,8 @@ def _edges_of(x: Interface) -> Model:
     at = x.sample(per_piece=1 if x.order == 2 else 16)
     points, lines = [np.asarray(x.vertices, np.float64).reshape(-1, 2)], []
     count = len(points[0])
-    for number, edge in enumerate(x.edges):
+    edges: list[Any] = list(x.edges)
+    for number, edge in enumerate(edges):
         own = at["point"][at["edge"] == number][1:-1]
         start, end = edge["ends"]
         lines.append([start, *range(count, count + len(own)), end])
@@ -494,4 +492,7 @@ def as_surface(x: Any, *, boundary: bool = False, progress: Any = None) -> Surfa
     """
     if isinstance(x, Surface) and not boundary:
         return x
+    if isinstance(x, PlanarBoolean):
+        # Polygons with holes as triangles.
+        return Surface(Model.from_bytes(x.to_bytes("obj"), "obj"), progress=progress)
     return Surface(as_drawn(x, progress=progress), boundary=boundary, progress=progress)

@@ -950,7 +950,6 @@ def persistence(
            [ 1.,  2.]])
     """
     complex = as_chain_complex(x, progress=progress)
-    vertex_values = _coordinate(vertex_values, x)
     if vertex_values is None and cell_values is None:
         if not hasattr(x, "get_simplices"):
             raise_invalid("persistence needs values", "give vertex_values or cell_values; of an image ask coface.cubical(x)")
@@ -1007,7 +1006,7 @@ def extended_persistence(
     x
         Anything that :func:`as_chain_complex` understands.
     vertex_values
-        A number for each vertex of `x` by its id, an array of shape ``(n,)``.
+        A number for each vertex of `x` by its id, an array of shape ``(n,)``, or ``"x"``, ``"y"`` or ``"z"``.
     coefficients
         A prime field: ``"f2"``, ``"f3"``, ...
     least
@@ -1928,7 +1927,7 @@ def _intervals(x: Any, name: str) -> NDArray[np.float64]:
 
 def _at_vertices(values: Any, x: Any, complex: ChainComplex) -> NDArray[np.float64]:
     """Values by the ids of vertices, in the order of the cells of degree 0."""
-    found = numbers(values, "vertex_values")
+    found = numbers(_coordinate(values, x), "vertex_values")
     ids = np.asarray(complex.simplices(0)).reshape(-1)
     wanted = 1 + int(ids.max(initial=-1))
     # A file may have vertices that nothing uses.

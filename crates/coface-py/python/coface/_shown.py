@@ -98,6 +98,11 @@ def shown(x: Any, results: Any = None) -> Shown:
     models = [part.model for part in parts + extra if part.model is not None]
     own = as_drawn(given[0]) if given and not isinstance(given[0], ChainComplex) else None
     model = own if own is not None else next(iter(models), None)
+    # Answers about the cells of an arrangement or a region are shown over these: what is drawn of it has other vertices.
+    of_cells = next((part.model for part in parts + extra if part.facts and part.model is not None and part.model.structure == "chains"), None)
+    if own is None and of_cells is not None and of_cells != model:
+        parts = [part if part.model is None or part.model == of_cells else Shown(None) for part in parts]
+        model = of_cells
     together = Shown(model, [fact for part in parts + extra for fact in part.facts])
     if model is None and any(isinstance(fact.get("harmonic"), np.ndarray) for fact in together.facts):
         raise_invalid("harmonic forms in an array do not know their model", "give both: coface.view([model, forms], path)")
