@@ -20,6 +20,7 @@ mod handles;
 mod homology;
 mod incidence;
 mod isomorphism;
+mod losses;
 mod matrix_blocks;
 mod near;
 mod parts;
@@ -54,6 +55,7 @@ pub use homology::{
 };
 pub use incidence::{FoundOperator, OperatorKind, OperatorRequest};
 pub use isomorphism::isomorphic;
+pub use losses::losses_of;
 pub use matrix_blocks::{BlockedMatrix, MatrixBlocks};
 pub use parts::RegionSource;
 pub use persistence::{

@@ -5,15 +5,16 @@ use crate::arrays;
 use crate::chain_complex::ChainComplex;
 use crate::congruence::{choice, named_models};
 use crate::errors::{OrRaise, invalid, whole_or_none};
-use crate::model::{Model, format_of};
+use crate::model::Model;
 use crate::objects::{text_of, to_python};
 use crate::solid_boolean::{Combined, solid_result};
 use crate::source::Source;
+use crate::spatial_arrangement::{Arranged, SpatialArrangement};
 use crate::spatial_request::{precision_of, spatial_request};
+use crate::target::{Target, warn_all};
 use crate::work::run;
 use coface::answers::answer::{
     PlanarArrangementAnswer, PlanarBooleanAnswer, SolidBooleanAnswer, SolidBooleanProvenance,
-    SpatialArrangementAnswer,
 };
 use coface::answers::{
     ArrangementMethod, ArrangementRequest, BooleanRequest, CongruentBoolean, CongruentScene,
@@ -29,7 +30,6 @@ use coface::{EdgeId, Error, FaceId};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use std::path::PathBuf;
 use std::sync::Arc;
 
 const RULES: [(&str, InsideRule); 3] =
@@ -672,11 +672,24 @@ answer! { PlanarArrangement {
         Ok(PyBytes::new(py, &bytes))
     }
 
-    /// Writes the arrangement to a file.
+    /// Writes the arrangement to a file, by its path or open for writing.
     #[pyo3(signature = (path, format=None))]
-    fn write(&self, py: Python<'_>, path: PathBuf, format: Option<&str>) -> PyResult<()> {
-        let format = named_format(py, &path, format)?;
-        run(py, None, || io::replace_file(&path, |out| self.arranged.write(out, format)))
+    fn write(&self, py: Python<'_>, path: &Bound<'_, PyAny>, format: Option<&str>) -> PyResult<()> {
+        let target = Target::of(path)?;
+        let format = target.known_format(py, format)?;
+        warn_all(py, &self.arranged.drawing().losses(format))?;
+        target.write(py, None, |out| self.arranged.write(out, format))
+    }
+
+    /// The cells as a chain complex with positions whose faces are disks: what ``.json`` holds, and what homology and other questions about
+    /// cells are asked of.
+    #[getter]
+    fn cells(&self, py: Python<'_>) -> PyResult<Model> {
+        run(py, None, || {
+            let bytes = write_bytes(|out| self.arranged.write(out, Format::Json))?;
+            io::read(&bytes[..], Format::Json)
+        })
+        .map(Model::of)
     }
 
     /// The faces as a model: polygons with the plane's coordinates. With ``exact=True`` it keeps exact points.
@@ -704,18 +717,6 @@ answer! { PlanarArrangement {
 /// The text of JSON as Python reads it: keys in their order, whole numbers with all their digits.
 fn loaded<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyAny>> {
     py.import("json")?.call_method1("loads", (text,))
-}
-
-/// The format of a path or a name.
-pub(crate) fn named_format(py: Python<'_>, path: &std::path::Path, format: Option<&str>) -> PyResult<Format> {
-    match format_of(py, format)?.or_else(|| Format::from_path(path)) {
-        Some(format) => Ok(format),
-        None => Err(invalid(
-            py,
-            format!("{}: the extension is no format known here", path.display()),
-            "give format=",
-        )),
-    }
 }
 
 /// Regions of the plane combined: polygons with holes.
@@ -819,11 +820,24 @@ answer! { PlanarBoolean {
         Ok(PyBytes::new(py, &bytes))
     }
 
-    /// Writes the result to a file.
+    /// Writes the result to a file, by its path or open for writing.
     #[pyo3(signature = (path, format=None))]
-    fn write(&self, py: Python<'_>, path: PathBuf, format: Option<&str>) -> PyResult<()> {
-        let format = named_format(py, &path, format)?;
-        run(py, None, || io::replace_file(&path, |out| self.result.write(out, format)))
+    fn write(&self, py: Python<'_>, path: &Bound<'_, PyAny>, format: Option<&str>) -> PyResult<()> {
+        let target = Target::of(path)?;
+        let format = target.known_format(py, format)?;
+        warn_all(py, &self.result.drawing().losses(format))?;
+        target.write(py, None, |out| self.result.write(out, format))
+    }
+
+    /// The cells as a chain complex with positions whose faces are disks: what ``.json`` holds, and what homology and other questions about
+    /// cells are asked of.
+    #[getter]
+    fn cells(&self, py: Python<'_>) -> PyResult<Model> {
+        run(py, None, || {
+            let bytes = write_bytes(|out| self.result.write(out, Format::Json))?;
+            io::read(&bytes[..], Format::Json)
+        })
+        .map(Model::of)
     }
 
     /// The rings as a model of closed lines, which is input again. With ``exact=True`` it keeps exact points, and has no
@@ -847,151 +861,5 @@ answer! { PlanarBoolean {
 
     fn __repr__(&self) -> String {
         format!("PlanarBoolean(area {}, f-vector {})", text_of(&self.answer.measure), text_of(&self.answer.f_vector))
-    }
-}
-
-/// How the cells of space were found.
-enum Arranged {
-    Exact(Box<SceneArrangement>),
-    Congruent(Box<CongruentScene>),
-}
-
-/// What polygons cut space into: vertices, edges, faces and bounded cells.
-///
-/// Made by :func:`arrange`.
-#[pyclass(frozen, dict, module = "coface", name = "SpatialArrangement")]
-pub(crate) struct SpatialArrangement {
-    arranged: Arranged,
-    rule: InsideRule,
-    answer: SpatialArrangementAnswer,
-    /// Whether models of it keep exact points.
-    exact: bool,
-}
-
-answer! { SpatialArrangement {
-    /// The numbers of vertices, edges, faces and bounded cells.
-    f_vector,
-    /// The volumes of the bounded cells.
-    measures,
-    /// For each bounded cell the inputs that contain it.
-    inside,
-    /// The number of holes of faces.
-    holes,
-    /// The number of voids of cells.
-    voids,
-    /// The number of connected components of faces.
-    components,
-    /// Vertices - edges + faces - bounded cells.
-    euler_characteristic,
-    /// The number of faces with one cell, or the exterior, on both sides.
-    dangling_faces,
-    /// The names of the inputs, if objects, groups, features or components are inputs.
-    regions,
-    /// For each face the inputs that have a polygon there, if objects, groups, features or components are inputs.
-    inputs_of_faces,
-    /// The inputs: names, numbers of polygons, and whether each is closed.
-    files,
-    /// What was assumed or left out.
-    remarks,
-    /// What rounding of coordinates does.
-    rounding,
-    /// What was put together, where that was asked for or needed.
-    joined,
-    /// Whether products of boundary matrices are zero, found by multiplying.
-    products_zero,
-    /// What congruence put together, with ``method="congruence"``.
-    congruence,
-}
-    /// The positions of the vertices: ``float64``, shape (n, 3).
-    #[getter]
-    fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let positions = match &self.arranged {
-            Arranged::Exact(own) => own.positions(),
-            Arranged::Congruent(own) => own.positions(),
-        };
-        Ok(arrays::grid(py, positions.as_flat().to_vec(), positions.dimension().max(3))?.into_any())
-    }
-
-    /// Where everything comes from.
-    fn provenance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(
-            py,
-            &match &self.arranged {
-                Arranged::Exact(own) => own.provenance(),
-                Arranged::Congruent(own) => own.provenance(),
-            },
-        )
-    }
-
-    /// The chain complex of vertices, edges, faces and bounded cells, refined until each is a ball: its homology is that of
-    /// the union of all faces and bounded cells. Those found by congruence are as they are.
-    fn chain_complex(&self, py: Python<'_>) -> PyResult<ChainComplex> {
-        run(py, None, || match &self.arranged {
-            Arranged::Exact(own) => own.chain_complex(),
-            Arranged::Congruent(own) => Ok(own.complex().clone()),
-        })
-        .map(ChainComplex::bare)
-    }
-
-    /// The graph of the bounded cells: which are adjacent, and across how much area.
-    ///
-    /// Returns
-    /// -------
-    /// CellGraph
-    ///     Cells with volumes, centers and the inputs that contain them; pairs of cells with the area between them.
-    ///
-    /// Examples
-    /// --------
-    /// >>> import coface
-    /// >>> cube = coface.generate("box", boundary=True)
-    /// >>> graph = coface._coface.arrange([cube, coface.Model(cube.vertices + 0.5, cube.faces)]).graph()
-    /// >>> [round(edge.area, 6) for edge in graph.edges]
-    /// [0.75, 0.75]
-    fn graph<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let graph = run(py, None, || match &self.arranged {
-            Arranged::Exact(arranged) => arranged.graph(self.rule),
-            Arranged::Congruent(arranged) => arranged.graph(self.rule),
-        })?;
-        let class = py.import("coface._buildings")?.getattr("CellGraph")?;
-        class.call_method1("from_dict", (to_python(py, &graph)?,))
-    }
-
-    /// The faces as a model.
-    ///
-    /// Parameters
-    /// ----------
-    /// triangles : bool, optional
-    ///     Whether faces are cut into triangles; if all inputs are triangles, if left out.
-    ///
-    /// Returns
-    /// -------
-    /// Model
-    ///     The faces, in groups by the input that they come from.
-    #[pyo3(signature = (*, triangles=None))]
-    fn model(&self, py: Python<'_>, triangles: Option<bool>) -> PyResult<Model> {
-        run(py, None, || {
-            let arranged = match &self.arranged {
-                Arranged::Exact(arranged) => arranged,
-                Arranged::Congruent(own) => {
-                    let triangles = triangles.unwrap_or_else(|| own.scene().is_triangulated());
-                    return own.to_mesh(triangles, true);
-                }
-            };
-            let triangles = triangles.unwrap_or_else(|| arranged.scene().is_triangulated());
-            let mesh = arranged.to_mesh(triangles, true)?;
-            Ok(match self.exact {
-                true => mesh.with_exact_polygons(arranged.exact_polygons().into()),
-                false => mesh,
-            })
-        })
-        .map(Model::of)
-    }
-
-    fn __len__(&self) -> usize {
-        self.answer.measures.len()
-    }
-
-    fn __repr__(&self) -> String {
-        format!("SpatialArrangement(f-vector {})", text_of(&self.answer.f_vector))
     }
 }

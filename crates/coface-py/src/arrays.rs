@@ -89,7 +89,8 @@ fn integers<'py>(value: &Bound<'py, PyAny>, what: &str) -> PyResult<Bound<'py, P
         )
     })?;
     let sort = sort_of(&array)?;
-    if !matches!(&sort[..], "i" | "u") && size_of(&array)? > 0 {
+    let array = if sort == "f" { rounded(&array, what)? } else { array };
+    if !matches!(&sort[..], "i" | "u" | "f") && size_of(&array)? > 0 {
         let dtype = array.getattr("dtype")?;
         return Err(invalid(py, format!("{what} have the type {dtype}"), "give integers"));
     }
@@ -101,6 +102,21 @@ fn integers<'py>(value: &Bound<'py, PyAny>, what: &str) -> PyResult<Bound<'py, P
     }
     let numpy = py.import("numpy")?;
     numpy.getattr("ascontiguousarray")?.call1((array, numpy.getattr("int64")?))
+}
+
+/// Floats that are whole numbers, as 64-bit integers.
+fn rounded<'py>(array: &Bound<'py, PyAny>, what: &str) -> PyResult<Bound<'py, PyAny>> {
+    let py = array.py();
+    let numpy = py.import("numpy")?;
+    let real = numpy.getattr("ascontiguousarray")?.call1((array, numpy.getattr("float64")?))?;
+    let flat: PyReadonlyArray1<'_, f64> = real.call_method1("reshape", (-1,))?.extract()?;
+    // Beyond 2^53 floats are no longer every whole number.
+    let is_whole = |x: f64| x.fract() == 0.0 && x.abs() <= 9_007_199_254_740_992.0;
+    if let Some((place, x)) = flat.as_slice()?.iter().enumerate().find(|&(_, &x)| !is_whole(x)) {
+        let message = format!("{what} have {x} at place {place}, which is no integer");
+        return Err(invalid(py, message, "give integers"));
+    }
+    real.call_method1("astype", (numpy.getattr("int64")?,))
 }
 
 fn checked(py: Python<'_>, numbers: &[i64], what: &str) -> PyResult<Vec<u32>> {
@@ -208,13 +224,20 @@ fn append_ids(list: &Bound<'_, PyAny>, what: &str, flat: &mut Vec<u32>) -> PyRes
     Ok(())
 }
 
-/// One id: an integer of Python or numpy.
+/// An integer of Python or numpy, or a float that is one.
+fn whole_number<'py>(value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    let py = value.py();
+    let is_whole = value.hasattr("is_integer")? && !value.hasattr("__index__")?;
+    if is_whole && value.call_method0("is_integer")?.is_truthy()? {
+        return py.get_type::<PyInt>().call1((value,));
+    }
+    py.import("operator")?.getattr("index")?.call1((value,))
+}
+
+/// One id: an integer of Python or numpy, or a float that is one.
 pub(crate) fn id(value: &Bound<'_, PyAny>, what: &str) -> PyResult<u32> {
     let py = value.py();
-    let number = py
-        .import("operator")?
-        .getattr("index")?
-        .call1((value,))
+    let number = whole_number(value)
         .map_err(|_| invalid(py, format!("{what} have {value}, which is no integer"), "give integers"))?;
     number.extract::<u32>().map_err(|_| {
         invalid(py, format!("{what} have the number {number}"), "ids count from 0 and are below 4294967296")
@@ -403,15 +426,27 @@ pub(crate) fn integer_grid<'py>(
 /// An integer of Python.
 pub(crate) fn to_integer(value: &Bound<'_, PyAny>) -> PyResult<Integer> {
     let py = value.py();
-    let number = py
-        .import("operator")?
-        .getattr("index")?
-        .call1((value,))
+    let number = whole_number(value)
         .map_err(|_| invalid(py, format!("the coefficient {value} is no integer"), "give integers"))?;
     if let Ok(small) = number.extract::<i64>() {
         return Ok(Integer::from(small));
     }
     number.str()?.to_str()?.parse().or_raise(py)
+}
+
+/// An entry of rows of integers that is beyond 64 bits, which no array of scipy holds.
+fn large_entry(rows: &Bound<'_, PyAny>, what: &str) -> PyResult<Option<String>> {
+    for (i, row) in rows.try_iter()?.enumerate() {
+        for (j, entry) in row?.try_iter()?.enumerate() {
+            let entry = entry?;
+            if entry.is_instance_of::<PyInt>() && entry.extract::<i64>().is_err() {
+                return Ok(Some(format!(
+                    "{what} has {entry} in row {i}, column {j}, which is beyond 32 bits"
+                )));
+            }
+        }
+    }
+    Ok(None)
 }
 
 /// A sparse matrix of scipy, or any array, as one of the library.
@@ -421,6 +456,9 @@ pub(crate) fn to_matrix(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Sparse
     let copied = PyDict::new(py);
     copied.set_item("copy", true)?;
     let matrix = class.call((value,), Some(&copied)).map_err(|_| {
+        if let Ok(Some(message)) = large_entry(value, what) {
+            return invalid(py, message, "divide the matrix by a common factor");
+        }
         invalid(
             py,
             format!("{what} is no matrix"),
@@ -428,7 +466,7 @@ pub(crate) fn to_matrix(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Sparse
         )
     })?;
     let sort = sort_of(&matrix)?;
-    if !matches!(&sort[..], "i" | "u" | "b") && matrix.getattr("nnz")?.extract::<usize>()? > 0 {
+    if !matches!(&sort[..], "i" | "u" | "b" | "f" | "O") && matrix.getattr("nnz")?.extract::<usize>()? > 0 {
         let dtype = matrix.getattr("dtype")?;
         return Err(invalid(py, format!("{what} has the type {dtype}"), "give integers"));
     }
@@ -438,11 +476,19 @@ pub(crate) fn to_matrix(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Sparse
     let [rows, _]: [usize; 2] = matrix.getattr("shape")?.extract()?;
     let starts = ids(&matrix.getattr("indptr")?, what)?;
     let indices = ids(&matrix.getattr("indices")?, what)?;
-    let entries = numbers(&matrix.getattr("data")?.call_method1("astype", ("int64",))?, what)?;
-    let entries = entries
-        .into_iter()
-        .map(i32::try_from)
-        .collect::<Result<_, _>>()
-        .map_err(|_| invalid(py, format!("{what} has entries beyond 32 bits"), "divide the matrix"))?;
+    let mut entries = Vec::with_capacity(indices.len());
+    for (place, entry) in matrix.getattr("data")?.call_method0("tolist")?.try_iter()?.enumerate() {
+        let entry = entry?;
+        let at = || {
+            let column = starts.partition_point(|&start| start as usize <= place) - 1;
+            format!("{what} has {entry} in row {}, column {column}", indices[place])
+        };
+        let number = whole_number(&entry)
+            .map_err(|_| invalid(py, format!("{}, which is no integer", at()), "give integers"))?;
+        let small = number.extract::<i32>().map_err(|_| {
+            invalid(py, format!("{}, which is beyond 32 bits", at()), "divide the matrix by a common factor")
+        })?;
+        entries.push(small);
+    }
     SparseMatrix::from_parts(rows, starts, indices, entries).or_raise(py)
 }

@@ -1,6 +1,8 @@
 //! Chains, cochains and generators.
 
 use crate::arrays;
+use crate::chain_sums::{chain_of, is_zero};
+use crate::errors::wrong_type;
 use crate::homology_facts::{ChainFacts, GeneratorFacts, integer_of, read};
 use crate::json::from_python;
 use crate::objects::to_python;
@@ -67,6 +69,27 @@ impl Chain {
         }
         let naming = Arc::new(Naming::of(Names::Given(Arc::new(names))));
         Ok(Self { degree, terms, cell_count, naming, is_cochain })
+    }
+
+    /// The chain plus a multiple of what users give: a chain, a generator or 0.
+    fn sum(&self, other: &Bound<'_, PyAny>, factor: &Integer) -> PyResult<Self> {
+        match chain_of(other) {
+            Some(chain) => self.plus(other.py(), chain, factor),
+            None if is_zero(other) => Ok(self.times(&Integer::from(1))),
+            None => {
+                let message = format!("a chain and a {} have no sum", other.get_type().name()?);
+                Err(wrong_type(other.py(), message, "give a chain of the same complex"))
+            }
+        }
+    }
+
+    /// The value on what users give as a chain.
+    fn paired<'py>(&self, py: Python<'py>, chain: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let Some(chain) = chain_of(chain) else {
+            let message = format!("a {} is no chain", chain.get_type().name()?);
+            return Err(wrong_type(py, message, "give a chain of the same complex"));
+        };
+        arrays::integer(py, &self.on(py, chain)?)
     }
 
     /// The vertices of the chain in the order of one closed walk along its edges, each as often as its coefficient says.
@@ -199,6 +222,9 @@ impl Chain {
     }
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        if is_zero(other) {
+            return self.terms.is_empty();
+        }
         other.cast::<Self>().is_ok_and(|other| {
             let other = other.get();
             (self.degree(), self.is_cochain, self.cell_count)
@@ -233,7 +259,70 @@ impl Chain {
     }
 
     fn __hash__(&self) -> isize {
-        (self.degree() * 1_000_003 + self.terms.len()) as isize
+        // A chain without cells is equal to 0.
+        match self.terms.len() {
+            0 => 0,
+            count => (self.degree() * 1_000_003 + count) as isize,
+        }
+    }
+
+    /// The sum of two chains of one complex; 0 is the chain without cells.
+    fn __add__(&self, other: &Bound<'_, PyAny>) -> PyResult<Chain> {
+        self.sum(other, &Integer::from(1))
+    }
+
+    fn __radd__(&self, other: &Bound<'_, PyAny>) -> PyResult<Chain> {
+        self.sum(other, &Integer::from(1))
+    }
+
+    fn __sub__(&self, other: &Bound<'_, PyAny>) -> PyResult<Chain> {
+        self.sum(other, &Integer::from(-1))
+    }
+
+    fn __rsub__(&self, other: &Bound<'_, PyAny>) -> PyResult<Chain> {
+        Ok(self.sum(other, &Integer::from(-1))?.times(&Integer::from(-1)))
+    }
+
+    fn __neg__(&self) -> Chain {
+        self.times(&Integer::from(-1))
+    }
+
+    /// An integer multiple of the chain.
+    fn __mul__(&self, factor: &Bound<'_, PyAny>) -> PyResult<Chain> {
+        Ok(self.times(&arrays::to_integer(factor)?))
+    }
+
+    fn __rmul__(&self, factor: &Bound<'_, PyAny>) -> PyResult<Chain> {
+        Ok(self.times(&arrays::to_integer(factor)?))
+    }
+
+    /// The value of a cochain on a chain.
+    fn __matmul__<'py>(&self, py: Python<'py>, chain: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.paired(py, chain)
+    }
+
+    /// The value of a cochain on a chain of the same degree: the sum of the products of their coefficients. ``cochain @ chain`` is the same.
+    ///
+    /// Parameters
+    /// ----------
+    /// chain : Chain or Generator
+    ///     A chain of the same complex.
+    ///
+    /// Returns
+    /// -------
+    /// int
+    ///     The value.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> found = coface.cocycles(coface.generate("torus", columns=5, rows=4))
+    /// >>> complex = coface.as_chain_complex(found.cocycles[0].model)
+    /// >>> loop = complex.chain([(1, step) for step in zip(found.loops[0][:-1], found.loops[0][1:])])
+    /// >>> found.cocycles[0].value(loop), found.cocycles[1] @ loop
+    /// (1, 0)
+    fn value<'py>(&self, py: Python<'py>, chain: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.paired(py, chain)
     }
 
     fn __repr__(&self) -> String {
@@ -361,6 +450,56 @@ impl Generator {
 
     fn __hash__(&self) -> isize {
         (self.degree() * 1_000_003 + self.chain.get().terms.len()) as isize
+    }
+
+    /// The sum of two chains of one complex; 0 is the chain without cells.
+    fn __add__(&self, other: &Bound<'_, PyAny>) -> PyResult<Chain> {
+        self.chain.get().sum(other, &Integer::from(1))
+    }
+
+    fn __radd__(&self, other: &Bound<'_, PyAny>) -> PyResult<Chain> {
+        self.chain.get().sum(other, &Integer::from(1))
+    }
+
+    fn __sub__(&self, other: &Bound<'_, PyAny>) -> PyResult<Chain> {
+        self.chain.get().sum(other, &Integer::from(-1))
+    }
+
+    fn __rsub__(&self, other: &Bound<'_, PyAny>) -> PyResult<Chain> {
+        Ok(self.chain.get().sum(other, &Integer::from(-1))?.times(&Integer::from(-1)))
+    }
+
+    fn __neg__(&self) -> Chain {
+        self.chain.get().times(&Integer::from(-1))
+    }
+
+    /// An integer multiple of the chain.
+    fn __mul__(&self, factor: &Bound<'_, PyAny>) -> PyResult<Chain> {
+        Ok(self.chain.get().times(&arrays::to_integer(factor)?))
+    }
+
+    fn __rmul__(&self, factor: &Bound<'_, PyAny>) -> PyResult<Chain> {
+        Ok(self.chain.get().times(&arrays::to_integer(factor)?))
+    }
+
+    /// The value of a cochain on a chain.
+    fn __matmul__<'py>(&self, py: Python<'py>, chain: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.chain.get().paired(py, chain)
+    }
+
+    /// The value of a cochain on a chain of the same degree: the sum of the products of their coefficients. ``cochain @ chain`` is the same.
+    ///
+    /// Parameters
+    /// ----------
+    /// chain : Chain or Generator
+    ///     A chain of the same complex.
+    ///
+    /// Returns
+    /// -------
+    /// int
+    ///     The value.
+    fn value<'py>(&self, py: Python<'py>, chain: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.chain.get().paired(py, chain)
     }
 
     /// The degree.

@@ -155,6 +155,17 @@ impl ChainComplex {
         degree: Option<usize>,
     ) -> PyResult<(usize, Vec<(CellId, Integer)>)> {
         let chain = match &self.naming.names {
+            Names::Source(source)
+                if source.has_named_edges() && named.iter().all(|(_, vertices)| vertices.len() == 2) =>
+            {
+                let Some(terms) =
+                    source.edges_between(named).filter(|_| degree.is_none_or(|degree| degree == 1))
+                else {
+                    let message = "a pair of vertices is no edge of the complex, or more than one";
+                    return Err(invalid(py, message, "name edges by their numbers, with degree=1"));
+                };
+                chains::Chain::new(source.chains().or_raise(py)?, 1, terms).or_raise(py)?
+            }
             Names::Source(source) => {
                 run(py, None, || source.producer()?.chain(source.chains()?, named, degree))?
             }

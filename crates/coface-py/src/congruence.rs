@@ -3,17 +3,21 @@
 use crate::answer::answer;
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
-use crate::errors::invalid;
+use crate::errors::{OrRaise, invalid};
 use crate::given::source_of;
 use crate::memory::owned_matrix;
 use crate::model::Model;
 use crate::objects::text_of;
+use crate::spatial_arrangement::{write_model, written_bytes};
 use crate::work::run;
+use coface::Error;
 use coface::answers::answer::CongruenceAnswer;
 use coface::answers::{BlockRule, CongruenceRequest, ModelCongruence};
 use coface::arrange::congruence::{BlockPolicy, ClassRule, Collisions, CongruenceMethod, Representative};
+use coface::io::{self, Format};
 use numpy::PyArray1;
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 /// Models merged within a tolerance: vertices nearby become one, and edges, faces and cells with them.
 ///
@@ -200,9 +204,39 @@ answer! { Congruence {
         run(py, progress, || self.congruence.to_mesh()).map(Model::of)
     }
 
+    /// The cells of the quotient as a chain complex with positions: what ``.json`` holds, and what homology and other questions about cells
+    /// are asked of.
+    #[getter]
+    fn cells(&self, py: Python<'_>) -> PyResult<Model> {
+        run(py, None, || self.congruence.to_chains()).map(Model::of)
+    }
+
+    /// The quotient as a file of this format: ``json`` has the cells, others the merged mesh.
+    fn to_bytes<'py>(&self, py: Python<'py>, format: &str) -> PyResult<Bound<'py, PyBytes>> {
+        let format = Format::from_name(format).or_raise(py)?;
+        let bytes = run(py, None, || written_bytes(&self.written(format)?, format))?;
+        Ok(PyBytes::new(py, &bytes))
+    }
+
+    /// Writes the quotient to a file, by its path or open for writing: ``.json`` has the cells, others the merged mesh.
+    #[pyo3(signature = (path, format=None))]
+    fn write(&self, py: Python<'_>, path: &Bound<'_, PyAny>, format: Option<&str>) -> PyResult<()> {
+        write_model(py, path, format, |format| self.written(format))
+    }
+
     fn __repr__(&self) -> String {
         let [after, before] = [&self.answer.f_vector, &self.answer.f_vector_before].map(text_of);
         format!("Congruence({after} from {before})")
+    }
+}
+
+impl Congruence {
+    /// What a file of this format holds, as the program writes it.
+    fn written(&self, format: Format) -> Result<io::Model, Error> {
+        match format {
+            Format::Json => self.congruence.to_chains(),
+            _ => self.congruence.to_mesh(),
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 48] = [
+const PHRASES: [(&str, &str); 49] = [
     (
         "take a skeleton of it: coface skeleton INPUT --dimension K -o OUT.json",
         "give its faces of the dimensions that are wanted",
@@ -63,9 +63,10 @@ const PHRASES: [(&str, &str); 48] = [
         "; coface.read(path, pseudomanifold=True) takes",
     ),
     ("print the set with --json", "take its simplices(k)"),
+    ("themselves, with LarModel::with_facets", "too, all of them"),
     (
         "close it first: coface convert INPUT --repair closed -o OUT.off",
-        "close it first: model.repaired_surface(closed=True)",
+        "close it first: model.repaired_surface(closed=True).model",
     ),
     ("leave --handles out: coface cycles INPUT", "ask for other paths: model.surface().shortest_cycles()"),
     (

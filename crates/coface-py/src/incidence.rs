@@ -5,12 +5,14 @@ use crate::chain_complex::ChainComplex;
 use crate::errors::{OrRaise, invalid, whole, whole_or_none, wrong_type};
 use crate::given::source_of;
 use crate::memory::owned_matrix;
+use crate::model::Model;
 use crate::work::run;
 use coface::Error;
 use coface::algebra::chains;
 use coface::algebra::{RaggedArray, SparseMatrix};
 use coface::complexes::lar::{LarModel as Lar, Operator, Shared, TopOrientation};
 use coface::geometry::Positions;
+use coface::io::{self, Structure};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use std::sync::Arc;
@@ -208,6 +210,26 @@ impl LarModel {
         };
         let positions = given.as_ref().or(self.positions.as_ref());
         run(py, progress, || self.lar.oriented_chain_complex(top, positions)).map(ChainComplex::bare)
+    }
+
+    /// The cells as a model: their chain complex, with positions if there are some.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coface
+    /// >>> coface.LarModel(coface.Complex([[0, 1, 2]])).model().f_vector
+    /// (3, 3, 1)
+    #[pyo3(signature = (*, progress=None))]
+    fn model(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Model> {
+        let complex = run(py, progress, || match &self.chains {
+            Some(chains) => Ok(chains.as_ref().clone()),
+            None => self.lar.oriented_chain_complex(TopOrientation::LowestFacet, self.positions.as_ref()),
+        })?;
+        let made = match &self.positions {
+            Some(positions) => io::Model::from_chains(complex, positions.clone()),
+            None => Ok(io::Model::from_structure(Structure::Chains(complex))),
+        };
+        made.or_raise(py).map(Model::of)
     }
 
     /// The product: cells are pairs of cells; also ``*``.

@@ -9,9 +9,11 @@ mod pickling;
 mod reading;
 mod repairs;
 mod triangulations;
+mod writing;
 
 pub(crate) use pickling::_model;
 pub(crate) use reading::{entries, format_of, read, read_options};
+pub(crate) use writing::_bytes_of;
 
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
@@ -21,17 +23,20 @@ use crate::errors::{OrRaise, invalid, whole, whole_or_none};
 use crate::memory::{shared, shared_ids};
 use crate::report::{Report, report_request};
 use crate::source::Source;
+use crate::target::warn_all;
 use crate::volumes::voxels_of;
 use crate::work::run;
-use cells::{Parts, facets_of, kind_of, kind_word, model_of_parts, permutations_of, structure_word};
-use coface::answers::{repaired, simplicial_complex, triangulated, welded};
+use cells::{
+    Parts, facets_of, kind_of, kind_word, model_of_parts, permutations_of, refuse_tetrahedra, structure_word,
+};
+use coface::answers::{losses_of, repaired, simplicial_complex, triangulated, welded};
 use coface::complexes::gluing::GluingTable;
 use coface::io::{self, CellData, Format, Group, Structure};
 use halfedges::model_from;
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyString, PyTuple};
-use std::path::PathBuf;
+use repairs::named;
 use std::sync::Arc;
 
 /// What a file holds: vertices with or without positions, polygons, 3-cells, lines, groups, data, or an abstract structure.
@@ -119,7 +124,9 @@ impl Model {
         }
         let mut parts = Parts::default();
         if let Some(faces) = faces {
-            parts.polygons.push(arrays::lists(faces, "faces")?);
+            let faces = arrays::lists(faces, "faces")?;
+            refuse_tetrahedra(py, positions.as_ref(), &faces)?;
+            parts.polygons.push(faces);
         }
         for (kind, value) in cells.into_iter().flatten() {
             parts.add(kind.cast::<PyString>()?.to_str()?, &value)?;
@@ -593,8 +600,8 @@ impl Model {
     ///
     /// Parameters
     /// ----------
-    /// path : str or os.PathLike
-    ///     The file; its extension decides the format.
+    /// path : str, os.PathLike or file
+    ///     The file; its extension decides the format. A file that is open for writing gets all at once.
     /// format : str, optional
     ///     The format, instead of that of the extension.
     /// progress : bool or callable, optional
@@ -608,13 +615,11 @@ impl Model {
     fn write(
         &self,
         py: Python<'_>,
-        path: PathBuf,
+        path: &Bound<'_, PyAny>,
         format: Option<&str>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<()> {
-        let format = format_of(py, format)?;
-        let to = format.or_else(|| Format::from_path(&path));
-        run(py, progress, || io::write_path(&*made::writable(self.model(), to)?, &path, format))
+        writing::write(py, self.model(), path, format, progress)
     }
 
     /// The model as a file of this format would hold it.
@@ -636,12 +641,8 @@ impl Model {
     /// ['OFF', '3', '1', '0', '0', '0', '0', '1', '0', '0', '0', '1', '0', '3', '0', '1', '2']
     fn to_bytes<'py>(&self, py: Python<'py>, format: &str) -> PyResult<Bound<'py, PyBytes>> {
         let format = Format::from_name(format).or_raise(py)?;
-        let bytes = run(py, None, || {
-            let mut bytes = Vec::new();
-            io::write(&*made::writable(self.model(), Some(format))?, &mut bytes, format)?;
-            Ok(bytes)
-        })?;
-        Ok(PyBytes::new(py, &bytes))
+        warn_all(py, &losses_of(self.model(), format))?;
+        writing::bytes(py, self.model(), format)
     }
 
     /// Everything that ``coface info`` says: what it is, whether it is sound, what is wrong and where.
@@ -824,11 +825,11 @@ impl Model {
         orient: bool,
         keep_repeated: bool,
         progress: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<(Self, Bound<'py, PyArray1<i64>>)> {
+    ) -> PyResult<Bound<'py, PyAny>> {
         let request = repairs::request(py, split_edges, split_vertices, orient, keep_repeated)?;
         let (model, repair) = run(py, progress, || repaired(self.model(), request))?;
         let sources = arrays::id_array(py, repair.vertex_sources().iter().map(|vertex| vertex.to_u32()));
-        Ok((Self::of(model), sources))
+        named(py, "Repaired", (Self::of(model), sources))
     }
 
     /// The model with vertices merged that are at most ``radius`` apart; none moves farther, and the order of vertices does not matter.
@@ -888,9 +889,9 @@ impl Model {
         tolerance: f64,
         closed: bool,
         progress: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<(Self, Bound<'py, PyDict>)> {
+    ) -> PyResult<Bound<'py, PyAny>> {
         let (model, done) = run(py, progress, || repairs::surface_of(self.model(), tolerance, closed))?;
-        Ok((Self::of(model), repairs::counts(py, &done)?))
+        named(py, "RepairedSurface", (Self::of(model), repairs::counts(py, &done)?))
     }
 
     /// The voxels of a volume as a mesh.
@@ -957,10 +958,10 @@ impl Model {
         &self,
         py: Python<'py>,
         progress: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<(Self, Bound<'py, PyAny>)> {
+    ) -> PyResult<Bound<'py, PyAny>> {
         let (model, carriers) = run(py, progress, || triangulated(self.model()))?;
         let flat = carriers.iter().flat_map(|&(degree, cell)| [degree as i64, cell.index() as i64]).collect();
-        Ok((Self::of(model), arrays::grid(py, flat, 2)?.into_any()))
+        named(py, "Subdivided", (Self::of(model), arrays::grid(py, flat, 2)?.into_any()))
     }
 
     fn __len__(&self) -> usize {

@@ -1,13 +1,17 @@
 //! The surface that a Boolean formula selects of surfaces in space.
 
 use crate::answer::answer;
+use crate::errors::OrRaise;
 use crate::model::Model;
 use crate::objects::{text_of, to_python};
+use crate::spatial_arrangement::{write_model, written_bytes};
+use crate::target::Target;
 use crate::work::run;
 use coface::answers::answer::{SolidBooleanAnswer, SolidBooleanProvenance};
 use coface::answers::{CongruentBoolean, CongruentScene, SceneArrangement, SolidBoolean, SolidRequest};
-use coface::io;
+use coface::io::{self, Format};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 use std::sync::OnceLock;
 
 /// The cells that a combination is of.
@@ -90,6 +94,22 @@ answer! { SolidBooleanResult {
         Ok(self.cells.get_or_init(|| made).clone_ref(py))
     }
 
+    /// The result as a file of this format: ``json`` has the cells, others the surface.
+    fn to_bytes<'py>(&self, py: Python<'py>, format: &str) -> PyResult<Bound<'py, PyBytes>> {
+        let format = Format::from_name(format).or_raise(py)?;
+        let model = self.written(py, format)?;
+        let bytes = run(py, None, || written_bytes(&model.get().source.model, format))?;
+        Ok(PyBytes::new(py, &bytes))
+    }
+
+    /// Writes the result to a file, by its path or open for writing: ``.json`` has the cells, others the surface.
+    #[pyo3(signature = (path, format=None))]
+    fn write(&self, py: Python<'_>, path: &Bound<'_, PyAny>, format: Option<&str>) -> PyResult<()> {
+        let format = Target::of(path)?.known_format(py, format)?;
+        let model = self.written(py, format)?;
+        write_model(py, path, Some(format.name()), |_| Ok(model.get().source.model.clone()))
+    }
+
     /// Where everything comes from.
     fn provenance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         to_python(py, &self.provenance)
@@ -97,6 +117,16 @@ answer! { SolidBooleanResult {
 
     fn __repr__(&self) -> String {
         format!("SolidBoolean(volume {}, f-vector {})", text_of(&self.answer.measure), text_of(&self.answer.f_vector))
+    }
+}
+
+impl SolidBooleanResult {
+    /// What a file of this format holds, as the program writes it.
+    fn written(&self, py: Python<'_>, format: Format) -> PyResult<Py<Model>> {
+        match format {
+            Format::Json => self.cells(py),
+            _ => Ok(self.model.clone_ref(py)),
+        }
     }
 }
 

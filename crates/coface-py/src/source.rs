@@ -1,10 +1,11 @@
 //! What questions are put to: a model with its cells identified, made once.
 
-use coface::Error;
+use coface::algebra::Integer;
 use coface::algebra::chains::ChainComplex;
 use coface::answers::{Pair, Producer};
 use coface::complexes::simplicial::FrozenComplex;
-use coface::io::Model;
+use coface::io::{Model, Structure};
+use coface::{CellId, Error};
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
@@ -37,6 +38,46 @@ impl Source {
 
     pub(crate) fn chains(&self) -> Result<&Arc<ChainComplex>, Error> {
         once(&self.chains, || Ok(Arc::new(self.producer()?.chain_complex()?)))
+    }
+
+    /// The ends of an edge of a chain complex with positions, the one that it starts from first; nothing for other cells, and other models.
+    fn edge_ends(&self, degree: usize, edge: usize) -> Option<Vec<u32>> {
+        if degree != 1 || !self.has_named_edges() {
+            return None;
+        }
+        let boundary = self.chains().ok()?.boundary_matrix(1)?;
+        let mut ends: Vec<(i32, u32)> =
+            boundary.column(edge).iter().map(|(row, sign)| (sign, row as u32)).collect();
+        ends.sort_unstable();
+        match ends[..] {
+            [(-1, start), (1, end)] => Some(vec![start, end]),
+            _ => None,
+        }
+    }
+
+    /// Whether edges of its chain complex are named by their ends, though the model lists no cells by vertices.
+    pub(crate) fn has_named_edges(&self) -> bool {
+        matches!(self.model.structure(), Some(Structure::Chains(_))) && !self.model.positions().is_empty()
+    }
+
+    /// The edges between these vertices, with their signs; nothing where one is none, or two are.
+    pub(crate) fn edges_between(&self, named: &[(Integer, Vec<u32>)]) -> Option<Vec<(CellId, Integer)>> {
+        let count = self.chains().ok()?.cell_count(1);
+        let ends: Vec<_> = (0..count).map(|edge| self.edge_ends(1, edge)).collect();
+        let mut of: BTreeMap<[u32; 2], Option<usize>> = BTreeMap::new();
+        for (edge, ends) in ends.iter().enumerate() {
+            if let Some([start, end]) = ends.as_deref() {
+                let pair = [*start.min(end), *start.max(end)];
+                of.entry(pair).and_modify(|known| *known = None).or_insert(Some(edge));
+            }
+        }
+        let term = |(coefficient, vertices): &(Integer, Vec<u32>)| {
+            let &[start, end] = &vertices[..] else { return None };
+            let edge = (*of.get(&[start.min(end), start.max(end)])?)?;
+            let is_along = ends[edge].as_deref() == Some(&[start, end]);
+            Some((CellId::new(edge), if is_along { coefficient.clone() } else { -coefficient }))
+        };
+        named.iter().map(term).collect()
     }
 }
 
@@ -95,10 +136,12 @@ impl Naming {
         match &self.names {
             Names::Own => vec![number as u32],
             // A complex with names was made by the producer.
-            Names::Source(source) => source.producer().map_or_else(
-                |_| vec![number as u32],
-                |made| made.cell_vertices(degree, coface::CellId::new(number)),
-            ),
+            Names::Source(source) => source.edge_ends(degree, number).unwrap_or_else(|| {
+                source.producer().map_or_else(
+                    |_| vec![number as u32],
+                    |made| made.cell_vertices(degree, coface::CellId::new(number)),
+                )
+            }),
             Names::Simplices(complex) => complex.numbers(degree, number).to_vec(),
             Names::Given(names) => names.get(&(degree, number)).cloned().unwrap_or(vec![number as u32]),
         }

@@ -1,6 +1,7 @@
 //! Surfaces: sides of faces and their mates, and what is asked about them.
 
 mod opened;
+mod walks;
 
 pub(crate) use opened::{Cocycles, Cover, Domain};
 
@@ -18,35 +19,22 @@ use coface::algebra::{Integer, Sign};
 use coface::answers::answer::{EdgeWeights, WholeNumber};
 use coface::answers::{
     CellName, CutRequest, Edit, LayoutChoice, LayoutRequest, LayoutWeights, PolygonSchema, Producer,
-    SurfaceCocycles, SurfaceEditor, SurfaceModel, surface_harmonic_forms,
+    SurfaceCocycles, SurfaceEditor, SurfaceModel, dual_graph_model, dual_model, surface_harmonic_forms,
 };
 use coface::complexes::surface::{GeneralizedMap, SurfaceType};
 use coface::io::Structure;
 use coface::topology::{
-    ClosedWalk, CoverExtent, CycleKind, HarmonicForm, PolygonPlane, ShortestCycle, SurfaceHomology,
-    SurfaceHomotopy, TreeCotree, shortest_cycle, shortest_cycle_through, shortest_cycle_until,
-    shortest_homology_basis, shortest_loops,
+    ClosedWalk, CoverExtent, CycleKind, HarmonicForm, PolygonPlane, ShortestCycle, SurfaceHomotopy,
+    TreeCotree, shortest_cycle, shortest_cycle_through, shortest_cycle_until, shortest_homology_basis,
+    shortest_loops,
 };
 use coface::{EdgeId, Error, ErrorKind, FaceId, Fault, HalfedgeId, VertexId};
 use numpy::{PyArray1, PyArrayMethods};
 use opened::BasisAnswer;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
-use serde::Serialize;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-
-/// What is known of a closed walk among others.
-#[derive(Serialize)]
-struct ComparedWalk {
-    contractible: bool,
-    bounds: bool,
-    class: Vec<i64>,
-    component: Option<usize>,
-    word: Vec<i32>,
-    homotopic: Vec<usize>,
-    freely_homotopic: Vec<usize>,
-}
 
 /// How many vertices searches from all roots may reach in all.
 const MOST_REACHED: usize = 2_000_000_000;
@@ -213,6 +201,50 @@ impl Surface {
     #[getter]
     fn next<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
         self.sides(py, |side| self.map().next(side).index() as i64)
+    }
+
+    /// The side before each side around its face.
+    #[getter]
+    fn previous<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        self.sides(py, |side| self.map().previous(side).index() as i64)
+    }
+
+    /// The sides of a face in their order, as numbers of halfedges.
+    fn halfedges_of_face<'py>(&self, py: Python<'py>, face: usize) -> PyResult<Bound<'py, PyArray1<i64>>> {
+        walks::checked(py, "face", face, self.map().face_count())?;
+        Ok(arrays::index_array(py, self.map().sides_of(FaceId::new(face)).map(HalfedgeId::index)))
+    }
+
+    /// The one or two sides along an edge.
+    fn halfedges_of_edge<'py>(&self, py: Python<'py>, edge: usize) -> PyResult<Bound<'py, PyArray1<i64>>> {
+        walks::checked(py, "edge", edge, self.map().edge_count())?;
+        let first = self.map().first_side(EdgeId::new(edge));
+        Ok(arrays::index_array(
+            py,
+            [Some(first), self.map().mate(first)].into_iter().flatten().map(HalfedgeId::index),
+        ))
+    }
+
+    /// The sides that start from a vertex, in the order in which their faces lie around it.
+    fn halfedges_from_vertex<'py>(
+        &self,
+        py: Python<'py>,
+        vertex: usize,
+    ) -> PyResult<Bound<'py, PyArray1<i64>>> {
+        walks::checked(py, "vertex", vertex, self.map().vertex_count())?;
+        Ok(arrays::index_array(py, walks::sides_from(self.map(), VertexId::new(vertex))))
+    }
+
+    /// The dual mesh: a vertex in the middle of each face, and a face around each vertex inside.
+    fn dual(&self, py: Python<'_>) -> PyResult<Model> {
+        let model = self.model(py)?;
+        run(py, None, || dual_model(model.model().clone())).map(Model::of)
+    }
+
+    /// The dual graph: a vertex in the middle of each face, and a line across each edge between two faces.
+    fn dual_graph(&self, py: Python<'_>) -> PyResult<Model> {
+        let model = self.model(py)?;
+        run(py, None, || dual_graph_model(model.model().clone())).map(Model::of)
     }
 
     /// The other side at the edge of each side; -1 on the boundary.
@@ -873,44 +905,7 @@ impl Surface {
         for walk in walks.try_iter()? {
             lists.push(arrays::ids(&walk?, "a walk")?);
         }
-        let answers = run(py, progress, || {
-            let map = self.map();
-            let mut closed = Vec::new();
-            for list in &lists {
-                match list[..] {
-                    [vertex] => closed.push(ClosedWalk::constant(self.surface.vertex_numbered(vertex)?)),
-                    _ => closed.push(ClosedWalk::new(map.skeleton(), self.surface.steps_along(list)?)?),
-                }
-            }
-            let trees = TreeCotree::new(map);
-            let homotopy = SurfaceHomotopy::new(map, &trees)?;
-            let homology = SurfaceHomology::new(map, &trees);
-            let mut answers = Vec::new();
-            for (i, walk) in closed.iter().enumerate() {
-                let (mut based, mut free) = (Vec::new(), Vec::new());
-                for (j, other) in closed.iter().enumerate().filter(|&(j, _)| j != i) {
-                    if walk.start() == other.start() && homotopy.are_homotopic(walk, other)? {
-                        based.push(j);
-                    }
-                    let together = homotopy.component(walk)? == homotopy.component(other)?;
-                    if together && homotopy.are_freely_homotopic(walk, other)? {
-                        free.push(j);
-                    }
-                }
-                let class = homology.class_of_walk(walk)?;
-                let bounds = class.iter().all(|&x| x == 0);
-                answers.push(ComparedWalk {
-                    contractible: homotopy.is_contractible(walk)?,
-                    bounds,
-                    class,
-                    component: homotopy.component(walk)?,
-                    word: homotopy.word(walk)?.letters().to_vec(),
-                    homotopic: based,
-                    freely_homotopic: free,
-                });
-            }
-            Ok(answers)
-        })?;
+        let answers = run(py, progress, || walks::compared(&self.surface, &lists))?;
         to_python(py, &answers)
     }
 

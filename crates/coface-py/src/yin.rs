@@ -19,7 +19,7 @@ use self::motion::{
     GivenFlow, below_knots, contact_of, parameters_of, scheme_of, tracking_options, verification_of,
 };
 use crate::answer::answer;
-use crate::arrangement::{formula, named_format, rule_of};
+use crate::arrangement::{formula, rule_of};
 use crate::arrays;
 use crate::congruence::choice;
 use crate::errors::{self, OrRaise, invalid, truth, wrong_type};
@@ -27,6 +27,7 @@ use crate::model::{Model, read_options};
 use crate::objects::to_python;
 use crate::pictures::flat_file;
 use crate::source::Source;
+use crate::target::Target;
 use crate::work::run;
 use coface::answers::answer::{YinDecision, YinEventAnswer, YinProvenance, YinSetAnswer};
 use coface::answers::{PlanarSet, SetRequest, text};
@@ -319,7 +320,7 @@ answer! { YinSet {
     /// Parameters
     /// ----------
     /// rings : sequence of array_like, each of shape (n, 2)
-    ///     Rings, the first point not repeated.
+    ///     Rings; the first point may stand at the end again.
     /// order : {2, 4, 6, 8}
     ///     2 for polylines, 4 for cubic splines through the points, ..
     /// rule : {"nonzero", "evenodd", "positive"}, optional
@@ -348,7 +349,12 @@ answer! { YinSet {
     ) -> PyResult<Self> {
         let mut lists = Vec::new();
         for ring in rings.try_iter()? {
-            lists.push(points_of(&ring?, "rings")?);
+            let mut points = points_of(&ring?, "rings")?;
+            // Rings of shapely and GeoJSON have their first point again.
+            if points.len() > 3 && points.first() == points.last() {
+                points.pop();
+            }
+            lists.push(points);
         }
         let request = request(py, Some(order), rule, kinks, ends, canonical, order > 2)?;
         let stated = request.rule;
@@ -909,11 +915,12 @@ answer! { YinSet {
         Ok(PyBytes::new(py, &bytes))
     }
 
-    /// Writes the set to a file.
+    /// Writes the set to a file, by its path or open for writing.
     #[pyo3(signature = (path, format=None, *, flatten=None))]
-    fn write(&self, py: Python<'_>, path: PathBuf, format: Option<&str>, flatten: Option<f64>) -> PyResult<()> {
-        let format = named_format(py, &path, format)?;
-        run(py, None, || io::replace_file(&path, |out| self.set.write(out, format, flatten)))
+    fn write(&self, py: Python<'_>, path: &Bound<'_, PyAny>, format: Option<&str>, flatten: Option<f64>) -> PyResult<()> {
+        let target = Target::of(path)?;
+        let format = target.known_format(py, format)?;
+        target.write(py, None, |out| self.set.write(out, format, flatten))
     }
 
     /// A picture: SVG.

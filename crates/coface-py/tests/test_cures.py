@@ -41,9 +41,9 @@ CASES = [
     Case(
         "coface.as_surface(book)",
         'model.repaired(split_edges="pairs", split_vertices=True)',
-        ('coface.as_surface(book.repaired(split_edges="pairs", split_vertices=True)[0])',),
+        ('coface.as_surface(book.repaired(split_edges="pairs", split_vertices=True))',),
     ),
-    Case("coface.as_surface(loose)", "model.repaired_surface()", ("coface.as_surface(loose.repaired_surface()[0])",)),
+    Case("coface.as_surface(loose)", "model.repaired_surface()", ("coface.as_surface(loose.repaired_surface())",)),
     # Arrays that could be two things.
     Case(
         "coface.homology(image)",
@@ -68,7 +68,7 @@ CASES = [
     Case(
         "coface.boolean('union', turned)",
         "model.repaired(orient=True)",
-        ("coface.boolean('union', turned.repaired(orient=True)[0])",),
+        ("coface.boolean('union', turned.repaired(orient=True))",),
     ),
     Case("coface.boolean('union', lid)", 'open="close"', ("coface.boolean('union', lid, open='close')",)),
     Case("coface.arrange(bent, split=False)", "split=True", ("coface.arrange(bent, split=True)",)),

@@ -176,6 +176,9 @@ def check(certificate: str | bytes | os.PathLike[str], *inputs: _Path, progress:
     >>> "genus = 1" in verified["proved"], "area" in verified["unchecked"]
     (True, True)
     """
+    if not isinstance(certificate, (bytes, str, os.PathLike)):
+        message, cure = f"a {type(certificate).__name__} is no certificate", "give its text, its bytes, or the path of its file"
+        raise _coface.InvalidTypeError(f"{message}; {cure}", fault=message, cure=cure)
     if isinstance(certificate, bytes):
         text = certificate
     elif isinstance(certificate, str) and certificate.lstrip().startswith("{"):

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coface import _coface
-from coface._arrays import plain
-from coface._coface import Model
-from coface._models import as_chain_complex, as_model
+from coface._arrays import plain, raise_invalid
+from coface._coface import Chain, Generator, Model
+from coface._models import as_cells, as_chain_complex, as_model
 from coface._faults import in_words
 
 if TYPE_CHECKING:
-    import numpy as np
     from scipy.sparse import csc_array
 
     from coface._types import CupTable, CycleClass, Exactness, ExactSequence, GroupMap, IntersectionForm
@@ -180,7 +180,7 @@ def cup_products(
     >>> table[0][0], abs(table[0][1][0])
     ([0], 1)
     """
-    return _coface.cup_products(as_model(x), p, q, coefficients, progress=progress)
+    return _coface.cup_products(as_cells(x), p, q, coefficients, progress=progress)
 
 
 @in_words
@@ -206,7 +206,7 @@ def intersection_form(x: Any, *, progress: Any = False) -> IntersectionForm:
     >>> abs(form["signature"]), form["parity"]
     (1, 'odd')
     """
-    return _coface.intersection_form(as_model(x), progress=progress)
+    return _coface.intersection_form(as_cells(x), progress=progress)
 
 
 @in_words
@@ -236,7 +236,7 @@ def long_exact_sequence(x: Any, part: Any = "boundary", *, progress: Any = False
     """
     from coface._questions import part_of
 
-    model = as_model(x)
+    model = as_cells(x)
     return _coface.long_exact_sequence(model, part_of(model, part), progress=progress)
 
 
@@ -271,7 +271,7 @@ def induced_map(
     (array([[2]]), 'Z/2')
     """
     images: Any = dict(vertices) if isinstance(vertices, Mapping) else [tuple(pair) if isinstance(pair, (list, tuple)) else pair for pair in plain(vertices)]
-    return _coface.induced_map(as_model(source), as_model(target), images, progress=progress)
+    return _coface.induced_map(as_cells(source), as_cells(target), images, progress=progress)
 
 
 @in_words
@@ -283,7 +283,7 @@ def is_exact(x: Any, values: ArrayLike, *, tolerance: float | None = None, progr
     x
         Anything that :func:`as_model` understands.
     values
-        A value for each edge, in the order of the chain complex; integers are decided exactly.
+        A value for each edge, in the order of the chain complex, or a cochain or chain of degree 1; integers are decided exactly.
     tolerance
         Which sums count as zero, for real values.
     progress
@@ -303,7 +303,20 @@ def is_exact(x: Any, values: ArrayLike, *, tolerance: float | None = None, progr
     >>> coface.is_exact([[0, 1], [1, 2], [0, 2]], [1, 3, 2])["potential"]
     array([0, 1, 3])
     """
-    return _coface.is_exact(as_model(x), values, tolerance=tolerance, progress=progress)
+    if isinstance(values, (Chain, Generator)):
+        values = values.as_vector().toarray().reshape(-1)
+    return _coface.is_exact(as_cells(x), _on_edges(values), tolerance=tolerance, progress=progress)
+
+
+def _on_edges(values: Any) -> Any:
+    """Values along one axis; what is none is refused in words."""
+    try:
+        is_listed = np.asarray(values).dtype.kind != "O"
+    except ValueError:
+        is_listed = False
+    if not is_listed:
+        raise_invalid("values are no list of numbers", "give one for each edge, or a Chain: complex.chain(terms)")
+    return values
 
 
 @in_words

@@ -1,7 +1,7 @@
 # Signatures and types by hand, docstrings by `python stubs.py --write`: with them it is longer than other files.
 import os
 from collections.abc import Callable, ItemsView, Iterable, Iterator, KeysView, Mapping, Sequence, ValuesView
-from typing import Any, TypeAlias, final
+from typing import IO, Any, TypeAlias, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.sparse import csc_array, csr_array
 
 from coface._buildings import CellGraph
+from coface._models import Repaired, RepairedSurface, Subdivided
 from coface._types import (
     BoundarySamples,
     CellCounts,
@@ -35,6 +36,8 @@ from coface._types import (
 _Progress: TypeAlias = bool | Callable[[str, int, int], object] | None
 # Lists of ids: an array of shape (m, k) where all have one length, else (flat, offsets).
 _Ids: TypeAlias = NDArray[np.int32] | NDArray[np.int64]
+# A path, or a file that is open.
+_File: TypeAlias = str | os.PathLike[str] | IO[Any]
 _Lists: TypeAlias = _Ids | tuple[_Ids, NDArray[np.int64]]
 
 __version__: str
@@ -165,6 +168,29 @@ class Chain:
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __len__(self) -> int: ...
     def __eq__(self, other: object, /) -> bool: ...
+    def __add__(self, other: Chain | Generator | int, /) -> Chain: ...
+    def __radd__(self, other: Chain | Generator | int, /) -> Chain: ...
+    def __sub__(self, other: Chain | Generator | int, /) -> Chain: ...
+    def __rsub__(self, other: Chain | Generator | int, /) -> Chain: ...
+    def __neg__(self) -> Chain: ...
+    def __mul__(self, factor: int, /) -> Chain: ...
+    def __rmul__(self, factor: int, /) -> Chain: ...
+    def __matmul__(self, chain: Chain | Generator, /) -> int: ...
+    def __rmatmul__(self, cochain: Chain | Generator, /) -> int: ...
+    def value(self, chain: Chain | Generator) -> int:
+        """The value of a cochain on a chain of the same degree: the sum of the products of their coefficients. ``cochain @ chain`` is the same.
+
+        Parameters
+        ----------
+        chain : Chain or Generator
+            A chain of the same complex.
+
+        Returns
+        -------
+        int
+            The value.
+        """
+        ...
     def __hash__(self) -> int: ...
     def __repr__(self) -> str: ...
 
@@ -740,6 +766,18 @@ class Congruence:
     def from_dict(cls, facts: Mapping[str, Any]) -> Congruence:
         """The answer that ``to_dict()`` wrote."""
         ...
+    @property
+    def cells(self) -> Model:
+        """The cells of the quotient as a chain complex with positions: what ``.json`` holds, and what homology and other questions about cells
+        are asked of.
+        """
+        ...
+    def to_bytes(self, format: str) -> bytes:
+        """The quotient as a file of this format: ``json`` has the cells, others the merged mesh."""
+        ...
+    def write(self, path: _File, format: str | None = None) -> None:
+        """Writes the quotient to a file, by its path or open for writing: ``.json`` has the cells, others the merged mesh."""
+        ...
     def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __eq__(self, other: object, /) -> bool: ...
@@ -1253,6 +1291,29 @@ class Generator:
         ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __eq__(self, other: object, /) -> bool: ...
+    def __add__(self, other: Chain | Generator | int, /) -> Chain: ...
+    def __radd__(self, other: Chain | Generator | int, /) -> Chain: ...
+    def __sub__(self, other: Chain | Generator | int, /) -> Chain: ...
+    def __rsub__(self, other: Chain | Generator | int, /) -> Chain: ...
+    def __neg__(self) -> Chain: ...
+    def __mul__(self, factor: int, /) -> Chain: ...
+    def __rmul__(self, factor: int, /) -> Chain: ...
+    def __matmul__(self, chain: Chain | Generator, /) -> int: ...
+    def __rmatmul__(self, cochain: Chain | Generator, /) -> int: ...
+    def value(self, chain: Chain | Generator) -> int:
+        """The value of a cochain on a chain of the same degree: the sum of the products of their coefficients. ``cochain @ chain`` is the same.
+
+        Parameters
+        ----------
+        chain : Chain or Generator
+            A chain of the same complex.
+
+        Returns
+        -------
+        int
+            The value.
+        """
+        ...
     def __hash__(self) -> int: ...
     def __len__(self) -> int: ...
     def __repr__(self) -> str: ...
@@ -1425,7 +1486,7 @@ class Interface:
         """
         ...
     @staticmethod
-    def read(path: str | os.PathLike[str], *, rule: str | None = None) -> Interface:
+    def read(path: _File, *, rule: str | None = None) -> Interface:
         """The interface in a file that :meth:`write` or ``coface yin interface -o`` wrote.
 
         Parameters
@@ -1442,8 +1503,8 @@ class Interface:
             The same interface, bit for bit unless there is a rule.
         """
         ...
-    def write(self, path: str | os.PathLike[str]) -> None:
-        """Writes the interface to a ``.json`` file, with the control points of all edges."""
+    def write(self, path: _File) -> None:
+        """Writes the interface to a ``.json`` file, by its path or open for writing, with the control points of all edges."""
         ...
     def phase(self, name: str | int) -> YinSet:
         """The phase with this name, or with this number if none has the name, as a set.
@@ -1805,6 +1866,9 @@ class LarModel:
     @property
     def f_vector(self) -> tuple[int, ...]:
         """The numbers of cells of the degrees 0, 1, ..."""
+        ...
+    def model(self, *, progress: _Progress = ...) -> Model:
+        """The cells as a model: their chain complex, with positions if there are some."""
         ...
     def cells(self, degree: int) -> _Lists:
         """The vertices of the cells of a degree."""
@@ -2169,13 +2233,13 @@ class Model:
             The model with the lines.
         """
         ...
-    def write(self, path: str | os.PathLike[str], format: str | None = None, *, progress: _Progress = ...) -> None:
+    def write(self, path: _File, format: str | None = None, *, progress: _Progress = ...) -> None:
         """Writes the model to a file, which appears whole or not at all.
 
         Parameters
         ----------
-        path : str or os.PathLike
-            The file; its extension decides the format.
+        path : str, os.PathLike or file
+            The file; its extension decides the format. A file that is open for writing gets all at once.
         format : str, optional
             The format, instead of that of the extension.
         progress : bool or callable, optional
@@ -2291,7 +2355,7 @@ class Model:
             Polygons without enough corners are left out; a remark says what was merged.
         """
         ...
-    def repaired(self, *, split_edges: str | None = None, split_vertices: bool = False, orient: bool = False, keep_repeated: bool = False, progress: _Progress = ...) -> tuple[Model, NDArray[np.int64]]:
+    def repaired(self, *, split_edges: str | None = None, split_vertices: bool = False, orient: bool = False, keep_repeated: bool = False, progress: _Progress = ...) -> Repaired:
         """The model as a mesh that is a surface: edges with more than two faces and vertices with several fans are split.
 
         Parameters
@@ -2333,7 +2397,7 @@ class Model:
     def triangulated(self, *, progress: _Progress = ...) -> Model:
         """The model with each face cut into triangles on its own corners; data and groups follow."""
         ...
-    def repaired_surface(self, *, tolerance: float = 0.0, closed: bool = False, progress: _Progress = ...) -> tuple[Model, dict[str, int]]:
+    def repaired_surface(self, *, tolerance: float = 0.0, closed: bool = False, progress: _Progress = ...) -> RepairedSurface:
         """A surface made of the polygons of the model: merged, cleaned, split, turned and, on request, closed.
 
         Parameters
@@ -2430,7 +2494,7 @@ class Model:
             ``vertices``, the places of its vertices there; ``signatures`` of both, which are equal if and only if the triangulations are the same.
         """
         ...
-    def subdivided(self, *, progress: _Progress = ...) -> tuple[Model, NDArray[np.int64]]:
+    def subdivided(self, *, progress: _Progress = ...) -> Subdivided:
         """A gluing table or a surface of halfedges as a facet list, subdivided where that is needed to keep simplices apart.
 
         Returns
@@ -2840,8 +2904,8 @@ class PlanarArrangement:
     def to_bytes(self, format: str) -> bytes:
         """The arrangement as a file of this format."""
         ...
-    def write(self, path: str | os.PathLike[str], format: str | None = None) -> None:
-        """Writes the arrangement to a file."""
+    def write(self, path: _File, format: str | None = None) -> None:
+        """Writes the arrangement to a file, by its path or open for writing."""
         ...
     def model(self) -> Model:
         """The faces as a model: polygons with the plane's coordinates. With ``exact=True`` it keeps exact points."""
@@ -2849,6 +2913,12 @@ class PlanarArrangement:
     @classmethod
     def from_dict(cls, facts: Mapping[str, Any]) -> PlanarArrangement:
         """The answer that ``to_dict()`` wrote."""
+        ...
+    @property
+    def cells(self) -> Model:
+        """The cells as a chain complex with positions whose faces are disks: what ``.json`` holds, and what homology and other questions about
+        cells are asked of.
+        """
         ...
     def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
@@ -2946,8 +3016,8 @@ class PlanarBoolean:
     def to_bytes(self, format: str) -> bytes:
         """The result as a file of this format."""
         ...
-    def write(self, path: str | os.PathLike[str], format: str | None = None) -> None:
-        """Writes the result to a file."""
+    def write(self, path: _File, format: str | None = None) -> None:
+        """Writes the result to a file, by its path or open for writing."""
         ...
     def model(self) -> Model:
         """The rings as a model of closed lines, which is input again. With ``exact=True`` it keeps exact points, and has no
@@ -2957,6 +3027,12 @@ class PlanarBoolean:
     @classmethod
     def from_dict(cls, facts: Mapping[str, Any]) -> PlanarBoolean:
         """The answer that ``to_dict()`` wrote."""
+        ...
+    @property
+    def cells(self) -> Model:
+        """The cells as a chain complex with positions whose faces are disks: what ``.json`` holds, and what homology and other questions about
+        cells are asked of.
+        """
         ...
     def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
@@ -3355,6 +3431,12 @@ class SolidBoolean:
     def from_dict(cls, facts: Mapping[str, Any]) -> SolidBoolean:
         """The answer that ``to_dict()`` wrote."""
         ...
+    def to_bytes(self, format: str) -> bytes:
+        """The result as a file of this format: ``json`` has the cells, others the surface."""
+        ...
+    def write(self, path: _File, format: str | None = None) -> None:
+        """Writes the result to a file, by its path or open for writing: ``.json`` has the cells, others the surface."""
+        ...
     def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __eq__(self, other: object, /) -> bool: ...
@@ -3476,6 +3558,18 @@ class SpatialArrangement:
     def from_dict(cls, facts: Mapping[str, Any]) -> SpatialArrangement:
         """The answer that ``to_dict()`` wrote."""
         ...
+    @property
+    def cells(self) -> Model:
+        """The vertices, edges, faces and bounded cells as a chain complex with positions, refined until each is a ball: what ``.json`` holds,
+        and what homology and other questions about cells are asked of.
+        """
+        ...
+    def to_bytes(self, format: str) -> bytes:
+        """The arrangement as a file of this format: ``json`` has the cells, others the faces."""
+        ...
+    def write(self, path: _File, format: str | None = None) -> None:
+        """Writes the arrangement to a file: ``.json`` has the cells, others the faces."""
+        ...
     def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def __eq__(self, other: object, /) -> bool: ...
@@ -3508,6 +3602,25 @@ class Surface:
     @property
     def euler_characteristic(self) -> int:
         """Vertices - edges + faces."""
+        ...
+    @property
+    def previous(self) -> NDArray[np.int64]:
+        """The side before each side around its face."""
+        ...
+    def halfedges_of_face(self, face: int) -> NDArray[np.int64]:
+        """The sides of a face in their order, as numbers of halfedges."""
+        ...
+    def halfedges_of_edge(self, edge: int) -> NDArray[np.int64]:
+        """The one or two sides along an edge."""
+        ...
+    def halfedges_from_vertex(self, vertex: int) -> NDArray[np.int64]:
+        """The sides that start from a vertex, in the order in which their faces lie around it."""
+        ...
+    def dual(self) -> Model:
+        """The dual mesh: a vertex in the middle of each face, and a face around each vertex inside."""
+        ...
+    def dual_graph(self) -> Model:
+        """The dual graph: a vertex in the middle of each face, and a line across each edge between two faces."""
         ...
     @property
     def next(self) -> NDArray[np.int64]:
@@ -3920,7 +4033,7 @@ class YinSet:
         Parameters
         ----------
         rings : sequence of array_like, each of shape (n, 2)
-            Rings, the first point not repeated.
+            Rings; the first point may stand at the end again.
         order : {2, 4, 6, 8}
             2 for polylines, 4 for cubic splines through the points, ..
         rule : {"nonzero", "evenodd", "positive"}, optional
@@ -4289,8 +4402,8 @@ class YinSet:
             How far polylines may be from curves, where the format has polylines only.
         """
         ...
-    def write(self, path: str | os.PathLike[str], format: str | None = None, *, flatten: float | None = None) -> None:
-        """Writes the set to a file."""
+    def write(self, path: _File, format: str | None = None, *, flatten: float | None = None) -> None:
+        """Writes the set to a file, by its path or open for writing."""
         ...
     def to_svg(self, kind: str = "kinks") -> str:
         """A picture: SVG.
@@ -4608,6 +4721,7 @@ def product(first: Any, second: Any, *, chains: bool = False, progress: _Progres
         A facet list, or a chain complex.
     """
     ...
+def _bytes_of(model: Model, format: str) -> bytes: ...
 def entries(path: str | os.PathLike[str], format: str | None = None) -> list[str]:
     """The models of a file that holds several.
 
@@ -4629,8 +4743,8 @@ def read(path: str | os.PathLike[str], format: str | None = None, *, flatten: fl
 
     Parameters
     ----------
-    path : str or os.PathLike
-        The file. One model of several is ``file.json#name``: see :func:`entries`.
+    path : str, os.PathLike or file
+        The file, or one that is open for reading. One model of several is ``file.json#name``: see :func:`entries`.
     format : str, optional
         The format, such as ``"off"``, if it is not to be found out.
     flatten : float, optional

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from coface._coface import Complex, Model, PlanarArrangement, YinSet
-from coface._models import as_complex, as_model
+from coface._models import as_complex, as_drawn, as_model
 from coface._arrays import raise_invalid
 from coface.interop import geopandas, gudhi, meshio, networkx, open3d, pymeshlab, pyvista, shapely, trimesh
 from coface._faults import in_words
@@ -44,7 +44,7 @@ def to_trimesh(x: Any, **options: Any) -> Any:
     >>> coface.to_trimesh(coface.generate("csaszar")).is_watertight
     True
     """
-    return trimesh.from_model(as_model(x), **options)
+    return trimesh.from_model(as_drawn(x), **options)
 
 
 @in_words
@@ -57,7 +57,7 @@ def from_meshio(mesh: Any) -> Model:
 @in_words
 def to_meshio(x: Any, **options: Any) -> Any:
     """A model as ``meshio.Mesh``: a block for each kind of cell. `options` go to the class of meshio."""
-    return meshio.from_model(as_model(x), **options)
+    return meshio.from_model(as_drawn(x), **options)
 
 
 @in_words
@@ -81,7 +81,7 @@ def to_pyvista(x: Any, *, grid: bool = False, **options: Any) -> Any:
     options
         What else the class of pyvista takes.
     """
-    return pyvista.from_model(as_model(x), grid=grid, **options)
+    return pyvista.from_model(as_drawn(x), grid=grid, **options)
 
 
 @in_words
@@ -95,7 +95,7 @@ def from_pymeshlab(mesh: Any) -> Model:
 @in_words
 def to_pymeshlab(x: Any) -> Any:
     """A model of triangles, or of points alone, as ``pymeshlab.Mesh``, which ``MeshSet.add_mesh`` takes."""
-    return pymeshlab.from_model(as_model(x))
+    return pymeshlab.from_model(as_drawn(x))
 
 
 @in_words
@@ -107,7 +107,7 @@ def from_open3d(geometry: Any) -> Model:
 @in_words
 def to_open3d(x: Any) -> Any:
     """A model as ``open3d.geometry.TriangleMesh``, ``TetraMesh``, ``LineSet`` or ``PointCloud``."""
-    return open3d.from_model(as_model(x))
+    return open3d.from_model(as_drawn(x))
 
 
 @in_words
@@ -120,7 +120,7 @@ def from_networkx(graph: Any) -> Model:
 @in_words
 def to_networkx(x: Any) -> Any:
     """The vertices and edges of a model, those of its faces and cells included, as ``networkx.Graph``."""
-    return networkx.from_model(as_model(x))
+    return networkx.from_model(as_drawn(x))
 
 
 @in_words
@@ -155,7 +155,7 @@ def from_shapely(geometry: Any) -> Model:
 @in_words
 def to_shapely(x: Any) -> Any:
     """A planar model as a geometry of shapely: polygons with holes, lines and points. Coordinates go over exactly."""
-    return shapely.from_model(as_model(x))
+    return shapely.from_model(as_drawn(x))
 
 
 @in_words
@@ -178,7 +178,7 @@ def to_geopandas(x: Any) -> Any:
     >>> frame = coface.to_geopandas(coface.arrange(land, zones))    # doctest: +SKIP
     >>> frame[["use", "zone", "geometry"]]                          # doctest: +SKIP
     """
-    return geopandas.from_model(x.attributes() if isinstance(x, PlanarArrangement) else as_model(x))
+    return geopandas.from_model(x.attributes() if isinstance(x, PlanarArrangement) else as_drawn(x))
 
 
 def set_from_shapely(geometry: Any, *, order: int = 2, kinks: Any = None, progress: Any = None) -> YinSet:

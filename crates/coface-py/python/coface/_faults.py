@@ -85,7 +85,7 @@ def compiled_in_words(names: dict[str, Any]) -> None:
             asked.__module__ = "coface"
         elif inspect.isclass(thing) and thing.__module__.partition(".")[0] == "coface" and not issubclass(thing, (BaseException, dict)):
             for member, value in list(vars(thing).items()):
-                if member.startswith("_"):
+                if member.startswith("_") and member not in ("__contains__", "__getitem__"):
                     continue
                 if isinstance(value, (staticmethod, classmethod)):
                     setattr(thing, member, type(value)(_named(in_words(value.__func__), thing, member)))

@@ -6,7 +6,7 @@ from typing import Any
 
 from coface import _coface
 from coface._faults import in_words
-from coface._models import as_model
+from coface._models import as_cells, as_model
 
 
 @in_words
@@ -92,7 +92,7 @@ def sequence_picture(
     """
     from coface._questions import part_of
 
-    model = as_model(x)
+    model = as_cells(x)
     return _coface._sequence_picture(model, part_of(model, part), format, size, transparent, title)
 
 
@@ -138,4 +138,4 @@ def matrix_picture(
     >>> b"critical" in coface.matrix_picture(coface.generate("csaszar"), 1, "matching")
     True
     """
-    return _coface._blocked_matrix_picture(as_model(x), degree, blocks, format, size, transparent, title)
+    return _coface._blocked_matrix_picture(as_cells(x), degree, blocks, format, size, transparent, title)

@@ -4,21 +4,30 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any
+import warnings
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from coface import _coface
 from coface._arrays import plain, raise_invalid
 from coface._coface import (
+    AssumptionWarning,
     ChainComplex,
     Cocycles,
     Complex,
+    Congruence,
     Curve,
     Interface,
+    LarModel,
     Model,
+    NotAComplexError,
     Persistence,
+    PlanarArrangement,
+    PlanarBoolean,
     Simplices,
+    SpatialArrangement,
     Surface,
     YinSet,
     _volume,
@@ -27,6 +36,46 @@ from coface._coface import (
 from coface._records import read_back
 from coface.interop import adapter_of
 from coface._faults import in_words
+
+
+class Repaired(NamedTuple):
+    """What :meth:`Model.repaired` gives; functions that take a model take it as its model."""
+
+    #: The repaired model; the same repair again does nothing.
+    model: Model
+    #: For each vertex the one that it was.
+    vertex_sources: NDArray[np.int64]
+
+
+class RepairedSurface(NamedTuple):
+    """What :meth:`Model.repaired_surface` gives; functions that take a model take it as its model."""
+
+    #: The surface.
+    model: Model
+    #: How much was done, by what it was.
+    done: dict[str, int]
+
+
+class Subdivided(NamedTuple):
+    """What :meth:`Model.subdivided` gives; functions that take a model take it as its model."""
+
+    #: The facet list.
+    model: Model
+    #: For each vertex the dimension and the number of the cell that it lies in the interior of.
+    carriers: NDArray[np.int64]
+
+
+def unwrapped(x: Any) -> Any:
+    """The model of a model with what was done to it; anything else as it is.
+
+    Examples
+    --------
+    >>> import coface
+    >>> type(unwrapped(coface.Model.from_facets([[0, 1, 2]]).repaired())).__name__
+    'Model'
+    """
+    is_pair = isinstance(x, tuple) and len(x) == 2 and isinstance(x[0], Model)
+    return x[0] if is_pair and isinstance(x[1], (np.ndarray, dict)) else x
 
 
 @in_words
@@ -38,8 +87,9 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
     x
         One of these:
 
-        * a :class:`Model`, :class:`Complex`, :class:`Surface` or :class:`ChainComplex`, or an answer that has a model: an arrangement, a
-          Boolean, a :class:`Domain`, a :class:`Cover`, a :class:`Report`, a :class:`YinSet`, :class:`Curve` or :class:`Interface` (its boundary as lines);
+        * a :class:`Model`, :class:`Complex`, :class:`Surface`, :class:`ChainComplex` or :class:`LarModel`, or an answer that has a model: an arrangement (in
+          space its cells, :attr:`SpatialArrangement.cells`), a Boolean, a :class:`Domain`, a :class:`Cover`, a :class:`Report`, a :class:`YinSet`,
+          :class:`Curve` or :class:`Interface` (its boundary as lines), what :meth:`Model.repaired` gives;
         * a dictionary of ``to_dict()``;
         * a path, or a file that is open for reading;
         * ``(vertices, faces)``: an array ``(n, d)`` of coordinates, or ``None``, and polygons as in :class:`Model`;
@@ -51,7 +101,7 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
         * a table with ``to_numpy()``, as pandas has them, or a generator, for any of these;
         * a dictionary in the words of the JSON files: ``{"facets": ...}``, ``{"boundaries": ...}`` and so on;
         * a mesh, scene or drawing of trimesh, a mesh of meshio, a mesh of PyMeshLab, a data set of pyvista or VTK, a geometry of open3d, a
-          graph of networkx, a ``SimplexTree`` of gudhi, a geometry of shapely.
+          graph of networkx, a ``SimplexTree`` of gudhi, a geometry of shapely, a ``Delaunay`` triangulation or a ``ConvexHull`` of scipy.
     progress
         As in :func:`read`, where a file is read.
 
@@ -73,10 +123,13 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
     >>> coface.as_model([[0, 1, 2], [2, 3]]).f_vector
     (4, 4, 1)
     """
+    x = unwrapped(x)
     if isinstance(x, Model):
         return x
     if type(x).__module__ == "coface":
         return _of_answer(x)
+    if type(x).__module__ == "coface._buildings":
+        return _of_cell_graph(x)
     if isinstance(x, (str, os.PathLike)):
         return read(x, progress=progress)
     if isinstance(x, (bytes, bytearray, memoryview)):
@@ -130,7 +183,11 @@ def _of_answer(x: Any) -> Model:
     if isinstance(x, Interface):
         return _of_curves([curve for region in x.sets() for curve in region.curves], is_plane=False)
     if isinstance(x, Simplices):
+        if not x.is_complex:
+            _refuse_open(x)
         return x.closure().model()
+    if isinstance(x, SpatialArrangement):
+        return x.cells
     if isinstance(x, Persistence) and x.__dict__.get("recipe", ("",))[0] == "persistence":
         complex: ChainComplex = x.__dict__["recipe"][1][0]
         return complex.source if complex.source is not None else complex.model()
@@ -142,6 +199,102 @@ def _of_answer(x: Any) -> Model:
         raise_invalid(f"a {type(x).__name__} does not know its model", cure)
     made: Model = own() if callable(own) else own
     return made
+
+
+def _of_cell_graph(x: Any) -> Model:
+    """The cells of a graph as points where their centers are, and a line between cells that are adjacent."""
+    if not hasattr(x, "nodes"):
+        raise_invalid(f"a {type(x).__name__} is a part of a graph", "give the graph: arrangement.graph()")
+    places = {node.cell: place for place, node in enumerate(x.nodes)}
+    lines = [[places[cell] for cell in edge.cells] for edge in x.edges]
+    points = np.array([node.centroid for node in x.nodes], np.float64).reshape(-1, 3)
+    return Model.from_arrays(points, cells={"line": lines} if lines else None)
+
+
+def _refuse_open(x: Simplices) -> None:
+    """Says that a set of simplices is no complex, with a face that it leaves out."""
+    own = {tuple(row) for k in range(1 + (x.dimension or 0)) for row in np.asarray(x.simplices(k)).tolist()}
+    found = next(((row, row[:i] + row[i + 1 :]) for row in sorted(own) for i in range(len(row)) if len(row) > 1 and row[:i] + row[i + 1 :] not in own), None)
+    why = "" if found is None else f": it has {list(found[0])} without its face {list(found[1])}"
+    message = f"the set of simplices is no complex{why}"
+    cure = "take its closure: simplices.closure(), or the homology relative to the rest: coface.homology(s.closure(), relative=s.closure() - s)"
+    raise NotAComplexError(f"{message}; {cure}", fault=message, cure=cure, cells=[] if found is None else [list(found[0])])
+
+
+def as_drawn(x: Any, *, progress: Any = None) -> Model:
+    """As :func:`as_model`, but what can be drawn and handed to other libraries: of an arrangement in space its faces, of an open star its closure.
+
+    Examples
+    --------
+    >>> import coface
+    >>> arranged = coface.arrange(coface.generate("box", boundary=True))
+    >>> len(as_drawn(arranged).faces), len(coface.as_model(arranged).faces)
+    (12, 0)
+    """
+    x = unwrapped(x)
+    if isinstance(x, SpatialArrangement):
+        return x.model()
+    if isinstance(x, Simplices):
+        return x.closure().model()
+    return as_model(x, progress=progress)
+
+
+def as_cells(x: Any, *, progress: Any = None) -> Model:
+    """As :func:`as_model`, but with the cells that an answer counts in its ``f_vector``, and of a set of the plane the set itself: what homology and other
+    questions about cells are asked of.
+
+    Examples
+    --------
+    >>> import coface
+    >>> square = coface.polygon([[0, 0], [3, 0], [3, 3], [0, 3]], [[1, 1], [2, 1], [2, 2], [1, 2]])
+    >>> coface.homology(coface.boolean("union", square))
+    Homology(Z, Z)
+    """
+    if isinstance(x, (Congruence, PlanarArrangement, PlanarBoolean, SpatialArrangement)):
+        return x.cells
+    if isinstance(x, YinSet):
+        return _region_of(x)
+    if isinstance(x, Interface):
+        return _edges_of(x)
+    return as_model(x, progress=progress)
+
+
+def _edges_of(x: Interface) -> Model:
+    """The edges of an interface as lines, each once, which meet in its vertices; splines as chords."""
+    at = x.sample(per_piece=1 if x.order == 2 else 16)
+    points, lines = [np.asarray(x.vertices, np.float64).reshape(-1, 2)], []
+    count = len(points[0])
+    edges: list[Any] = list(x.edges)
+    for number, edge in enumerate(edges):
+        own = at["point"][at["edge"] == number][1:-1]
+        start, end = edge["ends"]
+        lines.append([start, *range(count, count + len(own)), end])
+        points.append(own)
+        count += len(own)
+    return Model.from_arrays(np.concatenate(points), cells={"polyline": lines} if lines else None)
+
+
+def _region_of(x: YinSet) -> Model:
+    """The closure of a bounded set as cells; splines as chords, and never with another topology."""
+    if not x.is_bounded:
+        raise_invalid(
+            "the set is not bounded, and has no finite cells",
+            "take its part in a box, set & box, or ask for set.betti_open, set.betti_closed, or coface.as_model(set) for its boundary",
+        )
+    if x.is_empty:
+        return Model.from_arrays(np.zeros((0, 2)))
+    found: Model = _coface.boolean("union", [_of_curves(x.curves, is_plane=False)], rule="evenodd").cells
+    groups = found.chain_complex().homology().betti_numbers
+    closed = list(x.betti_closed)
+    if [*groups, 0, 0][:2] != closed:
+        raise_invalid(
+            f"chords of the boundary have Betti numbers {list(groups)[:2]}, and the closed set has {closed}",
+            "ask for set.betti_open and set.betti_closed, which are of the splines themselves",
+        )
+    if list(x.betti_open) != closed:
+        message = f"homology is that of the closed set, with Betti numbers {closed}; the open set has {list(x.betti_open)}, where it touches itself in points"
+        warnings.warn(message, AssumptionWarning, stacklevel=4)
+    return found
 
 
 def _of_curves(curves: list[Curve], *, is_plane: bool) -> Model:
@@ -197,7 +350,7 @@ def _first_leaf(value: Any) -> Any:
 
 def geo_interface(model: Model) -> dict[str, Any]:
     """A planar model as a ``FeatureCollection`` of GeoJSON, which geopandas, shapely and others take."""
-    found: dict[str, Any] = json.loads(model.to_bytes("geojson"))
+    found: dict[str, Any] = json.loads(_coface._bytes_of(model, "geojson"))
     return found
 
 
@@ -261,7 +414,14 @@ def as_chain_complex(x: Any, *, progress: Any = None) -> ChainComplex:
     Returns
     -------
     ChainComplex
-        Its cells are named by the vertices of the model where there is one.
+        Its cells are named by the vertices of the model where there is one. Of an answer it has the cells that its ``f_vector`` counts: a
+        :class:`PlanarBoolean` is the region, a :class:`SolidBoolean` its surface (:attr:`SolidBoolean.cells` are the solid), a bounded
+        :class:`YinSet` the closed set.
+
+    Raises
+    ------
+    InvalidInputError
+        Also for a square matrix that may be the adjacency matrix of a graph.
 
     Examples
     --------
@@ -271,6 +431,10 @@ def as_chain_complex(x: Any, *, progress: Any = None) -> ChainComplex:
     """
     if isinstance(x, ChainComplex):
         return x
+    if isinstance(x, LarModel):
+        return x.chain_complex(progress=progress)
+    if hasattr(x, "tocsc"):
+        _refuse_graph(x)
     x = plain(x) if not hasattr(x, "tocsc") else [x]
     if isinstance(x, (list, tuple)) and len(x) and hasattr(x[0], "tocsc"):
         return ChainComplex.from_boundaries(list(x))
@@ -280,7 +444,23 @@ def as_chain_complex(x: Any, *, progress: Any = None) -> ChainComplex:
         return networkx.to_chain_complex(x)
     if isinstance(x, Complex):
         return x.chain_complex(progress=progress)
-    return as_model(x, progress=progress).chain_complex(progress=progress)
+    return as_cells(x, progress=progress).chain_complex(progress=progress)
+
+
+def _refuse_graph(matrix: Any) -> None:
+    """Refuses a sparse matrix that may be the boundary matrix of edges, or the adjacency matrix of a graph."""
+    rows, columns = matrix.shape
+    found = matrix.tocoo()
+    is_off = (found.row != found.col) & (found.data != 0)
+    if rows != columns or not is_off.any():
+        return
+    is_symmetric = (matrix != matrix.T).nnz == 0
+    is_of_lengths = not (found.data < 0).any() and not found.data[found.row == found.col].any()
+    if is_symmetric or is_of_lengths:
+        raise_invalid(
+            f"a square matrix of shape {(rows, columns)} may be a boundary matrix or the adjacency matrix of a graph",
+            "say which: coface.ChainComplex.from_boundaries([matrix]), or networkx.from_scipy_sparse_array(matrix)",
+        )
 
 
 @in_words
@@ -312,4 +492,7 @@ def as_surface(x: Any, *, boundary: bool = False, progress: Any = None) -> Surfa
     """
     if isinstance(x, Surface) and not boundary:
         return x
-    return Surface(as_model(x, progress=progress), boundary=boundary, progress=progress)
+    if isinstance(x, PlanarBoolean):
+        # Polygons with holes as triangles.
+        return Surface(Model.from_bytes(x.to_bytes("obj"), "obj"), progress=progress)
+    return Surface(as_drawn(x, progress=progress), boundary=boundary, progress=progress)

@@ -49,7 +49,7 @@ def plot(
         * a list of a model and answers about it, harmonic forms among them;
         * :class:`CutCells`: the part of each cell that is covered;
         * a :class:`ChainComplex` or a sparse matrix: where the entries are, one panel a degree;
-        * a :class:`Persistence`, or an array ``(n, 2)`` of births and deaths: a diagram;
+        * a :class:`Persistence`, what :func:`extended_persistence` gives, or an array ``(n, 2)`` of births and deaths: a diagram;
         * a :class:`PlanarArrangement` or :class:`PlanarBoolean`: each bounded face in a color of its own;
         * a :class:`YinSet`: the set filled, positive and negative curves, kinks as dots;
         * an :class:`Interface`: each bounded phase in a color of its own, junctions as dots.
@@ -90,6 +90,8 @@ def plot(
         return _chain_complex(pyplot, x, ax, title)
     if hasattr(x, "tocoo"):
         return _titled(_matrix(_flat_axes(pyplot, ax), x), title)
+    if isinstance(x, dict) and "extended+" in x:
+        return _titled(_diagram(_flat_axes(pyplot, ax), _extended(x)), title)
     if isinstance(x, np.ndarray) and x.ndim == 2 and x.shape[1] == 2 and x.dtype.kind == "f":
         return _titled(_diagram(_flat_axes(pyplot, ax), {0: x}), title)
     if kind in FLAT:
@@ -366,6 +368,13 @@ def _chain_complex(pyplot: Any, complex: Any, ax: Any, title: str | None) -> lis
     if title is not None:
         every[0].figure.suptitle(title)
     return every
+
+
+def _extended(found: dict[str, Any]) -> dict[int, NDArray[np.float64]]:
+    """Births and deaths of extended persistence by degree, of all kinds together."""
+    pairs = [pair for kind in ("ordinary", "relative", "extended+", "extended-") for pair in found[kind]]
+    degrees = range(1 + max((degree for degree, _ in pairs), default=0))
+    return {k: np.array([ends for degree, ends in pairs if degree == k], np.float64).reshape(-1, 2) for k in degrees}
 
 
 def _diagram(axes: Any, persistence: Any) -> Any:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+import struct
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
@@ -27,7 +28,7 @@ from coface._coface import (
     SolidBoolean,
     SpatialArrangement,
 )
-from coface._models import as_chain_complex, as_model, as_surface
+from coface._models import as_cells, as_chain_complex, as_drawn, as_model, as_surface, unwrapped
 from coface._records import asked
 from coface._volumes import voxel_rule
 from coface._faults import in_words
@@ -36,7 +37,7 @@ from coface._faults import in_words
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-    from coface._types import SurfacePart
+    from coface._types import ComparedWalk, SurfacePart
 
 
 @in_words
@@ -134,7 +135,7 @@ def cohomology(
 def _chains(x: Any, relative: Any, domain: Any, reduced: bool, progress: Any) -> ChainComplex:
     if relative is None and domain is None and not reduced:
         return as_chain_complex(x, progress=progress)
-    model = as_model(x, progress=progress)
+    model = as_cells(x, progress=progress)
     part = relative if _are_groups(model, relative) else part_of(model, relative)
     return model.chain_complex(part, domain=domain, reduced=reduced, progress=progress)
 
@@ -228,8 +229,39 @@ def pi1(
     ['Z/2']
     """
     return _coface.fundamental_groups(
-        as_model(x), simplify=simplify, base=base, time_limit=time_limit, progress=progress
+        as_cells(x), simplify=simplify, base=base, time_limit=time_limit, progress=progress
     )
+
+
+@in_words
+def homotopic(x: Any, walks: Sequence[Any], *, boundary: bool = False, progress: Any = False) -> list[ComparedWalk]:
+    """Which closed walks on a surface can be contracted, which bound, and which are homotopic to each other.
+
+    Parameters
+    ----------
+    x
+        Anything that :func:`as_surface` understands.
+    walks
+        Closed paths of vertices along edges, the first one again at the end.
+    boundary
+        Whether the boundary surface of a volume is meant.
+    progress
+        As for :func:`homology`.
+
+    Returns
+    -------
+    list of dict
+        For each walk ``contractible``, ``bounds``, ``class``, ``component``, ``word``, ``homotopic`` and ``freely_homotopic`` (numbers of other walks that
+        are).
+
+    Examples
+    --------
+    >>> import coface
+    >>> loop, face = coface.homotopic(coface.generate("rp2"), [[0, 1, 3, 0], [0, 1, 2, 0]])
+    >>> [loop["contractible"], face["contractible"]].count(True)
+    1
+    """
+    return as_surface(x, boundary=boundary, progress=progress).compare(walks, progress=progress)
 
 
 @in_words
@@ -494,19 +526,25 @@ def incidence(
            [1, 0, 1],
            [1, 1, 0]], dtype=int32)
     """
-    lar = LarModel(as_model(x, progress=progress), progress=progress)
+    lar = x if isinstance(x, LarModel) else LarModel(as_cells(x, progress=progress), progress=progress)
     return lar.incidence(operator, kind, at_least=at_least, exactly=exactly, progress=progress)
 
 
-def _inputs(inputs: tuple[Any, ...]) -> Any:
+def _inputs(inputs: tuple[Any, ...], as_input: Callable[[Any], Model] = as_drawn) -> Any:
     """The models of the inputs, with names where they come in a dictionary."""
+    inputs = tuple(map(unwrapped, inputs))
     if len(inputs) == 1 and isinstance(inputs[0], Mapping) and not _is_json(inputs[0]):
-        return {str(name): as_model(x) for name, x in inputs[0].items()}
+        return {str(name): as_input(x) for name, x in inputs[0].items()}
     if len(inputs) == 1 and hasattr(inputs[0], "__next__"):
         inputs = (list(inputs[0]),)
     if len(inputs) == 1 and isinstance(inputs[0], (list, tuple)) and not _is_one_model(inputs[0]):
         inputs = tuple(inputs[0])
-    return [as_model(x) for x in inputs]
+    return [as_input(x) for x in inputs]
+
+
+def _as_solid(x: Any) -> Model:
+    """As :func:`as_drawn`, but of an arrangement in space its cells, where it has some: their union."""
+    return x.cells if isinstance(x, SpatialArrangement) and len(x) else as_drawn(x)
 
 
 def _is_one_model(x: Any) -> bool:
@@ -573,7 +611,7 @@ def congruence(
     """
     found: Congruence = asked(
         "congruence",
-        _inputs(inputs),
+        _inputs(inputs, as_model),
         tolerance,
         greedy=greedy,
         representative=representative,
@@ -786,7 +824,7 @@ def boolean(
     found: PlanarBoolean | SolidBoolean = asked(
         "boolean",
         operation,
-        _inputs(models),
+        _inputs(models, _as_solid),
         dimension=dimension,
         rule=rule,
         features=features,
@@ -884,7 +922,8 @@ def persistence(
     x
         Anything that :func:`as_chain_complex` understands. A ``SimplexTree`` of gudhi brings its own values.
     vertex_values
-        A number for each vertex of `x` by its id, an array of shape ``(n,)``: a cell comes with its last vertex.
+        A number for each vertex of `x` by its id, an array of shape ``(n,)``, or a coordinate by its name, ``"x"``, ``"y"`` or ``"z"``: a cell
+        comes with its last vertex.
     cell_values
         For each degree a number for each cell, an array of shape ``(cells,)``; NaN where a cell comes as late as its cofaces allow.
     coefficients
@@ -939,6 +978,18 @@ def persistence(
     return found
 
 
+def _coordinate(values: Any, x: Any) -> Any:
+    """The coordinate of this name at each vertex of a model; values as they are."""
+    if not isinstance(values, str):
+        return values
+    if values not in ("x", "y", "z"):
+        raise_invalid(f"the values are {values!r}", 'give "x", "y" or "z", or a number for each vertex')
+    points, axis = as_cells(x).vertices, "xyz".index(values)
+    if points is None or np.shape(points)[1] <= axis:
+        raise_invalid(f"the vertices of the model have no coordinate {values}", "give a number for each vertex")
+    return np.asarray(points)[:, axis]
+
+
 @in_words
 def extended_persistence(
     x: Any,
@@ -955,7 +1006,7 @@ def extended_persistence(
     x
         Anything that :func:`as_chain_complex` understands.
     vertex_values
-        A number for each vertex of `x` by its id, an array of shape ``(n,)``.
+        A number for each vertex of `x` by its id, an array of shape ``(n,)``, or ``"x"``, ``"y"`` or ``"z"``.
     coefficients
         A prime field: ``"f2"``, ``"f3"``, ...
     least
@@ -1876,7 +1927,7 @@ def _intervals(x: Any, name: str) -> NDArray[np.float64]:
 
 def _at_vertices(values: Any, x: Any, complex: ChainComplex) -> NDArray[np.float64]:
     """Values by the ids of vertices, in the order of the cells of degree 0."""
-    found = numbers(values, "vertex_values")
+    found = numbers(_coordinate(values, x), "vertex_values")
     ids = np.asarray(complex.simplices(0)).reshape(-1)
     wanted = 1 + int(ids.max(initial=-1))
     # A file may have vertices that nothing uses.
@@ -1905,37 +1956,46 @@ def _at_cells(values: Any, degree: int, complex: ChainComplex) -> NDArray[np.flo
 
 @in_words
 def polygon(*rings: Any) -> Model:
-    """A polygon of the plane with holes as a model of closed lines: input of :func:`boolean` and :func:`arrange`.
+    """A polygon of the plane with holes, as WKT and shapely have it: input of :func:`boolean`, :func:`arrange` and :mod:`coface.maps`.
 
     Parameters
     ----------
     *rings
-        Arrays ``(n, 2)`` of points, the first one not repeated: the outer ring, then holes.
+        Arrays ``(n, 2)`` of points: the outer ring, then holes. The first point may stand at the end again.
 
     Returns
     -------
     Model
-        A closed line for each ring.
+        A closed line for each ring, which knows that it is a ring of the polygon: holes are subtracted.
 
     Raises
     ------
     InvalidInputError
-        For a ring of fewer than three points.
+        For a ring of fewer than three points, or with a coordinate that is not finite.
 
     Examples
     --------
     >>> import coface
     >>> ring = coface.polygon([[0, 0], [3, 0], [3, 3], [0, 3]], [[1, 1], [2, 1], [2, 2], [1, 2]])
-    >>> coface.boolean("union", ring, rule="evenodd").measure
+    >>> coface.boolean("union", ring).measure
     8.0
     """
-    points = [np.asarray(ring, np.float64).reshape(-1, 2) for ring in rings]
-    for number, ring in enumerate(points):
+    if not rings:
+        return Model.from_arrays(np.zeros((0, 2)))
+    content = [struct.pack("<BII", 1, 3, len(rings))]
+    for number, given in enumerate(rings):
+        ring = numbers(given, f"the points of ring {number}")
+        if ring.size and (ring.ndim != 2 or ring.shape[1] != 2):
+            raise_invalid(f"ring {number} of the polygon has the shape {ring.shape}", "give an array of shape (n, 2): a row for each point")
+        if not np.isfinite(ring).all():
+            raise_invalid(f"ring {number} of the polygon has a coordinate that is not finite", "give finite coordinates")
+        if len(ring) > 3 and (ring[0] == ring[-1]).all():
+            ring = ring[:-1]
         if len(ring) < 3:
             raise_invalid(
                 f"ring {number} of the polygon has {len(ring)} {'point' if len(ring) == 1 else 'points'}",
                 "give three or more, or a line as coface.Model.from_arrays(points, cells={'polyline': [[0, 1]]})",
             )
-    starts = np.cumsum([0, *map(len, points)])
-    lines = [[*range(start, start + len(ring)), start] for start, ring in zip(starts, points)]
-    return Model.from_arrays(np.concatenate(points) if points else np.zeros((0, 2)), cells={"polyline": lines})
+        closed = np.concatenate([ring, ring[:1]])
+        content.append(struct.pack("<I", len(closed)) + closed.astype("<f8").tobytes())
+    return Model.from_bytes(b"".join(content), "wkb")

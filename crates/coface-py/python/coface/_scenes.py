@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from coface._arrays import Points, ragged, raise_invalid
-from coface._coface import Model
-from coface._models import as_model
+from coface._coface import ChainComplex, Model
+from coface._models import as_drawn
 from coface._shown import Facts, Shown, _flat, _on_edges, _one, is_answer, is_space
 from coface.interop import adapter_of
 
@@ -60,12 +60,32 @@ def several(x: Any) -> list[Named] | None:
     flat = _listed(x)
     if not isinstance(x, (list, tuple)) or not any(is_answer(one) or _is_foreign(one) for one in flat):
         return None
+    flat = _without_chains(flat)
     if sum(map(is_space, flat)) < 2:
         return None
     count, found = 0, []
     for one in flat:
         count += is_space(one)
         found.append((f"model {max(count, 1)}", one))
+    return found
+
+
+def _without_chains(flat: list[Any]) -> list[Any]:
+    """Without chain complexes of models that are shown too; one that has no positions is refused beside others."""
+    models = [one for one in flat if isinstance(one, Model)]
+    found = []
+    for one in flat:
+        if not isinstance(one, ChainComplex):
+            found.append(one)
+            continue
+        if one.source is None and sum(map(is_space, flat)) < 2:
+            found.append(one)
+            continue
+        if one.source is None:
+            raise_invalid("a chain complex without a model has nothing to be shown beside others", "show its matrices alone: coface.render(complex)")
+        if one.source not in models:
+            found.append(one.source)
+            models.append(one.source)
     return found
 
 
@@ -95,7 +115,7 @@ def together(named: list[Named], results: list[Any]) -> Shown:
             if name in names:
                 raise_invalid(f"there are two models called {name!r}", "give each model a name of its own")
             names.append(name)
-            models.append(as_model(one))
+            models.append(as_drawn(one))
             continue
         part = _one(one)
         if name not in names and part.model is not None and not name.startswith("model "):

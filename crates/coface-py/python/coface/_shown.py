@@ -27,7 +27,7 @@ from coface._coface import (
     Verdict,
     YinSet,
 )
-from coface._models import as_model
+from coface._models import as_drawn, unwrapped
 from coface._records import facts_of
 
 #: Facts over a model in the words of the program's JSON, as :func:`coface.page` and :func:`coface.render` take them.
@@ -87,6 +87,7 @@ def shown(x: Any, results: Any = None) -> Shown:
     """
     from coface import _scenes
 
+    x = unwrapped(x)
     several = _scenes.several(x)
     if several is not None:
         return _scenes.together(several, [] if results is None else _flat(results))
@@ -95,9 +96,16 @@ def shown(x: Any, results: Any = None) -> Shown:
     extra = [] if results is None else [_result(one) for one in _flat(results)]
     given = [one for one in (_flat(x) if listed else [x]) if is_space(one)]
     models = [part.model for part in parts + extra if part.model is not None]
-    own = as_model(given[0]) if given and not isinstance(given[0], ChainComplex) else None
+    own = as_drawn(given[0]) if given and not isinstance(given[0], ChainComplex) else None
     model = own if own is not None else next(iter(models), None)
+    # Answers about the cells of an arrangement or a region are shown over these: what is drawn of it has other vertices.
+    of_cells = next((part.model for part in parts + extra if part.facts and part.model is not None and part.model.structure == "chains"), None)
+    if own is None and of_cells is not None and of_cells != model:
+        parts = [part if part.model is None or part.model == of_cells else Shown(None) for part in parts]
+        model = of_cells
     together = Shown(model, [fact for part in parts + extra for fact in part.facts])
+    if model is None and any(isinstance(fact.get("harmonic"), np.ndarray) for fact in together.facts):
+        raise_invalid("harmonic forms in an array do not know their model", "give both: coface.view([model, forms], path)")
     if model is not None:
         together.facts = [_on_edges(fact, model) for fact in together.facts]
     return together
@@ -157,17 +165,17 @@ def _one(x: Any) -> Shown:
         is_plain = len(ragged(model.faces)[1]) - 1 == len(x.measures) > 0
         return Shown(model, [{"measures": x.measures, "inside": x.inside}] if is_plain else [])
     if isinstance(x, YinSet):
-        return Shown(as_model(x), [{"curves": x.curve_facts}] if x.curve_facts else [])
+        return Shown(as_drawn(x), [{"curves": x.curve_facts}] if x.curve_facts else [])
     if isinstance(x, Verdict):
         return Shown(None, [{"simplices": x.cells}] if x.cells else [])
     if isinstance(x, Simplices):
         cells = [row for k in range(1 + (-1 if x.dimension is None else x.dimension)) for row in lists(*ragged(x.simplices(k)))]
-        return Shown(as_model(x), [{"simplices": [row.tolist() for row in cells]}] if cells else [])
+        return Shown(as_drawn(x), [{"simplices": [row.tolist() for row in cells]}] if cells else [])
     if isinstance(x, CutCells):
         return Shown(cells_of(x))
     if isinstance(x, ChainComplex):
         return Shown(x.source if x.source is not None else x.model())
-    return Shown(as_model(x))
+    return Shown(as_drawn(x))
 
 
 def _generators(found: list[Generator], by_degree: list[list[Generator]], is_cohomology: bool) -> Shown:

@@ -62,6 +62,8 @@ def page(
     >>> '"name":"ring"' in text, '"name":"ball"' in text
     (True, True)
     """
+    if isinstance(x, dict) and "extended+" in x and not results:
+        return _extended_page(x, title or "extended persistence")
     together = shown(x, results)
     members = colored(together.members, colors)
     if together.model is None and is_answer(x) and (not together.facts or isinstance(x, Persistence) and not results):
@@ -70,6 +72,18 @@ def page(
         return f"<!doctype html><html><head><meta charset=\"utf-8\"><title>{name}</title></head><body><h1>{name}</h1>{body}</body></html>"
     texts = [json.dumps(fact) for fact in together.facts]
     return _coface._page(together.scene(), title or "model", texts, report, members, progress)
+
+
+def _extended_page(found: dict[str, Any], title: str) -> str:
+    """A page with the table of extended persistence."""
+    rows = "".join(
+        f"<tr><td>{kind}</td><td>{degree}</td><td>{birth:g}</td><td>{death:g}</td></tr>"
+        for kind in ("ordinary", "relative", "extended+", "extended-")
+        for degree, (birth, death) in found[kind]
+    )
+    name = html.escape(title)
+    head = "<tr><th>kind</th><th>degree</th><th>birth</th><th>death</th></tr>"
+    return f'<!doctype html><html><head><meta charset="utf-8"><title>{name}</title></head><body><h1>{name}</h1><table>{head}{rows}</table></body></html>'
 
 
 @in_words

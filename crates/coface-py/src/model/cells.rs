@@ -1,7 +1,7 @@
 //! Cells by kind, as users give them.
 
 use crate::arrays;
-use crate::errors::invalid;
+use crate::errors::{self, invalid};
 use crate::memory::shared_ids;
 use coface::algebra::RaggedArray;
 use coface::complexes::cell_mesh::CellShape;
@@ -96,6 +96,69 @@ pub(super) fn model_of_parts(
         lines,
         parts.points,
     )
+}
+
+/// Refuses rows of four vertices that are tetrahedra: most of their points are far from one plane, and two rows have three vertices in
+/// common. Where no rows have, a warning says what is assumed.
+pub(super) fn refuse_tetrahedra(
+    py: Python<'_>,
+    positions: Option<&Positions>,
+    faces: &RaggedArray,
+) -> PyResult<()> {
+    let Some(positions) = positions.filter(|positions| positions.dimension() == 3) else { return Ok(()) };
+    let is_row = |list: &[u32]| list.len() == 4 && list.iter().all(|&id| (id as usize) < positions.len());
+    if faces.is_empty() || !faces.iter().all(is_row) {
+        return Ok(());
+    }
+    let bent = faces.iter().filter(|list| steepness(positions, list) > BENT).count();
+    if 2 * bent <= faces.len() {
+        return Ok(());
+    }
+    let mut triples: Vec<[u32; 3]> = Vec::with_capacity(4 * faces.len());
+    for list in faces.iter() {
+        for left_out in 0..4 {
+            let mut triple = [1, 2, 3].map(|step| list[(left_out + step) % 4]);
+            triple.sort_unstable();
+            triples.push(triple);
+        }
+    }
+    triples.sort_unstable();
+    let is_shared = triples.windows(2).any(|pair| pair[0] == pair[1]);
+    let steep = faces.iter().filter(|list| steepness(positions, list) > STEEP).count();
+    if !is_shared {
+        return match 2 * steep > faces.len() {
+            true => errors::warn(
+                py,
+                "rows of 4 vertices that are far from flat are read as quadrangles: tetrahedra are cells={\"tetra\": rows}, quadrangles cells={\"quad\": rows}",
+            ),
+            false => Ok(()),
+        };
+    }
+    let first = faces.iter().find(|list| steepness(positions, list) > BENT).unwrap_or_default();
+    let message = format!(
+        "faces has rows of 4 vertices that may be tetrahedra or quadrangles: {bent} of {} are far from flat, the first one {first:?}, and rows have three vertices in common",
+        faces.len()
+    );
+    let cure =
+        "say which: coface.Model.from_arrays(vertices, cells={\"tetra\": rows}) or cells={\"quad\": rows}";
+    Err(invalid(py, message, cure))
+}
+
+/// Rows, more than half of which are farther from flat than this, are no quadrangles if they share triangles.
+const BENT: f64 = 0.02;
+/// The same for a warning where they share none.
+const STEEP: f64 = 0.3;
+
+/// How far four points are from one plane: the volume of the parallelepiped of three edges, divided by the product of their lengths.
+fn steepness(positions: &Positions, list: &[u32]) -> f64 {
+    let point = |corner: usize| positions.point(VertexId::from_u32(list[corner]));
+    let origin = point(0);
+    let edge = |corner: usize| [0, 1, 2].map(|axis| point(corner)[axis] - origin[axis]);
+    let [a, b, c] = [edge(1), edge(2), edge(3)];
+    let cross = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
+    let volume: f64 = a.iter().zip(cross).map(|(x, y)| x * y).sum();
+    let lengths: f64 = [a, b, c].iter().map(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt()).product();
+    if lengths > 0.0 { volume.abs() / lengths } else { 0.0 }
 }
 
 /// The name of a kind of things in Python's words.

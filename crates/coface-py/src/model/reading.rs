@@ -1,13 +1,14 @@
 //! Models from files.
 
 use super::Model;
-use crate::errors::{self, OrRaise};
+use crate::errors::{self, OrRaise, wrong_type};
+use crate::target::name_of;
 use crate::work::run;
 use coface::io;
 use coface::io::{Format, ReadOptions};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 pub(crate) fn format_of(py: Python<'_>, format: Option<&str>) -> PyResult<Option<Format>> {
     format.map(|name| Format::from_name(name).or_raise(py)).transpose()
@@ -81,8 +82,8 @@ pub(crate) fn entries(py: Python<'_>, path: PathBuf, format: Option<&str>) -> Py
 ///
 /// Parameters
 /// ----------
-/// path : str or os.PathLike
-///     The file. One model of several is ``file.json#name``: see :func:`entries`.
+/// path : str, os.PathLike or file
+///     The file, or one that is open for reading. One model of several is ``file.json#name``: see :func:`entries`.
 /// format : str, optional
 ///     The format, such as ``"off"``, if it is not to be found out.
 /// flatten : float, optional
@@ -124,7 +125,7 @@ pub(crate) fn entries(py: Python<'_>, path: PathBuf, format: Option<&str>) -> Py
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn read(
     py: Python<'_>,
-    path: PathBuf,
+    path: &Bound<'_, PyAny>,
     format: Option<&str>,
     flatten: Option<f64>,
     lod: Option<f64>,
@@ -136,5 +137,30 @@ pub(crate) fn read(
 ) -> PyResult<Model> {
     let options = read_options(py, format, flatten, (strict, partial, allow_outside))?.lod(lod);
     let options = options.pseudomanifold(pseudomanifold);
+    let Ok(path) = path.extract::<PathBuf>() else {
+        return of_open_file(py, path, options, format, progress);
+    };
     warned(py, run(py, progress, || io::read_path_with(&path, &options))?)
+}
+
+/// Reads a model from a file that is open: its format is found in its content, else in its name.
+fn of_open_file(
+    py: Python<'_>,
+    file: &Bound<'_, PyAny>,
+    options: ReadOptions,
+    format: Option<&str>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Model> {
+    if !file.hasattr("read")? {
+        let message = format!("a {} is no file", file.get_type().name()?);
+        return Err(wrong_type(py, message, "give a path, or a file that is open for reading"));
+    }
+    let data = file.call_method0("read")?;
+    let named = name_of(file).and_then(|name| Format::from_path(Path::new(&name)));
+    match (from_bytes(py, &data, options, progress), named) {
+        (Err(_), Some(named)) if format.is_none() => {
+            from_bytes(py, &data, options.format(Some(named)), progress)
+        }
+        (read, _) => read,
+    }
 }

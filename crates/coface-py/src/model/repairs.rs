@@ -6,7 +6,7 @@ use coface::answers::{RepairRequest, SurfaceRepair, SurfaceRepairRequest, repair
 use coface::complexes::surface::FacesAtEdge;
 use coface::io::Model;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyTuple};
 
 pub(super) fn request(
     py: Python<'_>,
@@ -56,4 +56,13 @@ pub(super) fn counts<'py>(py: Python<'py>, done: &SurfaceRepair) -> PyResult<Bou
         dict.set_item(key, count)?;
     }
     Ok(dict)
+}
+
+/// A tuple with names, of a class of Python.
+pub(super) fn named<'py>(
+    py: Python<'py>,
+    class: &str,
+    parts: impl IntoPyObject<'py, Target = PyTuple, Output = Bound<'py, PyTuple>, Error = PyErr>,
+) -> PyResult<Bound<'py, PyAny>> {
+    py.import("coface._models")?.getattr(class)?.call1(parts.into_pyobject(py)?)
 }

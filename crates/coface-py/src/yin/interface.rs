@@ -12,6 +12,7 @@ use crate::errors::{self, OrRaise, invalid};
 use crate::model::Model;
 use crate::objects::to_python;
 use crate::pictures::flat_file;
+use crate::target::Target;
 use crate::work::run;
 use coface::answers::answer::{
     InterfacePoint, YinInterfaceAnswer, YinInterfaceEventAnswer, YinLocation, to_json,
@@ -156,9 +157,9 @@ answer! { Interface {
         })
     }
 
-    /// Writes the interface to a ``.json`` file, with the control points of all edges.
-    fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        run(py, None, || io::replace_file(&path, |out| Ok(writeln!(out, "{}", to_json(&self.answer))?)))
+    /// Writes the interface to a ``.json`` file, by its path or open for writing, with the control points of all edges.
+    fn write(&self, py: Python<'_>, path: &Bound<'_, PyAny>) -> PyResult<()> {
+        Target::of(path)?.write(py, None, |out| Ok(writeln!(out, "{}", to_json(&self.answer))?))
     }
 
     /// The phase with this name, or with this number if none has the name, as a set.

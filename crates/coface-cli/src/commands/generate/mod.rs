@@ -6,7 +6,6 @@ mod parts;
 mod scene;
 
 use crate::arguments::{Common, format_of_name};
-use crate::commands::convert::losses_of;
 use crate::failure::Failure;
 use crate::output::{print_bytes, print_json, print_text};
 use crate::progress::Progress;
@@ -14,6 +13,7 @@ use crate::remarks::say_remarks;
 use crate::target::unknown_extension;
 use clap::{Args, Subcommand};
 use coface::answers::answer::GenerateAnswer;
+use coface::answers::losses_of;
 use coface::answers::text;
 use coface::complexes::families::FamilyModel;
 use coface::io;

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-#: The first part of a class's module, and the file here that reads it.
+#: The first part of a class's module, or its first two parts, and the file here that reads it.
 ADAPTERS = {
     "gudhi": "gudhi",
     "ifcopenshell": "ifcopenshell",
@@ -21,6 +21,7 @@ ADAPTERS = {
     "open3d": "open3d",
     "pymeshlab": "pymeshlab",
     "pyvista": "pyvista",
+    "scipy.spatial": "scipy",
     "vtkmodules": "pyvista",
     "shapely": "shapely",
     "topologic_core": "topologic",
@@ -36,9 +37,10 @@ def adapter_of(value: Any) -> ModuleType | None:
     if isinstance(value, np.ndarray):
         return None
     for base in type(value).__mro__:
-        root = str(getattr(base, "__module__", "")).partition(".")[0]
-        if root in ADAPTERS:
-            return importlib.import_module(f"coface.interop.{ADAPTERS[root]}")
+        module = str(getattr(base, "__module__", ""))
+        for name in (module.partition(".")[0], ".".join(module.split(".")[:2])):
+            if name in ADAPTERS:
+                return importlib.import_module(f"coface.interop.{ADAPTERS[name]}")
     return None
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from coface._coface import Model
+from coface._coface import Model, _bytes_of
 from coface.interop import needed
 
 
@@ -27,7 +27,7 @@ def to_model(value: Any) -> Model:
 def from_model(model: Model) -> Any:
     """A model as a geometry of shapely: polygons with holes, lines and points, in one collection if there are several kinds. shapely has no surfaces in space: their faces are polygons."""
     library = needed("shapely", "to_shapely")
-    found = [library.from_wkb(_known(line)) for line in model.to_bytes("hex").decode().splitlines() if line]
+    found = [library.from_wkb(_known(line)) for line in _bytes_of(model, "hex").decode().splitlines() if line]
     return found[0] if len(found) == 1 else library.GeometryCollection(found)
 
 

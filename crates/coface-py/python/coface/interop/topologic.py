@@ -57,11 +57,11 @@ def to_models(topology: Any) -> dict[str, Model]:
 
 def from_arrangement_or_model(x: Any, tolerance: float) -> Any:
     """The cells of an arrangement as a CellComplex, or a closed model as a Cell; see :func:`coface.to_topologic`."""
-    from coface._models import as_model
+    from coface._models import as_drawn
 
     cells = _module("Cell").Cell
     if not isinstance(x, SpatialArrangement):
-        return cells.ByFaces(_faces(as_model(x)), tolerance=tolerance)
+        return cells.ByFaces(_faces(as_drawn(x)), tolerance=tolerance)
     functions, dictionaries = _module("Topology").Topology, _module("Dictionary").Dictionary
     model, graph = x.model(triangles=False), x.graph()
     faces = _faces(model)

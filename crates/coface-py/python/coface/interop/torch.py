@@ -9,7 +9,7 @@ import numpy as np
 from coface._arrays import raise_invalid
 from coface._coface import Complex, Model
 from coface._faults import in_words
-from coface._models import as_model
+from coface._models import as_drawn
 from coface.interop import needed
 from coface.interop.sparse import coo, csr
 
@@ -50,7 +50,7 @@ def data(x: Any) -> Any:
         Anything that :func:`coface.as_model` understands.
     """
     library, geometric = needed("torch", "coface.interop.torch"), needed("torch_geometric.data", "coface.interop.torch")
-    model: Model = x.model() if isinstance(x, Complex) else as_model(x)
+    model: Model = x.model() if isinstance(x, Complex) else as_drawn(x)
     pairs = np.asarray(model.edges, np.int64).reshape(-1, 2)
     both = np.concatenate([pairs, pairs[:, ::-1]]).T
     made = geometric.Data(edge_index=library.from_numpy(np.ascontiguousarray(both)), num_nodes=max(model.vertex_count, int(pairs.max(initial=-1)) + 1))

@@ -31,7 +31,7 @@ def to_model(value: Any) -> Model:
     if hasattr(value, "geometry") and hasattr(value, "graph"):
         return to_model(value.to_geometry() if hasattr(value, "to_geometry") else value.dump(concatenate=True))
     if hasattr(value, "faces"):
-        return Model.from_arrays(np.asarray(value.vertices), np.asarray(value.faces))
+        return _of_triangles(np.asarray(value.vertices, np.float64), np.asarray(value.faces, np.int64))
     if hasattr(value, "entities"):
         walks = [np.asarray(entity.nodes).reshape(-1, 2) for entity in value.entities]
         pairs = np.concatenate(walks) if walks else np.zeros((0, 2), np.int64)
@@ -39,6 +39,19 @@ def to_model(value: Any) -> Model:
     if hasattr(value, "vertices"):
         return Model.from_arrays(np.asarray(value.vertices))
     raise_invalid(f"trimesh's {type(value).__name__} is no mesh, scene, drawing or point cloud", "give one of those")
+
+
+def _of_triangles(points: Any, faces: Any) -> Model:
+    """A mesh of triangles; one with a face that repeats a vertex, or with a coordinate that is not finite, as a file of it is read, with its warnings."""
+    rows = np.sort(faces, axis=1)
+    if np.isfinite(points).all() and not (rows[:, 1:] == rows[:, :-1]).any():
+        return Model.from_arrays(points, faces)
+    header = f"ply\nformat binary_little_endian 1.0\nelement vertex {len(points)}\n"
+    header += "".join(f"property double {axis}\n" for axis in "xyz")
+    header += f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n"
+    table = np.zeros(len(faces), np.dtype([("count", "u1"), ("corners", "<i4", 3)]))
+    table["count"], table["corners"] = 3, faces
+    return Model.from_bytes(header.encode() + points.astype("<f8").tobytes() + table.tobytes(), "ply")
 
 
 def from_model(model: Model, **options: Any) -> Any:
