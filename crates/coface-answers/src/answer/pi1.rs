@@ -39,7 +39,7 @@ pub struct Pi1Component {
     pub relators: Vec<Vec<i32>>,
     /// The abelianization, which agrees with the first homology.
     pub abelianization: GroupAnswer,
-    /// The group in words; `null` if it is not recognized, which says nothing.
+    /// The group in words, or by a presentation in standard form; `null` if it is not recognized, which says nothing.
     pub name: Option<String>,
     /// Why there is no name; absent with one.
     #[serde(skip_serializing_if = "Option::is_none", default)]

@@ -19,8 +19,9 @@ use std::time::Duration;
 ///
 /// A relator is a list of letters: +i is generator i, -i its inverse, and the product of the letters is the unit. The
 /// abelianization is checked against H_1. The group is named when it can be proved which one it is: "trivial", "Z/5",
-/// "Z^3", "Free(4)", "orientable surface group of genus 2", "Q8", "SL(2,5)", "Z/2 * Z/2", ...; else the name is null, which
-/// says nothing.
+/// "Z^3", "Free(4)", "orientable surface group of genus 2", "Q8", "SL(2,5)", "Z/2 * Z/2", ...; of a closed
+/// 3-manifold with a name the group follows from that, in standard form: "<x1, x2, x3, h | h central, x1^2 h, ...>". Else the name is null,
+/// and "unrecognized" says why.
 ///
 /// The verbs loops, cycles, homotopic and subgroups answer one question each about such groups.
 #[derive(Args)]
