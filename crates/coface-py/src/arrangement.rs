@@ -11,7 +11,7 @@ use crate::solid_boolean::{Combined, solid_result};
 use crate::source::Source;
 use crate::spatial_arrangement::{Arranged, SpatialArrangement};
 use crate::spatial_request::{precision_of, spatial_request};
-use crate::target::{Target, warn_all};
+use crate::target::{Target, warn_all, warn_of_assumptions};
 use crate::work::run;
 use coface::answers::answer::{
     PlanarArrangementAnswer, PlanarBooleanAnswer, SolidBooleanAnswer, SolidBooleanProvenance,
@@ -174,6 +174,7 @@ pub(crate) fn arrange<'py>(
             let answer = arranged.answer()?;
             Ok((arranged, answer))
         })?;
+        warn_of_assumptions(py, &answer.remarks)?;
         return Ok(Bound::new(py, PlanarArrangement { arranged, answer })?.into_any());
     }
     if prune {
@@ -203,6 +204,7 @@ pub(crate) fn arrange<'py>(
                 Ok((arranged, answer))
             })?;
             let arranged = Arranged::Exact(Box::new(arranged));
+            warn_of_assumptions(py, &answer.remarks)?;
             return Ok(Bound::new(py, SpatialArrangement { arranged, rule, answer, exact })?.into_any());
         }
         let (arranged, answer) = run(py, None, || {
@@ -210,6 +212,7 @@ pub(crate) fn arrange<'py>(
             Ok((glued, answer))
         })?;
         let arranged = Arranged::Congruent(Box::new(arranged));
+        warn_of_assumptions(py, &answer.remarks)?;
         return Ok(Bound::new(py, SpatialArrangement { arranged, rule, answer, exact })?.into_any());
     }
     let request = spatial_request(snap, tolerance, max_cells, split, merge_coplanar, precision);
@@ -223,6 +226,7 @@ pub(crate) fn arrange<'py>(
     })?;
     let rule = rule.unwrap_or_default();
     let arranged = Arranged::Exact(Box::new(arranged));
+    warn_of_assumptions(py, &answer.remarks)?;
     Ok(Bound::new(py, SpatialArrangement { arranged, rule, answer, exact })?.into_any())
 }
 
@@ -417,6 +421,7 @@ pub(crate) fn boolean<'py>(
             RegionBoolean::new(drawing, &formula(operation, count)?, &request)
         })?;
         let answer = result.answer();
+        warn_of_assumptions(py, &answer.remarks)?;
         return Ok(Bound::new(py, PlanarBoolean { result, answer })?.into_any());
     }
     refuse_planar(py, grid, close)?;

@@ -5,7 +5,7 @@ use crate::errors::OrRaise;
 use crate::model::Model;
 use crate::objects::{text_of, to_python};
 use crate::spatial_arrangement::{write_model, written_bytes};
-use crate::target::Target;
+use crate::target::{Target, warn_of_assumptions};
 use crate::work::run;
 use coface::answers::answer::{SolidBooleanAnswer, SolidBooleanProvenance};
 use coface::answers::{CongruentBoolean, CongruentScene, SceneArrangement, SolidBoolean, SolidRequest};
@@ -141,6 +141,7 @@ pub(crate) fn solid_result(
         SolidRequest,
     ),
 ) -> PyResult<Bound<'_, PyAny>> {
+    warn_of_assumptions(py, &answer.remarks)?;
     let result = SolidBooleanResult {
         answer,
         provenance,

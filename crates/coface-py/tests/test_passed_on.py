@@ -385,3 +385,19 @@ def test_graphs_and_extended_persistence_are_shown(tmp_path):
     pytest.importorskip("matplotlib")
     assert coface.plot(found).get_xlabel() == "birth"
     assert coface.plot(graph) is not None
+
+
+def test_what_is_assumed_of_inputs_is_a_warning():
+    bow = coface.polygon([[0, 0], [2, 2], [2, 0], [0, 2]])
+    for ask in (coface.arrange, lambda x: coface.boolean("union", x)):
+        with pytest.warns(coface.AssumptionWarning, match="crosses itself"):
+            ask(bow)
+    with pytest.warns(coface.AssumptionWarning, match="not inside of its outer ring"):
+        coface.boolean("union", coface.polygon(SHELL, [[6, 0], [7, 0], [7, 1]]))
+    bent = coface.Model([[0, 0, 0], [1, 0, 0], [1, 1, 0.1], [0, 1, 0]], [[0, 1, 2, 3]])
+    with pytest.warns(coface.AssumptionWarning):
+        coface.arrange(bent)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        coface.boolean("union", coface.polygon(SHELL, HOLE))
+        coface.arrange(coface.generate("box", boundary=True))

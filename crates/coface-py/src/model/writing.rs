@@ -28,7 +28,7 @@ pub(super) fn write(
     };
     let model = run(py, None, || made::writable(model, Some(to)))?;
     warn_all(py, &losses_of(&model, to))?;
-    target.write(py, progress, |out| io::write(&*model, out, to))
+    target.write(py, progress, |out| io::write(&model, out, to))
 }
 
 /// A model as the bytes of a file.
