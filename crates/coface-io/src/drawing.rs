@@ -84,6 +84,8 @@ pub(super) struct Drawing {
     /// How much had been drawn before that feature, and how many features have drawn nothing.
     drawn_before: usize,
     empty_features: usize,
+    /// Whether these are told where others are drawn.
+    tells_empty: bool,
     /// The features without names that have lines, and whether the next such line is of another one.
     feature_count: i64,
     begins_feature: bool,
@@ -160,6 +162,11 @@ impl Drawing {
         self.descriptions.push(properties, id);
         self.is_described = true;
         self.drawn_before = self.drawn();
+    }
+
+    /// Features without a geometry are told, also where others have one.
+    pub(super) fn tell_empty_features(&mut self) {
+        self.tells_empty = true;
     }
 
     fn drawn(&self) -> usize {
@@ -384,7 +391,7 @@ impl Drawing {
     pub(super) fn finish(mut self) -> Result<Model, Error> {
         self.begin_feature(None);
         let faces = self.space_faces();
-        if self.empty_features > 0 {
+        if self.empty_features > 0 && (self.tells_empty || self.drawn() == 0) {
             let message = match self.empty_features {
                 1 => "1 feature has no geometry, and nothing is drawn for it".to_owned(),
                 count => format!("{count} features have no geometry, and nothing is drawn for them"),

@@ -49,7 +49,8 @@ pub(super) fn is_table(start: &[u8]) -> bool {
 /// # Errors
 /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) with the line for a row with fewer or more entries than the first, for a quote that is not closed and for a
 /// geometry that is none; those of [`wkt::read`].
-pub(super) fn read<R: Read>(scanner: Scanner<R>, drawing: Drawing) -> Result<Drawing, Error> {
+pub(super) fn read<R: Read>(scanner: Scanner<R>, mut drawing: Drawing) -> Result<Drawing, Error> {
+    drawing.tell_empty_features();
     let mut records = Records { scanner, line: 0, record: Vec::new() };
     let mut table = Table { form: None, names: None, width: 0, drawing };
     // Rows before the first with a geometry; the first of all has the names.
@@ -197,7 +198,7 @@ fn form_of(record: &[u8]) -> Option<Form> {
 
 /// Whether the quotes of a row are closed.
 fn is_whole(record: &[u8]) -> bool {
-    memchr::memchr_iter(b'"', record).count() % 2 == 0
+    memchr::memchr_iter(b'"', record).count().is_multiple_of(2)
 }
 
 /// The entries of a row, without their quotes. Delimiters within the parentheses of a geometry are its own.

@@ -7,7 +7,7 @@ use coface_geometry::{AxisBox, BoxTree, Positions, enclosed_volume};
 /// The faces to be turned so that closed parts of an oriented surface in space look outwards: those of parts whose signed volume is negative.
 /// A part whose box lies in that of another closed part turns as that one does, so that voids stay voids.
 ///
-/// Parts hang together through edges in two faces; those that are open, or whose faces do not agree, stay as they are.
+/// Parts are connected through edges in two faces; those that are open, or whose faces do not agree, stay as they are.
 ///
 /// # Complexity
 /// $O(n \log n)$ for parts whose boxes lie in few others.
