@@ -1,5 +1,6 @@
 //! What models draw in the plane: segments, rings, polygons and regions.
 
+use super::chain_faces::{ChainFaces, has_faces};
 use super::drawing_options::DrawingOptions;
 use super::exact::{ExactPart, points_rounded};
 use super::properties::DrawnFeatures;
@@ -57,6 +58,8 @@ pub struct PlanarDrawing {
     pub(super) features: DrawnFeatures,
     /// The lines that end where they begin and bound nothing.
     pub(super) closed_line_count: usize,
+    /// The segments of exact models that have one thing on both sides: no lines of their own.
+    pub(super) shared_segment_count: usize,
     /// The number of points of their own.
     pub(super) point_count: usize,
     /// Those of the models.
@@ -161,7 +164,8 @@ impl PlanarDrawing {
     /// The drawing of models with their names.
     ///
     /// Lines, then the sides of the polygons, are the segments of a model, in its order. A polygon with holes (rings of GeoJSON,
-    /// WKT, SVG) is one polygon, a polygon of a mesh is another.
+    /// WKT, SVG) is one polygon, a polygon of a mesh is another, and so is a face of a chain complex with positions, whose edges that are
+    /// in no face come first.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] with the name of a model that does not lie in the plane, has 3-cells or no positions;
@@ -311,9 +315,11 @@ impl PlanarDrawing {
     ) -> Result<(), Error> {
         let source = options.source;
         if let Some(exact) = model.exact_segments() {
+            let is_of_lines =
+                matches!(model.structure(), Some(Structure::Chains(complex)) if !has_faces(complex));
             let rounds = match source {
                 _ if options.rounds_exact => Some("it is taken as a map"),
-                _ if source == RegionSource::Models || model.structure().is_some() => None,
+                _ if source == RegionSource::Models || is_of_lines => None,
                 _ => Some("its parts are inputs of their own"),
             };
             match rounds {
@@ -404,21 +410,24 @@ impl PlanarDrawing {
             }
             self.features.extend_to(self.segments.len(), described);
         }
-        if let Some(Structure::Chains(complex)) = model.structure()
-            && let Some(edges) = complex.boundary_matrix(1)
-        {
-            for (edge, column) in edges.columns().enumerate() {
-                let ends: Vec<(usize, i32)> = column.iter().collect();
-                let (from, to) = match ends[..] {
-                    [(a, -1), (b, 1)] | [(b, 1), (a, -1)] => (a as u32, b as u32),
-                    _ => {
-                        return Err(Error::invalid(format!(
-                            "edge e{edge} does not run from one vertex to another"
-                        ))
-                        .with_cure("give each edge the coefficients -1 and 1 on its two ends"));
-                    }
-                };
-                self.path(first, [from, to].into_iter(), NO_RING)?;
+        if let Some(Structure::Chains(complex)) = model.structure() {
+            let chains = ChainFaces::new(complex)?;
+            for (ends, _) in chains.edges.iter().zip(&chains.is_side).filter(|(_, is_side)| !**is_side) {
+                self.path(first, ends.iter().copied(), NO_RING)?;
+            }
+            for own in chains.faces.iter() {
+                let corner = own.first().map(|&own| chains.loops.list(own as usize)[0]);
+                let label = corner.and_then(|corner| labels.name_at(corner));
+                let region = regions.region_of(self, label.as_deref(), None);
+                self.regions[region as usize].is_empty &= own.is_empty();
+                let filling = Filling::OuterWithoutHoles;
+                self.polygons.push(Polygon { region, feature: NO_FEATURE, filling, number: polygon_number });
+                polygon_number += 1;
+                for &own in own {
+                    let ring = self.begin_ring(false);
+                    let corners = chains.loops.list(own as usize);
+                    self.path(first, corners.iter().chain(corners.first()).copied(), ring)?;
+                }
             }
         }
         self.features.extend_to(self.segments.len(), NO_FEATURE);
@@ -639,7 +648,8 @@ impl PlanarDrawing {
     /// What is said where parts of a drawing bound nothing, and where a rule does not apply.
     pub(super) fn remarks_of_lines(&self, rule: Option<InsideRule>, is_region: bool) -> Vec<Remark> {
         let mut remarks = Vec::new();
-        let (count, closed) = (self.unbounded_segment_count(), self.closed_line_count);
+        let count = self.unbounded_segment_count() - self.shared_segment_count;
+        let closed = self.closed_line_count;
         if count > 0 && is_region {
             let cure = match closed {
                 0 => String::new(),
@@ -854,6 +864,16 @@ impl<'a> ShapeLabels<'a> {
             }
         }
     }
+
+    /// The name of what has a vertex, where components are regions.
+    fn name_at(&self, vertex: u32) -> Option<String> {
+        match self {
+            Self::Components { of_vertices, file } => {
+                Some(format!("{file}#{}", of_vertices[vertex as usize]))
+            }
+            _ => None,
+        }
+    }
 }
 
 /// The connected component of each vertex: vertices at one place are one, and the rings of a polygon with holes are
@@ -883,11 +903,26 @@ fn connected_vertices(model: &Model) -> Vec<u32> {
             }
         }
     }
+    let mut edges: Vec<u32> = Vec::new();
+    if let Some(Structure::Chains(complex)) = model.structure()
+        && let Some(matrix) = complex.boundary_matrix(1)
+    {
+        for column in matrix.columns() {
+            let mut ends = column.iter().map(|(vertex, _)| vertex as u32);
+            if let Some(first) = ends.next() {
+                for end in ends {
+                    vertices.unite(first, end);
+                }
+                edges.push(first);
+            }
+        }
+    }
     let classes = vertices.class_numbers();
     let mut numbers: BTreeMap<u32, u32> = BTreeMap::new();
-    for list in model.lines().iter().chain(model.polygons().iter()) {
+    let firsts = model.lines().iter().chain(model.polygons().iter()).map(|list| list[0]);
+    for first in firsts.chain(edges) {
         let next = numbers.len() as u32;
-        numbers.entry(classes[list[0] as usize]).or_insert(next);
+        numbers.entry(classes[first as usize]).or_insert(next);
     }
     classes.iter().map(|class| numbers.get(class).copied().unwrap_or_default()).collect()
 }

@@ -40,8 +40,8 @@ impl PlanarDrawing {
         PlanarArrangement::with_exact(&self.positions, &self.segments, &places, options)
     }
 
-    /// Adds a model by its exact segments: lines, of which those that are not shared bound a region if an even number of them ends
-    /// everywhere.
+    /// Adds a model by its exact segments: those that are not shared bound a region if an even number of them ends everywhere. Of a
+    /// model of faces these are what bounds all of them together.
     pub(super) fn add_exact(
         &mut self,
         name: &str,
@@ -68,6 +68,7 @@ impl PlanarDrawing {
             ExactPlace { first_point: first as usize, first_segment: start, segments: Arc::clone(exact) };
         let place_numbers = exact.place_numbers();
         let own = &exact.pieces()[..exact.own_count()];
+        self.shared_segment_count += exact.pieces().len() - own.len();
         let mut degrees = vec![0usize; place_numbers.len()];
         own.iter()
             .flat_map(|piece| piece.ends)
@@ -230,7 +231,8 @@ impl Numbers {
 impl DrawingArrangement {
     /// The edges as they are before coordinates are rounded, for [`Model::with_exact_segments`]: none unless
     /// [`ArrangementRequest::exact`](super::ArrangementRequest::exact) asks for them, or if vertices were moved, as within a tolerance or on a
-    /// grid. Edge e is piece e, and vertices have their numbers.
+    /// grid. Edge e is piece e, and vertices have their numbers. Files of JSON have these pieces in another order: first the edges with a
+    /// bounded face on one side alone, since the faces of a file are inside of it.
     ///
     /// # Errors
     /// [`ErrorKind::TooLarge`] beyond 2^31 points.

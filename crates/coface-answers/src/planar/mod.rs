@@ -11,7 +11,7 @@
 //! [`MergedProperties`](coface_io::geojson::MergedProperties) says what becomes of different values.
 //!
 //! Lines of maps (WKT, WKB, GeoJSON) bound nothing, closed or not, unless closed ones are to be rings
-//! ([`DrawingOptions::close_lines`]). Another model without polygons, such as a file of segments, whose lines end nowhere (an even number of them at every
+//! ([`DrawingOptions::close_lines`]). Faces of a chain complex with positions are polygons, which together are a region. Another model without polygons, such as a file of segments, whose lines end nowhere (an even number of them at every
 //! point) is a region: what its lines enclose an odd number of times, whatever the rule is.
 
 mod arrangement;
@@ -19,6 +19,7 @@ mod attributes;
 mod boolean;
 mod canonical;
 mod certificate;
+mod chain_faces;
 mod containment;
 mod crossings;
 mod crowd;

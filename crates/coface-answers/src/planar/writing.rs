@@ -58,7 +58,7 @@ impl DrawingArrangement {
             Format::Json => {
                 let (complex, refinement) = arrangement.ball_complex()?;
                 let mut model = Model::from_chains(complex, positions)?.with_refinement(refinement)?;
-                if let Some(exact) = self.exact_segments()? {
+                if let Some(exact) = self.exact_segments_of_faces()? {
                     model = model.with_exact_segments(exact.into());
                 }
                 return io::write(&model, out, format);

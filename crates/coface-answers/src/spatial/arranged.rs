@@ -4,16 +4,19 @@ use super::{SpatialRequest, SpatialScene};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, EdgeId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
-use coface_arrange::JoinedFeatures;
 use coface_arrange::spatial::{
     BallComplex, BallRules, Crossings, ExactPolygons, SpatialArrangement, SpatialOptions, SplitPolygon,
 };
-use coface_geometry::Positions;
+use coface_arrange::{CoordinatePrecision, JoinedFeatures};
+use coface_geometry::{Positions, frame_around};
 use std::sync::OnceLock;
 
 /// Where rounding an arrangement does not come to an end, features of the inputs are put together that are so many units of the
 /// last digit apart.
 const UNITS_OF_ROUNDING: [f64; 3] = [32.0, 128.0, 512.0];
+
+/// Numbers of 32 bits are too coarse for a result of which they move points by this part of the extent.
+const COARSE_PART: f64 = 1e-3;
 
 /// The cells that the polygons of a scene cut space into.
 ///
@@ -54,6 +57,7 @@ impl Arranged {
                 }
                 other => other?,
             };
+            refuse_coarse(&arrangement, request)?;
         }
         Self::of(scene, arrangement)
     }
@@ -64,7 +68,9 @@ impl Arranged {
             .merge_coplanar(request.merge_coplanar)
             .max_cells(request.max_cells)
             .precision(request.precision);
-        Self::of(scene, self.arrangement.snapped(&options)?)
+        let arrangement = self.arrangement.snapped(&options)?;
+        refuse_coarse(&arrangement, request)?;
+        Self::of(scene, arrangement)
     }
 
     /// The scene with features put together that are some units of the last digit apart; none where that does not come to an
@@ -87,6 +93,7 @@ impl Arranged {
             let found = SpatialArrangement::new(&polygons, &options)?;
             let is_settled = found.joined().is_some_and(|joined| joined.unsettled == 0);
             if is_settled && found.is_exactly_rounded() {
+                refuse_coarse(&found, request)?;
                 return Self::of(scene, found).map(Some);
             }
         }
@@ -280,6 +287,26 @@ impl Arranged {
     pub(super) fn split_polygons(&self) -> &[SplitPolygon] {
         self.arrangement.split_polygons()
     }
+}
+
+/// Refuses numbers of 32 bits where rounding to them changes the shape: it moved points by more than a part of the extent.
+fn refuse_coarse(arrangement: &SpatialArrangement, request: &SpatialRequest) -> Result<(), Error> {
+    let moved = arrangement.joined().map_or(0.0, |joined| joined.largest_movement);
+    let points = arrangement.positions().as_flat().as_chunks::<3>().0;
+    let frame = frame_around(points.len(), |point| points[point].map(|x| [x; 2]));
+    let extent = frame.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
+    if request.precision == CoordinatePrecision::Double || request.tolerance.is_some() {
+        return Ok(());
+    }
+    if moved <= COARSE_PART * extent {
+        return Ok(());
+    }
+    let fault = format!(
+        "numbers of 32 bits, as STL has, are too coarse here: points would move by {moved:.1e} beside an extent of {extent:.1e}"
+    );
+    Err(Error::new(ErrorKind::UnsupportedFormat, fault).with_cure(
+        "write .off or .obj, which have numbers of 64 bits, or move the model near the origin first",
+    ))
 }
 
 /// An edge between two drawn vertices.

@@ -157,8 +157,14 @@ impl<'a> SolidBoolean<'a> {
             return Err(Error::invalid("pinches cannot be split while walls are kept")
                 .with_cure("ask for one of both; cells that touch are told apart by walls"));
         }
-        let membership =
-            inputs.membership(scene, arranged, request.rule, request.open, &arrangement.request)?;
+        let membership = inputs.membership(
+            scene,
+            arranged,
+            request.rule,
+            request.open,
+            &arrangement.request,
+            |input| request.formula.names(input),
+        )?;
         let complex = arranged.complex();
         let selection =
             CellSelection::by_membership(complex.cell_count(3), &request.formula, |cell, input| {

@@ -3,6 +3,7 @@
 use super::boolean::{EXTERIOR, sides_of_faces};
 use super::facts::{
     component_count, dangling_face_count, input_answers, products_are_zero, remarks_of_inputs,
+    remarks_of_vanished,
 };
 use super::inputs::{Inputs, Membership};
 use super::models::{NO_CELL, group_names};
@@ -471,8 +472,14 @@ impl CongruentScene {
     ///
     /// # Errors
     /// `NotACycle` naming an input that is open, if these are refused.
-    pub(super) fn membership(&self, rule: InsideRule, open: OpenInputs) -> Result<Membership, Error> {
-        self.inputs.membership_or(rule, open, |input, rim| {
+    pub(super) fn membership(
+        &self,
+        rule: InsideRule,
+        open: OpenInputs,
+        is_used: impl Fn(usize) -> bool,
+    ) -> Result<Membership, Error> {
+        let is_part = |input: usize| self.scene.is_named_part(input);
+        self.inputs.membership_or(rule, open, (is_used, is_part), |input, rim| {
             let edges = text::count(rim.ridges().len(), "edge");
             let error = match rim.is_even() {
                 true => Error::new(ErrorKind::NotACycle, format!("polygons do not agree in direction across {edges}"))
@@ -540,6 +547,7 @@ impl CongruentScene {
             remarks.push(Remark::new(RemarkCode::RoundedInvalid, message).at(crossings.count, points));
         }
         remarks.extend(self.collapsed());
+        remarks.extend(remarks_of_vanished(&self.inputs, files));
         remarks.extend(remarks_of_inputs(files, rule));
         remarks
     }

@@ -73,7 +73,8 @@ impl<'a> CongruentBoolean<'a> {
             return Err(Error::invalid("pinches of cells that are glued cannot be split")
                 .with_cure("ask for it without congruence, or leave it out"));
         }
-        let membership = arrangement.membership(request.rule, request.open)?;
+        let membership =
+            arrangement.membership(request.rule, request.open, |input| request.formula.names(input))?;
         let complex = arrangement.complex();
         let selection =
             CellSelection::by_membership(complex.cell_count(3), &request.formula, |cell, input| {

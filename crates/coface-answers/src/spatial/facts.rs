@@ -2,7 +2,7 @@
 
 use super::inputs::Inputs;
 use super::{InputState, SpatialScene};
-use crate::answer::{Place, Remark, RemarkCode, SpatialInput};
+use crate::answer::{InsideMethod, Place, Remark, RemarkCode, SpatialInput};
 use crate::text;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, UnionFind};
@@ -84,7 +84,21 @@ pub(super) fn input_answers(scene: &SpatialScene, inputs: &Inputs) -> Vec<Spatia
     scene.names().iter().enumerate().map(file).collect()
 }
 
-/// Which inputs are inside out, and which overlap themselves.
+/// Which inputs enclose nothing, since their polygons cancel each other.
+pub(super) fn remarks_of_vanished(inputs: &Inputs, files: &[SpatialInput]) -> Vec<Remark> {
+    let vanished = files.iter().zip(&inputs.vanishes);
+    let vanished = vanished.filter(|(file, vanishes)| **vanishes && file.closed && file.polygons > 0);
+    let remark = |(file, _): (&SpatialInput, &bool)| {
+        let message = format!(
+            "{} encloses nothing: each of its faces is there as often in one direction as in the other, or has no area",
+            file.label()
+        );
+        Remark::new(RemarkCode::EmptyInput, message).at(file.polygons, [Place::file(&file.file)])
+    };
+    vanished.map(remark).collect()
+}
+
+/// Which inputs are inside out, which overlap themselves, and of which the inside is found by parity.
 pub(super) fn remarks_of_inputs(files: &[SpatialInput], rule: InsideRule) -> Vec<Remark> {
     let mut remarks = Vec::new();
     for file in files.iter().filter(|file| file.reversed_cells > 0) {
@@ -96,6 +110,23 @@ pub(super) fn remarks_of_inputs(files: &[SpatialInput], rule: InsideRule) -> Vec
             Remark::new(RemarkCode::ReversedInput, message)
                 .at(file.reversed_cells, [Place::file(&file.file)]),
         );
+    }
+    let by_parity = |file: &&SpatialInput| {
+        rule != InsideRule::Odd && !file.coherent && file.inside_by == Some(InsideMethod::Parity)
+    };
+    let by_parity: Vec<&SpatialInput> = files.iter().filter(by_parity).collect();
+    if let Some(first) = by_parity.first() {
+        let others = match by_parity.len() {
+            1 => String::new(),
+            count => format!(", and so of {} more", text::count(count - 1, "input")),
+        };
+        let message = format!(
+            "{}: polygons do not agree in direction across {}{others}: inside is what they enclose an odd number of times",
+            first.label(),
+            text::count(first.rim_edges, "edge")
+        );
+        let places = by_parity.iter().map(|file| Place::file(&file.file));
+        remarks.push(Remark::new(RemarkCode::ReversedInput, message).at(by_parity.len(), places));
     }
     for file in files.iter().filter(|file| rule == InsideRule::Nonzero && file.overlapping_cells > 0) {
         let message = format!(

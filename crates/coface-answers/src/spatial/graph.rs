@@ -35,8 +35,14 @@ impl SceneArrangement {
     /// # Ok(()) }
     /// ```
     pub fn graph(&self, rule: InsideRule) -> Result<CellGraph, Error> {
-        let membership =
-            self.inputs.membership(&self.scene, &self.arranged, rule, OpenInputs::Empty, &self.request)?;
+        let membership = self.inputs.membership(
+            &self.scene,
+            &self.arranged,
+            rule,
+            OpenInputs::Empty,
+            &self.request,
+            |_| true,
+        )?;
         let parts = CellParts {
             names: self.scene.names(),
             volumes: self.volumes(),

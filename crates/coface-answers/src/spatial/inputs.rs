@@ -43,6 +43,8 @@ pub enum OpenInputs {
 /// The models as chains of faces.
 #[derive(Clone, Debug)]
 pub(super) struct Inputs {
+    /// Whether no face is left of an input in the sum of its polygons.
+    pub(super) vanishes: Vec<bool>,
     rims: Vec<Option<InputRim>>,
     /// Zero around all cells for models that are not closed.
     winding: WindingNumbers,
@@ -101,7 +103,8 @@ impl Inputs {
             true => Some(WindingNumbers::parities(complex, &with(&is_even)?)?),
             false => None,
         };
-        Ok(Self { rims, winding, parities })
+        let vanishes = chains.columns().take(count).map(|column| column.iter().next().is_none()).collect();
+        Ok(Self { vanishes, rims, winding, parities })
     }
 
     pub(super) fn state(&self, input: usize) -> InputState {
@@ -132,20 +135,27 @@ impl Inputs {
         rule: InsideRule,
         open: OpenInputs,
         request: &SpatialRequest,
+        is_used: impl Fn(usize) -> bool,
     ) -> Result<Membership, Error> {
-        self.membership_or(rule, open, |input, rim| refusal(scene, input, rim, arranged, request))
+        let is_part = |input: usize| scene.is_named_part(input);
+        let refused = |input: usize, rim: &InputRim| refusal(scene, input, rim, arranged, request);
+        self.membership_or(rule, open, (is_used, is_part), refused)
     }
 
     /// The same where models that have no inside contain nothing.
     pub(super) fn membership_of_closed(&self, rule: InsideRule) -> Membership {
         let none = |input, _: &InputRim| Error::invalid(format!("input {input} is open"));
-        self.membership_or(rule, OpenInputs::Empty, none).expect("open inputs are empty here")
+        self.membership_or(rule, OpenInputs::Empty, (|_| true, |_| false), none)
+            .expect("open inputs are empty here")
     }
 
+    /// The same with what is refused of an input that is used and has no inside; of a part of a model the inside is found by parity
+    /// where its polygons do not agree in direction, as those of a cell whose faces other cells have too.
     pub(super) fn membership_or(
         &self,
         rule: InsideRule,
         open: OpenInputs,
+        (is_used, is_part): (impl Fn(usize) -> bool, impl Fn(usize) -> bool),
         refused: impl Fn(usize, &InputRim) -> Error,
     ) -> Result<Membership, Error> {
         let cell_count = self.winding.cell_count();
@@ -157,13 +167,14 @@ impl Inputs {
         }
         for (input, rim) in self.rims.iter().enumerate() {
             let Some(rim) = rim else { continue };
-            let by_parity = rim.is_even() && (rule == InsideRule::Odd || open == OpenInputs::Empty);
+            let by_parity =
+                rim.is_even() && (rule == InsideRule::Odd || open == OpenInputs::Empty || is_part(input));
             if let Some(parities) = self.parities.as_ref().filter(|_| by_parity) {
                 let is_odd = |cell: &u32| parities.number(CellId::from_u32(*cell), input) != 0;
                 pairs.extend((0..cell_count as u32).filter(is_odd).map(|cell| (cell, input as u32)));
                 continue;
             }
-            if open == OpenInputs::Refuse {
+            if open == OpenInputs::Refuse && is_used(input) {
                 return Err(refused(input, rim));
             }
         }
@@ -214,14 +225,16 @@ fn refusal(
     } else {
         (
             format!("the surface is not closed: it is open along {count}; a walk along {edges}: {walk}"),
-            match (scene.closing_weld(input), scene.closing_tolerance(input, request)) {
-                (Some(radius), _) => format!(
+            match scene.closing_weld(input) {
+                Some(radius) => format!(
                     "merge vertices that nearly coincide (--weld {radius:.2e}), or close its mouths with patches (--open close)"
                 ),
-                (None, Some(tolerance)) => format!(
-                    "put together what nearly coincides (--tolerance {tolerance:.0e}), or close its mouths with patches (--open close)"
-                ),
-                (None, None) => "close it, or have its mouths closed with patches (--open close)".to_owned(),
+                None => match scene.closing_tolerance(input, request) {
+                    Some(tolerance) => format!(
+                        "put together what nearly coincides (--tolerance {tolerance:.0e}), or close its mouths with patches (--open close)"
+                    ),
+                    None => "close it, or have its mouths closed with patches (--open close)".to_owned(),
+                },
             },
         )
     };

@@ -16,8 +16,17 @@ use coface_geometry::{AxisBox, BoxTree, cross, dot};
 const MOST_VERTICES: usize = 256;
 /// For a rim of more vertices no tolerance is looked for.
 const MOST_NEAR: usize = 1 << 12;
+/// For a rim of more vertices radii are tried, each so many times the one before, instead of the distances of all pairs.
+const MOST_PAIRS: usize = 1 << 9;
+const RADIUS_STEP: f64 = 8.0;
+/// The least radius that is tried, as a part of the extent, and to which part of itself one is found.
+const LEAST_PART: f64 = 1e-14;
+const RADIUS_PART: f64 = 1.05;
 /// A gap is a mouth, not a crack, from this part of the extent on.
 const CRACK_PART: f64 = 1e-3;
+
+/// An input of fewer polygons may be all mouths, as two triangles that touch.
+const LEAST_POLYGONS: usize = 8;
 
 type Point = [f64; 3];
 
@@ -34,7 +43,8 @@ impl SpatialScene {
     /// Patches are numbered after the polygons of their file.
     ///
     /// # Errors
-    /// [`ErrorKind::TooLarge`] for 2^32 or more corners.
+    /// [`ErrorKind::NotACycle`] for an input of polygons that hardly share a side, so that patches would cover them and enclose
+    /// nothing; [`ErrorKind::TooLarge`] for 2^32 or more corners.
     ///
     /// # Complexity
     /// $O(n \log n)$ for n corners, and $O(k^3)$ for a rim of k vertices, up to 256.
@@ -66,6 +76,7 @@ impl SpatialScene {
             let mut sides: Vec<[u32; 2]> = own.iter().map(|side| side.1).collect();
             let edges = sides.len();
             let walks = closed_walks(&mut sides);
+            self.refuse_loose_polygons(input, walks.len())?;
             let mut triangles = Vec::new();
             walks.iter().for_each(|walk| self.triangulate(walk, &mut triangles));
             let mut area = 0.0;
@@ -102,6 +113,25 @@ impl SpatialScene {
         Ok(())
     }
 
+    /// Refuses to close an input that is nothing but mouths: patches would cover its polygons, and enclose nothing.
+    fn refuse_loose_polygons(&self, input: u32, mouth_count: usize) -> Result<(), Error> {
+        let is_own = |polygon: &usize| self.input_of_polygon[*polygon] == input && !self.is_wall[*polygon];
+        let own = (0..self.first_patch.unwrap_or(self.polygon_count())).filter(is_own).count();
+        if own < LEAST_POLYGONS || mouth_count < own.div_ceil(2) {
+            return Ok(());
+        }
+        let fault = format!(
+            "{own} polygons have {mouth_count} mouths, since they hardly share a side: patches would cover them and enclose nothing"
+        );
+        let error = Error::new(ErrorKind::NotACycle, fault).in_file(self.label(input as usize));
+        Err(match self.weld_of(input as usize) {
+            Some(radius) => {
+                error.with_cure(format!("merge vertices that nearly coincide (--weld {radius:.2e})"))
+            }
+            None => error.with_cure("give a mesh whose polygons share their sides"),
+        })
+    }
+
     /// The tolerance, to one digit, with which an open input is closed; none if there is none that is small beside the
     /// input.
     pub(super) fn closing_tolerance(&self, input: usize, request: &SpatialRequest) -> Option<f64> {
@@ -134,20 +164,27 @@ impl SpatialScene {
     }
 
     /// The least radius within which vertices have to be merged, as [`welded`](crate::welded) does, so that an open input is
-    /// closed, to three digits; none if none closes it that is small beside the input.
+    /// closed, to three digits, or to two for rims of many vertices; none if none closes it that is small beside the input.
+    ///
+    /// # Complexity
+    /// $O(n \log n)$ for n points of the file, a bounded number of times.
     pub(super) fn closing_weld(&self, input: usize) -> Option<f64> {
-        if self.first_patch.is_some() {
-            return None;
-        }
+        if self.first_patch.is_some() { None } else { self.weld_of(input) }
+    }
+
+    fn weld_of(&self, input: usize) -> Option<f64> {
         let is_own = |other: u32| other as usize == input;
         let mut vertices: Vec<u32> =
             self.rims(&self.classes_of_points(), is_own).iter().map(|side| side.1[0]).collect();
         vertices.sort_unstable();
         vertices.dedup();
-        if vertices.len() > MOST_NEAR {
-            return None;
-        }
         let crack = CRACK_PART * self.extent();
+        let closes = |radius: f64| {
+            self.welded_points(input, radius).is_ok_and(|class| self.rims(&class, is_own).is_empty())
+        };
+        if vertices.len() > MOST_PAIRS {
+            return least_radius(LEAST_PART * self.extent(), crack, closes);
+        }
         let mut gaps: Vec<f64> = Vec::new();
         for (place, &a) in vertices.iter().enumerate() {
             let near = vertices[place + 1..].iter().map(|&b| {
@@ -159,9 +196,6 @@ impl SpatialScene {
         gaps.sort_by(f64::total_cmp);
         gaps.dedup();
         let radii: Vec<f64> = gaps.iter().map(|&gap| rounded_up(gap, 3)).collect();
-        let closes = |radius: f64| {
-            self.welded_points(input, radius).is_ok_and(|class| self.rims(&class, is_own).is_empty())
-        };
         // What closes it at some radius does so at longer ones, unless features vanish.
         let least = radii.partition_point(|&radius| !closes(radius));
         radii.get(least).copied().filter(|&radius| closes(radius))
@@ -330,6 +364,27 @@ impl SpatialScene {
         };
         (0..3).map(axis).fold(0.0, f64::max)
     }
+}
+
+/// A radius that closes, and is hardly longer than the least one, between two bounds: what closes at some radius does so at longer ones.
+fn least_radius(least: f64, most: f64, closes: impl Fn(f64) -> bool) -> Option<f64> {
+    let (mut low, mut high) = (least, least);
+    while !closes(high) {
+        if high >= most {
+            return None;
+        }
+        (low, high) = (high, (high * RADIUS_STEP).min(most));
+    }
+    while high > RADIUS_PART * low {
+        let middle = (low * high).sqrt();
+        if closes(middle) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    let rounded = rounded_up(high, 2);
+    closes(rounded).then_some(rounded)
 }
 
 fn minus(a: Point, b: Point) -> Point {

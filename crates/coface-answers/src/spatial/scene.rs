@@ -12,7 +12,7 @@ use coface_arrange::spatial::{ExactPolygons, NonPlanar, SpatialPolygons};
 use coface_complexes::cell_mesh::CellMesh;
 use coface_geometry::Positions;
 use coface_geometry::predicates::SpatialPoint;
-use coface_io::{GroupKind, Model, StatedSurfaces, Structure};
+use coface_io::{Format, GroupKind, Model, StatedSurfaces, Structure};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -366,6 +366,11 @@ impl SpatialScene {
         self.parts.push((number, part));
     }
 
+    /// Whether an input is a part of a model that has a name there: some of its polygons may be of other parts as well.
+    pub(super) fn is_named_part(&self, input: usize) -> bool {
+        self.parts[input].1.is_some() || self.file(input).1.contains('#')
+    }
+
     /// The number and the name of the model that an input is of.
     fn file(&self, input: usize) -> (usize, &str) {
         let file = self.parts[input].0 as usize;
@@ -635,6 +640,29 @@ impl SpatialScene {
         self.source != RegionSource::Models
     }
 
+    /// That a file of this format has no names of inputs, where parts of models are inputs and it keeps none.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{RegionSource, SpatialScene};
+    /// use coface_io::Format;
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\no peak\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), Format::Obj)?;
+    /// let scene = SpatialScene::with_inputs([("a.obj", &solid)], RegionSource::Objects, true)?;
+    /// assert!(scene.name_loss(Format::Off).is_some() && scene.name_loss(Format::Obj).is_none());
+    /// # Ok(()) }
+    /// ```
+    pub fn name_loss(&self, format: Format) -> Option<Remark> {
+        let keeps_names = matches!(format, Format::Obj | Format::Msh | Format::Medit);
+        if keeps_names || !self.has_parts() {
+            return None;
+        }
+        let (title, count) = (format.title(), self.names.len());
+        let message = format!("a file of {title} does not keep the names of inputs: {count} left out");
+        Some(Remark::new(RemarkCode::FormatKeepsLess, message).at(count, []))
+    }
+
     /// What makes an input.
     ///
     /// # Examples
@@ -844,7 +872,7 @@ fn too_large() -> Error {
 }
 
 /// Directed edges that close up, as walks that pass no vertex twice.
-pub(super) fn closed_walks(sides: &mut [[u32; 2]]) -> RaggedArray {
+pub(crate) fn closed_walks(sides: &mut [[u32; 2]]) -> RaggedArray {
     sides.sort_unstable();
     let mut is_used = vec![false; sides.len()];
     let mut walks = RaggedArray::new();

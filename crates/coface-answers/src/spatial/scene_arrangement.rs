@@ -4,6 +4,7 @@ use super::arranged::Arranged;
 use super::enclosed::turned_parts;
 use super::facts::{
     component_count, dangling_face_count, input_answers, input_state, products_are_zero, remarks_of_inputs,
+    remarks_of_vanished,
 };
 use super::inputs::Inputs;
 use super::{InputState, OpenInputs, SpatialRequest, SpatialScene};
@@ -390,8 +391,14 @@ impl SceneArrangement {
     /// ```
     pub fn answer(&self, rule: InsideRule) -> Result<SpatialArrangementAnswer, Error> {
         let complex = self.complex();
-        let membership =
-            self.inputs.membership(&self.scene, &self.arranged, rule, OpenInputs::Empty, &self.request)?;
+        let membership = self.inputs.membership(
+            &self.scene,
+            &self.arranged,
+            rule,
+            OpenInputs::Empty,
+            &self.request,
+            |_| true,
+        )?;
         let cells = complex.cell_count(3);
         let place = |polygon: &u32| {
             let polygon = *polygon as usize;
@@ -463,6 +470,7 @@ impl SceneArrangement {
             let points = turned.iter().map(|point| Place::point(point));
             remarks.push(Remark::new(RemarkCode::RoundedInvalid, message).at(turned.len(), points));
         }
+        remarks.extend(remarks_of_vanished(&self.inputs, files));
         remarks.extend(remarks_of_inputs(files, rule));
         remarks
     }

@@ -137,7 +137,13 @@ fn agree(drawings: &[Segments], points: &[[f64; 2]]) -> Result<(), TestCaseError
         let again = arranged(&[&file], false);
         prop_assert!(file_of(&again) == bytes, "arranged alone a file is another one");
         let next = arranged(&[&file, &models[step]], false);
-        origins = origins_of(&next, Some(&origins), step);
+        // Pieces of a file with faces are edges in another order.
+        let edges = (0..last.arrangement().edge_count()).map(EdgeId::new);
+        let number: BTreeMap<[u32; 2], usize> =
+            edges.map(|edge| (last.arrangement().ends(edge).map(VertexId::to_u32), edge.index())).collect();
+        let pieces = file.exact_segments().unwrap().pieces();
+        let of_pieces: Vec<_> = pieces.iter().map(|piece| origins[number[&piece.ends]].clone()).collect();
+        origins = origins_of(&next, Some(&of_pieces), step);
         let all: Vec<&Model> = models[..=step].iter().collect();
         let once = arranged(&all, false);
         prop_assert_eq!(next.arrangement().f_vector(), once.arrangement().f_vector());
@@ -542,4 +548,82 @@ fn meshes_with_exact_points_are_what_their_faces_cover() {
     };
     assert_eq!(rounded(RegionSource::Models), (0, vec!["mesh".to_owned()]));
     assert_eq!(rounded(RegionSource::Components), (1, vec!["mesh#0".to_owned()]));
+}
+
+/// The area of the union of a file, by these inputs, and their number.
+fn union_of_file(bytes: &[u8], source: RegionSource) -> (f64, usize) {
+    let model = read(bytes);
+    let drawing = PlanarDrawing::new([("file", &model)], source).unwrap();
+    let count = drawing.region_names().len();
+    let union = BooleanFormula::union(count);
+    (RegionBoolean::new(drawing, &union, &BooleanRequest::default()).unwrap().area(), count)
+}
+
+/// Faces of cells in the plane are inside of what is read, and each is an input where parts are.
+#[test]
+fn faces_of_files_are_what_is_inside() {
+    let wkt = |text: &str| io::read(text.as_bytes(), Format::Wkt).unwrap();
+    let squares = ["0 0,2 0,2 2,0 2,0 0", "1 0,3 0,3 2,1 2,1 0"];
+    let two = squares.map(|ring| wkt(&format!("POLYGON (({ring}))")));
+    let nested = wkt("MULTIPOLYGON (((0 0,6 0,6 6,0 6,0 0)),((2 2,4 2,4 4,2 4,2 2)))");
+    let hole = wkt("POLYGON ((0 0,6 0,6 6,0 6,0 0),(2 2,4 2,4 4,2 4,2 2))");
+    let cases = [(vec![&two[0], &two[1]], 3, 6.0), (vec![&nested], 2, 36.0), (vec![&hole], 2, 36.0)];
+    for (models, faces, area) in cases {
+        for exact in [false, true] {
+            let mut request = ArrangementRequest::default();
+            request.exact = exact;
+            let file = file_of(&DrawingArrangement::new(drawing(&models), &request).unwrap());
+            assert_eq!(union_of_file(&file, RegionSource::Models), (area, 1));
+            assert_eq!(union_of_file(&file, RegionSource::Features), (area, faces));
+            assert_eq!(union_of_file(&file, RegionSource::Components).0, area);
+        }
+    }
+    // A result keeps its holes, and faces that were kept apart are one set again.
+    let mut request = BooleanRequest::default();
+    request.keep_walls = true;
+    for (model, area) in [(&hole, 32.0), (&nested, 36.0)] {
+        for exact in [false, true] {
+            request.exact = exact;
+            let result = RegionBoolean::new(drawing(&[model]), &BooleanFormula::union(1), &request).unwrap();
+            assert_eq!(union_of_file(&file_of_result(&result), RegionSource::Models), (area, 1));
+        }
+    }
+    // An edge beside a face bounds nothing, and is said to.
+    let text = r#"{"vertices":[[0,0],[2,0],[0,2],[5,5]],"boundaries":[
+        {"rows":4,"cols":4,"entries":[[0,0,-1],[1,0,1],[1,1,-1],[2,1,1],[2,2,-1],[0,2,1],[2,3,-1],[3,3,1]]},
+        {"rows":4,"cols":1,"entries":[[0,0,-1],[1,0,-1],[2,0,-1]]}]}"#;
+    let model = read(text.as_bytes());
+    let drawn = drawing(&[&model]);
+    assert_eq!((drawn.segments().len(), drawn.unbounded_segment_count()), (4, 1));
+    let result = RegionBoolean::new(drawn, &BooleanFormula::union(1), &BooleanRequest::default()).unwrap();
+    let answer = result.answer();
+    assert_eq!((answer.measure, answer.remarks.len()), (2.0, 1));
+    assert_eq!(answer.remarks[0].code, RemarkCode::UnboundedSegments);
+}
+
+/// Areas of unions through files of cells are those of the inputs.
+fn unions_agree(operands: &[Vec<[f64; 2]>]) -> Result<(), TestCaseError> {
+    let models: Vec<Model> = operands.iter().map(|own| polygon(own)).collect();
+    let all: Vec<&Model> = models.iter().collect();
+    let formula = BooleanFormula::union(all.len());
+    let plain = RegionBoolean::new(drawing(&all), &formula, &BooleanRequest::default()).unwrap();
+    let arranged = DrawingArrangement::new(drawing(&all), &ArrangementRequest::default()).unwrap();
+    // All bounded faces, of which some may be in none of the polygons.
+    let faces: f64 = arranged.arrangement().areas().iter().sum();
+    let (area, _) = union_of_file(&file_of(&arranged), RegionSource::Models);
+    prop_assert!((area - faces).abs() <= 1e-9 * faces.max(1.0), "{area} {faces}");
+    let (area, _) = union_of_file(&file_of_result(&plain), RegionSource::Models);
+    prop_assert!((area - plain.area()).abs() <= 1e-9 * area.max(1.0), "{area} {}", plain.area());
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn unions_of_files_of_faces(
+        operands in prop::collection::vec(prop::collection::vec(prop::array::uniform2(-4.0f64..4.0), 3..7), 1..5),
+    ) {
+        unions_agree(&operands)?;
+    }
 }

@@ -14,7 +14,7 @@ use coface_arrange::spatial::NonPlanar;
 use coface_complexes::cell_mesh::CellShape;
 use coface_geometry::Positions;
 use coface_io as io;
-use coface_io::Model;
+use coface_io::{Format, Model};
 use coface_topology::homology;
 use proptest::prelude::*;
 
@@ -549,4 +549,74 @@ proptest! {
             prop_assert!(combined(&third, "a - b").volume().unwrap() < 1e-12);
         }
     }
+}
+
+/// What is written of solids with quadrangles that are not flat has the volume that was measured, in all formats.
+#[test]
+fn bent_quadrangles_that_are_cut_keep_the_volume() {
+    // A ball of quadrangles, each moved along its radius.
+    let count = 8usize;
+    let mut text = String::new();
+    let mut state = 7u64;
+    let mut next = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        0.9 + 0.2 * (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    for i in 1..count {
+        for j in 0..2 * count {
+            let [a, b] = [i, j].map(|k| std::f64::consts::PI * k as f64 / count as f64);
+            let r = next();
+            let [x, y, z] = [r * a.sin() * b.cos(), r * a.sin() * b.sin(), r * a.cos()];
+            text += &format!("v {x:?} {y:?} {z:?}\n");
+        }
+    }
+    text += "v 0 0 1\nv 0 0 -1\n";
+    let (around, poles) = (2 * count, 2 * count * (count - 1));
+    for j in 0..around {
+        let next = (j + 1) % around;
+        for i in 0..count - 2 {
+            let [a, b] = [i * around, (i + 1) * around];
+            text += &format!("f {} {} {} {}\n", a + j + 1, b + j + 1, b + next + 1, a + next + 1);
+        }
+        let last = (count - 2) * around;
+        text += &format!("f {} {} {}\n", poles + 1, j + 1, next + 1);
+        text += &format!("f {} {} {}\n", poles + 2, last + next + 1, last + j + 1);
+    }
+    let ball = coface_io::read(text.as_bytes(), Format::Obj).unwrap();
+    let cube = "v -.3 -.2 -2\nv .55 -.2 -2\nv .55 .61 -2\nv -.3 .61 -2\nv -.3 -.2 2\nv .55 -.2 2\nv .55 .61 2\nv -.3 .61 2\n\
+        f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+    let cube = coface_io::read(cube.as_bytes(), Format::Obj).unwrap();
+    let volume = |model: &Model| {
+        let scene = SceneArrangement::of([("a", model)], &SpatialRequest::default()).unwrap();
+        SolidBoolean::of(&scene, &SolidRequest::of(BooleanFormula::union(1))).unwrap().volume().unwrap()
+    };
+    let mut request = SpatialRequest::default();
+    request.snap = true;
+    let both = SceneArrangement::of([("ball", &ball), ("cube", &cube)], &request).unwrap();
+    for formula in ["a - b", "b - a", "a & b", "a | b"] {
+        for triangles in [false, true] {
+            let mut request = SolidRequest::of(BooleanFormula::parse(formula, &[]).unwrap());
+            request.triangles = triangles;
+            let result = SolidBoolean::of(&both, &request).unwrap();
+            let expected = result.volume().unwrap();
+            for model in [result.to_mesh().unwrap(), result.to_chains().unwrap()] {
+                for format in [Format::Off, Format::Json] {
+                    // Meshes are facet lists in JSON, without positions.
+                    if (format == Format::Off) == model.structure().is_some() {
+                        continue;
+                    }
+                    let mut bytes = Vec::new();
+                    coface_io::write(&model, &mut bytes, format).unwrap();
+                    let found = volume(&coface_io::read(&bytes[..], format).unwrap());
+                    assert!(
+                        (found - expected).abs() < 1e-12 * 10.0,
+                        "{formula} {triangles} {format:?}: {found} {expected}"
+                    );
+                }
+            }
+        }
+    }
+    // What is not cut stays a quadrangle.
+    let whole = SceneArrangement::of([("ball", &ball)], &SpatialRequest::default()).unwrap();
+    assert_eq!(whole.complex().cell_count(2), ball.polygons().len());
 }

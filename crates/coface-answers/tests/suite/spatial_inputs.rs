@@ -216,3 +216,97 @@ fn walls_of_one_file_are_inputs() {
     assert_eq!(answer.regions.len(), 500);
     assert!(answer.inside.iter().any(|inside| inside.len() == 2), "walls cross");
 }
+
+/// The faces between cells are in the groups of both, in one direction: each group is a solid still, and what a formula does not
+/// name may be open.
+#[test]
+fn groups_of_cells_are_solids_in_any_direction() {
+    let mut text = boxes("o", &PAIR);
+    text += "o shed\n";
+    push_box(&mut text, [9.0; 3], [10.0; 3], 16, 1);
+    let rooms = arranged(&text, RegionSource::Objects);
+    let mesh = rooms.to_mesh(false, true).unwrap();
+    let cells = SpatialScene::with_inputs([("cells.obj", &mesh)], RegionSource::Groups, true).unwrap();
+    assert_eq!(&cells.names()[..3], ["cell_0", "cell_1", "cell_2"]);
+    let again = SceneArrangement::of_scene(cells, &SpatialRequest::default()).unwrap();
+    for (cell, volume) in rooms.volumes().iter().enumerate() {
+        let formula = BooleanFormula::parse(&cell.to_string(), &[]).unwrap();
+        let result = SolidBoolean::of(&again, &SolidRequest::of(formula)).unwrap();
+        assert_eq!(result.volume(), Some(*volume), "cell {cell}");
+        let answer = result.answer().unwrap();
+        let is_parity = |file: &coface_answers::answer::SpatialInput| {
+            file.inside_by == Some(coface_answers::answer::InsideMethod::Parity)
+        };
+        let by_parity = answer.files.iter().filter(|file| is_parity(file)).count();
+        let said = answer.remarks.iter().filter(|remark| remark.code == RemarkCode::ReversedInput).count();
+        assert!(by_parity > 0 && said > 0, "{by_parity} {said}");
+    }
+}
+
+/// Faces that are there in both directions enclose nothing, which is said.
+#[test]
+fn what_cancels_is_said() {
+    let mut text = String::new();
+    push_box(&mut text, [0.0; 3], [1.0; 3], 0, 0);
+    let reversed: Vec<String> = SIDES
+        .iter()
+        .map(|side| {
+            let [a, b, c, d] = side.map(|corner| corner + 1);
+            format!("f {d} {c} {b} {a}\n")
+        })
+        .collect();
+    text += &reversed.concat();
+    let scene = arranged(&text, RegionSource::Models);
+    let request = SolidRequest::of(BooleanFormula::union(1));
+    let answer = SolidBoolean::of(&scene, &request).unwrap().answer().unwrap();
+    assert_eq!(answer.measure, Some(0.0));
+    assert_eq!(answer.remarks[0].code, RemarkCode::EmptyInput);
+    assert!(answer.remarks[0].message.contains("encloses nothing"), "{}", answer.remarks[0].message);
+}
+
+/// A ball whose triangles have vertices of their own, moved a little: the radius within which they are merged is named, however many
+/// there are, and patches are no cure.
+#[test]
+fn loose_triangles_are_to_be_merged() {
+    for count in [6usize, 24] {
+        let point = |i: usize, j: usize| {
+            let (a, b) = (i as f64 / count as f64, j as f64 / count as f64);
+            let (a, b) = (a * std::f64::consts::PI, 2.0 * b * std::f64::consts::PI);
+            match i {
+                0 => [0.0, 0.0, 1.0],
+                _ if i == count => [0.0, 0.0, -1.0],
+                _ => [a.sin() * b.cos(), a.sin() * b.sin(), a.cos()],
+            }
+        };
+        let (mut text, mut corners) = (String::new(), 0usize);
+        let mut push = |own: [[f64; 3]; 3]| {
+            for (k, point) in own.into_iter().enumerate() {
+                let moved = 1e-7 * ((corners + k) % 7) as f64 / 7.0;
+                writeln!(text, "v {:?} {:?} {:?}", point[0] + moved, point[1] - moved, point[2]).unwrap();
+            }
+            writeln!(text, "f {} {} {}", corners + 1, corners + 2, corners + 3).unwrap();
+            corners += 3;
+        };
+        for i in 0..count {
+            for j in 0..count {
+                let next = (j + 1) % count;
+                if i > 0 {
+                    push([point(i, j), point(i + 1, j), point(i, next)]);
+                }
+                if i + 1 < count {
+                    push([point(i, next), point(i + 1, j), point(i + 1, next)]);
+                }
+            }
+        }
+        let model = obj(&text);
+        let arranged = SceneArrangement::of([("ball", &model)], &SpatialRequest::default()).unwrap();
+        let error = SolidBoolean::of(&arranged, &SolidRequest::of(BooleanFormula::union(1))).unwrap_err();
+        let message = error.to_string();
+        let radius = message.split("--weld ").nth(1).and_then(|rest| rest.split(')').next()).unwrap();
+        let radius: f64 = radius.parse().unwrap();
+        assert!(radius > 1e-8 && radius < 1e-6, "{message}");
+        let mut scene = SpatialScene::of([("ball", &model)], true).unwrap();
+        let refused = scene.close_mouths().unwrap_err().to_string();
+        assert!(refused.contains("enclose nothing") && refused.contains("--weld"), "{refused}");
+    }
+}

@@ -217,6 +217,20 @@ impl BooleanFormula {
         self.input_count
     }
 
+    /// Whether an input is named.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let formula = BooleanFormula::parse("a & c", &[])?;
+    /// assert!(formula.names(2) && !formula.names(1));
+    /// # Ok(()) }
+    /// ```
+    pub fn names(&self, input: usize) -> bool {
+        self.steps.iter().any(|step| matches!(step, Step::Input(own) if *own as usize == input))
+    }
+
     /// The value, given the inputs that are true.
     ///
     /// # Examples

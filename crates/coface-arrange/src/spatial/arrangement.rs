@@ -5,7 +5,7 @@ use super::cells::{CellParts, SpatialCells};
 use super::cutting::{CutOptions, CutTriangles, PartOutlines};
 use super::flat_polygons::{NonPlanar, PolygonTriangles, SplitPolygon};
 use super::merging::{Merged, merge};
-use super::near::flattened;
+use super::near::{flat_faces, flattened};
 use super::patches::{Patches, SameOrigin};
 use super::polygons::SpatialPolygons;
 use super::predicates::SpatialPredicates;
@@ -124,7 +124,8 @@ impl SpatialArrangement {
         let (mut points, fitted) = flattened(polygons, tolerance);
         points.iter_mut().for_each(|point| *point = options.precision.rounded_point(*point));
         let flat = polygons.clone().with_points(&points)?;
-        let made = Made::new(&flat, NonPlanar::Split)?;
+        let mut made = Made::new(&flat, NonPlanar::Split)?;
+        made.join_faces(&flat_faces(polygons));
         let drawing = Drawing::new(first, points, made.triangles, made.patches);
         let mut found = drawing.settled(options, tolerance, false)?;
         if let Some(joined) = &mut found.joined {
@@ -161,7 +162,7 @@ impl SpatialArrangement {
     pub(super) fn of_triangles(
         positions: &Positions,
         triangles: &[[u32; 3]],
-        patches: Patches,
+        mut patches: Patches,
         outlines: Option<Arc<PartOutlines>>,
         options: &SpatialOptions,
     ) -> Result<Self, Error> {
@@ -176,6 +177,7 @@ impl SpatialArrangement {
             rayon::join(|| cut.ordered_faces(&predicates, &steps), || patches.of_faces(&cut));
         drop(steps);
         let ordered = ordered?;
+        patches.tear(&cut, &patches_of_face);
         let around = ordered.around();
         let steps = stage("finding and merging cells", cut.complex().edge_count());
         let (parts, merged) = rayon::join(
@@ -267,10 +269,10 @@ impl SpatialArrangement {
             own.filter(is_before).copied().collect()
         };
         let [x, y] = fine.map(before);
-        if x == y {
-            return true;
-        }
         let [f, g] = fine.map(|face| self.cut.plane(face));
+        if x == y {
+            return !self.patches.are_torn(&x) || are_coplanar(f, g);
+        }
         self.options.merge_coplanar
             && self.patches.inputs(&x, Sign::Plus) == self.patches.inputs(&y, Sign::Plus)
             && self.patches.fold(&x).is_none()
@@ -859,6 +861,8 @@ impl Made {
         let patches = Patches {
             patch_of_triangle,
             folded: split.iter().map(|&(split, view)| (split.polygon, view)).collect(),
+            bent: split.iter().filter(|own| !own.0.is_rounding()).map(|own| own.0.polygon).collect(),
+            torn: None,
             polygons_of_patch,
             input_of_polygon: polygons.input_of_polygon().to_vec(),
             input_count: polygons.input_count(),
@@ -868,6 +872,13 @@ impl Made {
         };
         let split = split.into_iter().map(|split| split.0).collect();
         Ok(Self { triangles, patches, without_area, split })
+    }
+
+    /// Makes the triangles of a flat face one patch, for which the first of them stands; `first_of` has the first one of each polygon.
+    fn join_faces(&mut self, first_of: &[u32]) {
+        for patch in &mut self.patches.patch_of_triangle {
+            *patch = first_of.get(*patch as usize).copied().unwrap_or(*patch);
+        }
     }
 
     /// Adds the triangles of polygons that are known exactly; the points with their corners, and the outlines in them, if

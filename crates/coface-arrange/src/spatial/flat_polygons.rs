@@ -244,7 +244,7 @@ impl PolygonTriangles {
 }
 
 /// For each input how far its points may be off a plane because its coordinates are rounded.
-fn explained_deviations(polygons: &SpatialPolygons) -> Vec<f64> {
+pub(super) fn explained_deviations(polygons: &SpatialPolygons) -> Vec<f64> {
     let mut largest = vec![0.0f64; polygons.input_count()];
     let mut is_single = vec![true; polygons.input_count()];
     let mut is_long = vec![false; polygons.input_count()];

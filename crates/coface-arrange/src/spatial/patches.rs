@@ -15,6 +15,11 @@ pub(super) struct Patches {
     /// The patches that are not planar, rising, each with a picture in which it is seen from its front and nothing
     /// hides it.
     pub(super) folded: Vec<(u32, AxisView)>,
+    /// Those of them, rising, that rounding does not explain.
+    pub(super) bent: Vec<u32>,
+    /// Those of the bent ones, rising, that are cut: their pieces in different planes stay apart, since a polygon of both would be split
+    /// otherwise when it is read again. `None` until it is known.
+    pub(super) torn: Option<Vec<u32>>,
     /// The polygons that each patch is made of, packed with 1 for those that run the other way; `None` when patch i is
     /// polygon i.
     pub(super) polygons_of_patch: Option<RaggedArray>,
@@ -60,6 +65,38 @@ impl Patches {
             let view = self.folded[place].1;
             Some(if packed & 1 == 0 { view } else { view.behind() })
         })
+    }
+
+    /// Finds out which bent patches are not there as a whole: each triangle one face without vertices along its sides.
+    pub(super) fn tear(&mut self, cut: &CutTriangles, patches_of_face: &RaggedArray) {
+        if self.torn.is_some() {
+            return;
+        }
+        let place = |patch: u32| self.bent.binary_search(&patch).ok();
+        let mut is_torn = vec![false; self.bent.len()];
+        let mut counts = vec![0usize; self.bent.len()];
+        if !self.bent.is_empty() {
+            for &patch in &self.patch_of_triangle {
+                if let Some(place) = place(patch) {
+                    counts[place] += 1;
+                }
+            }
+            for (face, patches) in patches_of_face.iter().enumerate() {
+                let is_whole = cut.complex().packed_sides().list(face).len() == 3;
+                for place in patches.iter().filter_map(|&packed| place(packed >> 1)) {
+                    is_torn[place] |= !is_whole || counts[place] == 0;
+                    counts[place] = counts[place].saturating_sub(1);
+                }
+            }
+        }
+        let torn = self.bent.iter().zip(is_torn).filter(|(_, is_torn)| *is_torn);
+        self.torn = Some(torn.map(|(&patch, _)| patch).collect());
+    }
+
+    /// Whether one of some patches is bent and cut.
+    pub(super) fn are_torn(&self, patches: &[u32]) -> bool {
+        let torn = self.torn.as_deref().unwrap_or_default();
+        !torn.is_empty() && patches.iter().any(|packed| torn.binary_search(&(packed >> 1)).is_ok())
     }
 
     /// Whether a vertex is none of the points of polygons.
@@ -134,11 +171,14 @@ impl<'a, P: SpatialPredicates> SameOrigin<'a, P> {
         rules
     }
 
-    /// Whether two faces are pieces of the same patches, the second with a sign.
+    /// Whether two faces are pieces of the same patches, the second with a sign, and of the same plane of those that are torn.
     fn is_one(&self, [f, g]: [u32; 2], sign: Sign) -> bool {
         let turned = u32::from(sign == Sign::Minus);
         let [own, other] = [f, g].map(|face| self.patches_of_face.list(face as usize));
-        own.len() == other.len() && own.iter().zip(other).all(|(&x, &y)| x == y ^ turned)
+        let plane = |face: u32| self.cut.plane(FaceId::from_u32(face));
+        own.len() == other.len()
+            && own.iter().zip(other).all(|(&x, &y)| x == y ^ turned)
+            && (!self.patches.are_torn(own) || are_coplanar(plane(f), plane(g)))
     }
 
     fn is_straight(&self, vertex: u32, [a, b]: [u32; 2]) -> bool {

@@ -123,6 +123,8 @@ impl Drawing {
         let patches = Patches {
             patch_of_triangle,
             folded: Vec::new(),
+            bent: Vec::new(),
+            torn: None,
             polygons_of_patch: Some(polygons_of_patch),
             input_of_polygon: arrangement.patches.input_of_polygon.clone(),
             input_count: arrangement.patches.input_count,
@@ -310,6 +312,8 @@ impl Drawing {
         };
         let shapes: Vec<Shape> = (0..count).into_par_iter().map(shape).collect();
         self.patches.folded.clear();
+        self.patches.bent.clear();
+        self.patches.torn = None;
         let mut lists = match self.patches.polygons_of_patch.take() {
             Some(lists) => lists,
             None => {

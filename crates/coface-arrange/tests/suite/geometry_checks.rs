@@ -305,7 +305,20 @@ fn faults_of_solids() {
     assert_eq!(whole(&[&void([2.0; 3], [3.0; 3])]).numbers(), [403]);
     assert_eq!(whole(&[&middle, &void([0.4; 3], [0.6; 3])]).numbers(), [401]);
     assert_eq!(whole(&[&middle.clone().reversed()]).numbers(), [405]);
-    assert_eq!(cube.clone().with(&middle.reversed()).numbers(), [405]);
+    assert_eq!(cube.clone().with(&middle.clone().reversed()).numbers(), [405]);
+    // A void is one in a shell that is pinched: two cubes on one edge have that.
+    let mut pair = cube.clone();
+    for [x, y, z] in [[2., 1., 0.], [1., 2., 0.], [2., 2., 0.], [2., 1., 1.], [1., 2., 1.], [2., 2., 1.]] {
+        pair.push([x, y, z]);
+    }
+    let beside = [3, 8, 9, 10, 7, 11, 12, 13];
+    for face in &cube.faces {
+        let moved = |ring: &Vec<u32>| ring.iter().map(|&vertex| beside[vertex as usize]).collect();
+        pair.faces.push(face.iter().map(moved).collect());
+    }
+    assert!(pair.numbers().contains(&304));
+    assert_eq!(pair.clone().with(&middle).numbers(), pair.numbers());
+    assert!(pair.clone().with(&void([3.0; 3], [4.0; 3])).numbers().contains(&405));
     // 404: a pyramid on four edges of the cube.
     let mut wedge = Solid::new(
         &[[0., 0., 0.1], [1., 0., 0.1], [1., 1., 0.1], [0., 1., 0.1], [0.5, 0.5, 0.5]],

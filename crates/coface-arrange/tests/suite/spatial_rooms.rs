@@ -265,3 +265,32 @@ fn diagonals_that_cross_near_a_corner_stay_within_the_tolerance() {
         assert!(joined.largest_movement < 1e-14);
     }
 }
+
+/// Diagonals of walls are no features: triangles of single precision give the rooms that polygons give, as tolerances grow.
+#[test]
+fn triangles_of_walls_are_walls() {
+    let mut random = Random(42);
+    for number in 0..12 {
+        let mut building = Building::random(&mut random);
+        building.shift = [32.7, -11.1, 3.0];
+        building.is_triangulated = true;
+        let polygons = building.polygons(&mut random);
+        let points = polygons.positions().as_flat().as_chunks::<3>().0.iter();
+        let points: Vec<[f64; 3]> = points.map(|point| point.map(|x| f64::from(x as f32))).collect();
+        let flat = Positions::from_flat(3, points.into_flattened()).unwrap();
+        let walks = polygons.walks().clone();
+        let inputs = polygons.input_of_polygon().to_vec();
+        let polygons = SpatialPolygons::from_polygons(flat, walks).unwrap().with_inputs(inputs).unwrap();
+        for tolerance in [1e-4, 1e-3, 1e-2] {
+            let options = SpatialOptions::new().tolerance(tolerance);
+            let found = SpatialArrangement::new(&polygons, &options).unwrap();
+            let mut volumes = found.volumes().unwrap();
+            volumes.sort_by(f64::total_cmp);
+            let truth = building.volumes();
+            assert_eq!(volumes.len(), truth.len(), "building {number}");
+            for (own, truth) in volumes.iter().zip(truth) {
+                assert!((own - truth).abs() < 2e-3, "building {number}, {tolerance}: {own} {truth}");
+            }
+        }
+    }
+}

@@ -21,6 +21,8 @@ pub(super) struct Borders {
     pub(super) points: Vec<[f64; 2]>,
     /// How many vertices were put in where borders met without one.
     pub(super) added: usize,
+    /// Whether sides were cut or moved at all.
+    pub(super) is_cut: bool,
 }
 
 impl Borders {
@@ -39,14 +41,15 @@ impl Borders {
             .flat_map(|(number, walk)| sides(walk, number < ring_count))
             .filter(|side| side[0] != side[1])
             .collect();
-        let borders = |places, heights, walks: Vec<Vec<u32>>, added| {
+        let borders = |places, heights, walks: Vec<Vec<u32>>, cut: Option<usize>| {
             let walks = RaggedArray::from_lists(walks);
-            Self { places, heights, walks, ring_count, points, added }
+            let (added, is_cut) = (cut.unwrap_or(0), cut.is_some());
+            Self { places, heights, walks, ring_count, points, added, is_cut }
         };
         let positions = Positions::from_flat(2, places.as_flattened().to_vec())?;
         let drawn = PlanarArrangement::new(&positions, &segments)?;
         if (0..segments.len()).all(|segment| drawn.edges_of_segment(segment).count() == 1) {
-            return Ok(borders(places, heights, walks, 0));
+            return Ok(borders(places, heights, walks, None));
         }
         drop(drawn);
         let settled = Settled::new(&positions, &segments)?;
@@ -82,7 +85,7 @@ impl Borders {
         }
         interpolate(&mut lifted, &flat, &cut, ring_count);
         let added = flat.len().saturating_sub(places.len());
-        Ok(borders(flat, lifted, cut, added))
+        Ok(borders(flat, lifted, cut, Some(added)))
     }
 
     /// Which vertices lines end at.

@@ -1,11 +1,13 @@
 //! The features of maps, each with its polygons, lines and points.
 
+use super::super::chain_faces::ChainFaces;
 use super::super::drawing::{Filling, NO_FEATURE, PlanarDrawing, Polygon, Region, Ring};
 use super::super::drawing_options::DrawingOptions;
 use crate::answer::{DrawingInput, Remark};
+use coface_algebra::chains::ChainComplex;
 use coface_algebra::{Error, VertexId};
 use coface_geometry::Positions;
-use coface_io::{Features, Model, ReferenceSystem, Shape, features_of_shapes, shapes};
+use coface_io::{Features, Model, ReferenceSystem, Shape, Structure, features_of_shapes, shapes};
 use std::collections::BTreeMap;
 
 /// A place with its height, which is NaN if it has none.
@@ -77,11 +79,18 @@ impl MapLayer {
         let drawing = PlanarDrawing::with_options(models.iter().copied(), &DrawingOptions::of_map())?;
         let mut features = Vec::new();
         for &(name, model) in models {
-            if model.structure().is_some() {
-                let fault = Error::invalid("cells have no features").in_file(name);
-                return Err(fault.with_cure("give polygons and lines, such as .geojson and .wkt have"));
+            let coarse = model.coarse().map_err(|error| error.in_file(name))?;
+            let model = coarse.as_ref().unwrap_or(model);
+            match model.structure() {
+                None => add_features(model, &mut features),
+                Some(Structure::Chains(complex)) if !model.positions().is_empty() => {
+                    add_cells(model, complex, &mut features).map_err(|error| error.in_file(name))?;
+                }
+                Some(_) => {
+                    let fault = Error::invalid("cells have no features").in_file(name);
+                    return Err(fault.with_cure("give polygons and lines, such as .geojson and .wkt have"));
+                }
             }
-            add_features(model, &mut features);
         }
         Ok(Self {
             features,
@@ -103,6 +112,31 @@ impl MapLayer {
             }))
             .collect()
     }
+}
+
+/// The faces of a chain complex as features, each a polygon, then the edges of none as lines.
+fn add_cells(model: &Model, complex: &ChainComplex, features: &mut Vec<MapFeature>) -> Result<(), Error> {
+    let chains = ChainFaces::new(complex)?;
+    let point = |&vertex: &u32| -> Point {
+        let point = model.positions().point(VertexId::from_u32(vertex));
+        [point[0], point[1], f64::NAN]
+    };
+    let mut add = |geometry: Geometry| {
+        features.push(MapFeature { geometry, properties: "{}".to_owned(), id: String::new() });
+    };
+    for own in chains.faces.iter() {
+        let ring = |&own: &u32| -> Corners { chains.loops.list(own as usize).iter().map(point).collect() };
+        let mut rings: Rings = own.iter().map(ring).collect();
+        // The outer one has the largest area.
+        rings.sort_by(|a, b| doubled_area(b).abs().total_cmp(&doubled_area(a).abs()));
+        if !rings.is_empty() {
+            add(Geometry { polygons: vec![rings], ..Geometry::default() });
+        }
+    }
+    for (ends, _) in chains.edges.iter().zip(&chains.is_side).filter(|(_, is_side)| !**is_side) {
+        add(Geometry { lines: vec![ends.iter().map(point).collect()], ..Geometry::default() });
+    }
+    Ok(())
 }
 
 fn add_features(model: &Model, features: &mut Vec<MapFeature>) {

@@ -6,13 +6,18 @@
 //! nearest first.
 
 use super::borders::Borders;
-use super::layer::{Geometry, MapLayer, Point};
+use super::layer::{Geometry, MapLayer, Point, Rings};
+use super::repair::{faults_of, repaired};
 use super::result::{Change, blank};
-use crate::answer::{MapAnswer, Remark, RemarkCode, SimplificationAnswer};
+use super::task::RepairMethod;
+use crate::answer::{MapAnswer, Place, Remark, RemarkCode, SimplificationAnswer};
 use crate::text;
 use coface_algebra::Error;
+use coface_arrange::planar::PolygonFault;
 use coface_geometry::predicates::orientation;
 use coface_geometry::{AxisBox, BoxTree};
+use rayon::prelude::*;
+use std::borrow::Cow;
 use std::cmp::{Ordering, Reverse};
 use std::collections::{BinaryHeap, HashMap};
 
@@ -22,7 +27,17 @@ pub(super) fn simplified(layer: &MapLayer, tolerance: f64) -> Result<Change, Err
         return Err(Error::invalid(format!("the tolerance is {tolerance}"))
             .with_cure("give a finite length from 0, in the unit of the map"));
     }
-    let borders = Borders::new(layer)?;
+    let first = Borders::new(layer)?;
+    let (added, vertices_before) = (first.added, first.places.len() - first.added);
+    let mended = mended(layer, &first)?;
+    let mut remarks = remarks_of_meetings(&first, mended.as_ref().map_or(0, |mended| mended.1));
+    let (layer, borders) = match mended {
+        Some((mended, _)) => {
+            let borders = Borders::new(&mended)?;
+            (Cow::Owned(mended), borders)
+        }
+        None => (Cow::Borrowed(layer), first),
+    };
     let mut graph = Graph::new(&borders, tolerance);
     graph.simplify();
     let mut walks = borders.walks.iter().enumerate().map(|(number, walk)| {
@@ -52,21 +67,87 @@ pub(super) fn simplified(layer: &MapLayer, tolerance: f64) -> Result<Change, Err
     let simplification = SimplificationAnswer {
         tolerance,
         largest_distance: graph.largest_distance(),
-        vertices_before: borders.places.len() - borders.added,
+        vertices_before,
         vertices,
-        vertices_added: borders.added,
+        vertices_added: added,
     };
-    let mut remarks = Vec::new();
-    if borders.added > 0 {
-        let message =
-            format!("borders met without a vertex: {} put in first", text::count(borders.added, "vertex"));
-        remarks.push(Remark::new(RemarkCode::DrawingAssumption, message).at(borders.added, []));
-    }
+    remarks.extend(remark_of_faults(&geometries)?);
     Ok(Change {
         geometries: geometries.into_iter().enumerate().map(|(i, geometry)| (Some(i), geometry)).collect(),
         keeps_heights: true,
         answer: MapAnswer { simplification: Some(simplification), remarks, ..blank() },
     })
+}
+
+/// The map with the polygons that are not valid where borders were cut, as where a side came to lie on another one, made valid, and the
+/// number of features that have some; `None` where there are none. What was not valid before stays as it is.
+fn mended(layer: &MapLayer, borders: &Borders) -> Result<Option<(MapLayer, usize)>, Error> {
+    if !borders.is_cut {
+        return Ok(None);
+    }
+    let mut walks = borders.walks.iter();
+    let mut cut: Vec<(usize, Vec<Rings>)> = Vec::new();
+    for (number, feature) in layer.features.iter().enumerate() {
+        let rings_of = |rings: &Rings| -> Rings {
+            let own = walks.by_ref().take(rings.len());
+            own.map(|walk| walk.iter().map(|&vertex| borders.point(vertex)).collect()).collect()
+        };
+        let polygons: Vec<Rings> =
+            feature.geometry.polygons.iter().map(rings_of).filter_map(polygon).collect();
+        cut.push((number, polygons));
+    }
+    let repaired = |(number, polygons): &(usize, Vec<Rings>)| -> Result<Option<(usize, Vec<Rings>)>, Error> {
+        let given = &layer.features[*number].geometry.polygons;
+        if faults_of(polygons)?.0.is_empty() || !faults_of(given)?.0.is_empty() {
+            return Ok(None);
+        }
+        Ok(Some((*number, repaired(polygons, RepairMethod::Structure)?.polygons)))
+    };
+    let found: Vec<Result<Option<(usize, Vec<Rings>)>, Error>> = cut.par_iter().map(repaired).collect();
+    let found: Vec<Option<(usize, Vec<Rings>)>> = found.into_iter().collect::<Result<_, _>>()?;
+    let found: Vec<(usize, Vec<Rings>)> = found.into_iter().flatten().collect();
+    if found.is_empty() {
+        return Ok(None);
+    }
+    let count = found.len();
+    let mut mended = layer.clone();
+    for (number, polygons) in found {
+        mended.features[number].geometry.polygons = polygons;
+    }
+    Ok(Some((mended, count)))
+}
+
+fn remarks_of_meetings(borders: &Borders, mended: usize) -> Vec<Remark> {
+    if borders.added == 0 && mended == 0 {
+        return Vec::new();
+    }
+    let mut message =
+        format!("borders met without a vertex: {} put in first", text::count(borders.added, "vertex"));
+    if mended > 0 {
+        message +=
+            &format!("; sides of {} came to lie on each other and went", text::count(mended, "feature"));
+    }
+    vec![Remark::new(RemarkCode::DrawingAssumption, message).at(borders.added.max(mended), [])]
+}
+
+/// That polygons of the simplified map are not valid, since those of the map are not.
+fn remark_of_faults(geometries: &[Geometry]) -> Result<Option<Remark>, Error> {
+    let faults = |geometry: &Geometry| faults_of(&geometry.polygons).map(|found| found.0);
+    let found: Vec<Result<Vec<PolygonFault>, Error>> = geometries.par_iter().map(faults).collect();
+    let found: Vec<Vec<PolygonFault>> = found.into_iter().collect::<Result<_, _>>()?;
+    let count = found.iter().filter(|faults| !faults.is_empty()).count();
+    let Some(first) = found.iter().flatten().next() else { return Ok(None) };
+    let places = found.iter().flatten().map(|fault| Place::point(&fault.point));
+    let [x, y] = first.point;
+    let message = match count {
+        1 => {
+            format!("the polygons of 1 feature are not valid, as before, at ({x}, {y}); repair the map first")
+        }
+        _ => format!(
+            "the polygons of {count} features are not valid, as before, the first at ({x}, {y}); repair the map first"
+        ),
+    };
+    Ok(Some(Remark::new(RemarkCode::InvalidPolygon, message).at(count, places)))
 }
 
 /// A polygon without the rings that noding left fewer than three corners of; none if that is the outer one.

@@ -365,3 +365,42 @@ proptest! {
         prop_assert!((answer.measure - sum).abs() < 1e-9, "{} {}", answer.measure, sum);
     }
 }
+
+/// Where a vertex that is put in is rounded, a side may come to lie on another one: the map is valid still.
+#[test]
+fn simplified_maps_are_valid() {
+    let thin = "POLYGON ((500011.77219073195 5600100.0,500011.9070466073 5600100.0,500011.7431692894 5600099.967402775,500011.77219073195 5600100.0))";
+    let wide = "POLYGON ((500000.0 5600088.55780193,500000.0 5600100.0,500011.77219073195 5600100.0,500011.7431692894 5600099.967402775,500011.6577788078 5600099.950417552,500009.92238761374 5600098.790866228,500008.7628362895 5600097.055475034,500008.65125764033 5600096.494531284,500001.51590870443 5600088.480023528,500000.0 5600088.55780193))";
+    let disk = "POLYGON ((\
+        500019.0539685746 5600095.008441548,500018.64678829786 5600092.961408062,\
+        500017.48723697354 5600091.226016868,500015.75184577954 5600090.066465544,\
+        500013.70481229364 5600089.659285267,500011.6577788078 5600090.066465544,\
+        500009.92238761374 5600091.226016868,500008.7628362895 5600092.961408062,\
+        500008.35565601266 5600095.008441548,500008.7628362895 5600097.055475034,\
+        500009.92238761374 5600098.790866228,500011.6577788078 5600099.950417552,\
+        500013.70481229364 5600100.357597829,500015.75184577954 5600099.950417552,\
+        500017.48723697354 5600098.790866228,500018.64678829786 5600097.055475034,\
+        500019.0539685746 5600095.008441548))";
+    let map = read(&[thin, wide, disk].join("\n"));
+    assert!(is_valid(&map));
+    let (answer, simple) = after(&map, &MapTask::Simplify(0.01));
+    assert!(is_valid(&simple), "{}", written(&simple));
+    assert!(answer.simplification.unwrap().vertices_added > 0);
+    // What is not valid stays so, and that is said.
+    let (answer, _) = after(&read("POLYGON ((0 0,2 2,2 0,0 2,0 0))"), &MapTask::Simplify(0.01));
+    assert!(answer.remarks.iter().any(|remark| remark.message.contains("not valid, as before")));
+}
+
+/// Cells of a file are features of a map: each face a polygon, with its holes.
+#[test]
+fn cells_are_features() {
+    let map = read("POLYGON ((0 0,6 0,6 6,0 6,0 0),(2 2,4 2,4 4,2 4,2 2))\nPOLYGON ((2 2,4 2,4 4,2 4,2 2))");
+    let drawing = PlanarDrawing::new([("map", &map)], RegionSource::Models).unwrap();
+    let arranged = DrawingArrangement::new(drawing, &ArrangementRequest::default()).unwrap();
+    let mut bytes = Vec::new();
+    arranged.write(&mut bytes, Format::Json).unwrap();
+    let cells = coface_io::read(&bytes[..], Format::Json).unwrap();
+    let (answer, repaired) = after(&cells, &MapTask::Repair(RepairMethod::Structure));
+    assert_eq!((answer.counts.features, answer.counts.holes, answer.measure), (2, 1, 36.0));
+    assert!(is_valid(&repaired));
+}

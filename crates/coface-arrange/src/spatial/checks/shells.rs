@@ -14,6 +14,8 @@ pub(super) struct Shell {
     pub(super) is_manifold: bool,
     pub(super) is_closed: bool,
     pub(super) is_two_sided: bool,
+    /// All of it could be examined, and each edge lies in an even number of faces: it has an inside by parity, pinched or not.
+    pub(super) is_even: bool,
     /// All of it could be examined, and it bounds an inside: closed, manifold, two-sided, of four faces or more.
     pub(super) is_sound: bool,
 }
@@ -53,6 +55,7 @@ impl Shells {
                 is_manifold: true,
                 is_closed: true,
                 is_two_sided,
+                is_even: true,
                 is_sound: true,
             })
             .collect();
@@ -61,6 +64,7 @@ impl Shells {
                 let shell = &mut shells[shell as usize];
                 shell.faces.push(face as u32);
                 shell.is_sound &= !is_left_out[face];
+                shell.is_even &= !is_left_out[face];
             }
         }
         let shell_of = |face: u32| incidence.shell_of_face[face as usize] as usize;
@@ -68,6 +72,7 @@ impl Shells {
             let shell = &mut shells[shell_of(own[0].face)];
             shell.is_closed &= own.len() > 1;
             shell.is_manifold &= own.len() < 3;
+            shell.is_even &= own.len().is_multiple_of(2);
         }
         let mut is_small = vec![false; shells.len()];
         for (number, shell) in shells.iter().enumerate() {

@@ -199,7 +199,7 @@ impl Solids<'_> {
         let count = self.shells.shells.len();
         let mut around = vec![Vec::new(); count];
         let sound: Vec<u32> = (0..count as u32).filter(|&shell| self.is_sound(shell)).collect();
-        if sound.len() < 2 {
+        if sound.is_empty() || count < 2 {
             return around;
         }
         let corner = |&shell: &u32| {
@@ -213,7 +213,7 @@ impl Solids<'_> {
             let is_near = group != u32::MAX && group == group_of_shell[other as usize];
             let pair = [own.min(other), own.max(other)];
             own != other
-                && self.is_sound(other)
+                && self.shells.shells[other as usize].is_even
                 && !is_near
                 && meeting.binary_search_by_key(&pair, |meeting| meeting.shells).is_err()
         };

@@ -9,8 +9,10 @@
 //! panel divide it, and each part is triangulated by its own sides alone, seen along the same axis whatever panel it
 //! is part of: so panels that lie on each other have the same triangles there.
 
+mod flats;
 mod flips;
 mod panels;
 mod planes;
 
+pub(super) use flats::flat_faces;
 pub(super) use planes::flattened;

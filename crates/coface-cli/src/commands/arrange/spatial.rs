@@ -185,6 +185,7 @@ pub(super) fn run(
     accept(&answer.remarks, common)?;
     progress.stage("writing");
     if let Some((path, target)) = output {
+        answer.remarks.extend(target.format().and_then(|format| arrangement.scene().name_loss(format)));
         match target {
             Target::Model(Format::Json) => {
                 let mut model = arrangement.to_chains(verb.space.triangles)?;
@@ -250,6 +251,8 @@ fn by_congruence(
     let mut answer = arrangement.answer(verb.cells.rule.map(Rule::inside).unwrap_or_default())?;
     accept(&answer.remarks, common)?;
     progress.stage("writing");
+    let format = output.and_then(|(_, target)| target.format());
+    answer.remarks.extend(format.and_then(|format| arrangement.scene().name_loss(format)));
     match output {
         Some((path, Target::Model(Format::Json))) => {
             let model = arrangement.to_chains()?;

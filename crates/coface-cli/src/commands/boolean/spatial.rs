@@ -19,6 +19,7 @@ use coface::answers::answer::{
 use coface::answers::text;
 use coface::answers::{
     ArrangementMethod, CongruentBoolean, CongruentScene, SceneArrangement, SolidBoolean, SolidRequest,
+    SpatialScene,
 };
 use coface::arrange::spatial::NonPlanar;
 use coface::io;
@@ -113,6 +114,7 @@ pub(super) fn run(
         answer.congruence = Some(done);
         answer.joined = answer.joined.or(Some(joined));
     }
+    answer.remarks.extend(name_loss(arrangement.scene(), output));
     let made = Made {
         chains: &|| {
             let model = result.to_chains()?;
@@ -151,7 +153,14 @@ fn by_congruence(
         // Refused before.
         certificate: &|_| Ok(()),
     };
-    finish(verb, common, output, result.answer()?, &made, progress)
+    let mut answer = result.answer()?;
+    answer.remarks.extend(name_loss(arrangement.scene(), output));
+    finish(verb, common, output, answer, &made, progress)
+}
+
+/// That the file which is written has no names of inputs.
+fn name_loss(scene: &SpatialScene, output: Option<(&Path, Target)>) -> Option<Remark> {
+    scene.name_loss(output?.1.format()?)
 }
 
 /// What is written of a result.

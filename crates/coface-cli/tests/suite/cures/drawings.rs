@@ -49,6 +49,15 @@ const CORNERLESS_CRACK: Files = &[(
      0.5 0 1.0000000000000002\n\
      4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n5 8 12 9 10 11\n",
 )];
+/// An octahedron of triangles with vertices of their own, some of which are 1e-9 farther out.
+const LOOSE: Files = &[(
+    "loose.off",
+    "OFF\n24 8 0\n\
+     1 0 0\n0 1.000000001 0\n0 0 1\n0 1.000000001 0\n-1 0 0\n0 0 1.000000001\n-1 0 0\n0 -1.000000001 0\n\
+     0 0 1\n0 -1.000000001 0\n1 0 0\n0 0 1.000000001\n0 1 0\n1.000000001 0 0\n0 0 -1\n-1.000000001 0 0\n\
+     0 1 0\n0 0 -1.000000001\n0 -1 0\n-1.000000001 0 0\n0 0 -1\n1.000000001 0 0\n0 -1 0\n0 0 -1.000000001\n\
+     3 0 1 2\n3 3 4 5\n3 6 7 8\n3 9 10 11\n3 12 13 14\n3 15 16 17\n3 18 19 20\n3 21 22 23\n",
+)];
 /// A cube one face of which is turned inside out.
 const TURNED: Files = &[(
     "turned.off",
@@ -163,6 +172,10 @@ pub(super) const CASES: &[Case] = &[
         .files(CRACK)
         .refused("coface boolean union crack.off")
         .cured(&[&["coface boolean union crack.off --weld 2.23e-16"]]),
+    Case::new("spatial/mouths.rs", "merge vertices that nearly coincide (--weld {radius:.2e})")
+        .files(LOOSE)
+        .refused("coface boolean union loose.off --open close")
+        .cured(&[&["coface boolean union loose.off --weld 1.01e-9"]]),
     Case::new("planar/settling.rs", "give a smaller --tolerance")
         .with(&[("edge.lines", "0,0,1,0\n")])
         .refused("coface arrange edge.lines --method congruence --tolerance 2")
