@@ -75,7 +75,8 @@ pub fn losses_of(model: &Model, format: Format) -> Vec<Remark> {
             "GeoJSON has no surfaces in space: polygons that are read from it lie in the plane, with heights";
         Remark::new(RemarkCode::FormatKeepsLess, message)
     });
-    losses.into_iter().filter(is_lost).map(remark).chain(system).chain(surface).collect()
+    let others = coface_io::losses(model, format);
+    losses.into_iter().filter(is_lost).map(remark).chain(system).chain(surface).chain(others).collect()
 }
 
 /// Whether polygons do not lie in the plane of the first two coordinates.

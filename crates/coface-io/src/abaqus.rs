@@ -152,6 +152,10 @@ struct Mesh {
     moved: usize,
     /// The names of the files that are included.
     included: Vec<String>,
+    /// Sets of nodes or not, and the names of sets in them that had no member yet.
+    ahead: Vec<(bool, String, String)>,
+    /// How many surfaces there are.
+    surfaces: usize,
 }
 
 impl Mesh {
@@ -207,6 +211,10 @@ impl Mesh {
                 // Each part numbers its nodes and elements for itself.
                 self.vertices.clear();
                 self.elements.clear();
+                Section::Other
+            }
+            "SURFACE" => {
+                self.surfaces += 1;
                 Section::Other
             }
             "INSTANCE" => Section::Instance,
@@ -280,10 +288,16 @@ impl Mesh {
                 }
             }
             Section::Set { is_of_nodes, name, is_range } => {
-                // Sets may contain sets, whose members are groups of their own already.
-                let numbers: Vec<i64> =
-                    words.iter().filter_map(|word| parse_i64(word.as_bytes(), "a member").ok()).collect();
+                // What is no number is the name of a set whose members are members too.
                 let (name, is_of_nodes) = (name.clone(), *is_of_nodes);
+                let mut numbers: Vec<i64> = Vec::new();
+                for word in words {
+                    match parse_i64(word.as_bytes(), "a member") {
+                        Ok(number) => numbers.push(number),
+                        Err(_) if self.add_set(is_of_nodes, &name, word) => {}
+                        Err(_) => self.ahead.push((is_of_nodes, name.clone(), word.to_owned())),
+                    }
+                }
                 match (*is_range, numbers.as_slice()) {
                     (true, &[first, last]) => self.add_range(is_of_nodes, &name, first, last, 1),
                     (true, &[first, last, step]) if step > 0 => {
@@ -325,6 +339,25 @@ impl Mesh {
         }
     }
 
+    /// Adds the members of another set; false if there is none of that name so far. Case makes no difference in names.
+    fn add_set(&mut self, is_of_nodes: bool, name: &str, other: &str) -> bool {
+        let other = other.trim_matches('"');
+        let named = self.groups.iter().find(|(known, _)| known.eq_ignore_ascii_case(other));
+        let Some((_, &number)) = named else { return false };
+        let kinds: &[GroupKind] = match is_of_nodes {
+            true => &[GroupKind::Vertices],
+            false => &[GroupKind::Lines, GroupKind::Polygons, GroupKind::Cells],
+        };
+        let mut is_there = false;
+        for &kind in kinds {
+            for member in self.assembly.group_members(kind, number).to_vec() {
+                is_there = true;
+                self.add_to_group(kind, name, member);
+            }
+        }
+        is_there
+    }
+
     fn add_to_group(&mut self, kind: GroupKind, name: &str, member: u32) {
         let next = self.groups.len() as i64 + 1;
         let group = *self.groups.entry(name.to_owned()).or_insert(next);
@@ -342,6 +375,18 @@ impl Mesh {
                 ),
             }));
         }
+        for _ in 0..=self.ahead.len() {
+            let before = self.ahead.len();
+            let ahead = std::mem::take(&mut self.ahead);
+            for (is_of_nodes, name, other) in ahead {
+                if !self.add_set(is_of_nodes, &name, &other) {
+                    self.ahead.push((is_of_nodes, name, other));
+                }
+            }
+            if self.ahead.is_empty() || self.ahead.len() == before {
+                break;
+            }
+        }
         let mut say = |code, message: String, count| {
             self.assembly.remarks.push(Remark::new(code, message).at(count, []));
         };
@@ -353,11 +398,29 @@ impl Mesh {
             let message = "instances move their parts; the parts are read as they stand".to_owned();
             say(RemarkCode::InputReading, message, self.moved);
         }
+        if let Some((_, name, other)) = self.ahead.first() {
+            let message = format!(
+                "the set {} names {}, which is no set with members here",
+                quoted(name.as_bytes()),
+                quoted(other.as_bytes())
+            );
+            say(RemarkCode::DataLeftOut, message, self.ahead.len());
+        }
         if let Some(name) = self.included.first() {
             let message = format!("other files are included, and left out: {}", quoted(name.as_bytes()));
             say(RemarkCode::UnknownSection, message, self.included.len());
         }
-        self.assembly.finish()
+        let surfaces = self.surfaces;
+        let mut model = self.assembly.finish()?;
+        if surfaces > 0 {
+            model.unread.push(("surfaces (*SURFACE)", surfaces));
+        }
+        // A member that several sets give is one.
+        for group in &mut model.groups {
+            group.members.sort_unstable();
+            group.members.dedup();
+        }
+        Ok(model)
     }
 }
 
@@ -403,6 +466,26 @@ mod tests {
         let error = read(text.replace("10, 1, 2, 3, 4", "10, 1, 2, 3, 9").as_bytes()).unwrap_err();
         assert!(error.to_string().contains("line 11: an element names node 9"), "{error}");
     }
+
+    #[test]
+    fn sets_may_have_sets() {
+        let text = "*NODE\n1, 0,0,0\n2, 1,0,0\n3, 0,1,0\n4, 0,0,1\n5, 1,1,1\n*ELEMENT, TYPE=C3D4\n10, 1,2,3,4\n11, 2,3,4,5\n\
+                    *ELSET, ELSET=ALL\nboth, 11\n*ELSET, ELSET=A\n10\n*ELSET, ELSET=B\n11\n*ELSET, ELSET=BOTH\na, B\n*NSET, NSET=NA\n1,2\n\
+                    *NSET, NSET=NB\nNA, 5\n*NSET, NSET=NC\nnothing\n*SURFACE, NAME=S\nA, S1\n";
+        let model = read(text.as_bytes()).unwrap();
+        let members = |name: &str| {
+            let group = model.groups().iter().find(|group| group.name() == name);
+            group.map(|group| group.members().to_vec()).unwrap_or_default()
+        };
+        assert_eq!([members("BOTH"), members("ALL"), members("A")], [vec![0, 1], vec![0, 1], vec![0]]);
+        assert_eq!(members("NB"), [0, 1, 4]);
+        assert_eq!(
+            model.remarks()[0].message,
+            "the set \"NC\" names \"nothing\", which is no set with members here"
+        );
+        assert_eq!(model.unread(), [("surfaces (*SURFACE)", 1)]);
+    }
+
     #[test]
     fn coordinates_may_be_cylindrical() {
         let text =

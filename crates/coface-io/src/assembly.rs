@@ -204,6 +204,11 @@ impl Assembly {
         self.groups.entry((kind, number)).or_default().push(member);
     }
 
+    /// The members of the group of this number.
+    pub(crate) fn group_members(&self, kind: GroupKind, number: i64) -> &[u32] {
+        self.groups.get(&(kind, number)).map_or(&[], Vec::as_slice)
+    }
+
     /// Names a group, whether it has members or not.
     pub(crate) fn name_group(&mut self, kind: GroupKind, number: i64, name: String) {
         self.names.insert((kind, number), name);

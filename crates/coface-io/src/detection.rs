@@ -58,7 +58,7 @@ impl Format {
                     || start.starts_with(&[1, 0, 0, 0]) && matches!(start.get(4..8), Some([1..=4, 0, 0, 0]))
                     || start.starts_with(&[0, 0, 0, 1]) && matches!(start.get(4..8), Some([0, 0, 0, 1..=4])),
             ),
-            Self::Msh => certain_if(word.starts_with(b"$")),
+            Self::Msh => certain_if(is_msh(start)),
             Self::Vtk => certain_if(start.len() >= 14 && start[..14].eq_ignore_ascii_case(b"# vtk DataFile")),
             Self::Gltf if start.starts_with(b"glTF") => Likeness::Certain,
             Self::Gltf => certain_if(is_gltf(start)),
@@ -248,6 +248,13 @@ pub(super) fn check_hopeless(start: &[u8], whole: bool) -> Result<(), Error> {
 /// The start without the mark that some editors put before UTF-8 text.
 pub(super) fn without_mark(start: &[u8]) -> &[u8] {
     start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start)
+}
+
+/// Whether the first word begins a section of Gmsh, alone on its line; what is a comment of Nastran begins with `$` too.
+fn is_msh(start: &[u8]) -> bool {
+    let line = first_line(start);
+    let name = line.strip_prefix(b"$").unwrap_or_default();
+    !name.is_empty() && name.iter().all(u8::is_ascii_alphanumeric) && !foreign::is_nastran(start)
 }
 
 /// What a file is that is surely none of ours, and what to do about it.

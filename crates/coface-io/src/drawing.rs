@@ -704,15 +704,85 @@ impl Features {
     }
 }
 
-/// Whether two shapes that follow each other, with their groups, are of one geometry of well-known text or binary.
-pub(super) fn are_one_geometry(
-    (a, group): &(Shape, Option<usize>),
-    (b, other): &(Shape, Option<usize>),
-    features: &Features,
-    dimension: usize,
-) -> bool {
-    let are_faces = dimension == 3 && [a, b].iter().all(|shape| matches!(shape, Shape::Face(_)));
-    group == other && (are_faces || features.are_one(a, b))
+/// What a model draws as the geometries of well-known text or binary: the shapes of each stand together.
+///
+/// In space, faces are one surface where they are connected or in one group; without groups all of them are. A surface that is read has vertices of its
+/// own, so that faces with a vertex in common must not be of two.
+pub(super) struct Geometries {
+    pub(super) shapes: Vec<(Shape, Option<usize>)>,
+    /// The shape behind the last of each geometry.
+    ends: Vec<usize>,
+}
+
+impl Geometries {
+    pub(super) fn of(model: &Model, dimension: usize) -> Self {
+        let mut shapes = shapes(model);
+        let features = Features::new(model);
+        let surfaces = if dimension == 3 { surface_of_faces(model) } else { Vec::new() };
+        let surface = |shape: &Shape| match shape {
+            Shape::Face(face) => surfaces.get(*face).copied(),
+            _ => None,
+        };
+        // Faces follow each other.
+        let is_face = |(shape, _): &(Shape, Option<usize>)| matches!(shape, Shape::Face(_));
+        let first = shapes.iter().position(is_face).unwrap_or(shapes.len());
+        shapes[first..first + model.polygons.len()].sort_by_key(|(shape, _)| surface(shape));
+        let are_one = |(a, group): &(Shape, Option<usize>), (b, other): &(Shape, Option<usize>)| match (
+            surface(a),
+            surface(b),
+        ) {
+            (Some(a), Some(b)) => a == b,
+            _ => group == other && features.are_one(a, b),
+        };
+        let mut ends: Vec<usize> = Vec::new();
+        for geometry in shapes.chunk_by(are_one) {
+            ends.push(ends.last().copied().unwrap_or(0) + geometry.len());
+        }
+        Self { shapes, ends }
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = &[(Shape, Option<usize>)]> {
+        let mut start = 0;
+        self.ends.iter().map(move |&end| &self.shapes[std::mem::replace(&mut start, end)..end])
+    }
+}
+
+/// The surface that each polygon of a mesh is of, numbered by their first ones: polygons with a vertex in common are of one, and those whose first
+/// group is the same.
+pub(super) fn surface_of_faces(model: &Model) -> Vec<u32> {
+    let names = names_of(model, GroupKind::Polygons);
+    let count = model.vertex_count;
+    let mut above: Vec<u32> = (0..(count + model.groups.len() + 1) as u32).collect();
+    fn top(above: &mut [u32], mut node: u32) -> u32 {
+        while above[node as usize] != node {
+            let next = above[above[node as usize] as usize];
+            above[node as usize] = next;
+            node = next;
+        }
+        node
+    }
+    let mut tops = Vec::with_capacity(model.polygons.len());
+    for (polygon, name) in model.polygons.iter().zip(&names) {
+        let group = (count + name.map_or(model.groups.len(), |name| name)) as u32;
+        let mut low = top(&mut above, group);
+        for &vertex in polygon {
+            let other = top(&mut above, vertex);
+            above[low.max(other) as usize] = low.min(other);
+            low = low.min(other);
+        }
+        tops.push(polygon[0]);
+    }
+    let mut number = vec![u32::MAX; above.len()];
+    let mut next = 0;
+    for vertex in &mut tops {
+        let top = top(&mut above, *vertex) as usize;
+        if number[top] == u32::MAX {
+            number[top] = next;
+            next += 1;
+        }
+        *vertex = number[top];
+    }
+    tops
 }
 
 /// The feature of each of the [`shapes()`] of a model, if the file says something of it.

@@ -97,6 +97,9 @@ pub(super) fn perhaps(start: &[u8]) -> Option<Known> {
         };
         return ELEMENTS.iter().find_map(find).or(Some(("XML of a kind that is not known here", CONVERT)));
     }
+    if is_nastran(start) {
+        return Some(("a Nastran file", "convert it to VTK or Gmsh MSH first"));
+    }
     let mut lines = start.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);
     match (lines.next()?, lines.next()) {
         (b"0", Some(b"SECTION")) | (b"999", _) => Some(("DXF", CONVERT)),
@@ -116,6 +119,18 @@ pub(super) fn perhaps(start: &[u8]) -> Option<Known> {
     }
 }
 
+/// Whether lines begin bulk data of Nastran, or are entries of it; comments begin with `$`.
+pub(super) fn is_nastran(start: &[u8]) -> bool {
+    let is_entry = |line: &[u8]| {
+        let word = line.split(|&byte| matches!(byte, b' ' | b',' | b'*')).next().unwrap_or_default();
+        let is_bulk = line.get(..10).is_some_and(|line| line.eq_ignore_ascii_case(b"BEGIN BULK"));
+        is_bulk || [&b"GRID"[..], b"SOL", b"CEND", b"CTRIA3", b"CQUAD4", b"CTETRA", b"CHEXA"].contains(&word)
+    };
+    let mut lines = start.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);
+    let first = lines.find(|line| !line.is_empty() && line[0] != b'$');
+    first.is_some_and(is_entry)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -133,6 +148,8 @@ mod tests {
             (b"version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "Git LFS"),
             (b"<html><body>404</body></html>", "HTML"),
             (b"\x89HDF\r\n", "MED"),
+            (b"$ made by a mesher\n$$\nSOL 101\nCEND\nBEGIN BULK\nGRID,1,,0.,0.,0.\n", "Nastran"),
+            (b"$title\nGRID           1       0      0.      0.      0.\n", "Nastran"),
         ] {
             for name in ["a", "a.obj", "a.json", "a.geojson", "a.wkt"] {
                 let error = read_named(start, name, &ReadOptions::new()).unwrap_err();

@@ -1,8 +1,9 @@
 //! Faces in space with holes, as triangles.
 
 use coface_geometry::predicates::orientation;
-use coface_geometry::triangulation::triangulate;
+use coface_geometry::triangulation::{triangulate, triangulate_sides};
 use std::cmp::Ordering;
+use std::collections::BTreeMap;
 
 /// The triangles of a surface with holes, which run as its outer ring does; `None` if the rings cross. Directions of
 /// holes are corrected, and sides run through the vertices of other rings on them.
@@ -63,5 +64,20 @@ pub(crate) fn triangulated(rings: &mut [Vec<u32>], point: impl Fn(u32) -> [f64; 
         }
         *ring = longer;
     }
-    triangulate(&through, compare, turn).ok()
+    // A hole that runs along its face, or two that run along each other, has sides that bound nothing there.
+    let sides_of = |ring: &[u32]| -> Vec<[u32; 2]> {
+        ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&a, &b)| [a, b]).collect()
+    };
+    let all: Vec<Vec<[u32; 2]>> = through.iter().map(|ring| sides_of(ring)).collect();
+    let mut runs: BTreeMap<[u32; 2], usize> = BTreeMap::new();
+    for (ring, sides) in all.iter().enumerate() {
+        runs.extend(sides.iter().map(|&side| (side, ring)));
+    }
+    let is_bound = |ring: usize, &[a, b]: &[u32; 2]| runs.get(&[b, a]).is_none_or(|&other| other == ring);
+    let sides: Vec<[u32; 2]> = all
+        .iter()
+        .enumerate()
+        .flat_map(|(ring, sides)| sides.iter().copied().filter(move |side| is_bound(ring, side)))
+        .collect();
+    triangulate_sides(&sides, compare, turn).ok()
 }

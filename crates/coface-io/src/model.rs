@@ -1,6 +1,7 @@
 //! What a file held.
 
 use super::numbers::Numbers;
+use super::volume::VoxelFrame;
 use super::{CellData, FeatureTable, Format, Group, GroupKind, ReferenceSystem};
 use crate::{Remark, StatedSurfaces};
 use coface_algebra::RaggedArray;
@@ -45,6 +46,10 @@ pub struct Model {
     pub(crate) reference: Option<ReferenceSystem>,
     pub(crate) remarks: Vec<Remark>,
     pub(crate) is_pseudomanifold: bool,
+    /// What the file has beside, and what is not read of it.
+    pub(crate) unread: Vec<(&'static str, usize)>,
+    /// Where the voxels of a volume are.
+    pub(crate) frame: Option<VoxelFrame>,
 }
 
 /// Everything that a [`Model`] is made of but the features of a map, for the crates that build one piece by piece.
@@ -107,6 +112,8 @@ impl ModelParts {
             features: FeatureTable::default(),
             reference: None,
             is_pseudomanifold,
+            unread: Vec::new(),
+            frame: None,
         }
     }
 }
@@ -569,6 +576,8 @@ impl Model {
             reference: _,
             remarks,
             is_pseudomanifold,
+            unread: _,
+            frame: _,
         } = self;
         ModelParts {
             format,

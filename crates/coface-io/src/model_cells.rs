@@ -1,9 +1,9 @@
 //! What a model knows of the cells of its chain complex beside the matrices.
 
 use super::Model;
-use crate::{Structure, cells_not_balls};
+use crate::{Remark, RemarkCode, Structure, cells_not_balls};
 use coface_algebra::chains::ChainRefinement;
-use coface_algebra::{Error, VertexId};
+use coface_algebra::{Error, RaggedArray, VertexId};
 use coface_arrange::planar::ExactSegments;
 use coface_arrange::spatial::ExactPolygons;
 use coface_geometry::Positions;
@@ -128,6 +128,36 @@ impl Model {
             }
         }
         Self::from_chains(coarse, Positions::from_flat(dimension, flat)?).map(Some)
+    }
+}
+
+impl Model {
+    /// The squares between voxels of a volume that are set and others, which look outward, with their corners where the header of the file places
+    /// them; `None` for what is no volume.
+    ///
+    /// # Errors
+    /// Those of [`coface_complexes::cubical::CubicalVolume::boundary_squares`].
+    #[doc(hidden)]
+    pub fn voxel_surface(&self) -> Result<Option<(Positions, RaggedArray)>, Error> {
+        let Some(Structure::Volume(volume)) = self.structure() else { return Ok(None) };
+        let (corners, squares) = volume.boundary_squares()?;
+        match self.frame {
+            Some(frame) => frame.place(&corners, squares).map(Some),
+            None => Ok(Some((corners, squares))),
+        }
+    }
+
+    /// What the file has beside what was read, such as normals and colors that have no place here, with counts: it changes no answer, but is not in
+    /// what is written.
+    #[doc(hidden)]
+    pub fn unread(&self) -> &[(&'static str, usize)] {
+        &self.unread
+    }
+
+    /// How voxels are placed, if the header of their file says it.
+    #[doc(hidden)]
+    pub fn voxel_remark(&self) -> Option<Remark> {
+        self.frame.map(|frame| Remark::new(RemarkCode::InputReading, frame.description()))
     }
 }
 

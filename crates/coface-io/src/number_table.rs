@@ -5,7 +5,7 @@ use crate::files::open_regular;
 use crate::scanner::Scanner;
 use crate::volume::{NPY_MAGIC, write_npy_header};
 use crate::word_columns::{WordColumns, is_word};
-use crate::{Format, Remark, RemarkCode, VolumeStream};
+use crate::{Format, Remark, RemarkCode, VolumeStream, readers};
 use coface_algebra::Error;
 use std::io::{Read, Write};
 use std::path::Path;
@@ -47,7 +47,7 @@ impl NumberTable {
         Self::read(reading(&name_of(path), file, size)).map_err(named)
     }
 
-    /// The table of a stream: a NumPy array of one or two axes, or text. A row is a line of numbers with blanks, commas or semicolons between
+    /// The table of a stream: a NumPy array of one or two axes, or text in UTF-8 or UTF-16; either may be compressed. A row is a line of numbers with blanks, commas or semicolons between
     /// them. Empty lines and lines that begin with `#` or `//` are passed over, and so are a first line of words and columns of words, of which
     /// [`Self::left_out`] tells.
     ///
@@ -59,7 +59,9 @@ impl NumberTable {
     ///
     /// # Examples
     /// See [`NumberTable`].
-    pub fn read(mut input: impl Read) -> Result<Self, Error> {
+    pub fn read(input: impl Read) -> Result<Self, Error> {
+        // Any stated format does: it is not looked at.
+        let mut input = readers::opened(input, None, Some(Format::Points))?.bytes();
         let mut start = Vec::new();
         input.by_ref().take(NPY_MAGIC.len() as u64).read_to_end(&mut start)?;
         let is_array = start == NPY_MAGIC;
@@ -386,6 +388,24 @@ mod tests {
         // Other numbers are coordinates, and so is what has a name.
         for text in [",x,y\n0,5,6\n2,7,8\n", "n,x,y\n0,5,6\n1,7,8\n", "0,5,6\n1,7,8\n"] {
             assert_eq!(read(text).row(1).len(), 3, "{text}");
+        }
+    }
+
+    #[test]
+    fn marks_and_packing_make_no_difference() {
+        let text = "0,1\n2,3.5\n";
+        let table = NumberTable::read(text.as_bytes()).unwrap();
+        let marked = format!("\u{feff}{text}");
+        assert_eq!(NumberTable::read(marked.as_bytes()).unwrap(), table, "the mark is no word of a header");
+        let wide: Vec<u8> = marked.encode_utf16().flat_map(u16::to_le_bytes).collect();
+        assert_eq!(NumberTable::read(&wide[..]).unwrap(), table);
+        let mut array = Vec::new();
+        table.write_npy(&mut array).unwrap();
+        #[cfg(feature = "compression")]
+        for bytes in [text.as_bytes(), &wide[..], &array[..]] {
+            let mut packed = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+            packed.write_all(bytes).unwrap();
+            assert_eq!(NumberTable::read(&packed.finish().unwrap()[..]).unwrap().numbers(), table.numbers());
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Parts of a mesh: the polygons of groups, such as the objects of an OBJ and the solids of an STL.
 
-use crate::{Format, GroupKind, Model, readers};
-use coface_algebra::{Error, RaggedArray};
+use crate::{Format, GroupKind, GroupRole, Model, readers};
+use coface_algebra::{Error, RaggedArray, VertexId};
 use std::collections::HashSet;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
@@ -81,58 +81,110 @@ fn names_behind(keyword: &[u8], input: impl Read) -> Result<Vec<String>, Error> 
     }
 }
 
-/// The polygons of the group of this name, or at this place among the groups of polygons from 1, with their vertices.
+/// The polygons, lines and points of the groups of this name, or of the group at this place among those of polygons from 1, with their
+/// vertices. Groups of lines and points alone come behind those of polygons.
 ///
 /// # Errors
 /// [`coface_algebra::ErrorKind::InvalidInput`] naming the groups that there are.
 pub(crate) fn part(model: Model, entry: &str) -> Result<Model, Error> {
-    let groups: Vec<_> = model.groups().iter().filter(|group| group.kind() == GroupKind::Polygons).collect();
+    let mut names: Vec<&str> = Vec::new();
+    let mut known = HashSet::new();
+    for kind in [GroupKind::Polygons, GroupKind::Lines, GroupKind::Vertices] {
+        for group in model.groups().iter().filter(|group| group.kind() == kind) {
+            if known.insert(group.name()) {
+                names.push(group.name());
+            }
+        }
+    }
     let place = entry.parse::<usize>().ok().and_then(|place| place.checked_sub(1));
-    // An object whose name other polygons have too has its keyword in front.
-    let named = |name: &str| groups.iter().find(|group| group.name() == name);
-    let found =
-        named(&format!("o {entry}")).or_else(|| named(entry)).or(place.and_then(|place| groups.get(place)));
-    let Some(group) = found else {
-        let names: Vec<String> = groups
+    // An object whose name other elements have too has its keyword in front.
+    let of_object = format!("o:{entry}");
+    let found = [&of_object[..], entry].into_iter().find(|name| known.contains(name));
+    let Some(name) = found.or(place.and_then(|place| names.get(place).copied())) else {
+        let names: Vec<String> = names
             .iter()
             .take(20)
-            .map(|group| group.name().chars().take(60).flat_map(char::escape_debug).collect())
+            .map(|name| name.chars().take(60).flat_map(char::escape_debug).collect())
             .collect();
         return Err(Error::invalid(format!("there is no part {}", entry.escape_debug())).with_cure(
             if names.is_empty() {
-                "leave the part out: the file has no groups of polygons".to_owned()
+                "leave the part out: the file has no groups".to_owned()
             } else {
                 format!("choose one of: {}", names.join(", "))
             },
         ));
     };
+    // The members of that name; where the name has the keyword in front for one kind of element, it may have none for the others.
+    let of_kind = |kind: GroupKind| {
+        let named =
+            |name: &str| model.groups().iter().find(|group| group.kind() == kind && group.name() == name);
+        let plain = name.strip_prefix("o:").filter(|_| name == of_object);
+        let object = plain.and_then(named).filter(|group| group.has_role(GroupRole::Object));
+        named(name).or(object).map_or(&[][..], |group| group.members())
+    };
     let mut new = vec![u32::MAX; model.vertex_count()];
-    let (mut vertices, mut polygons) = (Vec::new(), RaggedArray::new());
-    for &polygon in group.members() {
-        let corners: Vec<u32> = model
-            .polygons()
-            .list(polygon as usize)
-            .iter()
-            .map(|&vertex| {
-                let place = &mut new[vertex as usize];
-                if *place == u32::MAX {
-                    *place = vertices.len() as u32;
-                    vertices.push(vertex);
-                }
-                *place
-            })
-            .collect();
-        polygons.push(&corners);
+    let mut vertices = Vec::new();
+    let mut taken = |old: &[u32]| -> Vec<u32> {
+        let number = |&vertex: &u32| {
+            let place = &mut new[vertex as usize];
+            if *place == u32::MAX {
+                *place = vertices.len() as u32;
+                vertices.push(vertex);
+            }
+            *place
+        };
+        old.iter().map(number).collect()
+    };
+    let (mut polygons, mut lines) = (RaggedArray::new(), RaggedArray::new());
+    for &polygon in of_kind(GroupKind::Polygons) {
+        polygons.push(&taken(model.polygons().list(polygon as usize)));
     }
+    for &line in of_kind(GroupKind::Lines) {
+        lines.push(&taken(model.lines().list(line as usize)));
+    }
+    let points = taken(of_kind(GroupKind::Vertices)).into_iter().map(VertexId::from_u32).collect();
     let (dimension, flat) = (model.coordinate_count(), model.coordinates());
     let coordinates = vertices.iter().flat_map(|&vertex| {
         let start = vertex as usize * dimension;
         flat[start..start + dimension].iter().copied()
     });
     let (positions, partial_positions) = crate::model::placed(dimension, coordinates.collect())?;
-    let part =
-        Model { vertex_count: vertices.len(), positions, partial_positions, polygons, ..Model::default() };
+    let part = Model {
+        vertex_count: vertices.len(),
+        positions,
+        partial_positions,
+        polygons,
+        lines,
+        points,
+        ..Model::default()
+    };
     part.check()?;
     let format = model.format().unwrap_or(Format::Obj);
     Ok(Model { remarks: model.remarks, ..part }.with_format(format))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_have_the_lines_and_points_of_their_name() {
+        let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no face\nf 1 2 3\no wire\nl 1 2 3 1\nl 3 4\no dust\np 2 4\no both\nf 1 2 4\nl 2 3\n\
+                    g wire\nf 2 3 4\n";
+        let model = || crate::obj::read(text.as_bytes()).unwrap();
+        let counts = |entry: &str| {
+            let part = part(model(), entry).unwrap();
+            (part.vertex_count(), part.polygons().len(), part.lines().len(), part.points().len())
+        };
+        assert_eq!(counts("face"), (3, 1, 0, 0));
+        assert_eq!(counts("wire"), (4, 1, 2, 0), "a group and an object of one name");
+        assert_eq!(counts("dust"), (2, 0, 0, 2));
+        assert_eq!(counts("both"), (4, 2, 1, 0));
+        assert_eq!((counts("1"), counts("4")), (counts("face"), counts("dust")));
+        let error = part(model(), "rope").unwrap_err().to_string();
+        assert!(error.contains("face, both, wire, dust"), "{error}");
+        // An object comes before a group of its name.
+        let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\ng a\nf 1 2 3\nf 1 3 2\ng\no a\nf 3 2 1\n";
+        assert_eq!(part(crate::obj::read(text.as_bytes()).unwrap(), "a").unwrap().polygons().len(), 1);
+    }
 }

@@ -7,11 +7,15 @@ use std::path::Path;
 
 /// Whether a file is a model by its name, or by the format that it is said to have; else it is a table of numbers.
 pub(crate) fn is_model(path: &Path, options: &ReadOptions) -> bool {
-    let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or("");
-    match options.format.or_else(|| Format::from_name(extension).ok()) {
+    let extension =
+        |path: &Path| path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
+    match options.format.or_else(|| Format::from_input_path(path)) {
         None | Some(Format::Npy) => false,
         // Atoms have names, and tables of points have any number of columns.
-        Some(Format::Points) => extension.eq_ignore_ascii_case("xyz"),
+        Some(Format::Points) => {
+            let inner = path.file_stem().and_then(|stem| extension(Path::new(stem)));
+            [extension(path), inner].iter().flatten().any(|extension| extension == "xyz")
+        }
         Some(_) => true,
     }
 }

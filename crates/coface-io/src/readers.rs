@@ -441,9 +441,11 @@ fn volume_started<'r>(
 
 /// The model of a volume.
 fn volume_model(stream: VolumeStream<'_>, options: &ReadOptions, format: Format) -> Result<Model, Error> {
+    let frame = stream.frame();
     let (volume, remarks) = stream.read(&options.volume)?;
     options.accept(&remarks)?;
     let mut model = Model::from_structure(Structure::Volume(volume));
+    model.frame = frame;
     model.remarks = remarks;
     Ok(model.with_format(format))
 }

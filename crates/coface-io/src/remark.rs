@@ -289,7 +289,7 @@ pub enum RemarkCode {
     RoundedInvalid,
     /// A model that is known exactly was taken with rounded points.
     PointsRounded,
-    /// Integers that no double is equal to were rounded.
+    /// Integers that no double is equal to, or coordinates that a format of single precision cannot hold, were rounded.
     NumbersRounded,
     /// Pixels of an image have colors, and were taken as numbers.
     ColorsAsNumbers,

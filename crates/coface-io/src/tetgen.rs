@@ -1,8 +1,12 @@
 //! The text files of TetGen and Triangle: `.node`, `.ele`, `.face`, `.edge` and `.poly`.
+//!
+//! A facet of a `.poly` in space is the part of a plane that its polygons enclose: polygons inside of others, or segments that close up, divide it,
+//! and what holds a hole point is left out. A facet with holes is read as triangles. Attributes of nodes and elements are left out.
 
 use crate::assembly::Assembly;
 use crate::element_kind::Kind;
 use crate::files::Companions;
+use crate::planar_facet::{Facet, Facets};
 use crate::scanner::{parse_coordinate, parse_f64, parse_i64};
 use crate::{GroupKind, Model};
 use coface_algebra::{Error, ErrorKind};
@@ -79,7 +83,12 @@ pub(crate) fn read_beside(
         Part::Faces => mesh.read_elements(&mut file, Some(3))?,
         Part::Edges => mesh.read_elements(&mut file, Some(2))?,
     }
-    mesh.assembly.finish()
+    let attributes = mesh.attributes;
+    let mut model = mesh.assembly.finish()?;
+    if attributes > 0 {
+        model.unread.push(("attributes of nodes", attributes));
+    }
+    Ok(model)
 }
 
 /// Lines of numbers; `#` starts a comment.
@@ -154,6 +163,8 @@ impl<R: Read> Numbered<R> {
 struct Mesh {
     assembly: Assembly,
     dimension: usize,
+    /// The attributes of nodes and elements, which are not read.
+    attributes: usize,
     /// The vertices by the numbers of the file.
     vertices: HashMap<i64, u32>,
 }
@@ -177,6 +188,7 @@ impl Mesh {
             }
         };
         self.assembly = Assembly::new(self.dimension);
+        self.attributes += attributes.saturating_mul(count) as usize;
         for _ in 0..count {
             let words = file.expect("a node")?;
             let number = file.integer(&words, 0, "the number of a node")?;
@@ -297,11 +309,12 @@ impl Mesh {
         Ok(())
     }
 
-    /// Reads the facets of a solid, or the segments of a plane. Holes and regions are points, which make no difference here.
+    /// Reads the facets of a solid, or the segments of a plane. Holes and regions of the volume are points, which make no difference here.
     fn read_facets<R: Read>(&mut self, file: &mut Numbered<R>) -> Result<(), Error> {
         let head = file.expect("the count of facets")?;
         let count = file.count(&head, 0, "the count of facets")?;
         let has_markers = head.len() > 1 && file.count(&head, 1, "the count of markers")? > 0;
+        let mut facets = Facets::default();
         for _ in 0..count {
             let words = file.expect("a facet")?;
             if self.dimension == 2 {
@@ -312,37 +325,60 @@ impl Mesh {
                 }
                 continue;
             }
-            let polygons = file.count(&words, 0, "the count of polygons of a facet")?;
-            let holes =
-                if words.len() > 1 { file.count(&words, 1, "the count of holes of a facet")? } else { 0 };
-            for _ in 0..polygons {
-                let line = file.expect("a polygon of a facet")?;
-                let mut corners = file.count(&line, 0, "the count of corners of a polygon")?;
-                let mut vertices = Vec::new();
-                let (mut line, mut place) = (line, 1);
-                while corners > 0 {
-                    if place == line.len() {
-                        (line, place) = (file.expect("a corner of a polygon")?, 0);
-                    }
-                    vertices.push(self.vertex(file, &line, place)?);
-                    (place, corners) = (place + 1, corners - 1);
-                }
-                let kind = match vertices.len() {
+            let mut facet = self.read_facet(file, &words)?;
+            facets.divide(&mut facet, |vertex| self.assembly.position(vertex));
+            for (line, polygon) in &facet.polygons {
+                let kind = match polygon.len() {
                     0 => continue,
                     1 => Kind::Point,
                     2 => Kind::Line,
                     _ => Kind::Polygon,
                 };
-                let member = self.add(file.line, kind, vertices.len(), &vertices)?;
+                let member = self.add(*line, kind, polygon.len(), polygon)?;
                 if let (Some(member), true) = (member, has_markers && words.len() > 2) {
                     self.mark(file, &words, 2, kind.group_kind(), member)?;
                 }
             }
-            for _ in 0..holes {
-                file.expect("a hole of a facet")?;
-            }
         }
+        self.assembly.remarks.extend(facets.into_remarks());
         Ok(())
+    }
+
+    /// Reads the polygons and the hole points of a facet whose first line has these words.
+    fn read_facet<R: Read>(&self, file: &mut Numbered<R>, words: &[String]) -> Result<Facet, Error> {
+        let polygons = file.count(words, 0, "the count of polygons of a facet")?;
+        let holes = if words.len() > 1 { file.count(words, 1, "the count of holes of a facet")? } else { 0 };
+        let mut facet = Facet { line: file.line, ..Facet::default() };
+        for _ in 0..polygons {
+            let line = file.expect("a polygon of a facet")?;
+            let mut corners = file.count(&line, 0, "the count of corners of a polygon")?;
+            let mut vertices = Vec::new();
+            let (mut line, mut place) = (line, 1);
+            while corners > 0 {
+                if place == line.len() {
+                    (line, place) = (file.expect("a corner of a polygon")?, 0);
+                }
+                vertices.push(self.vertex(file, &line, place)?);
+                (place, corners) = (place + 1, corners - 1);
+            }
+            facet.polygons.push((file.line, vertices));
+        }
+        for _ in 0..holes {
+            let words = file.expect("a hole of a facet")?;
+            let mut hole = [0.0; 3];
+            for (axis, x) in hole.iter_mut().enumerate() {
+                let Some(word) = words.get(axis + 1) else {
+                    return Err(Error::parse(format!(
+                        "a hole of a facet with {axis} coordinates; it needs 3"
+                    ))
+                    .at_line(file.line));
+                };
+                *x = parse_coordinate(word.as_bytes(), "a coordinate")
+                    .map_err(|error| error.at_line(file.line))?;
+            }
+            facet.holes.push(hole);
+        }
+        Ok(facet)
     }
 }
 
@@ -362,6 +398,35 @@ mod tests {
         assert_eq!((model.lines().len(), model.positions().dimension()), (3, 2));
         let error = read_beside(&b"4 3 0 0\n1 0 0 0\n"[..], Some(Path::new("a.node")), None).unwrap_err();
         assert!(error.to_string().contains("line 2: the file ends where a node should be"), "{error}");
+    }
+
+    #[test]
+    fn facets_with_holes_make_a_tunnel() {
+        // A box of side 4 with a square tunnel of side 2 through it: a torus of area 2 (16 - 4) + 16 * 4 + 8 * 4.
+        let mut text = "16 3 0 0\n".to_owned();
+        for (i, [x, y]) in [[0, 0], [4, 0], [4, 4], [0, 4], [1, 1], [3, 1], [3, 3], [1, 3]].iter().enumerate()
+        {
+            text += &format!("{} {x} {y} 0\n{} {x} {y} 4\n", 2 * i + 1, 2 * i + 2);
+        }
+        text += "10 1\n2 1 5\n4 1 7 5 3\n4 9 11 13 15\n1 2 2 0\n2 1 5\n4 2 4 6 8\n4 10 16 14 12\n1 2 2 4\n";
+        for side in [
+            "1 3 4 2",
+            "3 5 6 4",
+            "5 7 8 6",
+            "7 1 2 8",
+            "11 9 10 12",
+            "13 11 12 14",
+            "15 13 14 16",
+            "9 15 16 10",
+        ] {
+            text += &format!("1 0 1\n4 {side}\n");
+        }
+        let model = read_beside(format!("{text}0\n0\n").as_bytes(), Some(Path::new("a.poly")), None).unwrap();
+        assert_eq!((model.vertex_count(), model.polygons().len()), (16, 2 * 8 + 8));
+        assert_eq!(model.groups()[1].members().len(), 16, "the triangles have the marker of their facet");
+        let area = coface_geometry::polygon_area(model.positions(), model.polygons());
+        assert_eq!(area, Some(120.0));
+        assert_eq!(model.remarks()[0].message, "2 facets have polygons inside of others: read as triangles");
     }
 
     #[test]

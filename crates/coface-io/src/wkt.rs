@@ -13,10 +13,7 @@
 //! number of the geometry, where one has several polygons.
 
 use super::decimal::flush;
-use super::drawing::{
-    Drawing, Features, Place, Shape, are_one_geometry, closed, push_list, push_place, shapes,
-    written_dimension,
-};
+use super::drawing::{Drawing, Geometries, Place, Shape, closed, push_list, push_place, written_dimension};
 use super::scanner::{Scanner, parse_f64, quoted};
 use super::wkb;
 use super::wkt_table;
@@ -542,7 +539,7 @@ impl<R: Read> Reader<R> {
 }
 
 /// Writes one geometry a line: `LINESTRING` for lines, `POLYGON` for the rings of each polygon and for polygons of a mesh in the plane, `POINT`
-/// for points and for vertices that nothing uses, a `POLYHEDRALSURFACE` for the polygons of a mesh in space, one for each group; what follows each other with one number in `feature` is one geometry, `MULTI` or a
+/// for points and for vertices that nothing uses, a `POLYHEDRALSURFACE` for the polygons of a mesh in space, one for those that are connected or in one group; what follows each other with one number in `feature` is one geometry, `MULTI` or a
 /// `GEOMETRYCOLLECTION`. Three coordinates are written if a vertex lies outside the plane z = 0.
 /// Names and data are not kept, the number of the reference system is.
 ///
@@ -564,14 +561,13 @@ impl<R: Read> Reader<R> {
 pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
     let writer = Writer { model, dimension: written_dimension(model, "WKT")? };
     let mut text = Vec::new();
-    let shapes = shapes(model);
+    let geometries = Geometries::of(model, writer.dimension);
     let start = start_of(model.reference_system());
-    if shapes.is_empty() {
+    if geometries.shapes.is_empty() {
         text.extend_from_slice(start.as_bytes());
         text.extend_from_slice(b"GEOMETRYCOLLECTION EMPTY\n");
     }
-    let features = Features::new(model);
-    for feature in shapes.chunk_by(|a, b| are_one_geometry(a, b, &features, writer.dimension)) {
+    for feature in geometries.iter() {
         text.extend_from_slice(start.as_bytes());
         writer.push_geometry(feature, &mut text);
         text.push(b'\n');
@@ -701,6 +697,15 @@ mod tests {
                 assert_eq!((again.vertex_count(), corners(&again)), (model.vertex_count(), corners(model)));
             }
         }
+        // A tetrahedron whose faces are in groups of their own is one surface, and another one is a second surface.
+        let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 5 0 1\n";
+        let faces = "g a\nf 1 3 2\ng far\nf 5 7 6\ng b\nf 1 2 4\ng c\nf 2 3 4\nf 3 1 4\ng far\nf 5 6 8\nf 6 7 8\nf 7 5 8\n";
+        let grouped = crate::obj::read(format!("{obj}{faces}").as_bytes()).unwrap();
+        let mut written = Vec::new();
+        write(&grouped, &mut written).unwrap();
+        let again = read(&written[..]).unwrap();
+        assert_eq!((again.vertex_count(), again.polygons().len(), again.groups().len()), (8, 8, 2));
+        assert_eq!(again.groups()[0].members(), [0, 1, 2, 3]);
         // What has too few corners is left out.
         let thin = read(&b"TIN Z (((0 0 0,1 0 0,0 0 0)),((0 0 0,1 0 0,0 1 1,0 0 0)))"[..]).unwrap();
         assert_eq!((thin.polygons().len(), thin.remarks().len()), (1, 1), "{:?}", thin.remarks());

@@ -192,6 +192,13 @@ fn form_of(record: &[u8]) -> Option<Form> {
     DELIMITERS.into_iter().find_map(|delimiter| {
         let entries = entries(record, delimiter);
         let column = entries.iter().position(|entry| wkt::is_geometry(entry.trim_ascii()))?;
+        // The semicolon behind the number of a reference system is part of the geometry.
+        let before = column.checked_sub(1).map_or(&[][..], |before| entries[before].trim_ascii());
+        let digits = before.iter().rev().take_while(|byte| byte.is_ascii_digit()).count();
+        let is_system = before[..before.len() - digits].to_ascii_uppercase().ends_with(b"SRID=");
+        if delimiter == b';' && is_system {
+            return None;
+        }
         Some(Form { delimiter, column })
     })
 }
@@ -251,7 +258,7 @@ fn unquoted(entry: &[u8]) -> Cow<'_, [u8]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Model;
+    use crate::{GroupKind, Model};
     use coface_algebra::ErrorKind;
 
     fn read(text: &str) -> Result<Model, Error> {
@@ -266,7 +273,8 @@ mod tests {
         assert_eq!((model.lines().len(), model.points().len()), (1, 2));
         assert_eq!(model.features().properties(0), r#"{"id":7,"name":"a, \"b\""}"#);
         assert_eq!(model.features().properties(1), r#"{"id":"008","name":"c"}"#);
-        assert_eq!(model.groups()[0].name(), "a, \"b\"");
+        let groups: Vec<_> = model.groups().iter().map(|group| (group.kind(), group.name())).collect();
+        assert_eq!(groups, [(GroupKind::Vertices, "c"), (GroupKind::Lines, "a, \"b\"")]);
         assert!(model.remarks()[0].message.starts_with("1 feature has no geometry"), "{:?}", model.remarks());
     }
 

@@ -158,6 +158,7 @@ impl Convert {
             return self.write_set(&set, format, common, progress);
         }
         let mut loaded = input::read(&self.input, common.reading(), &progress)?;
+        let unread = io::unread_remark(&loaded.model);
         if self.truncate {
             progress.stage("cutting ideal vertices off");
             loaded.model = truncated(&loaded.model).map_err(|error| error.in_file(loaded.name.clone()))?;
@@ -174,11 +175,13 @@ impl Convert {
         }
         let mut reshaped = self.reshape(&mut loaded, format, target, &progress)?;
         if !matches!(format, Target::Model(Format::Npy | Format::Json | Format::Container))
-            && let Some(Structure::Volume(volume)) = loaded.model.structure()
+            && matches!(loaded.model.structure(), Some(Structure::Volume(_)))
         {
             progress.stage("finding the boundary");
             let in_file = |error: coface::Error| error.in_file(loaded.name.clone());
-            let (positions, squares) = volume.boundary_squares().map_err(in_file)?;
+            let placed = loaded.model.voxel_remark();
+            let (positions, squares) = loaded.model.voxel_surface().map_err(in_file)?.unwrap_or_default();
+            reshaped.extend(placed);
             loaded.model = Model::from_polygons(positions, squares).map_err(in_file)?;
         }
         let valid = self.valid_map(&mut loaded, &progress)?;
@@ -203,8 +206,9 @@ impl Convert {
             Target::Model(format) => losses_of(&model, format),
             Target::Scene(_) => scene.as_ref().map_or_else(Vec::new, |(scene, _)| scene.remarks()),
         });
-        let losses: Vec<Remark> = reshaped
+        let losses: Vec<Remark> = unread
             .into_iter()
+            .chain(reshaped)
             .chain(valid.iter().flat_map(|valid| valid.remarks.iter().cloned()))
             .collect();
         let Some(path) = target else {
@@ -244,6 +248,9 @@ impl Convert {
         let is_scene = matches!(target, Target::Scene(_));
         if self.color_by.is_none() && !is_scene {
             return Ok((model, None));
+        }
+        if is_scene && model.is_empty() {
+            return Err(Failure::new(format!("{name}: there is nothing in it that a scene could show")));
         }
         let title = Path::new(name).file_name().map_or(name.into(), |name| name.to_string_lossy());
         if self.color_by.is_some() {
@@ -373,7 +380,9 @@ impl Convert {
             && !matches!(loaded.model.structure(), Some(Structure::Gluings(_)))
             && let Ok(model) = gluing_model(&loaded.model)
         {
+            let losses = io::signature_losses(&loaded.model);
             loaded.model = model;
+            return Ok(losses);
         }
         if !is_json && matches!(loaded.model.structure(), Some(Structure::Halfedges { .. })) {
             loaded.model = polygon_model(std::mem::take(&mut loaded.model)).map_err(in_file)?;

@@ -193,3 +193,52 @@ fn an_interrupt_leaves_no_file() {
         assert_eq!((ended(signal, &|_| files() > 0), files()), (*status, 0));
     }
 }
+
+/// What a format rounds, joins or leaves out is said in a remark, and what it keeps comes back.
+#[test]
+fn what_is_written_is_kept_or_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let codes = |name: &str, text: &str, to: &str| -> Vec<String> {
+        let (input, out) = (file(&folder, name, text), folder.path().join(to));
+        let answer = coface(&["convert", argument(&input), "-o", argument(&out), "--json"]).json();
+        let code = |remark: &Value| remark["code"].as_str().unwrap().to_owned();
+        answer["remarks"].as_array().unwrap().iter().map(code).collect()
+    };
+    let far = "v 10000000 0 0\nv 10000000.5 0 0\nv 10000000 1 0\nv 10000000 0 1\nv 0 0 0\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    assert_eq!(codes("far.obj", far, "far.stl"), ["numbers-rounded", "rounded-invalid", "format-keeps-less"]);
+    assert_eq!(
+        codes("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n", "square.stl"),
+        ["faces-triangulated"]
+    );
+    let area =
+        |name: &str| coface(&["info", argument(&folder.path().join(name)), "--json"]).json()["area"].clone();
+    assert_eq!(area("square.stl"), json!(1.0));
+    // Positions are in JSON beside facets.
+    assert!(codes("sheets.obj", SHEETS, "sheets.json").is_empty());
+    assert_eq!(area("sheets.json"), area("sheets.obj"));
+    // Faces of a mesh are one surface whatever their groups.
+    let grouped = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng a\nf 1 3 2\ng b\nf 1 2 4\ng c\nf 2 3 4\nf 3 1 4\n";
+    for format in ["wkt", "wkb", "hex"] {
+        let name = format!("grouped.{format}");
+        assert_eq!(codes("grouped.obj", grouped, &name), ["format-keeps-less"]);
+        let info = coface(&["info", argument(&folder.path().join(&name)), "--json"]).json();
+        assert_eq!((&info["name"], &info["f_vector"]), (&json!("sphere"), &json!([4, 6, 4])), "{name}");
+    }
+    let empty = file(&folder, "empty.off", "OFF\n0 0 0\n");
+    let out = folder.path().join("empty.glb");
+    let run = coface(&["convert", argument(&empty), "-o", argument(&out)]);
+    assert!(run.fails_with(1).contains("nothing in it") && !out.exists());
+}
+
+/// Voxels are as large as the header of their file says.
+#[test]
+fn voxels_have_their_size() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 3 1\nspacings: 0.5 2 3\nencoding: ascii\n\n1 1 1 1 1 1\n";
+    let input = file(&folder, "a.nrrd", text);
+    let out = folder.path().join("a.off");
+    let run = coface(&["convert", argument(&input), "-o", argument(&out)]);
+    assert!(run.stderr.contains("0.5 x 2 x 3 each"), "{}", run.stderr);
+    let info = coface(&["info", argument(&out), "--json"]).json();
+    assert_eq!((&info["signed_volume"], &info["f_vector"]), (&json!(18.0), &json!([24, 44, 22])));
+}

@@ -15,8 +15,8 @@ use std::io::{BufWriter, Write};
 
 /// Writes a structure as JSON, one point, facet, matrix or simplex a line; a chain complex with its positions.
 ///
-/// A mesh of simplices becomes its list of facets: positions and groups are not written, polylines become edges, isolated
-/// vertices become facets of their own. Any other mesh becomes its chain complex, with positions; which vertices a cell has is
+/// A mesh of simplices becomes its list of facets, with the positions of its vertices: groups are not written, polylines become edges, isolated
+/// vertices become facets of their own. Positions that are not all finite are left out. Any other mesh becomes its chain complex, with positions; which vertices a cell has is
 /// given by the boundary matrices then.
 ///
 /// # Errors
@@ -36,7 +36,7 @@ use std::io::{BufWriter, Write};
 pub fn write(model: &Model, out: impl Write) -> Result<(), Error> {
     let mut out = BufWriter::with_capacity(1 << 16, out);
     match model.structure() {
-        Some(Structure::Facets(facets)) => write_facets(&mut out, facets.iter())?,
+        Some(Structure::Facets(facets)) => write_facets(&mut out, model.positions(), facets.iter())?,
         Some(Structure::Halfedges { next, twin, outer }) => {
             out.write_all(b"{")?;
             if !model.positions().is_empty() {
@@ -93,11 +93,19 @@ fn write_mesh(out: &mut impl Write, model: &Model) -> Result<(), Error> {
     let isolated: Vec<u32> = (0..model.vertex_count() as u32).filter(|&v| isolated[v as usize]).collect();
     let edges = model.lines().iter().flat_map(|line| line.windows(2));
     let simplices = model.cells().iter().chain(model.polygons().iter()).chain(edges);
-    write_facets(out, simplices.chain(isolated.chunks(1)))
+    write_facets(out, model.positions(), simplices.chain(isolated.chunks(1)))
 }
 
-fn write_facets<'a>(out: &mut impl Write, facets: impl Iterator<Item = &'a [u32]>) -> Result<(), Error> {
-    write!(out, "{{\"facets\":[")?;
+fn write_facets<'a>(
+    out: &mut impl Write,
+    positions: &Positions,
+    facets: impl Iterator<Item = &'a [u32]>,
+) -> Result<(), Error> {
+    out.write_all(b"{")?;
+    if !positions.is_empty() {
+        write_points(out, positions)?;
+    }
+    write!(out, "\"facets\":[")?;
     for (i, facet) in facets.enumerate() {
         out.write_all(if i == 0 { b"\n" } else { b",\n" })?;
         write_list(out, facet)?;

@@ -27,10 +27,11 @@ impl Nodes {
     /// Enters the tag of the next vertex.
     pub(super) fn add(&mut self, tag: i64) -> Result<(), Error> {
         match u64::try_from(tag) {
-            Ok(tag @ 1..) => self.tags.push(tag),
+            // Programs number from 0 too.
+            Ok(tag) => self.tags.push(tag),
             _ => {
                 return Err(
-                    Error::invalid(format!("a node has the tag {tag}")).with_cure("tags are positive")
+                    Error::invalid(format!("a node has the tag {tag}")).with_cure("number nodes from 1")
                 );
             }
         }

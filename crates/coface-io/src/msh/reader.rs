@@ -75,7 +75,15 @@ impl<R: Read> Reader<R> {
             self.miss_end(section);
             return Ok(());
         };
-        if end.strip_prefix(b"$End") != Some(section) {
+        let name = end.strip_prefix(b"$End");
+        if name != Some(section) && name.is_some_and(|name| is_misspelled(name, section)) {
+            let message = format!(
+                "the section ${} ends with {}, which is taken for its end",
+                String::from_utf8_lossy(section).escape_debug(),
+                quoted(end)
+            );
+            self.assembly.remarks.push(Remark::new(RemarkCode::InputReading, message));
+        } else if name != Some(section) {
             let message = format!(
                 "{} stands where $End{} should",
                 quoted(end),
@@ -179,10 +187,20 @@ impl<R: Read> Reader<R> {
             };
             let text = String::from_utf8_lossy(line).into_owned();
             let mut words = text.trim().splitn(3, char::is_whitespace);
-            let dimension = words.next().and_then(|word| word.parse::<usize>().ok());
+            let dimension = words.next().and_then(|word| word.parse::<i64>().ok());
             let number = words.next().and_then(|word| word.parse::<i64>().ok());
-            let (Some(dimension @ 0..=3), Some(number), Some(name)) = (dimension, number, words.next())
-            else {
+            let name = words.next();
+            if let (Some(dimension), Some(number), Some(_)) = (dimension, number, name)
+                && !(0..=3).contains(&dimension)
+            {
+                // Programs write such a name for a group of nothing.
+                let message = format!(
+                    "the name of group {number} is of dimension {dimension}, which no element has: it is left out"
+                );
+                self.assembly.remarks.push(Remark::new(RemarkCode::DataLeftOut, message));
+                continue;
+            }
+            let (Some(dimension @ 0..=3), Some(number), Some(name)) = (dimension, number, name) else {
                 let message = format!("{} is no physical name", quoted(text.as_bytes()));
                 return Err(self
                     .values
@@ -192,7 +210,7 @@ impl<R: Read> Reader<R> {
             };
             let name = name.trim();
             let name = name.strip_prefix('"').and_then(|name| name.strip_suffix('"')).unwrap_or(name);
-            self.assembly.name_group(group_kind(dimension), number, name.to_owned());
+            self.assembly.name_group(group_kind(dimension as usize), number, name.to_owned());
         }
         Ok(())
     }
@@ -243,6 +261,11 @@ impl<R: Read> Reader<R> {
             )
         })
     }
+}
+
+/// Whether a name is another one but for one letter that is wrong.
+fn is_misspelled(name: &[u8], meant: &[u8]) -> bool {
+    name.len() == meant.len() && name.iter().zip(meant).filter(|(a, b)| a != b).count() == 1
 }
 
 /// The kind of a physical group by its dimension.

@@ -32,7 +32,7 @@ fn faults_are_placed() {
             "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n3 0 0 0\n3 0 0 1\n$EndNodes\n",
             "node 3 stands twice",
         ),
-        ("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n0 0 0 0\n$EndNodes\n", "a node has the tag 0"),
+        ("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n-1 0 0 0\n$EndNodes\n", "a node has the tag -1"),
         (
             "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 info 0\n$EndNodes\n",
             "line 6: \"info\" is not a number",
@@ -231,4 +231,23 @@ fn counts_of_tags_beyond_the_file_end_with_it() {
     );
     let remarks = read(text.as_bytes()).unwrap().remarks().to_vec();
     assert_eq!(remarks[0].code, crate::RemarkCode::DataLeftOut);
+}
+
+#[test]
+fn small_faults_of_programs_are_read_over() {
+    let text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n-1 4 \"nothing\"\n2 7 \"lid\"\n$EndPhysicalNames\n$Nodes\n3\n\
+                0 0 0 0\n1 1 0 0\n2 0 1 0\n$EndNodes\n$Elements\n1\n1 2 2 7 1 0 1 2\n$EndElements\n\
+                $ElementData\n1\n\"x\"\n1\n0\n3\n0\n1\n1\n1 5\n$EndElememtData\n";
+    let model = read(text.as_bytes()).unwrap();
+    assert_eq!(model.polygons().list(0), [0, 1, 2]);
+    assert_eq!((model.groups().len(), model.groups()[0].name()), (1, "lid"));
+    assert_eq!(model.data()[0].real_row(0), [5.0]);
+    let messages: Vec<&str> = model.remarks().iter().map(|remark| &remark.message[..]).collect();
+    assert_eq!(
+        messages,
+        [
+            "the name of group 4 is of dimension -1, which no element has: it is left out",
+            "the section $ElementData ends with \"$EndElememtData\", which is taken for its end"
+        ]
+    );
 }

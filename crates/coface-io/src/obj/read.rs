@@ -1,22 +1,21 @@
 //! Reading OBJ.
 
-use super::groups::{Change, Groups, Statement};
-use crate::Model;
-use crate::Place;
-use crate::ReadOptions;
+use super::groups::{Change, Counts, Groups, Statement};
 use crate::blocks::{Block, Blocks};
 use crate::decimal::{is_blank, short_decimal, short_natural, skip_blanks};
 use crate::lists::Elements;
 use crate::model::{placed, repeated_vertex};
+use crate::numbers::Numbers;
 use crate::oddities::{Oddities, Oddity, without_repetition, without_standing_still};
-use crate::scanner::{parse_coordinate, parse_i64, quoted};
+use crate::scanner::{parse_coordinate, parse_f64, parse_i64, quoted};
+use crate::{CellData, GroupKind, Model, Place, ReadOptions};
 use coface_algebra::{Error, ErrorKind, RaggedArray, VertexId};
 use std::borrow::Cow;
 use std::io::Read;
 
 /// Reads a model in OBJ.
 ///
-/// Polygons belong to a [`Group`](crate::Group) for each name that `g`, `o` or `usemtl` gives them. A vertex that a face or
+/// Polygons belong to a [`Group`](crate::Group) for each name that `g`, `o` or `usemtl` gives them, lines and the vertices of `p` to others of that name. A vertex that a face or
 /// line repeats is dropped; what two different vertices are left of is an edge, and what is less is left out. Coordinates that are NaN or infinite are
 /// [partial positions](Model::partial_positions). A remark says so.
 ///
@@ -52,18 +51,21 @@ pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model
     let mut ahead: Vec<(u32, u64)> = Vec::new();
     let mut seen = false;
     let mut oddities = Oddities::default();
+    let (mut colors, mut passed) = (Vec::new(), Passed::default());
     let parsed = Blocks::new(input).ending_behind(|line| !is_continued(line)).parse(
         count_vertices,
         parse_block,
         |piece| {
-            let before = elements.polygons.len() as u32;
+            let before = counts(&elements);
             coordinates.extend_from_slice(&piece.coordinates);
             elements.append(&piece.elements)?;
             ahead.extend(piece.ahead);
             seen |= piece.seen;
             oddities.append(piece.oddities);
-            for (polygon, change) in piece.changes {
-                groups.change(change, before + polygon);
+            colors.extend_from_slice(&piece.colors);
+            passed.add(piece.passed);
+            for (behind, change) in piece.changes {
+                groups.change(change, std::array::from_fn(|kind| before[kind] + behind[kind]));
             }
             piece.fault.map_or(Ok(()), Err)
         },
@@ -85,9 +87,9 @@ pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model
         }
         fault.get_or_insert(missing);
     }
+    let mut groups = groups.finish(counts(&elements), &elements.points);
     let Elements { polygons, lines, points } = elements;
     let (positions, partial_positions) = placed(3, coordinates)?;
-    let mut groups = groups.finish(polygons.len() as u32);
     let (mut polygons, mut lines, mut points) = (polygons.into_ragged()?, lines.into_ragged()?, points);
     let mut remarks = oddities.into_remarks();
     if let Some(fault) = fault {
@@ -96,11 +98,27 @@ pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model
         let whole = |cells: &RaggedArray| RaggedArray::from_lists(cells.iter().take_while(is_there));
         (polygons, lines) = (whole(&polygons), whole(&lines));
         points.retain(|point| point.index() < vertex_count);
-        groups.iter_mut().for_each(|group| group.members.retain(|&m| (m as usize) < polygons.len()));
+        for group in &mut groups {
+            let count = match group.kind {
+                GroupKind::Lines => lines.len(),
+                GroupKind::Vertices => vertex_count,
+                _ => polygons.len(),
+            };
+            group.members.retain(|&member| (member as usize) < count);
+        }
         remarks.insert(0, crate::remark::partial(&fault));
+    }
+    let mut unread = passed.into_unread();
+    let mut data = Vec::new();
+    if colors.len() == 3 * vertex_count {
+        data.extend(color_data(&colors)?.into_iter().filter(|_| vertex_count > 0));
+    } else if !colors.is_empty() {
+        unread.push(("colors, which other vertices do not have", colors.len() / 3));
     }
     let model = Model {
         vertex_count,
+        data,
+        unread,
         positions,
         partial_positions,
         polygons,
@@ -114,19 +132,56 @@ pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model
     Ok(model)
 }
 
+/// How many elements of each kind there are.
+fn counts(elements: &Elements) -> Counts {
+    [elements.polygons.len() as u32, elements.lines.len() as u32, elements.points.len() as u32]
+}
+
 /// What was read of a block, up to the fault.
 #[derive(Default)]
 struct Piece {
     coordinates: Vec<f64>,
     elements: Elements,
-    /// Changes of names, each with the number of polygons of this piece before it.
-    changes: Vec<(u32, Change)>,
+    /// Changes of names, each with the numbers of elements of this piece before it.
+    changes: Vec<(Counts, Change)>,
     /// Vertices that were named before they came, each larger than those before, with the line.
     ahead: Vec<(u32, u64)>,
     /// Whether there was anything but blanks.
     seen: bool,
     oddities: Oddities,
     fault: Option<Error>,
+    /// Three numbers for each vertex that has a color.
+    colors: Vec<f64>,
+    passed: Passed,
+}
+
+/// What is passed over.
+#[derive(Clone, Copy, Default)]
+struct Passed {
+    /// Vertices with numbers behind the coordinates that are no color.
+    more: usize,
+    texture: usize,
+    normals: usize,
+    libraries: usize,
+}
+
+impl Passed {
+    fn add(&mut self, other: Self) {
+        self.more += other.more;
+        self.texture += other.texture;
+        self.normals += other.normals;
+        self.libraries += other.libraries;
+    }
+
+    fn into_unread(self) -> Vec<(&'static str, usize)> {
+        let kinds = [
+            ("vertices have more numbers behind x y z (v)", self.more),
+            ("texture coordinates (vt)", self.texture),
+            ("normals (vn)", self.normals),
+            ("names of material files (mtllib)", self.libraries),
+        ];
+        kinds.into_iter().filter(|&(_, count)| count > 0).collect()
+    }
 }
 
 impl Piece {
@@ -193,21 +248,17 @@ fn parse_block(block: &Block) -> Piece {
     piece
 }
 
-/// The position behind a line on which nothing is to be read any more; `None` if the line is continued.
-fn end_of_line(text: &[u8], at: usize) -> Option<usize> {
-    if text[at] == b'\n' {
-        return Some(at + 1);
-    }
-    let end = memchr::memchr(b'\n', &text[at..])? + at;
-    (!is_continued(&text[at..end])).then_some(end + 1)
-}
-
 /// Reads a vertex whose numbers are short; gives the position behind the line, or `None` and changes nothing.
 fn plain_vertex(text: &[u8], at: usize, piece: &mut Piece) -> Option<usize> {
     let (x, at) = short_decimal(text, skip_blanks(text, at))?;
     let (y, at) = short_decimal(text, skip_blanks(text, at))?;
     let (z, at) = short_decimal(text, skip_blanks(text, at))?;
-    let next = end_of_line(text, at)?;
+    let at = skip_blanks(text, at);
+    if text[at] != b'\n' {
+        // A color may follow.
+        return None;
+    }
+    let next = at + 1;
     piece.coordinates.extend_from_slice(&[x, y, z]);
     Some(next)
 }
@@ -356,6 +407,18 @@ fn read_statement(statement: &[u8], before: u64, line: u64, piece: &mut Piece) -
         b"g" => read_names(Statement::Group, rest, piece),
         b"o" => read_names(Statement::Object, rest, piece),
         b"usemtl" => read_names(Statement::Material, rest, piece),
+        b"vt" => {
+            piece.passed.texture += 1;
+            Ok(())
+        }
+        b"vn" => {
+            piece.passed.normals += 1;
+            Ok(())
+        }
+        b"mtllib" => {
+            piece.passed.libraries += 1;
+            Ok(())
+        }
         _ if is_keyword(keyword) => Ok(()),
         _ => Err(Error::parse(format!("{} is not an OBJ statement", quoted(keyword)))
             .with_cure("correct the line, or tell the format if this is no OBJ file")),
@@ -369,7 +432,7 @@ fn is_keyword(word: &[u8]) -> bool {
 }
 
 fn read_names(statement: Statement, rest: &[u8], piece: &mut Piece) -> Result<(), Error> {
-    piece.changes.push((piece.elements.polygons.len() as u32, Change::new(statement, rest)?));
+    piece.changes.push((counts(&piece.elements), Change::new(statement, rest)?));
     Ok(())
 }
 
@@ -392,7 +455,33 @@ fn read_vertex(rest: &[u8], vertex: u64, line: u64, piece: &mut Piece) -> Result
     }
     piece.oddities.note_unplaced(&point, vertex, Some(line));
     piece.coordinates.extend_from_slice(&point);
+    let mut more = words.map(|word| parse_f64(word, "a color").ok());
+    match [more.next(), more.next(), more.next(), more.next()] {
+        [None, ..] => {}
+        [Some(Some(red)), Some(Some(green)), Some(Some(blue)), None] => {
+            piece.colors.extend_from_slice(&[red, green, blue]);
+        }
+        _ => piece.passed.more += 1,
+    }
     Ok(())
+}
+
+/// Colors as data on vertices: bytes if all are shares of 255, or bytes themselves.
+fn color_data(colors: &[f64]) -> Result<[CellData; 3], Error> {
+    // Shares are written with three decimals at least.
+    let of_share = |x: f64| (x * 255.0).round();
+    let are_shares =
+        colors.iter().all(|&x| (0.0..=1.0).contains(&x) && (of_share(x) / 255.0 - x).abs() < 6e-4);
+    let are_bytes = !are_shares && colors.iter().all(|&x| (0.0..=255.0).contains(&x) && x.fract() == 0.0);
+    let channel = |at: usize, name: &str| {
+        let values = colors.iter().skip(at).step_by(3).copied();
+        if are_shares || are_bytes {
+            let bytes = values.map(|x| if are_shares { of_share(x) as u8 } else { x as u8 }).collect();
+            return Ok(CellData::of_file(name.to_owned(), GroupKind::Vertices, 1, Numbers::UInt8(bytes)));
+        }
+        CellData::reals(name, GroupKind::Vertices, 1, values.collect())
+    };
+    Ok([channel(0, "red")?, channel(1, "green")?, channel(2, "blue")?])
 }
 
 /// The vertices that a statement names, from 0, when `count` vertices stand before it.

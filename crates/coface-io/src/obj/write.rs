@@ -5,15 +5,16 @@ use crate::decimal::{flush, push_f64, push_natural};
 use crate::limits::{require_dimension, require_mesh};
 use crate::{Group, GroupKind, GroupRole, Model};
 use coface_algebra::{Error, ErrorKind};
+use std::collections::BTreeMap;
 use std::io::Write;
 
-/// Writes a model in OBJ.
+/// Writes a model in OBJ: polygons, then lines, then points.
 ///
 /// Coordinates are written so that they read back bit for bit; fewer than three are filled up with zeros. Groups of
 /// polygons are written as `g`, with all names of a polygon in one statement, objects as `o` and materials as `usemtl`; these give one name at a time:
 /// an object that shares a polygon with another is a group. `_` stands for the blanks in a name behind `g`, and at the ends of others. Data `red`, `green` and `blue` on vertices, a byte each, stand behind the coordinates as numbers from 0 to 1, as many
-/// programs write and read them; our reader passes over them. [Texture coordinates](Model::texture_coordinates) are written as `vt`; then
-/// vertices at one place with one number in data `source` are one, so that a surface that was cut open to be laid out is whole. OBJ has no names for vertices and lines: such groups are left out.
+/// programs write and read them. [Texture coordinates](Model::texture_coordinates) are written as `vt`; then
+/// vertices at one place with one number in data `source` are one, so that a surface that was cut open to be laid out is whole. Lines and points have the names of their groups too. Groups of vertices that are no points are left out.
 ///
 /// # Errors
 /// [`ErrorKind::UnsupportedFormat`] naming formats that serve if the model has 3-cells, no positions or more than three
@@ -32,7 +33,7 @@ use std::io::Write;
 pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
     require_mesh(model, "OBJ", "MEDIT, MSH or VTK")?;
     require_dimension(model, "OBJ", 3)?;
-    let names = Names::new(model)?;
+    let names = Names::new(groups_of(model, GroupKind::Polygons), model.polygons.len())?;
     let mut text =
         format!("# {} vertices, {} polygons\n", model.vertex_count, model.polygons.len()).into_bytes();
     let colors = model.vertex_colors();
@@ -67,26 +68,105 @@ pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
         flush(&mut text, &mut output)?;
     }
     let numbers = numbers.as_deref();
-    names.declare(&mut text);
-    let mut naming = names.namings.iter().peekable();
-    for (i, polygon) in model.polygons.iter().enumerate() {
-        while let Some(naming) = naming.next_if(|naming| naming.polygon as usize <= i) {
-            names.push_statement(&mut text, naming.statement, &naming.groups)?;
-        }
-        push_statement(&mut text, b'f', polygon, numbers);
-        flush(&mut text, &mut output)?;
+    let named_points = groups_of_points(model);
+    let lines = Names::of_others(groups_of(model, GroupKind::Lines), model.lines.len()).unwrap_or_default();
+    let points = Names::of_others(named_points.iter().collect(), model.points.len());
+    let single: Vec<[u32; 1]> = model.points.iter().map(|point| [point.to_u32()]).collect();
+    let mut writer = Writer { text, output, numbers };
+    writer.write(b'f', &names, model.polygons.iter())?;
+    if !model.lines.is_empty() || !model.points.is_empty() {
+        writer.end(&names)?;
     }
-    for line in model.lines.iter() {
-        push_statement(&mut text, b'l', line, numbers);
-        flush(&mut text, &mut output)?;
+    writer.write(b'l', &lines, model.lines.iter())?;
+    if !model.points.is_empty() {
+        writer.end(&lines)?;
     }
-    for point in &model.points {
-        push_statement(&mut text, b'p', &[point.to_u32()], numbers);
-        flush(&mut text, &mut output)?;
-    }
-    output.write_all(&text)?;
-    output.flush()?;
+    writer.write(b'p', &points.unwrap_or_default(), single.iter().map(|point| &point[..]))?;
+    writer.output.write_all(&writer.text)?;
+    writer.output.flush()?;
     Ok(())
+}
+
+/// The number of groups that [`write`] leaves out: of vertices that are no points, and of lines and points whose names as words would be the same.
+pub(crate) fn lost_groups(model: &Model) -> usize {
+    let vertices = model.groups.iter().filter(|group| group.kind() == GroupKind::Vertices).count();
+    let points = groups_of_points(model);
+    let kept = match Names::of_others(points.iter().collect(), model.points.len()) {
+        Some(_) => points.len(),
+        None => 0,
+    };
+    let lines = groups_of(model, GroupKind::Lines);
+    let count = lines.len();
+    vertices - kept + if Names::of_others(lines, model.lines.len()).is_some() { 0 } else { count }
+}
+
+/// The groups of a kind; those without members are polygons to a reader.
+fn groups_of(model: &Model, kind: GroupKind) -> Vec<&Group> {
+    let is_there =
+        |group: &&Group| group.kind() == kind && (kind == GroupKind::Polygons || !group.members().is_empty());
+    model.groups.iter().filter(is_there).collect()
+}
+
+/// The groups of vertices that are all points, as groups of these.
+fn groups_of_points(model: &Model) -> Vec<Group> {
+    let groups = model.groups.iter().filter(|group| group.kind() == GroupKind::Vertices);
+    if model.points.is_empty() {
+        return Vec::new();
+    }
+    let mut places: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+    for (place, point) in model.points.iter().enumerate() {
+        places.entry(point.to_u32()).or_default().push(place as u32);
+    }
+    let as_points = |group: &Group| {
+        let mut members = Vec::new();
+        for vertex in group.members() {
+            members.extend(places.get(vertex)?);
+        }
+        (!members.is_empty()).then(|| Group { members, ..group.clone() })
+    };
+    groups.filter_map(as_points).collect()
+}
+
+/// What has been written and what is to come.
+struct Writer<'a, W> {
+    text: Vec<u8>,
+    output: W,
+    numbers: Option<&'a [u32]>,
+}
+
+impl<W: Write> Writer<'_, W> {
+    /// Writes elements of a kind, with the names of their groups.
+    fn write<'e>(
+        &mut self,
+        keyword: u8,
+        names: &Names,
+        elements: impl Iterator<Item = &'e [u32]>,
+    ) -> Result<(), Error> {
+        names.declare(&mut self.text);
+        let mut naming = names.namings.iter().peekable();
+        for (i, vertices) in elements.enumerate() {
+            while let Some(naming) = naming.next_if(|naming| naming.polygon as usize <= i) {
+                names.push_statement(&mut self.text, naming.statement, &naming.groups)?;
+            }
+            push_statement(&mut self.text, keyword, vertices, self.numbers);
+            flush(&mut self.text, &mut self.output)?;
+        }
+        Ok(())
+    }
+
+    /// Ends the names that hold up to the last element of a kind.
+    fn end(&mut self, names: &Names) -> Result<(), Error> {
+        let mut last: Vec<Statement> = Vec::new();
+        for naming in names.namings.iter().rev() {
+            if !last.contains(&naming.statement) {
+                last.push(naming.statement);
+                if naming.groups.is_empty() && naming.polygon as usize == names.count {
+                    names.push_statement(&mut self.text, naming.statement, &[])?;
+                }
+            }
+        }
+        Ok(())
+    }
 }
 
 /// A share with at most four decimals.
@@ -94,12 +174,16 @@ fn push_short(text: &mut Vec<u8>, share: f64) {
     push_f64(text, (share * 1e4).round() / 1e4);
 }
 
-/// The names of the groups of polygons and the statements that give them.
-struct Names<'a> {
-    groups: Vec<&'a Group>,
+/// The names of the groups of polygons, of lines or of points, and the statements that give them.
+#[derive(Default)]
+struct Names {
+    /// The number of elements.
+    count: usize,
     /// The names behind `g`, and behind `o` and `usemtl`, which may have blanks.
     words: Vec<String>,
     titles: Vec<String>,
+    /// The statement that names each first.
+    statements: Vec<Statement>,
     /// In the order of their polygons.
     namings: Vec<Naming>,
     /// Whether the statements name the groups in another order than theirs, or leave some out.
@@ -113,20 +197,30 @@ struct Naming {
     groups: Vec<usize>,
 }
 
-impl<'a> Names<'a> {
-    fn new(model: &'a Model) -> Result<Self, Error> {
-        let groups: Vec<&Group> =
-            model.groups.iter().filter(|group| group.kind() == GroupKind::Polygons).collect();
+impl Names {
+    /// The names of groups of lines or points; `None` if OBJ has no room for all of them.
+    fn of_others(groups: Vec<&Group>, count: usize) -> Option<Self> {
+        let names = Self::new(groups, count).ok()?;
+        names.namings.iter().all(|naming| naming.groups.len() <= MOST_NAMES).then_some(names)
+    }
+
+    fn new(groups: Vec<&Group>, count: usize) -> Result<Self, Error> {
         let names: Vec<&str> = (0..groups.len()).map(|group| plain_name(&groups, group)).collect();
         let words: Vec<String> = names.iter().map(|name| one_word(name)).collect();
         let titles: Vec<String> = names.iter().map(|name| one_line(name)).collect();
         let mut namings = Vec::new();
         let mut rest: Vec<usize> = Vec::new();
+        let mut statements = vec![Statement::Group; groups.len()];
         for statement in [Statement::Object, Statement::Material] {
             let of_role: Vec<usize> =
                 (0..groups.len()).filter(|&group| groups[group].has_role(statement.role())).collect();
-            let (alone, others) = apart(&groups, &of_role, model.polygons.len());
+            let (alone, others) = apart(&groups, &of_role, count);
             rest.extend(others);
+            for &group in alone.iter().filter(|&&group| {
+                !groups[group].has_role(GroupRole::Object) || statement == Statement::Object
+            }) {
+                statements[group] = statement;
+            }
             require_distinct(&alone, &titles)?;
             add_namings(&groups, &alone, statement, &mut namings);
         }
@@ -148,7 +242,7 @@ impl<'a> Names<'a> {
             }
         }
         let to_declare = !order.iter().copied().eq(0..groups.len());
-        Ok(Self { groups, words, titles, namings, to_declare })
+        Ok(Self { count, words, titles, statements, namings, to_declare })
     }
 
     /// Names all groups once, without polygons, so that a reader meets them in their order.
@@ -159,9 +253,7 @@ impl<'a> Names<'a> {
         let mut used = Vec::new();
         let mut words = 0;
         for (group, title) in self.titles.iter().enumerate() {
-            let roles = [Statement::Object, Statement::Material];
-            let role = roles.into_iter().find(|statement| self.groups[group].has_role(statement.role()));
-            let statement = role.unwrap_or(Statement::Group);
+            let statement = self.statements[group];
             if statement == Statement::Group && used.last() == Some(&statement) && words < MOST_NAMES {
                 text.pop();
                 text.extend_from_slice(format!(" {}\n", self.words[group]).as_bytes());

@@ -12,6 +12,7 @@ mod write;
 
 pub use read::read;
 pub(crate) use read::read_with;
+pub(crate) use write::losses;
 pub use write::write;
 
 /// How triangles are written.

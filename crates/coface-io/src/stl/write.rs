@@ -2,19 +2,22 @@
 
 use super::Encoding;
 use crate::decimal::flush;
+use crate::holed_faces::triangulated;
 use crate::limits::{require_dimension, require_mesh};
-use crate::{GroupKind, Model};
+use crate::{GroupKind, Model, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind, VertexId};
+use std::borrow::Cow;
 use std::io::Write;
 
-/// Writes the triangles of a model in STL, in single precision.
+/// Writes the polygons of a model in STL, as triangles, in single precision.
 ///
-/// What STL is not made for is lost: digits beyond single precision, vertices that no triangle uses, and, in binary,
-/// groups. In text each polygon stands in a solid of the name of its first group.
+/// What STL is not made for is lost: digits beyond single precision, vertices that no polygon uses, and, in binary,
+/// groups. In text each polygon stands in a solid of the name of its first group. A polygon of more than three vertices is cut into triangles on
+/// its own vertices. [`losses`](crate::losses) says what a model loses.
 ///
 /// # Errors
-/// [`ErrorKind::UnsupportedFormat`] naming formats that serve if the model has polygons that are no triangles, lines,
-/// points, 3-cells, no positions, more than three coordinates a vertex or one that single precision cannot hold, or is
+/// [`ErrorKind::UnsupportedFormat`] naming formats that serve if the model has lines,
+/// points, 3-cells, vertices and no polygon, no positions, more than three coordinates a vertex or one that single precision cannot hold, or is
 /// an abstract structure; [`ErrorKind::TooLarge`] beyond 2^32 - 1 triangles in binary; [`ErrorKind::Io`] if the stream
 /// fails.
 ///
@@ -32,37 +35,184 @@ use std::io::Write;
 pub fn write(model: &Model, mut output: impl Write, encoding: Encoding) -> Result<(), Error> {
     require_mesh(model, "STL", "MEDIT, MSH or VTK")?;
     require_dimension(model, "STL", 3)?;
-    let triangles = triangles(model)?;
+    let triangles = Triangles::of(model)?;
     let coordinates = single(model)?;
     let corner = |vertex: u32| -> [f32; 3] {
         let at = 3 * vertex as usize;
         [coordinates[at], coordinates[at + 1], coordinates[at + 2]]
     };
     match encoding {
-        Encoding::Binary => write_binary(triangles, corner, &mut output)?,
-        Encoding::Ascii => write_text(model, triangles, corner, &mut output)?,
+        Encoding::Binary => write_binary(&triangles, corner, &mut output)?,
+        Encoding::Ascii => write_text(model, &triangles, corner, &mut output)?,
     }
     output.flush()?;
     Ok(())
 }
 
-/// The vertices of the triangles, if there is nothing else.
-fn triangles(model: &Model) -> Result<&[u32], Error> {
-    let refuse = |what: String| {
-        Err(Error::new(ErrorKind::UnsupportedFormat, what)
+/// The polygons of a model as triangles.
+struct Triangles<'a> {
+    corners: Cow<'a, [u32]>,
+    /// The polygon of each triangle, unless all polygons are triangles.
+    polygons: Option<Vec<u32>>,
+}
+
+impl<'a> Triangles<'a> {
+    /// The triangles, if there is nothing else.
+    fn of(model: &'a Model) -> Result<Self, Error> {
+        let refuse = |what: String| {
+            Err(Error::new(
+                ErrorKind::UnsupportedFormat,
+                format!("STL holds triangles only, and the model has {what}"),
+            )
             .with_cure("write OBJ, PLY or OFF, which keep polygons, lines and points"))
+        };
+        if !model.lines.is_empty() || !model.points.is_empty() {
+            return refuse(format!("{} lines and {} points", model.lines.len(), model.points.len()));
+        }
+        if model.polygons.is_empty() && model.vertex_count > 0 {
+            return refuse(format!("{} vertices and no triangle", model.vertex_count));
+        }
+        if model.polygons.iter().all(|polygon| polygon.len() == 3) {
+            return Ok(Self { corners: model.polygons.items().into(), polygons: None });
+        }
+        let dimension = model.coordinate_count();
+        let point = |vertex: u32| -> [f64; 3] {
+            let at = vertex as usize * dimension;
+            std::array::from_fn(|axis| if axis < dimension { model.coordinates()[at + axis] } else { 0.0 })
+        };
+        let (mut corners, mut polygons) = (Vec::new(), Vec::new());
+        for (i, polygon) in model.polygons.iter().enumerate() {
+            let is_finite = polygon.iter().all(|&vertex| point(vertex).iter().all(|x| x.is_finite()));
+            let cut = match polygon.len() {
+                3 => None,
+                _ if is_finite => triangulated(&mut [polygon.to_vec()], point),
+                _ => None,
+            };
+            // What is not simple is cut from its first vertex.
+            let cut = cut.unwrap_or_else(|| {
+                polygon[1..].windows(2).map(|pair| [polygon[0], pair[0], pair[1]]).collect()
+            });
+            polygons.resize(polygons.len() + cut.len(), i as u32);
+            corners.extend(cut.into_iter().flatten());
+        }
+        Ok(Self { corners: corners.into(), polygons: Some(polygons) })
+    }
+
+    fn len(&self) -> usize {
+        self.corners.len() / 3
+    }
+
+    fn iter(&self) -> impl Iterator<Item = &[u32]> {
+        self.corners.chunks_exact(3)
+    }
+
+    /// The polygon that a triangle is of.
+    fn polygon(&self, triangle: usize) -> usize {
+        self.polygons.as_ref().map_or(triangle, |polygons| polygons[triangle] as usize)
+    }
+}
+
+/// What a file of the model does not keep: nothing for a model that is refused.
+pub(crate) fn losses(model: &Model) -> Vec<Remark> {
+    let is_held = require_mesh(model, "STL", "").and_then(|()| require_dimension(model, "STL", 3));
+    let (Ok(()), Ok(triangles), Ok(single)) = (is_held, Triangles::of(model), single(model)) else {
+        return Vec::new();
     };
-    if let Some((i, polygon)) = model.polygons.iter().enumerate().find(|(_, polygon)| polygon.len() != 3) {
-        return refuse(format!("STL holds triangles only, and polygon {i} has {} vertices", polygon.len()));
+    let mut remarks = Vec::new();
+    let mut add = |code: RemarkCode, count: usize, message: String| {
+        if count > 0 {
+            remarks.push(Remark::new(code, message).at(count, []));
+        }
+    };
+    let [is, are] = ["is", "are"].map(str::to_owned);
+    let larger = model.polygons.iter().filter(|polygon| polygon.len() > 3).count();
+    add(
+        RemarkCode::FacesTriangulated,
+        larger,
+        match larger {
+            1 => "1 polygon of more than three vertices is written as triangles".to_owned(),
+            _ => format!("{larger} polygons of more than three vertices are written as triangles"),
+        },
+    );
+    let dimension = model.coordinate_count();
+    let (mut moved, mut farthest) = (0, 0.0f64);
+    for (point, rounded) in model.coordinates().chunks_exact(dimension.max(1)).zip(single.chunks_exact(3)) {
+        let square: f64 = point.iter().zip(rounded).map(|(x, &y)| (x - f64::from(y)).powi(2)).sum();
+        if square > 0.0 {
+            (moved, farthest) = (moved + 1, farthest.max(square.sqrt()));
+        }
     }
-    if !model.lines.is_empty() || !model.points.is_empty() {
-        return refuse(format!(
-            "STL holds triangles only, and the model has {} lines and {} points",
-            model.lines.len(),
-            model.points.len()
-        ));
-    }
-    Ok(model.polygons.items())
+    let vertices =
+        |count: usize| if count == 1 { "1 vertex".to_owned() } else { format!("{count} vertices") };
+    add(
+        RemarkCode::NumbersRounded,
+        moved,
+        format!(
+            "coordinates are rounded to single precision: {} {}, by up to about {farthest:.2e}",
+            vertices(moved),
+            if moved == 1 { "moves" } else { "move" }
+        ),
+    );
+    let mut used: Vec<u32> = triangles.corners.to_vec();
+    used.sort_unstable();
+    used.dedup();
+    // Zeros of both signs are equal.
+    let place = |vertex: u32| -> [u32; 3] {
+        std::array::from_fn(|axis| (single[3 * vertex as usize + axis] + 0.0).to_bits())
+    };
+    let exact = |vertex: u32| -> [u64; 3] {
+        let at = vertex as usize * dimension;
+        std::array::from_fn(|axis| {
+            if axis < dimension { (model.coordinates()[at + axis] + 0.0).to_bits() } else { 0 }
+        })
+    };
+    let different = |keys: &mut Vec<[u64; 3]>| {
+        keys.sort_unstable();
+        keys.dedup();
+        keys.len()
+    };
+    let apart = different(&mut used.iter().map(|&vertex| exact(vertex)).collect());
+    let left = different(&mut used.iter().map(|&vertex| place(vertex).map(u64::from)).collect());
+    let is_collapsed = |triangle: &&[u32]| {
+        let [a, b, c] = [0, 1, 2].map(|corner| place(triangle[corner]));
+        a == b || b == c || c == a
+    };
+    let collapsed = triangles.iter().filter(is_collapsed).count();
+    let merged = apart - left;
+    let triangles_collapse = match collapsed {
+        1 => "1 triangle collapses".to_owned(),
+        _ => format!("{collapsed} triangles collapse"),
+    };
+    add(
+        RemarkCode::RoundedInvalid,
+        merged,
+        format!(
+            "single precision makes vertices one that are apart: {} {} lost and {triangles_collapse}, so the surface that is read is another one",
+            vertices(merged),
+            if merged == 1 { &is } else { &are }
+        ),
+    );
+    let twins = used.len() - apart;
+    add(
+        RemarkCode::FormatKeepsLess,
+        twins,
+        match twins {
+            1 => "1 vertex is at the place of another: they are one in STL".to_owned(),
+            _ => format!("{twins} vertices are at the places of others: they are one in STL"),
+        },
+    );
+    let loose = model.vertex_count - used.len();
+    add(
+        RemarkCode::FormatKeepsLess,
+        loose,
+        format!(
+            "{} {} in no triangle and {} left out",
+            vertices(loose),
+            if loose == 1 { &is } else { &are },
+            if loose == 1 { &is } else { &are }
+        ),
+    );
+    remarks
 }
 
 /// The positions in single precision, filled up with zeros to three coordinates.
@@ -96,17 +246,17 @@ fn normal([a, b, c]: [[f32; 3]; 3]) -> [f32; 3] {
 }
 
 fn write_binary(
-    triangles: &[u32],
+    triangles: &Triangles<'_>,
     corner: impl Fn(u32) -> [f32; 3],
     output: &mut impl Write,
 ) -> Result<(), Error> {
-    let count = u32::try_from(triangles.len() / 3)
+    let count = u32::try_from(triangles.len())
         .map_err(|_| Error::new(ErrorKind::TooLarge, "more than 2^32 - 1 triangles"))?;
     let mut bytes = vec![b' '; 80];
     let title = b"binary STL";
     bytes[..title.len()].copy_from_slice(title);
     bytes.extend_from_slice(&count.to_le_bytes());
-    for triangle in triangles.chunks_exact(3) {
+    for triangle in triangles.iter() {
         let corners = [corner(triangle[0]), corner(triangle[1]), corner(triangle[2])];
         for value in [normal(corners), corners[0], corners[1], corners[2]].iter().flatten() {
             bytes.extend_from_slice(&value.to_le_bytes());
@@ -120,7 +270,7 @@ fn write_binary(
 
 fn write_text(
     model: &Model,
-    triangles: &[u32],
+    triangles: &Triangles<'_>,
     corner: impl Fn(u32) -> [f32; 3],
     output: &mut impl Write,
 ) -> Result<(), Error> {
@@ -129,7 +279,8 @@ fn write_text(
     let mut text = Vec::new();
     let mut current = name(0);
     push_line(&mut text, "solid", current);
-    for (i, triangle) in triangles.chunks_exact(3).enumerate() {
+    for (i, triangle) in triangles.iter().enumerate() {
+        let i = triangles.polygon(i);
         if name(i) != current {
             push_line(&mut text, "endsolid", current);
             current = name(i);

@@ -109,13 +109,14 @@ fn push_corners(
     }
 }
 
-/// The lower corner and the size of the box around all vertices; a unit box if there is none.
+/// The lower corner and the size of the box around all vertices; a unit box if there is none. What has no second coordinate is at 0.
 fn frame(model: &Model) -> ([f64; 2], [f64; 2]) {
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     for vertex in 0..model.vertex_count() {
         let point = model.positions().point(VertexId::new(vertex));
-        for axis in 0..point.len().min(2) {
-            (low[axis], high[axis]) = (low[axis].min(point[axis]), high[axis].max(point[axis]));
+        for axis in 0..2 {
+            let coordinate = point.get(axis).copied().unwrap_or(0.0);
+            (low[axis], high[axis]) = (low[axis].min(coordinate), high[axis].max(coordinate));
         }
     }
     let size = [0, 1].map(|axis| high[axis] - low[axis]);

@@ -1,5 +1,6 @@
 //! What the headers of volume files say.
 
+use super::frame::VoxelFrame;
 use super::numbers::NumberType;
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::cubical::CubicalVolume;
@@ -24,6 +25,8 @@ pub(super) struct VolumeHeader {
     pub(super) data_file: Option<PathBuf>,
     /// The bytes of the header.
     pub(super) length: u64,
+    /// Where voxels are, if the header says it.
+    pub(super) frame: Option<VoxelFrame>,
 }
 
 /// What comes before the numbers.

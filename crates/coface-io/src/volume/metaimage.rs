@@ -1,5 +1,6 @@
 //! MetaImage of ITK: `.mha`, and `.mhd` with numbers in another file.
 
+use super::frame::VoxelFrame;
 use super::header::{Encoding, Lines, Skip, VolumeHeader, shape_of, shortened};
 use super::numbers::NumberType;
 use coface_algebra::{Error, ErrorKind};
@@ -47,6 +48,9 @@ struct Fields {
     skip: Option<Skip>,
     /// `LOCAL`, or the name of a file.
     data_file: Option<String>,
+    spacing: Option<Vec<f64>>,
+    directions: Option<Vec<f64>>,
+    origin: Option<[f64; 3]>,
 }
 
 impl Fields {
@@ -88,6 +92,11 @@ impl Fields {
                 let bytes = value.parse().map_err(|_| wrong("a number of bytes"))?;
                 self.skip = Some(Skip::Ahead { lines: 0, bytes });
             }
+            "ElementSpacing" => self.spacing = numbers(value),
+            "TransformMatrix" | "Rotation" | "Orientation" => self.directions = numbers(value),
+            "Offset" | "Position" | "Origin" => {
+                self.origin = numbers(value).and_then(|numbers| numbers.try_into().ok());
+            }
             "ElementDataFile" => {
                 if value.starts_with("LIST") || value.contains('%') {
                     return Err(Error::new(ErrorKind::UnsupportedFormat, "the numbers are in several files")
@@ -100,11 +109,24 @@ impl Fields {
         Ok(())
     }
 
+    /// Where voxels are: the rows of the matrix are the directions of the axes.
+    fn frame(&self) -> Option<VoxelFrame> {
+        let spacing = self.spacing.clone().unwrap_or_else(|| vec![1.0; 3]);
+        match self.directions.as_deref() {
+            Some(&[a, b, c, d, e, f, g, h, i]) if spacing.len() == 3 => {
+                let along = |step: usize, direction: [f64; 3]| direction.map(|x| x * spacing[step]);
+                VoxelFrame::new([along(0, [a, b, c]), along(1, [d, e, f]), along(2, [g, h, i])], self.origin)
+            }
+            _ => VoxelFrame::of_spacing(&spacing, self.origin),
+        }
+    }
+
     fn into_header(self, length: u64) -> Result<VolumeHeader, Error> {
         let missing = |field: &str| {
             Error::parse(format!("the header lacks the field {field}"))
                 .with_cure("write it before ElementDataFile, as the format asks")
         };
+        let frame = self.frame();
         let axis_count = self.axis_count.ok_or_else(|| missing("NDims"))?;
         let sizes = self.sizes.ok_or_else(|| missing("DimSize"))?;
         if sizes.len() != axis_count {
@@ -132,8 +154,13 @@ impl Fields {
             skip: self.skip.unwrap_or(Skip::NOTHING),
             data_file: self.data_file.filter(|name| !name.eq_ignore_ascii_case("LOCAL")).map(PathBuf::from),
             length,
+            frame,
         })
     }
+}
+
+fn numbers(text: &str) -> Option<Vec<f64>> {
+    text.split_whitespace().map(|word| word.parse().ok()).collect()
 }
 
 fn number_type(name: &str) -> Result<NumberType, Error> {

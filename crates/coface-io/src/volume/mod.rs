@@ -7,6 +7,7 @@
 //! * A [`VolumeStream`] gives the voxels in runs, in the order of the file, without holding the numbers: a run is along the axis that runs
 //!   fastest there, the last one or the first.
 
+mod frame;
 mod header;
 mod metaimage;
 mod nifti;
@@ -29,6 +30,7 @@ pub(super) use nrrd::MAGIC as NRRD_MAGIC;
 pub(super) use pgm::is_pgm;
 /// The first bytes of an image as PNG.
 pub(super) const PNG_MAGIC: &[u8] = b"\x89PNG\r\n\x1a\n";
+pub(crate) use frame::VoxelFrame;
 pub use rule::{VolumeReading, VoxelRule};
 pub use stream::VolumeStream;
 pub(super) use stream::header_path;

@@ -1,5 +1,6 @@
 //! NIfTI-1 and -2: `.nii`, `.nii.gz`, `.hdr` with `.img`.
 
+use super::frame::VoxelFrame;
 use super::header::{Encoding, Skip, VolumeHeader, exactly, shape_of};
 use super::numbers::NumberType;
 use crate::features::{GZIP, gunzipped};
@@ -44,6 +45,7 @@ macro_rules! field {
 
 impl Fields {
     field!(i16, i16);
+    field!(i32, i32);
     field!(i64, i64);
     field!(f32, f32);
     field!(f64, f64);
@@ -145,9 +147,48 @@ pub(super) fn read_header(input: &mut impl Read) -> Result<(VolumeHeader, bool),
             },
             data_file: None,
             length: length as u64,
+            frame: (lengths.len() == 3).then(|| frame(&fields, is_first)).flatten(),
         },
         is_single,
     ))
+}
+
+/// Where voxels are: by the affine map, by the rotation, or by the sizes of voxels alone, in this order.
+fn frame(fields: &Fields, is_first: bool) -> Option<VoxelFrame> {
+    let number = |at: usize| if is_first { f64::from(fields.f32(at)) } else { fields.f64(at) };
+    let width = if is_first { 4 } else { 8 };
+    let numbers = |at: usize| -> [f64; 3] { std::array::from_fn(|i| number(at + i * width)) };
+    let (has_rotation, has_affine) = if is_first {
+        (fields.i16(252) > 0, fields.i16(254) > 0)
+    } else {
+        (fields.i32(344) > 0, fields.i32(348) > 0)
+    };
+    let [sizes_at, quaternion_at, affine_at] = if is_first { [76, 256, 280] } else { [104, 352, 400] };
+    let affine = |axis: usize, column: usize| number(affine_at + (4 * axis + column) * width);
+    if has_affine {
+        let column = |step: usize| [0, 1, 2].map(|axis| affine(axis, step));
+        if let Some(frame) =
+            VoxelFrame::new([0, 1, 2].map(column), Some([0, 1, 2].map(|axis| affine(axis, 3))))
+        {
+            return Some(frame);
+        }
+    }
+    let sizes = numbers(sizes_at + width).map(|size| if size == 0.0 { 1.0 } else { size.abs() });
+    if has_rotation {
+        let [b, c, d] = numbers(quaternion_at);
+        let a = (1.0 - b * b - c * c - d * d).max(0.0).sqrt();
+        let turn = if number(sizes_at) < 0.0 { -1.0 } else { 1.0 };
+        let steps = [
+            [a * a + b * b - c * c - d * d, 2.0 * (b * c + a * d), 2.0 * (b * d - a * c)]
+                .map(|x| x * sizes[0]),
+            [2.0 * (b * c - a * d), a * a + c * c - b * b - d * d, 2.0 * (c * d + a * b)]
+                .map(|x| x * sizes[1]),
+            [2.0 * (b * d + a * c), 2.0 * (c * d - a * b), a * a + d * d - b * b - c * c]
+                .map(|x| x * sizes[2] * turn),
+        ];
+        return VoxelFrame::new(steps, Some(numbers(quaternion_at + 3 * width)));
+    }
+    VoxelFrame::of_spacing(&sizes, None)
 }
 
 /// How many bytes are between the header, or the beginning of a file of numbers alone, and the first number.

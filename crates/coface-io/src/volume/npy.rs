@@ -54,6 +54,7 @@ pub(super) fn read_header(input: &mut impl Read) -> Result<VolumeHeader, Error> 
         skip: Skip::NOTHING,
         data_file: None,
         length: before + length as u64,
+        frame: None,
     })
 }
 

@@ -1,5 +1,6 @@
 //! NRRD: `.nrrd`, and `.nhdr` with numbers in another file.
 
+use super::frame::VoxelFrame;
 use super::header::{Encoding, Lines, Skip, VolumeHeader, shape_of, shortened};
 use super::numbers::NumberType;
 use coface_algebra::{Error, ErrorKind};
@@ -55,6 +56,9 @@ struct Fields {
     lines: u64,
     bytes: u64,
     is_at_end: bool,
+    spacings: Option<Vec<f64>>,
+    directions: Option<[[f64; 3]; 3]>,
+    origin: Option<[f64; 3]>,
 }
 
 impl Fields {
@@ -98,6 +102,14 @@ impl Fields {
                 }
                 self.data_file = Some(PathBuf::from(value));
             }
+            "spacings" => {
+                self.spacings = value.split_whitespace().map(|word| word.parse().ok()).collect();
+            }
+            "space directions" => {
+                let vectors: Vec<[f64; 3]> = value.split(')').filter_map(vector).collect();
+                self.directions = vectors.try_into().ok();
+            }
+            "space origin" => self.origin = value.split(')').find_map(vector),
             "line skip" | "lineskip" => self.lines = count("number of lines")?,
             "byte skip" | "byteskip" => match value {
                 "-1" => self.is_at_end = true,
@@ -154,8 +166,19 @@ impl Fields {
             skip,
             data_file: self.data_file,
             length,
+            frame: match self.directions {
+                Some(steps) => VoxelFrame::new(steps, self.origin),
+                None => self.spacings.and_then(|spacings| VoxelFrame::of_spacing(&spacings, self.origin)),
+            },
         })
     }
+}
+
+/// The three numbers behind a parenthesis.
+fn vector(text: &str) -> Option<[f64; 3]> {
+    let (_, numbers) = text.split_once('(')?;
+    let numbers: Option<Vec<f64>> = numbers.split(',').map(|word| word.trim().parse().ok()).collect();
+    numbers?.try_into().ok()
 }
 
 /// The axis, and the kind of its samples, if these belong to one voxel.

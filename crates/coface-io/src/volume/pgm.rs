@@ -42,6 +42,7 @@ pub(super) fn read_header(input: &mut impl Read) -> Result<VolumeHeader, Error> 
         skip: Skip::NOTHING,
         data_file: None,
         length: words.length,
+        frame: None,
     })
 }
 

@@ -57,6 +57,7 @@ pub(super) fn read(input: &mut impl Read) -> Result<Image, Error> {
         skip: Skip::NOTHING,
         data_file: None,
         length: 0,
+        frame: None,
     };
     let pixel = Pixel { color: info.color_type, depth: info.bit_depth, width: info.width as usize, greys };
     let numbers = Numbers { reader, pixel, frame: Vec::new(), row: Vec::new(), place: 0, done: 0 };

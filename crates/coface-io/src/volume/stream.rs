@@ -1,5 +1,6 @@
 //! Volume files read voxel by voxel.
 
+use super::frame::VoxelFrame;
 use super::header::{Encoding, Skip, VolumeHeader, unreadable, up_to};
 use super::numbers::{Decode, Test, Values, Words};
 use super::rule::{VolumeReading, VoxelRule};
@@ -224,6 +225,11 @@ impl<'r> VolumeStream<'r> {
     /// ```
     pub fn files(&self) -> &[PathBuf] {
         &self.files
+    }
+
+    /// Where voxels are, if the header says it and there are three axes.
+    pub(crate) fn frame(&self) -> Option<VoxelFrame> {
+        self.header.frame.filter(|_| self.header.shape.len() == 3)
     }
 
     /// The axis that runs fastest in the file: the last one or the first.

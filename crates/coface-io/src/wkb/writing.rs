@@ -1,7 +1,7 @@
 //! From a model to bytes or digits.
 
 use super::{COLLECTION, HAS_SRID, HAS_Z, LINE, MULTI, POINT, POLYGON, POLYHEDRAL_SURFACE};
-use crate::drawing::{Features, Shape, are_one_geometry, closed, shapes, written_dimension};
+use crate::drawing::{Geometries, Shape, closed, written_dimension};
 use crate::{Model, ReferenceSystem};
 use coface_algebra::{Error, ErrorKind};
 use std::io::Write;
@@ -39,9 +39,8 @@ pub enum Encoding {
 pub fn write(model: &Model, mut output: impl Write, encoding: Encoding) -> Result<(), Error> {
     let srid = model.reference_system().and_then(ReferenceSystem::srid);
     let writer = Writer { model, dimension: written_dimension(model, "WKB")?, is_extended: srid.is_some() };
-    let shapes = shapes(model);
-    let known = Features::new(model);
-    let features = || shapes.chunk_by(|a, b| are_one_geometry(a, b, &known, writer.dimension));
+    let geometries = Geometries::of(model, writer.dimension);
+    let features = || geometries.iter();
     let mut bytes = Vec::new();
     match encoding {
         Encoding::Digits => {
@@ -50,7 +49,7 @@ pub fn write(model: &Model, mut output: impl Write, encoding: Encoding) -> Resul
                 writer.push_geometry(feature, srid, &mut bytes)?;
                 write_digits(&bytes, &mut output)?;
             }
-            if shapes.is_empty() {
+            if geometries.shapes.is_empty() {
                 writer.push_start(COLLECTION, srid, &mut bytes);
                 push_count(0, &mut bytes)?;
                 write_digits(&bytes, &mut output)?;
@@ -60,7 +59,7 @@ pub fn write(model: &Model, mut output: impl Write, encoding: Encoding) -> Resul
             let (count, is_collection) =
                 (features().count(), features().any(|feature| !is_of_one_kind(feature)));
             if count == 1 && !is_collection {
-                writer.push_geometry(&shapes, srid, &mut bytes)?;
+                writer.push_geometry(&geometries.shapes, srid, &mut bytes)?;
             } else {
                 writer.push_start(COLLECTION, srid, &mut bytes);
                 push_count(count, &mut bytes)?;

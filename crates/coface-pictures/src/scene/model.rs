@@ -87,8 +87,8 @@ impl Scene {
                 assumed = Some(Remark::new(RemarkCode::DrawnInstead, message).at(count, []));
                 &subdivided
             }
-            Some(Structure::Volume(volume)) => {
-                let (positions, squares) = volume.boundary_squares()?;
+            Some(Structure::Volume(_)) => {
+                let (positions, squares) = model.voxel_surface()?.unwrap_or_default();
                 let message = format!("drawn: the {} squares around the voxels of the volume", squares.len());
                 assumed = Some(Remark::new(RemarkCode::DrawnInstead, message).at(squares.len(), []));
                 subdivided = Model::from_polygons(positions, squares)?;

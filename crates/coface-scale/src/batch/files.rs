@@ -142,7 +142,20 @@ fn add(path: &Path, is_recursive: bool, files: &mut Vec<PathBuf>) -> Result<(), 
     Ok(())
 }
 
-/// Adds the files of a folder that have the extension of a format.
+/// Whether a file has the rows of a batch, or an answer a line, and not a model.
+fn is_rows(path: &Path) -> bool {
+    let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
+    let mark: &[u8] = match extension.as_deref() {
+        Some("csv") => b"path,bytes,",
+        Some("jsonl" | "ndjson") => b"{\"path\":",
+        _ => return false,
+    };
+    let mut start = Vec::new();
+    let read = fs::File::open(path).and_then(|file| file.take(mark.len() as u64).read_to_end(&mut start));
+    read.is_ok() && start == mark
+}
+
+/// Adds the files of a folder that have the extension of a format, compressed or not; rows of an earlier batch are none of them.
 fn add_folder(folder: &Path, is_recursive: bool, files: &mut Vec<PathBuf>) -> Result<(), Error> {
     let mut entries = Vec::new();
     for entry in fs::read_dir(folder).map_err(|error| in_path(error, folder))? {
@@ -156,7 +169,7 @@ fn add_folder(folder: &Path, is_recursive: bool, files: &mut Vec<PathBuf>) -> Re
             if is_recursive {
                 add_folder(&path, true, files)?;
             }
-        } else if Format::from_path(&path).is_some() && !path.is_dir() {
+        } else if Format::from_input_path(&path).is_some() && !path.is_dir() && !is_rows(&path) {
             files.push(path);
         }
     }
@@ -166,6 +179,26 @@ fn add_folder(folder: &Path, is_recursive: bool, files: &mut Vec<PathBuf>) -> Re
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_folder_has_compressed_files_and_no_rows() {
+        let folder = tempfile::tempdir().unwrap();
+        let files = [
+            ("a.off.gz", ""),
+            ("b.mesh.xz", ""),
+            ("c.csv", "x,y\n0,1\n"),
+            ("d.csv", "path,bytes,seconds\na.off,7,0.5\n"),
+            ("e.jsonl", "{\"path\":\"a.off\"}\n"),
+            ("f.jsonl", "{\"facets\":[[0,1]]}\n"),
+            ("g.txt.gz", ""),
+        ];
+        for (name, text) in files {
+            fs::write(folder.path().join(name), text).unwrap();
+        }
+        let found = find_files(&[folder.path().to_path_buf()], false, std::io::empty()).unwrap();
+        let names: Vec<&str> = found.iter().filter_map(|path| path.file_name()?.to_str()).collect();
+        assert_eq!(names, ["a.off.gz", "b.mesh.xz", "c.csv", "f.jsonl"]);
+    }
 
     #[test]
     fn words_name_files_folders_patterns_and_lists() {
