@@ -204,7 +204,7 @@ fn form_of(record: &[u8]) -> Option<Form> {
 
 /// Whether the quotes of a row are closed.
 fn is_whole(record: &[u8]) -> bool {
-    memchr::memchr_iter(b'"', record).count() % 2 == 0
+    memchr::memchr_iter(b'"', record).count().is_multiple_of(2)
 }
 
 /// The entries of a row, without their quotes. Delimiters within the parentheses of a geometry are its own.

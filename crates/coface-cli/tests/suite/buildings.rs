@@ -149,17 +149,11 @@ fn objects_stay_objects_in_what_is_written() {
     assert!((walls - (8.6 * 3.4 * 2.9 - 60.0)).abs() < 1e-9, "{walls}");
     let without_door = volume(&["boolean", "--formula", "6 - 7", "rooms.obj", "--json"]);
     assert!((without_door - 0.2 * (7.5 - 0.9 * 2.1)).abs() < 1e-9, "{without_door}");
-    // What was converted, or is a result, has its objects too.
-    for (line, count) in [
-        ("convert rooms.obj -o again.obj", 9),
-        ("convert again.obj -o third.obj", 9),
-        ("arrange third.obj --inputs objects -o cells.obj", 20),
-    ] {
-        let words: Vec<&str> = line.split(' ').collect();
-        assert_eq!(coface_in(folder.path(), &words).status, 0, "{line}");
-        let union = ["boolean", "union", words[words.len() - 1], "--inputs", "objects", "--json"];
-        let answer = coface_in(folder.path(), &union).json();
-        assert_eq!(answer["regions"].as_array().map(Vec::len), Some(count), "{line}");
+    // What was converted has its objects too.
+    for [from, to] in [["rooms.obj", "again.obj"], ["again.obj", "third.obj"]] {
+        assert_eq!(coface_in(folder.path(), &["convert", from, "-o", to]).status, 0, "{to}");
+        let answer = coface_in(folder.path(), &["arrange", to, "--inputs", "objects", "--json"]).json();
+        assert_eq!(answer["regions"].as_array().map(Vec::len), Some(9), "{to}");
     }
 }
 
