@@ -32,7 +32,7 @@ fn exact_point_count(model: &Model) -> usize {
 /// That the format has no room for the groups, the data or the properties of the model, where that is so.
 ///
 /// # Complexity
-/// Linear in the number of features and of exact points; constant without them.
+/// Linear in the number of features and of exact points, and as of [`coface_io::losses`].
 ///
 /// # Examples
 /// ```

@@ -321,7 +321,7 @@ mod tests {
     fn holes_and_rings_inside_of_others_divide_a_facet() {
         let (outer, inner, island) = (square(0, 8), square(20, 4), square(30, 2));
         let cells = |polygons: &[Vec<u32>], holes: &[[f64; 2]]| covered(&divided(polygons, holes).0);
-        assert_eq!(cells(&[outer.clone()], &[]), (64.0, 64));
+        assert_eq!(cells(std::slice::from_ref(&outer), &[]), (64.0, 64));
         assert_eq!(cells(&[outer.clone(), inner.clone()], &[[2.5, 2.5]]), (48.0, 48));
         assert_eq!(
             cells(&[inner.clone(), outer.clone()], &[]),
@@ -329,7 +329,7 @@ mod tests {
             "a ring divides and leaves nothing out"
         );
         assert_eq!(cells(&[outer.clone(), inner.clone(), island.clone()], &[[2.5, 2.5]]), (52.0, 52));
-        assert_eq!(cells(&[outer.clone(), inner.clone(), island], &[[4.0, 4.0]]), (60.0, 60));
+        assert_eq!(cells(&[outer.clone(), inner, island], &[[4.0, 4.0]]), (60.0, 60));
         // A ring of segments, in any order, and a loose one.
         let segments: Vec<Vec<u32>> =
             [[20, 24], [60, 56], [24, 60], [20, 56], [0, 10]].map(Vec::from).to_vec();
@@ -341,7 +341,7 @@ mod tests {
         assert_eq!(facets.with_holes, [7]);
         // Rings that touch the outer one, at a corner, along a side, and at a corner in the middle of a side.
         for touching in [square(0, 3), square(3, 3), vec![4, 23, 21]] {
-            let area = covered(&divided(&[touching.clone()], &[]).0).0;
+            let area = covered(&divided(std::slice::from_ref(&touching), &[]).0).0;
             let at = raster(touching[0]);
             let next = raster(touching[2]);
             let hole = [0.9 * at[0] + 0.1 * next[0] + 0.01, 0.9 * at[1] + 0.1 * next[1] + 0.1];

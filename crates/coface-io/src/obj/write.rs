@@ -33,7 +33,7 @@ use std::io::Write;
 pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
     require_mesh(model, "OBJ", "MEDIT, MSH or VTK")?;
     require_dimension(model, "OBJ", 3)?;
-    let names = Names::new(groups_of(model, GroupKind::Polygons), model.polygons.len())?;
+    let names = Names::new(&groups_of(model, GroupKind::Polygons), model.polygons.len())?;
     let mut text =
         format!("# {} vertices, {} polygons\n", model.vertex_count, model.polygons.len()).into_bytes();
     let colors = model.vertex_colors();
@@ -69,8 +69,8 @@ pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
     }
     let numbers = numbers.as_deref();
     let named_points = groups_of_points(model);
-    let lines = Names::of_others(groups_of(model, GroupKind::Lines), model.lines.len()).unwrap_or_default();
-    let points = Names::of_others(named_points.iter().collect(), model.points.len());
+    let lines = Names::of_others(&groups_of(model, GroupKind::Lines), model.lines.len()).unwrap_or_default();
+    let points = Names::of_others(&named_points.iter().collect::<Vec<_>>(), model.points.len());
     let single: Vec<[u32; 1]> = model.points.iter().map(|point| [point.to_u32()]).collect();
     let mut writer = Writer { text, output, numbers };
     writer.write(b'f', &names, model.polygons.iter())?;
@@ -91,13 +91,13 @@ pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
 pub(crate) fn lost_groups(model: &Model) -> usize {
     let vertices = model.groups.iter().filter(|group| group.kind() == GroupKind::Vertices).count();
     let points = groups_of_points(model);
-    let kept = match Names::of_others(points.iter().collect(), model.points.len()) {
+    let kept = match Names::of_others(&points.iter().collect::<Vec<_>>(), model.points.len()) {
         Some(_) => points.len(),
         None => 0,
     };
     let lines = groups_of(model, GroupKind::Lines);
     let count = lines.len();
-    vertices - kept + if Names::of_others(lines, model.lines.len()).is_some() { 0 } else { count }
+    vertices - kept + if Names::of_others(&lines, model.lines.len()).is_some() { 0 } else { count }
 }
 
 /// The groups of a kind; those without members are polygons to a reader.
@@ -199,13 +199,13 @@ struct Naming {
 
 impl Names {
     /// The names of groups of lines or points; `None` if OBJ has no room for all of them.
-    fn of_others(groups: Vec<&Group>, count: usize) -> Option<Self> {
+    fn of_others(groups: &[&Group], count: usize) -> Option<Self> {
         let names = Self::new(groups, count).ok()?;
         names.namings.iter().all(|naming| naming.groups.len() <= MOST_NAMES).then_some(names)
     }
 
-    fn new(groups: Vec<&Group>, count: usize) -> Result<Self, Error> {
-        let names: Vec<&str> = (0..groups.len()).map(|group| plain_name(&groups, group)).collect();
+    fn new(groups: &[&Group], count: usize) -> Result<Self, Error> {
+        let names: Vec<&str> = (0..groups.len()).map(|group| plain_name(groups, group)).collect();
         let words: Vec<String> = names.iter().map(|name| one_word(name)).collect();
         let titles: Vec<String> = names.iter().map(|name| one_line(name)).collect();
         let mut namings = Vec::new();
@@ -214,7 +214,7 @@ impl Names {
         for statement in [Statement::Object, Statement::Material] {
             let of_role: Vec<usize> =
                 (0..groups.len()).filter(|&group| groups[group].has_role(statement.role())).collect();
-            let (alone, others) = apart(&groups, &of_role, count);
+            let (alone, others) = apart(groups, &of_role, count);
             rest.extend(others);
             for &group in alone.iter().filter(|&&group| {
                 !groups[group].has_role(GroupRole::Object) || statement == Statement::Object
@@ -222,13 +222,13 @@ impl Names {
                 statements[group] = statement;
             }
             require_distinct(&alone, &titles)?;
-            add_namings(&groups, &alone, statement, &mut namings);
+            add_namings(groups, &alone, statement, &mut namings);
         }
         let words_of: Vec<usize> = (0..groups.len())
             .filter(|group| groups[*group].has_role(GroupRole::Group) || rest.contains(group))
             .collect();
         require_distinct(&words_of, &words)?;
-        add_namings(&groups, &words_of, Statement::Group, &mut namings);
+        add_namings(groups, &words_of, Statement::Group, &mut namings);
         namings.sort_by_key(|naming| {
             let first =
                 naming.groups.iter().find(|&&group| first_member(groups[group]) == Some(naming.polygon));
