@@ -245,11 +245,6 @@ pub(super) fn check_hopeless(start: &[u8], whole: bool) -> Result<(), Error> {
     Ok(())
 }
 
-/// The start without the mark that some editors put before UTF-8 text.
-pub(super) fn without_mark(start: &[u8]) -> &[u8] {
-    start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start)
-}
-
 /// Whether the first word begins a section of Gmsh, alone on its line; what is a comment of Nastran begins with `$` too.
 fn is_msh(start: &[u8]) -> bool {
     let line = first_line(start);

@@ -82,6 +82,7 @@ mod scratch_mesh;
 mod space_faces;
 mod stated_surfaces;
 pub mod stl;
+mod stream_start;
 pub mod svg;
 mod table_form;
 mod tail;

@@ -3,9 +3,10 @@
 use crate::counted_stream::{name_of, reading};
 use crate::files::open_regular;
 use crate::scanner::Scanner;
+use crate::stream_start::plain_bytes;
 use crate::volume::{NPY_MAGIC, write_npy_header};
 use crate::word_columns::{WordColumns, is_word};
-use crate::{Format, Remark, RemarkCode, VolumeStream, readers};
+use crate::{Format, Remark, RemarkCode, VolumeStream};
 use coface_algebra::Error;
 use std::io::{Read, Write};
 use std::path::Path;
@@ -60,8 +61,7 @@ impl NumberTable {
     /// # Examples
     /// See [`NumberTable`].
     pub fn read(input: impl Read) -> Result<Self, Error> {
-        // Any stated format does: it is not looked at.
-        let mut input = readers::opened(input, None, Some(Format::Points))?.bytes();
+        let mut input = plain_bytes(input)?;
         let mut start = Vec::new();
         input.by_ref().take(NPY_MAGIC.len() as u64).read_to_end(&mut start)?;
         let is_array = start == NPY_MAGIC;

@@ -3,9 +3,8 @@
 use super::counted_stream::{CountedStream, name_of, open, reading};
 use super::files::{Companions, replace_file};
 use super::scratch_mesh::{self, ScratchMesh, ScratchStream};
+use super::stream_start::{unpacked_start, without_mark};
 use super::tail::Tail;
-use super::unpacking::{Packing, unpacked};
-use super::utf16::{Utf8Of, is_utf16};
 use super::{
     Format, Model, Remark, Structure, VolumeReading, VolumeStream, abaqus, cityjson, collada,
     complex_reading, container, detection, format, geojson, gltf, isosig, json, lines_text, medit, msh, obj,
@@ -18,8 +17,6 @@ use std::fs::File;
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
-/// So many bytes are read to detect the format.
-const START: usize = 1 << 16;
 /// What a stream without a name is called.
 const STREAM: &str = "the input";
 
@@ -619,16 +616,14 @@ fn boundary_of(
     options: &ReadOptions,
 ) -> Result<yin::BoundaryDrawing, Error> {
     let (start, whole, rest, is_unpacked) = unpacked_start(input)?;
-    if options.format.is_none() && yin::is_factories(detection::without_mark(&start)) {
+    if options.format.is_none() && yin::is_factories(without_mark(&start)) {
         // Curves as text are no format of their own, for nothing else reads them.
         let rest = rest.take(if whole { 0 } else { u64::MAX });
-        return yin::read_factories(detection::without_mark(&start).chain(rest));
+        return yin::read_factories(without_mark(&start).chain(rest));
     }
     let (format, remarks) = match options.format {
         Some(format) => (format, Vec::new()),
-        None => {
-            detection::decide(detection::without_mark(&start), whole, name.and_then(Format::from_input_path))?
-        }
+        None => detection::decide(without_mark(&start), whole, name.and_then(Format::from_input_path))?,
     };
     let path = name.filter(|name| name.is_file()).map(Path::to_path_buf);
     boundary_started(Opened { start, whole, rest, is_unpacked, format, remarks, path }, options)
@@ -642,7 +637,7 @@ fn boundary_started(opened: Opened<'_>, options: &ReadOptions) -> Result<yin::Bo
             let Opened { start, whole, rest, .. } = opened;
             detection::check_stated(format, &start, whole)?;
             let rest = rest.take(if whole { 0 } else { u64::MAX });
-            let input = detection::without_mark(&start).chain(rest);
+            let input = without_mark(&start).chain(rest);
             match format {
                 Format::Json => json::read_boundary(input, None)?,
                 Format::Dat => yin::read_dat(input)?,
@@ -803,7 +798,7 @@ pub fn stream_mesh(path: &Path, format: Option<Format>, streams: [ScratchStream;
             return Ok(false);
         }
         detection::check_stated(format, &start, whole)?;
-        let input = detection::without_mark(&start).chain(rest);
+        let input = without_mark(&start).chain(rest);
         let scratch = ScratchMesh::new(streams);
         let read = match format {
             Format::Medit => medit::read_into(input, scratch),
@@ -837,12 +832,12 @@ pub(crate) struct Opened<'r> {
 impl<'r> Opened<'r> {
     /// Whether text begins with the mark that some editors put there.
     pub(crate) fn has_mark(&self) -> bool {
-        detection::without_mark(&self.start).len() < self.start.len()
+        without_mark(&self.start).len() < self.start.len()
     }
 
     /// All bytes but the mark that some editors put before text.
     pub(crate) fn bytes(self) -> impl Read + use<'r> {
-        let start = detection::without_mark(&self.start).to_vec();
+        let start = without_mark(&self.start).to_vec();
         std::io::Cursor::new(start).chain(self.rest.take(if self.whole { 0 } else { u64::MAX }))
     }
 }
@@ -856,9 +851,7 @@ pub(crate) fn opened<'r>(
     let (start, whole, rest, is_unpacked) = unpacked_start(input)?;
     let (format, remarks) = match stated {
         Some(format) => (format, Vec::new()),
-        None => {
-            detection::decide(detection::without_mark(&start), whole, name.and_then(Format::from_input_path))?
-        }
+        None => detection::decide(without_mark(&start), whole, name.and_then(Format::from_input_path))?,
     };
     Ok(Opened { start, whole, rest, is_unpacked, format, remarks, path: None })
 }
@@ -866,44 +859,6 @@ pub(crate) fn opened<'r>(
 /// The bytes of a file once more, unpacked and without the mark of text.
 pub(crate) fn bytes_again(path: &Path) -> Result<impl Read + use<>, Error> {
     Ok(opened(counted(path)?, Some(path), Some(Format::Off))?.bytes())
-}
-
-type Start<'r> = (Vec<u8>, bool, Box<dyn Read + 'r>, bool);
-
-/// The first bytes of a stream, whether they are all of it, the rest of it, and whether it was unpacked.
-fn unpacked_start<'r>(mut input: impl Read + 'r) -> Result<Start<'r>, Error> {
-    let (start, whole) = start_of(&mut input)?;
-    // The readers of volumes unpack for themselves.
-    let packing = Packing::of_content(&start).filter(|_| !volume::is_nifti(&start));
-    let Some(packing) = packing else { return decoded_start(start, whole, Box::new(input), false) };
-    let mut rest = unpacked(std::io::Cursor::new(start).chain(input), packing)?;
-    let (start, whole) = start_of(&mut rest).map_err(|error| {
-        error.with_cure("the file was cut short: write it again, or restore it from a copy")
-    })?;
-    decoded_start(start, whole, rest, true)
-}
-
-/// The same in UTF-8 if it is text in UTF-16.
-fn decoded_start(
-    start: Vec<u8>,
-    whole: bool,
-    rest: Box<dyn Read + '_>,
-    is_unpacked: bool,
-) -> Result<Start<'_>, Error> {
-    if !is_utf16(&start) {
-        return Ok((start, whole, rest, is_unpacked));
-    }
-    let mut rest = Utf8Of::new(&start.clone(), std::io::Cursor::new(start).chain(rest))?;
-    let (start, whole) = start_of(&mut rest)?;
-    Ok((start, whole, Box::new(rest), true))
-}
-
-/// The first bytes of a stream, and whether they are all of it.
-fn start_of(input: &mut impl Read) -> Result<(Vec<u8>, bool), Error> {
-    let mut start = Vec::new();
-    input.by_ref().take(START as u64).read_to_end(&mut start)?;
-    let whole = start.len() < START;
-    Ok((start, whole))
 }
 
 /// Reads on from the start that was looked at.
@@ -936,7 +891,7 @@ fn read_format(
 ) -> Result<Model, Error> {
     detection::check_stated(format, start, whole)?;
     let rest = rest.take(if whole { 0 } else { u64::MAX });
-    let mut input = Tail::new(detection::without_mark(start).chain(rest));
+    let mut input = Tail::new(without_mark(start).chain(rest));
     let mut model = read_mesh(&mut input, (format, path), options)?;
     if format.is_lines_of_text() {
         model.remarks.extend(input.remark());

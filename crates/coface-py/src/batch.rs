@@ -1,7 +1,7 @@
 //! Reports on many files by worker processes.
 
 use crate::errors::{OrRaise, invalid};
-use crate::model::format_of;
+use crate::target::format_of;
 use crate::volumes::{Voxels, reading_of};
 use crate::work::run;
 use coface::answers::SignatureRequest;

@@ -12,7 +12,7 @@ mod triangulations;
 mod writing;
 
 pub(crate) use pickling::_model;
-pub(crate) use reading::{entries, format_of, read, read_options};
+pub(crate) use reading::{entries, read, read_options};
 pub(crate) use writing::_bytes_of;
 
 use crate::arrays;

@@ -1,7 +1,6 @@
 //! Where things are written: files by their paths, and files that are open.
 
-use crate::errors::{self, invalid, wrong_type};
-use crate::model::format_of;
+use crate::errors::{self, OrRaise, invalid, wrong_type};
 use crate::work::run;
 use coface::Error;
 use coface::answers::answer::Remark;
@@ -10,6 +9,11 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyString};
 use std::io::Write;
 use std::path::{Path, PathBuf};
+
+/// The format of this name, if one is given.
+pub(crate) fn format_of(py: Python<'_>, format: Option<&str>) -> PyResult<Option<Format>> {
+    format.map(|name| Format::from_name(name).or_raise(py)).transpose()
+}
 
 /// A path, or a file that is open.
 pub(crate) enum Target<'py> {

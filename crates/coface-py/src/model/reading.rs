@@ -2,17 +2,13 @@
 
 use super::Model;
 use crate::errors::{self, OrRaise, wrong_type};
-use crate::target::name_of;
+use crate::target::{format_of, name_of};
 use crate::work::run;
 use coface::io;
 use coface::io::{Format, ReadOptions};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 use std::path::{Path, PathBuf};
-
-pub(crate) fn format_of(py: Python<'_>, format: Option<&str>) -> PyResult<Option<Format>> {
-    format.map(|name| Format::from_name(name).or_raise(py)).transpose()
-}
 
 /// How a file is read: its format, the distance of chords from curves, whether assumptions are errors and whether a damaged file is read
 /// up to its fault, and whether the files that it names may lie outside of its folder.
