@@ -6,7 +6,7 @@
 //! nearest first.
 
 use super::borders::Borders;
-use super::layer::{Geometry, MapLayer, Point, Rings};
+use super::layer::{Geometry, MapFeature, MapLayer, Point, Rings};
 use super::repair::{faults_of, repaired};
 use super::result::{Change, blank};
 use super::task::RepairMethod;
@@ -27,6 +27,7 @@ pub(super) fn simplified(layer: &MapLayer, tolerance: f64) -> Result<Change, Err
         return Err(Error::invalid(format!("the tolerance is {tolerance}"))
             .with_cure("give a finite length from 0, in the unit of the map"));
     }
+    let given = layer;
     let first = Borders::new(layer)?;
     let (added, vertices_before) = (first.added, first.places.len() - first.added);
     let mended = mended(layer, &first)?;
@@ -71,6 +72,12 @@ pub(super) fn simplified(layer: &MapLayer, tolerance: f64) -> Result<Change, Err
         vertices,
         vertices_added: added,
     };
+    let again = made_valid(given, &mut geometries)?;
+    if again > 0 {
+        let message =
+            format!("polygons of {} that lost their shape were made valid", text::count(again, "feature"));
+        remarks.push(Remark::new(RemarkCode::DrawingAssumption, message).at(again, []));
+    }
     remarks.extend(remark_of_faults(&geometries)?);
     Ok(Change {
         geometries: geometries.into_iter().enumerate().map(|(i, geometry)| (Some(i), geometry)).collect(),
@@ -115,6 +122,22 @@ fn mended(layer: &MapLayer, borders: &Borders) -> Result<Option<(MapLayer, usize
         mended.features[number].geometry.polygons = polygons;
     }
     Ok(Some((mended, count)))
+}
+
+/// Makes polygons valid that are not and were; how many features have some.
+fn made_valid(given: &MapLayer, geometries: &mut [Geometry]) -> Result<usize, Error> {
+    let valid = |(geometry, feature): (&mut Geometry, &MapFeature)| -> Result<bool, Error> {
+        let was_valid = || Ok::<_, Error>(faults_of(&feature.geometry.polygons)?.0.is_empty());
+        if faults_of(&geometry.polygons)?.0.is_empty() || !was_valid()? {
+            return Ok(false);
+        }
+        geometry.polygons = repaired(&geometry.polygons, RepairMethod::Structure)?.polygons;
+        Ok(true)
+    };
+    let made: Vec<Result<bool, Error>> =
+        geometries.par_iter_mut().zip(given.features.par_iter()).map(valid).collect();
+    let made = made.into_iter().collect::<Result<Vec<bool>, Error>>()?;
+    Ok(made.into_iter().filter(|&was_made| was_made).count())
 }
 
 fn remarks_of_meetings(borders: &Borders, mended: usize) -> Vec<Remark> {

@@ -386,6 +386,10 @@ fn simplified_maps_are_valid() {
     let (answer, simple) = after(&map, &MapTask::Simplify(0.01));
     assert!(is_valid(&simple), "{}", written(&simple));
     assert!(answer.simplification.unwrap().vertices_added > 0);
+    let two = read(&[thin, disk].join("\n"));
+    assert!(is_valid(&two));
+    let (_, simple) = after(&two, &MapTask::Simplify(0.01));
+    assert!(is_valid(&simple), "{}", written(&simple));
     // What is not valid stays so, and that is said.
     let (answer, _) = after(&read("POLYGON ((0 0,2 2,2 0,0 2,0 0))"), &MapTask::Simplify(0.01));
     assert!(answer.remarks.iter().any(|remark| remark.message.contains("not valid, as before")));
