@@ -1660,7 +1660,7 @@ export interface PhaseCell {
   coverage: CoverageAnswer;
   /** The length of its boundary in the cell. */
   length: number;
-  /** The number of the phase. */
+  /** The number of the phase, from 0, in the order of `"phases"`. */
   phase: number;
   /** The row, from 0 at the bottom. */
   row: number;
@@ -1773,12 +1773,16 @@ export interface Pi1Component {
   homomorphisms?: Record<string, HomomorphismAnswer | null>;
   /** The lengths of the loops of a surface, in the unit of the file. */
   lengths?: number[] | null;
-  /** The group in words; `null` if it is not recognized, which says nothing. */
+  /** The group in words, or by a presentation in standard form; `null` if it is not recognized, which says nothing. */
   name?: string | null;
   /** The relators: i is generator i, counted from 1, -i its inverse, and the product of the letters is the unit. */
   relators: number[][];
+  /** The closed 3-manifold that the complex is, where the name of the group follows from it; absent where it follows from the presentation. */
+  space?: SpaceAnswer | null;
   /** The numbers of subgroups of index 1, 2, ...; `null` if they take too long to count. */
   subgroups?: SubgroupCount[] | null;
+  /** Why there is no name; absent with one. */
+  unrecognized?: Unrecognized | null;
 }
 
 /** The places where a result in space is pinched, by coordinates before pinches are split. */
@@ -2544,6 +2548,9 @@ export interface TreesAnswer {
   /** The edges of the spanning trees of vertices. */
   tree: [number, number][];
 }
+
+/** Why a group has no name. */
+export type Unrecognized = "gave_up" | "no_rule";
 
 /** A curve that vanished. */
 export interface VanishedAnswer {

@@ -1,7 +1,7 @@
 //! Models from files.
 
 use super::Model;
-use crate::errors::{self, OrRaise, wrong_type};
+use crate::errors::{self, wrong_type};
 use crate::target::{format_of, name_of};
 use crate::work::run;
 use coface::io;

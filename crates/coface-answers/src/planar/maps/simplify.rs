@@ -86,6 +86,9 @@ pub(super) fn simplified(layer: &MapLayer, tolerance: f64) -> Result<Change, Err
     })
 }
 
+/// The polygons of a feature, which has this number.
+type Numbered = (usize, Vec<Rings>);
+
 /// The map with the polygons that are not valid where borders were cut, as where a side came to lie on another one, made valid, and the
 /// number of features that have some; `None` where there are none. What was not valid before stays as it is.
 fn mended(layer: &MapLayer, borders: &Borders) -> Result<Option<(MapLayer, usize)>, Error> {
@@ -93,7 +96,7 @@ fn mended(layer: &MapLayer, borders: &Borders) -> Result<Option<(MapLayer, usize
         return Ok(None);
     }
     let mut walks = borders.walks.iter();
-    let mut cut: Vec<(usize, Vec<Rings>)> = Vec::new();
+    let mut cut: Vec<Numbered> = Vec::new();
     for (number, feature) in layer.features.iter().enumerate() {
         let rings_of = |rings: &Rings| -> Rings {
             let own = walks.by_ref().take(rings.len());
@@ -103,16 +106,16 @@ fn mended(layer: &MapLayer, borders: &Borders) -> Result<Option<(MapLayer, usize
             feature.geometry.polygons.iter().map(rings_of).filter_map(polygon).collect();
         cut.push((number, polygons));
     }
-    let repaired = |(number, polygons): &(usize, Vec<Rings>)| -> Result<Option<(usize, Vec<Rings>)>, Error> {
+    let repaired = |(number, polygons): &Numbered| -> Result<Option<Numbered>, Error> {
         let given = &layer.features[*number].geometry.polygons;
         if faults_of(polygons)?.0.is_empty() || !faults_of(given)?.0.is_empty() {
             return Ok(None);
         }
         Ok(Some((*number, repaired(polygons, RepairMethod::Structure)?.polygons)))
     };
-    let found: Vec<Result<Option<(usize, Vec<Rings>)>, Error>> = cut.par_iter().map(repaired).collect();
-    let found: Vec<Option<(usize, Vec<Rings>)>> = found.into_iter().collect::<Result<_, _>>()?;
-    let found: Vec<(usize, Vec<Rings>)> = found.into_iter().flatten().collect();
+    let found: Vec<Result<Option<Numbered>, Error>> = cut.par_iter().map(repaired).collect();
+    let found: Vec<Option<Numbered>> = found.into_iter().collect::<Result<_, _>>()?;
+    let found: Vec<Numbered> = found.into_iter().flatten().collect();
     if found.is_empty() {
         return Ok(None);
     }
