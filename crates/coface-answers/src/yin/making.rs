@@ -4,6 +4,7 @@ use crate::answer::{Remark, RemarkCode};
 use crate::text;
 use coface_algebra::{Error, ErrorKind};
 use coface_arrange::boolean::InsideRule;
+use coface_io::Format;
 use coface_io::yin::{BoundaryCurve, BoundaryDrawing, Filling, flattened};
 use coface_yin::{Combination, Curve, EndCondition, KnotIndex, Order, YinSet, turning_kinks};
 use std::borrow::Cow;
@@ -173,7 +174,7 @@ impl PlanarSet {
                     let kinks: (Vec<KnotIndex>, Vec<u32>) =
                         set.kinks().iter().map(|(at, vertex)| (at, vertex.to_u32())).unzip();
                     set = set.with_declared_kinks(&kinks.0, Some(&kinks.1), Some(next))?;
-                } else if !request.fit && order > Order::LINEAR {
+                } else if drawing.format() == Some(Format::Dat) && !request.fit && order > Order::LINEAR {
                     let (with_corners, count) = with_kinks_at_corners(set)?;
                     set = with_corners;
                     remarks.extend(corners_as_kinks(count));

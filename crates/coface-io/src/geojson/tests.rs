@@ -50,8 +50,7 @@ fn a_collection_of_everything_is_read() {
         Group::new("17", GroupKind::Lines, vec![1, 2, 3]),
     ];
     assert_eq!(model.groups(), groups);
-    let messages: Vec<&str> = model.remarks().iter().map(|remark| &remark.message[..]).collect();
-    assert_eq!(messages, ["1 feature has no geometry, and nothing is drawn for it"]);
+    assert!(model.remarks().is_empty());
     assert_eq!(read(&written(&model)[..]).unwrap(), model);
 }
 
@@ -105,8 +104,7 @@ fn a_topology_is_read_as_the_map_that_it_is() {
         {"type": "Feature", "properties": {}, "geometry": {"type": "Point", "coordinates": [10.5, 1]}}]}"#;
     let model = read(topology.as_bytes()).unwrap();
     assert_eq!(model, read(map.as_bytes()).unwrap());
-    let messages: Vec<&str> = model.remarks().iter().map(|remark| &remark.message[..]).collect();
-    assert_eq!(messages, ["1 feature has no geometry, and nothing is drawn for it"]);
+    assert!(model.remarks().is_empty());
     assert!(super::reading::is_geojson(topology.as_bytes()));
 }
 

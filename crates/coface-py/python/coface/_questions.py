@@ -1774,8 +1774,8 @@ def cubical(
     >>> found.voxels(1)[0, 1]
     array([1, 1])
     >>> coface.cubical([0, 5, 1, 2], superlevel=True).diagram(0)
-    array([[ 5., inf],
-           [ 2.,  1.]])
+    array([[  5., -inf],
+           [  2.,   1.]])
     """
     if isinstance(x, (str, os.PathLike)):
         values = _coface._values_of_volume(x)
