@@ -185,7 +185,7 @@ fn presented(table: &GluingTable, faces: &FaceClasses) -> Result<Vec<PresentedGr
         let simpler = Simplification::new(groups.presentation(component), effort);
         let presentation = simpler.presentation();
         let mut name = presentation.recognized(effort);
-        if matches!(name, None | Some(GroupName::Finite { name: None, .. })) {
+        if !name.as_ref().is_some_and(GroupName::is_complete) {
             let space = named_space(table, faces, ATTEMPTS)?;
             name = space.and_then(|space| space.name().fundamental_group()).or(name);
         }

@@ -13,8 +13,7 @@ use super::space_faces::SpaceFaces;
 use super::{CellData, Format, Model};
 use super::{Group, GroupKind};
 use crate::{ReferenceSystem, Remark, RemarkCode};
-use coface_algebra::RaggedArray;
-use coface_algebra::{Error, ErrorKind, VertexId};
+use coface_algebra::{Error, ErrorKind, RaggedArray, UnionFind, VertexId};
 use coface_geometry::Positions;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -752,37 +751,24 @@ impl Geometries {
 pub(super) fn surface_of_faces(model: &Model) -> Vec<u32> {
     let names = names_of(model, GroupKind::Polygons);
     let count = model.vertex_count;
-    let mut above: Vec<u32> = (0..(count + model.groups.len() + 1) as u32).collect();
-    fn top(above: &mut [u32], mut node: u32) -> u32 {
-        while above[node as usize] != node {
-            let next = above[above[node as usize] as usize];
-            above[node as usize] = next;
-            node = next;
-        }
-        node
-    }
-    let mut tops = Vec::with_capacity(model.polygons.len());
+    // Vertices, groups, and one more for what is in none.
+    let mut partition = UnionFind::new(count + model.groups.len() + 1);
     for (polygon, name) in model.polygons.iter().zip(&names) {
-        let group = (count + name.map_or(model.groups.len(), |name| name)) as u32;
-        let mut low = top(&mut above, group);
-        for &vertex in polygon {
-            let other = top(&mut above, vertex);
-            above[low.max(other) as usize] = low.min(other);
-            low = low.min(other);
-        }
-        tops.push(polygon[0]);
+        let group = (count + name.unwrap_or(model.groups.len())) as u32;
+        polygon.iter().for_each(|&vertex| {
+            partition.unite(group, vertex);
+        });
     }
-    let mut number = vec![u32::MAX; above.len()];
+    let classes = partition.class_numbers();
+    let mut number = vec![None; partition.class_count()];
     let mut next = 0;
-    for vertex in &mut tops {
-        let top = top(&mut above, *vertex) as usize;
-        if number[top] == u32::MAX {
-            number[top] = next;
+    let surface = |polygon: &[u32]| {
+        *number[classes[polygon[0] as usize] as usize].get_or_insert_with(|| {
             next += 1;
-        }
-        *vertex = number[top];
-    }
-    tops
+            next - 1
+        })
+    };
+    model.polygons.iter().map(surface).collect()
 }
 
 /// The feature of each of the [`shapes()`] of a model, if the file says something of it.

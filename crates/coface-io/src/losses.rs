@@ -72,7 +72,7 @@ fn of_medit(model: &Model) -> Vec<Remark> {
     };
     remarks.extend(kept_less(
         further,
-        format!("MEDIT puts each element into one group: {further} further memberships are left out"),
+        format!("MEDIT puts each element into one group; left out are further memberships: {further}"),
     ));
     remarks
 }
@@ -84,18 +84,24 @@ fn of_drawing(model: &Model, format: Format) -> Vec<Remark> {
     let faces = model.polygons().len();
     let mut remarks = Vec::new();
     if format == Format::Lines {
-        let message = format!("a file of segments has no faces: the sides of {faces} polygons are written");
+        let message = match faces {
+            1 => "a file of segments has no faces: the sides of 1 polygon are written".to_owned(),
+            _ => format!("a file of segments has no faces: the sides of {faces} polygons are written"),
+        };
         remarks.extend(kept_less(faces, message));
     } else if dimension == 2 {
-        let message = format!(
-            "{faces} polygons of a mesh are rings of a drawing to readers of {title}, which have no vertices in common"
-        );
+        let message = match faces {
+            1 => format!("1 polygon of a mesh is a ring of a drawing to readers of {title}"),
+            _ => format!(
+                "{faces} polygons of a mesh are rings of a drawing to readers of {title}, which have no vertices in common"
+            ),
+        };
         remarks.extend(kept_less(faces, message));
     }
     let loose = model.lines().len() + model.points().len();
     if has_surfaces && faces > 0 {
         let message = format!(
-            "lines, points and surfaces have no vertices in common in {title}: {loose} lines and points are beside the faces"
+            "lines, points and surfaces have no vertices in common in {title}; lines and points beside the faces: {loose}"
         );
         remarks.extend(kept_less(loose, message));
     }
@@ -261,9 +267,18 @@ mod tests {
         assert_eq!(
             messages(&tall, Format::Wkt),
             [
-                "lines, points and surfaces have no vertices in common in WKT: 1 lines and points are beside the faces",
+                "lines, points and surfaces have no vertices in common in WKT; lines and points beside the faces: 1",
                 "1 vertex is at the place of another: it is that one in WKT"
             ]
+        );
+        let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+        assert_eq!(
+            messages(triangle, Format::Svg),
+            ["1 polygon of a mesh is a ring of a drawing to readers of SVG"]
+        );
+        assert_eq!(
+            messages(triangle, Format::Lines),
+            ["a file of segments has no faces: the sides of 1 polygon are written"]
         );
         let wires = "v 0 0 0\nv 1 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nl 3 4\n";
         assert_eq!(messages(wires, Format::GeoJson).len(), 1);

@@ -5,7 +5,7 @@ use crate::files::open_regular;
 use crate::scanner::Scanner;
 use crate::stream_start::plain_bytes;
 use crate::volume::{NPY_MAGIC, write_npy_header};
-use crate::word_columns::{WordColumns, is_word};
+use crate::word_columns::{WordColumns, entries, is_word};
 use crate::{Format, Remark, RemarkCode, VolumeStream};
 use coface_algebra::Error;
 use std::io::{Read, Write};
@@ -107,8 +107,7 @@ impl NumberTable {
             if line.starts_with(b"#") || line.starts_with(b"//") {
                 continue;
             }
-            let is_separator = |byte: &u8| matches!(byte, b' ' | b'\t' | b',' | b';');
-            let words: Vec<&[u8]> = line.split(is_separator).filter(|word| !word.is_empty()).collect();
+            let words = entries(line);
             if words.is_empty() {
                 continue;
             }

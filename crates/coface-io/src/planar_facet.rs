@@ -46,7 +46,7 @@ impl Facets {
         if facet.holes.is_empty() && area_count < 2 && segment_count < 3 {
             return;
         }
-        let (mut rings, others) = rings_of(&facet.polygons);
+        let (rings, others) = rings_of(&facet.polygons);
         let is_finite = |vertex: &u32| point(*vertex).iter().all(|x| x.is_finite());
         if rings.is_empty() || !rings.iter().flat_map(|(_, ring)| ring).all(is_finite) {
             return;
@@ -89,7 +89,6 @@ impl Facets {
         if is_divided {
             self.with_holes.push(facet.line);
         }
-        rings.clear();
         facet.polygons = polygons;
     }
 

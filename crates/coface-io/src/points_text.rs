@@ -3,7 +3,7 @@
 use crate::numbers::Numbers;
 use crate::oddities::Oddities;
 use crate::scanner::{Scanner, quoted};
-use crate::word_columns::{WordColumns, is_word};
+use crate::word_columns::{WordColumns, entries, is_word};
 use crate::{CellData, GroupKind, Model};
 use coface_algebra::{Error, VertexId};
 use std::io::Read;
@@ -46,8 +46,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
         if line.is_empty() || line.starts_with(b"#") || line.starts_with(b"//") {
             continue;
         }
-        let words: Vec<&[u8]> =
-            line.split(|byte| is_separator(*byte)).filter(|word| !word.is_empty()).collect();
+        let words = entries(line);
         // Tables end in rows of nothing but separators.
         if words.is_empty() {
             continue;
@@ -59,9 +58,9 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
             }
             let has_numbers = words.iter().skip(1).filter(|word| !is_word(word)).count() >= 2;
             if is_word(words[0]) && !has_numbers {
-                let unquoted = |word: &&[u8]| String::from_utf8_lossy(word).trim_matches('"').to_lowercase();
+                let lower = |word: &&[u8]| String::from_utf8_lossy(word).to_lowercase();
                 let unnamed = begins_unnamed.then(|| "index".to_owned());
-                names = Some(unnamed.into_iter().chain(words.iter().map(unquoted)).collect());
+                names = Some(unnamed.into_iter().chain(words.iter().map(lower)).collect());
                 continue;
             }
         }
@@ -69,7 +68,8 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
             (width, of_words) = (words.len(), WordColumns::of(&words));
             let number_count = width - of_words.count();
             if !(2..=MOST_COLUMNS).contains(&number_count) {
-                let message = format!("a point has {number_count} numbers");
+                let numbers = if number_count == 1 { "number" } else { "numbers" };
+                let message = format!("a point has {number_count} {numbers}");
                 return Err(scanner.error(message).with_cure("write 2 or 3 coordinates a line"));
             }
             columns = vec![Vec::new(); number_count];
@@ -104,10 +104,6 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
         model.remarks.push(of_words.remark(&format!(": {}", shown.join(", "))));
     }
     Ok(model)
-}
-
-fn is_separator(byte: u8) -> bool {
-    matches!(byte, b' ' | b'\t' | b',' | b';' | b'\r')
 }
 
 fn model(
@@ -157,12 +153,10 @@ fn model(
 /// Whether a text may be points: its first line that is no comment has numbers, or names of columns.
 pub(super) fn is_likely(start: &[u8]) -> bool {
     let lines = start.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);
-    lines.filter(|line| !line.is_empty() && !line.starts_with(b"#") && !line.starts_with(b"//")).take(3).any(
-        |line| {
-            let words = line.split(|byte| is_separator(*byte)).filter(|word| !word.is_empty());
-            words.filter(|word| !is_word(word)).count() >= 2
-        },
-    )
+    lines
+        .filter(|line| !line.is_empty() && !line.starts_with(b"#") && !line.starts_with(b"//"))
+        .take(3)
+        .any(|line| entries(line).iter().filter(|word| !is_word(word)).count() >= 2)
 }
 
 #[cfg(test)]
@@ -179,6 +173,7 @@ mod tests {
             ("\"X\",\"Y\"\r\n1,2\r\n", 2, 1),
             (";;\n1;2\n;;\n", 2, 1),
             (",x,y\n0,5,6\n1,7,8\n", 2, 2),
+            ("\"name, or id\",\"x\",\"y\"\n\"1st, 2nd\",\"5\",\"6\"\n", 2, 1),
         ] {
             let model = read(text.as_bytes()).unwrap();
             assert_eq!((model.positions().dimension(), model.points().len()), (dimension, count), "{text}");
@@ -187,6 +182,7 @@ mod tests {
         for (text, message) in [
             ("", "no point"),
             ("1 2 3\n1 2\n", "line 2: a line has 2 entries"),
+            ("id,shape\n1,\"PLYGON((0 0,1 0,1 1,0 0))\"\n", "a point has 1 number"),
             ("1 2 3\n1 2 x\n", "line 2: \"x\" is not a number"),
         ] {
             let error = read(text.as_bytes()).unwrap_err().to_string();

@@ -2,14 +2,16 @@
 //!
 //! Entries stand between commas, semicolons, tabs or bars, in double quotes where they hold one of these; a quote within quotes is doubled
 //! (RFC 4180). The first row whose entries are no geometry gives the names of the columns. Each row is a feature: the first entry that is
-//! a geometry is drawn, the others are its properties. Numbers are numbers, `true` and `false` are truth values, empty entries are null.
+//! a geometry is drawn, the others are its properties in the order of the columns. Numbers are numbers, `true` and `false` are truth
+//! values, empty entries are null. A second column of the name `a` is `a_2`.
 
 use crate::drawing::Drawing;
 use crate::scanner::Scanner;
 use crate::wkt;
 use coface_algebra::Error;
-use serde_json::{Map, Value};
+use serde_json::Value;
 use std::borrow::Cow;
+use std::collections::HashSet;
 use std::io::Read;
 
 const DELIMITERS: [u8; 4] = *b",;\t|";
@@ -52,7 +54,7 @@ pub(super) fn is_table(start: &[u8]) -> bool {
 pub(super) fn read<R: Read>(scanner: Scanner<R>, mut drawing: Drawing) -> Result<Drawing, Error> {
     drawing.tell_empty_features();
     let mut records = Records { scanner, line: 0, record: Vec::new() };
-    let mut table = Table { form: None, names: None, width: 0, drawing };
+    let mut table = Table { form: None, names: Vec::new(), width: 0, drawing };
     // Rows before the first with a geometry; the first of all has the names.
     let mut before: Vec<(u64, Vec<u8>)> = Vec::new();
     while records.next()? {
@@ -117,7 +119,8 @@ struct Form {
 
 struct Table {
     form: Option<Form>,
-    names: Option<Vec<String>>,
+    /// Of the columns, none twice.
+    names: Vec<String>,
     width: usize,
     drawing: Drawing,
 }
@@ -130,9 +133,10 @@ impl Table {
             self.width = entries.len();
             let text = |entry: &Cow<'_, [u8]>| String::from_utf8_lossy(entry).trim().to_owned();
             if !wkt::is_geometry(entry_at(&entries, form.column)) {
-                self.names = Some(entries.iter().map(text).collect());
+                self.names = distinct(entries.iter().map(text).collect());
                 return Ok(());
             }
+            self.names = distinct(vec![String::new(); self.width]);
         }
         if entries.len() != self.width {
             let message = format!("a row has {} entries, and the first has {}", entries.len(), self.width);
@@ -145,20 +149,17 @@ impl Table {
             )));
         }
         let geometry = entry_at(&entries, form.column);
-        let mut properties = Map::new();
-        let mut called = None;
+        let (mut properties, mut called) = (Vec::new(), None);
         for (column, entry) in entries.iter().enumerate().filter(|&(column, _)| column != form.column) {
-            let name = match self.names.as_ref().map(|names| &names[column]) {
-                Some(name) if !name.is_empty() => name.clone(),
-                _ => format!("column_{}", column + 1),
-            };
+            let name = &self.names[column];
             let text = String::from_utf8_lossy(entry);
+            properties.push(format!("{}:{}", Value::from(name.as_str()), value_of(&text)));
             if called.is_none() && name.eq_ignore_ascii_case("name") && !text.is_empty() {
-                called = Some(text.clone().into_owned());
+                called = Some(text);
             }
-            properties.insert(name, value_of(&text));
         }
-        let text = if properties.is_empty() { String::new() } else { Value::Object(properties).to_string() };
+        let text =
+            if properties.is_empty() { String::new() } else { format!("{{{}}}", properties.join(",")) };
         self.drawing.begin_described(called.as_deref(), &text, "");
         if !NOTHING.contains(&geometry) {
             let drawing = std::mem::take(&mut self.drawing);
@@ -167,6 +168,24 @@ impl Table {
         self.drawing.begin_feature(None);
         Ok(())
     }
+}
+
+/// The names of columns with none twice; those without are named by their number.
+fn distinct(mut names: Vec<String>) -> Vec<String> {
+    let mut taken: HashSet<String> = names.iter().cloned().collect();
+    let mut seen = HashSet::new();
+    for (column, name) in names.iter_mut().enumerate() {
+        if name.is_empty() {
+            *name = format!("column_{}", column + 1);
+        }
+        if !seen.insert(name.clone()) {
+            let mut others = (2..).map(|number| format!("{name}_{number}"));
+            *name = others.find(|other| !taken.contains(other)).unwrap_or_default();
+            seen.insert(name.clone());
+        }
+        taken.insert(name.clone());
+    }
+    names
 }
 
 fn entry_at<'a>(entries: &'a [Cow<'_, [u8]>], column: usize) -> &'a [u8] {
@@ -276,6 +295,16 @@ mod tests {
         let groups: Vec<_> = model.groups().iter().map(|group| (group.kind(), group.name())).collect();
         assert_eq!(groups, [(GroupKind::Vertices, "c"), (GroupKind::Lines, "a, \"b\"")]);
         assert!(model.remarks()[0].message.starts_with("1 feature has no geometry"), "{:?}", model.remarks());
+    }
+
+    #[test]
+    fn columns_keep_their_order_and_names_are_distinct() {
+        let of = |text: &str| read(text).unwrap().features().properties(0).to_owned();
+        assert_eq!(
+            of("b,wkt,a,b,,b_2\n1,POINT(1 1),2,3,4,5\n"),
+            r#"{"b":1,"a":2,"b_3":3,"column_5":4,"b_2":5}"#
+        );
+        assert_eq!(of("x,POINT(1 1),7\n"), r#"{"column_1":"x","column_3":7}"#);
     }
 
     #[test]

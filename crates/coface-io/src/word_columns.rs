@@ -60,6 +60,43 @@ impl WordColumns {
     }
 }
 
+/// The entries of a line: between blanks, tabs, commas or semicolons, of which several are one. In double quotes these are part of an entry.
+pub(crate) fn entries(line: &[u8]) -> Vec<&[u8]> {
+    let is_separator = |byte: &u8| matches!(byte, b' ' | b'\t' | b',' | b';' | b'\r');
+    let (mut entries, mut rest) = (Vec::new(), line);
+    while let Some(start) = rest.iter().position(|byte| !is_separator(byte)) {
+        rest = &rest[start..];
+        let mut is_quoted = false;
+        let begins_quoted = rest[0] == b'"';
+        let end = rest.iter().position(|byte| {
+            is_quoted ^= begins_quoted && *byte == b'"';
+            !is_quoted && is_separator(byte)
+        });
+        let (entry, others) = rest.split_at(end.unwrap_or(rest.len()));
+        let inner = entry.strip_prefix(b"\"").and_then(|inner| inner.strip_suffix(b"\""));
+        entries.push(inner.unwrap_or(entry));
+        rest = others;
+    }
+    entries
+}
+
 pub(crate) fn is_word(entry: &[u8]) -> bool {
     parse_coordinate(entry, "").is_err()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::entries;
+
+    #[test]
+    fn quotes_hold_an_entry_together() {
+        let parts = |line: &str| -> Vec<String> {
+            entries(line.as_bytes()).iter().map(|entry| String::from_utf8_lossy(entry).into_owned()).collect()
+        };
+        assert_eq!(parts("1,\"a b, c\" ;;\t\"2.5\"\r"), ["1", "a b, c", "2.5"]);
+        assert_eq!(parts("\"say \"\"so, so\"\"\",7"), ["say \"\"so, so\"\"", "7"]);
+        assert_eq!(parts("5\" nail 3\""), ["5\"", "nail", "3\""]);
+        assert_eq!(parts(" ,"), [""; 0]);
+        assert_eq!(parts("1 \"open 2"), ["1", "\"open 2"]);
+    }
 }

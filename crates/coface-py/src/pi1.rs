@@ -130,7 +130,7 @@ pub(crate) fn fundamental_groups(
             let presentation = groups.presentation(i);
             let simpler = Simplification::new(presentation, effort);
             let mut name = simpler.presentation().recognized(effort);
-            if matches!(name, None | Some(GroupName::Finite { name: None, .. })) {
+            if !name.as_ref().is_some_and(GroupName::is_complete) {
                 name = group_of_space(producer)?.map(|(group, _)| group).or(name);
             }
             let letters = |count: usize| (1..=count as i32).map(|letter| Word::from_letters([letter]));

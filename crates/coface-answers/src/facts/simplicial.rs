@@ -32,7 +32,7 @@ pub(crate) fn report(complex: &FrozenComplex, budget: u64) -> Result<Report, Err
         let cells = RaggedArray::from_lists(facets);
         problems.push(Problem::new(ProblemKind::OneSidedChain, message, cells, RaggedArray::new(), "cell"));
     }
-    let space = if dimension == 3 && manifold == Answer::Yes { space(complex)? } else { None };
+    let space = if dimension == 3 && manifold == Answer::Yes { space_of(complex)? } else { None };
     let is_closed_space = dimension == 3 && manifold == Answer::Yes && closed;
     let unnamed = is_closed_space.then(|| no_name_looked_for(complex.f_vector()[3])).flatten();
     let pure = maximal_dimensions_agree(&chains, dimension);
@@ -68,12 +68,6 @@ pub(super) fn space_of(complex: &FrozenComplex) -> Result<Option<NamedSpace>, Er
     let faces = table.faces()?;
     let is_all = faces.class_counts() == complex.f_vector();
     if is_all { gluings::space_of(&table, &faces) } else { Ok(None) }
-}
-
-/// Which 3-manifold a complex is, where that is proved.
-fn space(complex: &FrozenComplex) -> Result<Option<NamedSpace>, Error> {
-    let table = GluingTable::from_simplices(&RaggedArray::uniform(4, complex.flat(3).to_vec())?)?;
-    gluings::space_of(&table, &table.faces()?)
 }
 
 /// The vertices that lie in no edge.

@@ -277,7 +277,7 @@ impl GroupsRequest {
                 let path = |word| groups.loop_vertices(component, word).into_iter().map(number).collect();
                 shown.loops = words.map(path).collect();
             }
-            let is_known = !matches!(shown.name, None | Some(GroupName::Finite { name: None, .. }));
+            let is_known = shown.name.as_ref().is_some_and(GroupName::is_complete);
             if let Some((name, space)) = if is_known { None } else { group_of_space(producer)? } {
                 (shown.name, shown.space) = (Some(name), Some(SpaceAnswer::of(&space)));
             }

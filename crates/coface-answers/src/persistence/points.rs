@@ -162,7 +162,7 @@ impl RipsRequest {
             let message =
                 "pairs of persistence 0 of a Vietoris-Rips or flag complex are not computed one by one";
             return Err(in_file(
-                Error::invalid(message).with_cure("ask for pairs of persistence above 0 or more"),
+                Error::invalid(message).with_cure("give 0 or more as the least persistence"),
             ));
         }
         self.require_memory(&filtration).map_err(in_file)?;

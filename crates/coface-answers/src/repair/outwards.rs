@@ -1,6 +1,6 @@
 //! Closed parts of a surface that look outwards.
 
-use coface_algebra::{FaceId, RaggedArray, UnionFind};
+use coface_algebra::{FaceId, RaggedArray, UnionFind, VertexId};
 use coface_complexes::surface::PolygonMesh;
 use coface_geometry::{AxisBox, BoxTree, Positions, enclosed_volume};
 
@@ -33,30 +33,25 @@ pub(super) fn faces_to_turn(mesh: &PolygonMesh, positions: &Positions) -> Vec<Fa
         });
         is_closed[classes[face] as usize] &= agrees;
     }
-    let mut members: Vec<Vec<usize>> = vec![Vec::new(); mesh.face_count()];
+    let mut members: Vec<Vec<usize>> = vec![Vec::new(); partition.class_count()];
     (0..mesh.face_count()).for_each(|face| members[classes[face] as usize].push(face));
-    let mut closed: Vec<Vec<usize>> = members
-        .into_iter()
-        .zip(is_closed)
-        .filter_map(|(faces, is_closed)| (is_closed && !faces.is_empty()).then_some(faces))
-        .collect();
     let box_of = |faces: &Vec<usize>| -> AxisBox {
         let mut own = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
         for &vertex in faces.iter().flat_map(|&face| mesh.face(FaceId::new(face))) {
-            let point = positions.point(coface_algebra::VertexId::from_u32(vertex));
+            let point = positions.point(VertexId::from_u32(vertex));
             for (range, &x) in own.iter_mut().zip(point) {
                 *range = [range[0].min(x), range[1].max(x)];
             }
         }
         own
     };
+    let is_closed = members.into_iter().zip(is_closed).filter(|(_, is_closed)| *is_closed);
+    let mut closed: Vec<(AxisBox, Vec<usize>)> =
+        is_closed.map(|(faces, _)| (box_of(&faces), faces)).collect();
     // Larger boxes first: what a box lies in has been decided before it.
     let extent = |own: &AxisBox| own.iter().map(|[low, high]| high - low).sum::<f64>();
-    closed.sort_by_cached_key(|faces| {
-        // The bits of numbers that are not negative rise as they do.
-        std::cmp::Reverse(extent(&box_of(faces)).to_bits())
-    });
-    let boxes: Vec<AxisBox> = closed.iter().map(box_of).collect();
+    closed.sort_by(|(a, _), (b, _)| extent(b).total_cmp(&extent(a)));
+    let boxes: Vec<AxisBox> = closed.iter().map(|(own, _)| *own).collect();
     let tree = BoxTree::new(&boxes);
     let mut is_turned = vec![false; closed.len()];
     for part in 0..closed.len() {
@@ -73,17 +68,28 @@ pub(super) fn faces_to_turn(mesh: &PolygonMesh, positions: &Positions) -> Vec<Fa
         });
         is_turned[part] = match container {
             Some(container) => is_turned[container],
-            None => {
-                let polygons =
-                    RaggedArray::from_lists(closed[part].iter().map(|&face| mesh.face(FaceId::new(face))));
-                enclosed_volume(positions, &polygons).is_some_and(|volume| volume < 0.0)
-            }
+            None => is_inside_out(mesh, positions, &closed[part].1),
         };
     }
     let turned = closed.iter().zip(is_turned).filter(|(_, is_turned)| *is_turned);
-    let mut faces: Vec<FaceId> = turned.flat_map(|(faces, _)| faces).map(|&face| FaceId::new(face)).collect();
+    let mut faces: Vec<FaceId> =
+        turned.flat_map(|((_, faces), _)| faces).map(|&face| FaceId::new(face)).collect();
     faces.sort_unstable();
     faces
+}
+
+/// Whether these faces enclose a volume below 0; $O(n \log n)$ for their n corners, however large the mesh is.
+fn is_inside_out(mesh: &PolygonMesh, positions: &Positions, faces: &[usize]) -> bool {
+    let corners = || faces.iter().map(|&face| mesh.face(FaceId::new(face)));
+    let mut used: Vec<u32> = corners().flatten().copied().collect();
+    used.sort_unstable();
+    used.dedup();
+    let flat = used.iter().flat_map(|&vertex| positions.point(VertexId::from_u32(vertex))).copied().collect();
+    let Ok(own) = Positions::from_flat(3, flat) else { return false };
+    let number = |vertex: &u32| used.partition_point(|other| other < vertex) as u32;
+    let polygons =
+        RaggedArray::from_lists(corners().map(|face| face.iter().map(number).collect::<Vec<u32>>()));
+    enclosed_volume(&own, &polygons).is_some_and(|volume| volume < 0.0)
 }
 
 #[cfg(test)]

@@ -291,13 +291,13 @@ impl Arranged {
 
 /// Refuses numbers of 32 bits where rounding to them changes the shape: it moved points by more than a part of the extent.
 fn refuse_coarse(arrangement: &SpatialArrangement, request: &SpatialRequest) -> Result<(), Error> {
+    if request.precision == CoordinatePrecision::Double || request.tolerance.is_some() {
+        return Ok(());
+    }
     let moved = arrangement.joined().map_or(0.0, |joined| joined.largest_movement);
     let points = arrangement.positions().as_flat().as_chunks::<3>().0;
     let frame = frame_around(points.len(), |point| points[point].map(|x| [x; 2]));
     let extent = frame.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
-    if request.precision == CoordinatePrecision::Double || request.tolerance.is_some() {
-        return Ok(());
-    }
     if moved <= COARSE_PART * extent {
         return Ok(());
     }

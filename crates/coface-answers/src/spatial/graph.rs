@@ -1,7 +1,7 @@
 //! The graph of the cells of an arranged scene.
 
 use super::boolean::sides_of_faces;
-use super::{CongruentScene, OpenInputs, SceneArrangement};
+use super::{CongruentScene, SceneArrangement};
 use crate::answer::{CellEdge, CellGraph, CellNode};
 use coface_algebra::{CellId, Error, VertexId};
 use coface_arrange::boolean::InsideRule;
@@ -35,14 +35,7 @@ impl SceneArrangement {
     /// # Ok(()) }
     /// ```
     pub fn graph(&self, rule: InsideRule) -> Result<CellGraph, Error> {
-        let membership = self.inputs.membership(
-            &self.scene,
-            &self.arranged,
-            rule,
-            OpenInputs::Empty,
-            &self.request,
-            |_| true,
-        )?;
+        let membership = self.membership(rule)?;
         let parts = CellParts {
             names: self.scene.names(),
             volumes: self.volumes(),

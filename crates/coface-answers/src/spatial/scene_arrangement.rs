@@ -6,7 +6,7 @@ use super::facts::{
     component_count, dangling_face_count, input_answers, input_state, products_are_zero, remarks_of_inputs,
     remarks_of_vanished,
 };
-use super::inputs::Inputs;
+use super::inputs::{Inputs, Membership};
 use super::{InputState, OpenInputs, SpatialRequest, SpatialScene};
 use crate::answer::{
     DegeneratePolygons, JoinedFeatures, Place, Remark, RemarkCode, SpatialArrangementAnswer, SpatialInput,
@@ -369,6 +369,12 @@ impl SceneArrangement {
         component_count(self.complex())
     }
 
+    /// Which inputs each cell is inside of; models that are open contain nothing.
+    pub(super) fn membership(&self, rule: InsideRule) -> Result<Membership, Error> {
+        let every = |_| true;
+        self.inputs.membership(&self.scene, &self.arranged, rule, OpenInputs::Empty, &self.request, every)
+    }
+
     /// The arrangement as an answer.
     ///
     /// `inside` is by the rule; models that are open contain nothing. `files` says for each model how many edges its rim has, how many
@@ -391,14 +397,7 @@ impl SceneArrangement {
     /// ```
     pub fn answer(&self, rule: InsideRule) -> Result<SpatialArrangementAnswer, Error> {
         let complex = self.complex();
-        let membership = self.inputs.membership(
-            &self.scene,
-            &self.arranged,
-            rule,
-            OpenInputs::Empty,
-            &self.request,
-            |_| true,
-        )?;
+        let membership = self.membership(rule)?;
         let cells = complex.cell_count(3);
         let place = |polygon: &u32| {
             let polygon = *polygon as usize;

@@ -67,7 +67,12 @@ impl<'a> Triangles<'a> {
             .with_cure("write OBJ, PLY or OFF, which keep polygons, lines and points"))
         };
         if !model.lines.is_empty() || !model.points.is_empty() {
-            return refuse(format!("{} lines and {} points", model.lines.len(), model.points.len()));
+            let counts = [(model.lines.len(), "line"), (model.points.len(), "point")];
+            let parts = counts.iter().filter(|(count, _)| *count > 0).map(|(count, what)| match count {
+                1 => format!("1 {what}"),
+                _ => format!("{count} {what}s"),
+            });
+            return refuse(parts.collect::<Vec<String>>().join(" and "));
         }
         if model.polygons.is_empty() && model.vertex_count > 0 {
             return refuse(format!("{} vertices and no triangle", model.vertex_count));

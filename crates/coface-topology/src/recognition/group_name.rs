@@ -108,6 +108,25 @@ impl GroupName {
         }
     }
 
+    /// Whether groups of this name are isomorphic: not where it is the order of a finite group alone, or a product with one.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::GroupName;
+    /// assert!(GroupName::Finite { order: 8, name: Some("Q8".to_owned()) }.is_complete());
+    /// // Both Q8 and the symmetries of a square have 8 elements.
+    /// assert!(!GroupName::Finite { order: 8, name: None }.is_complete());
+    /// ```
+    pub fn is_complete(&self) -> bool {
+        match self {
+            Self::Finite { name, .. } => name.is_some(),
+            Self::FreeProduct(factors) | Self::DirectProduct(factors) => {
+                factors.iter().all(Self::is_complete)
+            }
+            _ => true,
+        }
+    }
+
     /// The number of elements, if it is finite.
     ///
     /// # Examples

@@ -128,7 +128,7 @@ fn quotient(relators: &[Vec<i32>]) -> Option<GroupName> {
     let is_rhombic = shift != 0;
     let name = if is_rhombic && !(p / 2).is_multiple_of(2) {
         // b to the power of p/2 is that of a: b^2 alone is inverted, and a has twice the order.
-        split(p / 2, 2 * height)
+        name_of_inversion_product(p / 2, 2 * height)
     } else if is_rhombic {
         let two_power = height & height.wrapping_neg();
         let odd = height / two_power;
@@ -137,15 +137,15 @@ fn quotient(relators: &[Vec<i32>]) -> Option<GroupName> {
             2 => format!("dicyclic group of order {}", 2 * p),
             _ => format!("<a, b | a b a^-1 = b^-1, a^{two_power} = b^{}>", p / 2),
         };
-        times_cyclic(own, odd)
+        name_of_cyclic_product(own, odd)
     } else {
-        split(p, height)
+        name_of_inversion_product(p, height)
     };
     Some(GroupName::Finite { order, name: Some(name) })
 }
 
 /// The name of the group in which an element of even order n inverts one of order p, with nothing in common.
-pub(crate) fn split(p: u128, n: u128) -> String {
+pub(crate) fn name_of_inversion_product(p: u128, n: u128) -> String {
     let two_power = n & n.wrapping_neg();
     let own = match (two_power, p) {
         (2, 3) => "S3".to_owned(),
@@ -153,11 +153,11 @@ pub(crate) fn split(p: u128, n: u128) -> String {
         (4, _) if !p.is_multiple_of(2) => format!("dicyclic group of order {}", 4 * p),
         _ => format!("semidirect product of Z/{p} by Z/{two_power}, acting by inversion"),
     };
-    times_cyclic(own, n / two_power)
+    name_of_cyclic_product(own, n / two_power)
 }
 
 /// The name of the direct product with a cyclic group of odd order.
-pub(crate) fn times_cyclic(own: String, odd: u128) -> String {
+pub(crate) fn name_of_cyclic_product(own: String, odd: u128) -> String {
     match odd {
         1 => own,
         odd if own.contains(' ') && own.contains(',') => format!("({own}) x Z/{odd}"),

@@ -18,4 +18,4 @@ mod surface_groups;
 
 pub use group_name::GroupName;
 pub use manifold::{gluing_manifold_verdict, manifold_verdict};
-pub(crate) use metacyclic::{split, times_cyclic};
+pub(crate) use metacyclic::{name_of_cyclic_product, name_of_inversion_product};

@@ -68,13 +68,7 @@ fn recognize_to_depth(group: &Presentation, effort: Effort, depth: usize) -> Opt
     }
     surface(group)
         .or_else(|| finite(group, effort))
-        .map(|name| {
-            if matches!(name, GroupName::Finite { name: None, .. }) {
-                inverted.clone().unwrap_or(name)
-            } else {
-                name
-            }
-        })
+        .map(|name| if name.is_complete() { name } else { inverted.clone().unwrap_or(name) })
         .or(inverted)
         .or_else(|| with_central_elements(group, effort, depth))
 }

@@ -2,7 +2,7 @@
 
 use super::{SeifertSpace, SpaceName, TorusBundle};
 use crate::homology::AbelianGroup;
-use crate::recognition::{GroupName, split, times_cyclic};
+use crate::recognition::{GroupName, name_of_cyclic_product, name_of_inversion_product};
 
 impl SpaceName {
     /// The fundamental group of the space, in a form that depends on its name alone; `None` for pieces glued along tori.
@@ -68,9 +68,9 @@ fn spherical_group(space: &SeifertSpace) -> Option<GroupName> {
     let mut multiplicities = [a.unsigned_abs(), b.unsigned_abs(), c.unsigned_abs()];
     multiplicities.sort_unstable();
     let (ratio, name) = match multiplicities {
-        [2, 2, n] if !n.is_multiple_of(2) => (n, split(n, first)),
-        [2, 2, 2] => (2, times_cyclic("Q8".to_owned(), first / 4)),
-        [2, 2, n] => (n, times_cyclic(format!("dicyclic group of order {}", 4 * n), first / 4)),
+        [2, 2, n] if !n.is_multiple_of(2) => (n, name_of_inversion_product(n, first)),
+        [2, 2, 2] => (2, name_of_cyclic_product("Q8".to_owned(), first / 4)),
+        [2, 2, n] => (n, name_of_cyclic_product(format!("dicyclic group of order {}", 4 * n), first / 4)),
         [2, 3, 3] => {
             let mut three = 1;
             while first.is_multiple_of(3 * three) {
@@ -80,10 +80,10 @@ fn spherical_group(space: &SeifertSpace) -> Option<GroupName> {
                 3 => "SL(2,3)".to_owned(),
                 _ => format!("semidirect product of Q8 by Z/{three}"),
             };
-            (8, times_cyclic(own, first / three))
+            (8, name_of_cyclic_product(own, first / three))
         }
-        [2, 3, 4] => (24, times_cyclic("binary octahedral group".to_owned(), first / 2)),
-        [2, 3, 5] => (120, times_cyclic("SL(2,5)".to_owned(), first)),
+        [2, 3, 4] => (24, name_of_cyclic_product("binary octahedral group".to_owned(), first / 2)),
+        [2, 3, 5] => (120, name_of_cyclic_product("SL(2,5)".to_owned(), first)),
         _ => return None,
     };
     let order = usize::try_from(first.checked_mul(ratio)?).ok()?;
