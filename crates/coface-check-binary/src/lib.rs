@@ -3,6 +3,7 @@
 
 mod form;
 
+use coface_check::json::parsed;
 use coface_check::{Fault, Verdict};
 use form::Reader;
 use serde_json::Value;
@@ -27,8 +28,7 @@ const MARK: &[u8; 8] = b"\x89cofce\x1a\x01";
 /// assert_eq!(coface_check_binary::input_names(&packed).expect("a certificate"), ["a.off"]);
 /// ```
 pub fn packed(certificate: &[u8]) -> Result<Vec<u8>, Fault> {
-    let value: Value = serde_json::from_slice(certificate)
-        .map_err(|error| Fault::new("certificate", format!("this is no JSON: {error}")))?;
+    let value = parsed(certificate, "certificate")?;
     let mut out = MARK.to_vec();
     form::write(&value, &mut out);
     Ok(out)

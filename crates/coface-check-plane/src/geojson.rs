@@ -2,15 +2,13 @@
 
 use crate::drawing::Drawing;
 use coface_check::Fault;
-use coface_check::json::{field, list, text};
+use coface_check::json::{field, list, parsed, text};
 use serde_json::Value;
 
 const STEP: &str = "input";
 
 pub(crate) fn read(input: &str, drawing: &mut Drawing) -> Result<(), Fault> {
-    let whole: Value =
-        serde_json::from_str(input).map_err(|error| Fault::new(STEP, format!("this is no JSON: {error}")))?;
-    object(&whole, drawing)
+    object(&parsed(input.as_bytes(), STEP)?, drawing)
 }
 
 fn object(value: &Value, drawing: &mut Drawing) -> Result<(), Fault> {

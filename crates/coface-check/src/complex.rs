@@ -1,6 +1,6 @@
 //! Chain complexes of the input, made by the checker itself.
 
-use crate::json::{field, index, list};
+use crate::json::{field, index, list, parsed};
 use crate::lists::Lists;
 use crate::{Fault, polygons, simplices};
 use serde_json::{Map, Value};
@@ -51,11 +51,7 @@ impl Complex {
     pub fn read(bytes: &[u8]) -> Result<Self, Fault> {
         let step = "input";
         match bytes.iter().find(|byte| !byte.is_ascii_whitespace()) {
-            Some(b'{' | b'[') => {
-                let value: Value = serde_json::from_slice(bytes)
-                    .map_err(|error| Fault::new(step, format!("this is not one value of JSON: {error}")))?;
-                Self::of_json(value, bytes.len())
-            }
+            Some(b'{' | b'[') => Self::of_json(parsed(bytes, step)?, bytes.len()),
             Some(_) => polygons::read(bytes),
             None => Err(Fault::new(step, "the file is empty")),
         }
@@ -344,7 +340,7 @@ fn sorted(vertices: &[u32]) -> Vec<u32> {
 
 /// The cells that a facet list or a surface names.
 fn cells_of(bytes: &[u8]) -> Result<Vec<Vec<u32>>, Fault> {
-    match serde_json::from_slice::<Value>(bytes) {
+    match parsed(bytes, "input") {
         Ok(value) => facets_of(value.get("facets").unwrap_or(&value)),
         Err(_) => polygons::cells(bytes),
     }

@@ -2,7 +2,93 @@
 
 use crate::Fault;
 use dashu_int::IBig;
-use serde_json::Value;
+use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use serde_json::{Map, Number, Value};
+use std::fmt;
+
+/// The value that a text is. An object that has a key twice is none: a reader may take the one, and a checker the other.
+///
+/// # Errors
+/// A [`Fault`] of this step that names the line.
+///
+/// # Examples
+/// ```
+/// use coface_check::json::parsed;
+/// assert_eq!(parsed(br#"{"a": [1, {"b": 2}]}"#, "input").expect("JSON")["a"][1]["b"], 2);
+/// let fault = parsed(br#"{"a": 1, "a": 2}"#, "input").expect_err("which one?");
+/// assert!(fault.to_string().contains("the key \"a\" stands twice"));
+/// ```
+pub fn parsed(text: &[u8], step: &str) -> Result<Value, Fault> {
+    serde_json::from_slice(text)
+        .map(|Single(value)| value)
+        .map_err(|error| Fault::new(step, format!("this is not one value of JSON: {error}")))
+}
+
+/// A value in which no object has a key twice.
+struct Single(Value);
+
+impl<'de> Deserialize<'de> for Single {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(OfSingle).map(Self)
+    }
+}
+
+struct OfSingle;
+
+impl<'de> Visitor<'de> for OfSingle {
+    type Value = Value;
+
+    fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str("a value of JSON")
+    }
+
+    fn visit_unit<E>(self) -> Result<Value, E> {
+        Ok(Value::Null)
+    }
+
+    fn visit_bool<E>(self, truth: bool) -> Result<Value, E> {
+        Ok(truth.into())
+    }
+
+    fn visit_i64<E>(self, number: i64) -> Result<Value, E> {
+        Ok(number.into())
+    }
+
+    fn visit_u64<E>(self, number: u64) -> Result<Value, E> {
+        Ok(number.into())
+    }
+
+    fn visit_f64<E: Error>(self, number: f64) -> Result<Value, E> {
+        Number::from_f64(number).map(Value::Number).ok_or_else(|| E::custom("a number is not finite"))
+    }
+
+    fn visit_str<E>(self, text: &str) -> Result<Value, E> {
+        Ok(text.into())
+    }
+
+    fn visit_string<E>(self, text: String) -> Result<Value, E> {
+        Ok(text.into())
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut access: A) -> Result<Value, A::Error> {
+        let mut items = Vec::new();
+        while let Some(Single(item)) = access.next_element()? {
+            items.push(item);
+        }
+        Ok(items.into())
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut access: A) -> Result<Value, A::Error> {
+        let mut items = Map::new();
+        while let Some((key, Single(item))) = access.next_entry::<String, _>()? {
+            if items.contains_key(&key) {
+                return Err(A::Error::custom(format!("the key {key:?} stands twice")));
+            }
+            items.insert(key, item);
+        }
+        Ok(items.into())
+    }
+}
 
 /// The value under a key.
 ///

@@ -147,7 +147,7 @@ pub fn check_opened(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
 /// assert!(coface_check::opened(certificate.as_bytes(), &[b"[[1]]"]).is_err());
 /// ```
 pub fn opened(certificate: &[u8], inputs: &[&[u8]]) -> Result<Value, Fault> {
-    opened_value(parsed(certificate)?, inputs)
+    opened_value(json::parsed(certificate, "certificate")?, inputs)
 }
 
 /// The same for a certificate that is a value already.
@@ -179,11 +179,6 @@ pub fn opened_value(whole: Value, inputs: &[&[u8]]) -> Result<Value, Fault> {
     Ok(whole)
 }
 
-fn parsed(certificate: &[u8]) -> Result<Value, Fault> {
-    let fault = |error| Fault::new("certificate", format!("this is no JSON: {error}"));
-    serde_json::from_slice(certificate).map_err(fault)
-}
-
 /// Whether the certificate has the form that is known.
 fn check_version(whole: &Value) -> Result<(), Fault> {
     let version = field(whole, "coface_certificate", "certificate")?;
@@ -208,7 +203,7 @@ fn check_version(whole: &Value) -> Result<(), Fault> {
 /// assert!(coface_check::input_names(b"[]").is_err());
 /// ```
 pub fn input_names(certificate: &[u8]) -> Result<Vec<String>, Fault> {
-    let whole = parsed(certificate)?;
+    let whole = json::parsed(certificate, "certificate")?;
     check_version(&whole)?;
     let inputs = whole.get("inputs").and_then(Value::as_array).into_iter().flatten();
     Ok(inputs.filter_map(|input| Some(input.get("name")?.as_str()?.to_owned())).collect())

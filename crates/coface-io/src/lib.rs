@@ -143,5 +143,7 @@ pub use scratch_mesh::NO_VERTEX;
 pub use stated_surfaces::StatedSurfaces;
 pub use table_form::TableForm;
 pub use unpacking::unpacked_bytes;
+#[doc(hidden)]
+pub use volume::VoxelFrame;
 pub use volume::{VolumeReading, VolumeStream, VoxelRule};
 pub use witness::{WitnessPoints, WitnessReading};

@@ -70,6 +70,7 @@ pub struct ModelParts {
     pub structure: Option<Structure>,
     pub remarks: Vec<Remark>,
     pub is_pseudomanifold: bool,
+    pub frame: Option<VoxelFrame>,
 }
 
 impl ModelParts {
@@ -90,6 +91,7 @@ impl ModelParts {
             structure,
             remarks,
             is_pseudomanifold,
+            frame,
         } = self;
         Model {
             format,
@@ -113,7 +115,7 @@ impl ModelParts {
             reference: None,
             is_pseudomanifold,
             unread: Vec::new(),
-            frame: None,
+            frame,
         }
     }
 }
@@ -577,7 +579,7 @@ impl Model {
             remarks,
             is_pseudomanifold,
             unread: _,
-            frame: _,
+            frame,
         } = self;
         ModelParts {
             format,
@@ -594,6 +596,7 @@ impl Model {
             structure,
             remarks,
             is_pseudomanifold,
+            frame,
         }
     }
 

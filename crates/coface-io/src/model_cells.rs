@@ -1,6 +1,7 @@
 //! What a model knows of the cells of its chain complex beside the matrices.
 
 use super::Model;
+use crate::volume::VoxelFrame;
 use crate::{Remark, RemarkCode, Structure, cells_not_balls};
 use coface_algebra::chains::ChainRefinement;
 use coface_algebra::{Error, RaggedArray, VertexId};
@@ -141,10 +142,14 @@ impl Model {
     pub fn voxel_surface(&self) -> Result<Option<(Positions, RaggedArray)>, Error> {
         let Some(Structure::Volume(volume)) = self.structure() else { return Ok(None) };
         let (corners, squares) = volume.boundary_squares()?;
-        match self.frame {
-            Some(frame) => frame.place(&corners, squares).map(Some),
-            None => Ok(Some((corners, squares))),
-        }
+        let Some(frame) = self.frame else { return Ok(Some((corners, squares))) };
+        let squares = match frame.is_mirrored() {
+            true => RaggedArray::from_lists(
+                squares.iter().map(|square| square.iter().rev().copied().collect::<Vec<u32>>()),
+            ),
+            false => squares,
+        };
+        Ok(Some((frame.place(&corners)?, squares)))
     }
 
     /// What the file has beside what was read, such as normals and colors that have no place here, with counts: it changes no answer, but is not in
@@ -152,6 +157,12 @@ impl Model {
     #[doc(hidden)]
     pub fn unread(&self) -> &[(&'static str, usize)] {
         &self.unread
+    }
+
+    /// Where the header of a file of voxels places them, if it says so.
+    #[doc(hidden)]
+    pub fn voxel_frame(&self) -> Option<VoxelFrame> {
+        self.frame
     }
 
     /// How voxels are placed, if the header of their file says it.

@@ -7,8 +7,11 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArra
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFrozenSet, PyInt, PyList, PySet, PySlice, PyString, PyTuple};
 
+/// What to do with masked entries where nothing can be left out.
+const MASKED: &str = "leave them out or give them numbers with array.filled(..); only coface.volume and coface.cubical take them, as outside";
+
 /// Arrays, lists and tuples as they are; tables, sets, generators and views of dictionaries as an array or a list. Members of sets come in
-/// rising order.
+/// rising order. Arrays of which entries are masked are refused: what stands behind a mask is no number of its owner's.
 pub(crate) fn plain<'py>(value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     let py = value.py();
     if value.is_instance_of::<PyList>()
@@ -33,6 +36,13 @@ pub(crate) fn plain<'py>(value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny
     if value.hasattr("to_numpy")? {
         return value.call_method0("to_numpy");
     }
+    if value.hasattr("mask")? && value.hasattr("filled")? {
+        let is_masked: bool =
+            py.import("numpy")?.getattr("ma")?.call_method1("is_masked", (value,))?.extract()?;
+        if is_masked {
+            return Err(invalid(py, "an array has masked entries", MASKED));
+        }
+    }
     let is_array = value.hasattr("__array__")?
         || value.hasattr("__array_interface__")?
         || value.hasattr("__getitem__")?;
@@ -43,7 +53,7 @@ pub(crate) fn plain<'py>(value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny
 }
 
 /// `numpy.asarray(value)`.
-fn as_array<'py>(py: Python<'py>, value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+pub(crate) fn as_array<'py>(py: Python<'py>, value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     py.import("numpy")?.getattr("asarray")?.call1((plain(value)?,))
 }
 
@@ -81,7 +91,7 @@ fn size_of(array: &Bound<'_, PyAny>) -> PyResult<usize> {
 /// An array of ids as 64-bit integers, in the layout of C.
 fn integers<'py>(value: &Bound<'py, PyAny>, what: &str) -> PyResult<Bound<'py, PyAny>> {
     let py = value.py();
-    let array = as_array(py, value).map_err(|_| {
+    let array = as_array(py, &plain(value)?).map_err(|_| {
         invalid(
             py,
             format!("{what} are lists of different lengths"),
@@ -270,7 +280,7 @@ fn is_rectangular(value: &Bound<'_, PyAny>) -> PyResult<bool> {
 /// Real numbers of any sort as a flat array in the layout of C, with its shape.
 pub(crate) fn reals(value: &Bound<'_, PyAny>, what: &str) -> PyResult<(Vec<usize>, Vec<f64>)> {
     let py = value.py();
-    let array = as_array(py, value).map_err(|_| {
+    let array = as_array(py, &plain(value)?).map_err(|_| {
         invalid(py, format!("{what} are lists of different lengths"), "give a rectangular array of numbers")
     })?;
     if !matches!(&sort_of(&array)?[..], "i" | "u" | "f") && size_of(&array)? > 0 {
@@ -381,11 +391,6 @@ pub(crate) fn from_lists<'py, L: AsRef<[u32]>>(
     }
     let pair = (PyArray1::from_vec(py, flat), PyArray1::from_vec(py, offsets));
     Ok(pair.into_pyobject(py)?.into_any())
-}
-
-/// Lists of ids as a list of lists.
-pub(crate) fn nested<'a>(lists: impl IntoIterator<Item = &'a [u32]>) -> Vec<Vec<u32>> {
-    lists.into_iter().map(<[u32]>::to_vec).collect()
 }
 
 /// An integer of any size as one of Python.

@@ -26,7 +26,7 @@ use pyo3::types::{PyDict, PyTuple};
 /// (2,)
 /// >>> plane.homology("f2")
 /// Homology(Z/2, Z/2, Z/2)
-#[pyclass(frozen, module = "coface", name = "Homology")]
+#[pyclass(frozen, dict, module = "coface", name = "Homology")]
 pub(crate) struct Homology {
     groups: Vec<Py<HomologyGroup>>,
     words: Vec<String>,

@@ -541,7 +541,7 @@ impl Model {
     #[pyo3(signature = (name, values, on="vertices"))]
     fn with_data(&self, py: Python<'_>, name: &str, values: &Bound<'_, PyAny>, on: &str) -> PyResult<Self> {
         let kind = kind_of(py, on)?;
-        let array = py.import("numpy")?.getattr("asarray")?.call1((values,))?;
+        let array = arrays::as_array(py, values)?;
         let shape: Vec<usize> = array.getattr("shape")?.extract()?;
         let components = shape.get(1..).map_or(1, |rest| rest.iter().product());
         let sort: String = array.getattr("dtype")?.getattr("kind")?.extract()?;
@@ -902,7 +902,8 @@ impl Model {
     ///     Whether the squares around the voxels are made, turned outward; the voxels themselves otherwise: hexahedra, quadrilaterals or
     ///     segments.
     /// spacing, origin : sequence of float, optional
-    ///     How long a voxel is along each axis, and where the first corner is; 1 and 0 if left out.
+    ///     How long a voxel is along each axis, and where the first corner is. Without both, voxels are where the header of their file places
+    ///     them; of an array, they are of length 1 from 0.
     ///
     /// Returns
     /// -------

@@ -33,7 +33,7 @@ use std::time::Duration;
 /// FundamentalGroup(Z/2, 1 generator, 1 relator)
 /// >>> group.abelianization.torsion
 /// (2,)
-#[pyclass(frozen, module = "coface", name = "FundamentalGroup")]
+#[pyclass(frozen, dict, module = "coface", name = "FundamentalGroup")]
 pub(crate) struct FundamentalGroup {
     presentation: Presentation,
     name: Option<GroupName>,

@@ -625,7 +625,7 @@ pub(crate) fn is_exact<'py>(
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let source = source_of(model)?;
-    let array = py.import("numpy")?.getattr("asarray")?.call1((values,))?;
+    let array = arrays::as_array(py, values)?;
     let is_real = array.getattr("dtype")?.getattr("kind")?.extract::<String>()? == "f";
     let dict = PyDict::new(py);
     let count = run(py, None, || Ok(source.chains()?.cell_count(1)))?;

@@ -233,20 +233,11 @@ impl Report {
         to_python(py, &self.report.answer(PLACES).polygons)
     }
 
-    /// What is wrong and where: dictionaries with ``kind``, ``count``, ``message``, ``cells`` and ``top_cells`` (lists of vertices).
+    /// What is wrong and where: dictionaries with ``kind``, ``count``, ``message``, ``cells`` and ``top_cells`` (lists of vertices), and ``points`` where
+    /// cells are not the places: with the cells, with the faces in space, with the polygons of a drawing.
     #[getter]
-    fn problems<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
-        let mut list = Vec::new();
-        for problem in self.report.problems() {
-            let dict = PyDict::new(py);
-            dict.set_item("kind", problem.kind().word())?;
-            dict.set_item("count", problem.count())?;
-            dict.set_item("message", problem.message())?;
-            dict.set_item("cells", arrays::nested(problem.cells().iter()))?;
-            dict.set_item("top_cells", arrays::nested(problem.tops().iter()))?;
-            list.push(dict);
-        }
-        Ok(list)
+    fn problems<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.report.answer(usize::MAX).problems)
     }
 
     /// What was odd about the file.

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
 
 import coface
@@ -193,3 +196,70 @@ def test_congruences_are_proved(tmp_path: Path) -> None:
         coface.certificate(left, "congruence")
     with pytest.raises(coface.InvalidInputError, match="the tolerance is -1"):
         coface.certificate(left, "congruence", tolerance=-1)
+
+
+SQUARE = [[0, 0], [2, 0], [2, 2], [0, 2]]
+CUBE = coface.generate("box", boundary=True)
+TORUS = coface.generate("torus")
+RING = np.array([[1.0, 2, 1], [2, 9, 2], [1, 2, 1]])
+DRAWN = coface.Model.from_arrays([[0, 0], [2, 2], [0, 2], [2, 0]], cells={"line": [[0, 1], [2, 3], [1, 3]]})
+MOVED = coface.Model(CUBE.vertices + 0.5, CUBE.faces)
+
+
+@pytest.mark.parametrize(
+    ("answer", "names", "claim"),
+    [
+        (lambda: coface.homology(coface.generate("rp2")), ["x.json"], "H_1 = Z/2"),
+        (lambda: coface.homology([[0, 1], [1, 2], [0, 2]], "f2"), ["x.json"], "H_1 = Z/2"),
+        (lambda: coface.cohomology(coface.generate("rp2"), generators=True), ["x.json"], "H^2 = Z/2"),
+        (lambda: coface.homology(CUBE, relative="boundary"), ["x.off"], "H_2 = Z"),
+        (lambda: coface.homology(coface.volume(np.ones((2, 2, 2)))), ["x.json"], "H_0 = Z"),
+        (lambda: coface.homology([[0, 1, 2]], relative=[[0, 1], [1, 2], [0, 2]]), ["x.json"], "H_2 = Z"),
+        (lambda: TORUS.report(), ["x.off"], "genus = 1"),
+        (lambda: coface.pi1(TORUS)[0], ["x.off"], "the presentation of the answer"),
+        (lambda: coface.cut(TORUS), ["x.off"], "disk"),
+        (lambda: coface.cover(TORUS, radius=1), ["x.json"], "copies"),
+        (lambda: coface.cocycles(TORUS), ["x.off"], "cocycle"),
+        (lambda: coface.persistence(TORUS, "z"), ["x.off"], "Betti numbers over F_2 = [1, 2, 1]"),
+        (lambda: coface.persistence([[0, 1], [1, 2]], [0.0, 2.0, 1.0]).longer_than(0.5), ["x.json"], "Betti numbers over F_2 = [1, 0]"),
+        (lambda: coface.rips(SQUARE), ["x.txt"], "the rows of the file are 4 points"),
+        (lambda: coface.alpha(SQUARE, radii=True), ["x.txt"], "Delaunay"),
+        (lambda: coface.cubical(RING), ["x.npy"], "Betti numbers over F_2 = [1, 0, 0]"),
+        (lambda: coface.arrange(DRAWN), ["x.wkt"], "f_vector = [5,5,1]"),
+        (lambda: coface.boolean("union", coface.polygon(SQUARE), coface.polygon([[1, 1], [3, 1], [3, 3], [1, 3]])), ["x.wkt", "y.wkt"], "measure = 7"),
+        (lambda: coface.boolean("intersection", CUBE, MOVED), ["x.off", "y.off"], "measure = 0.125"),
+        (lambda: coface.congruence(CUBE, MOVED, tolerance=0.01), ["x.off", "y.off"], "chain map onto it"),
+    ],
+)
+def test_answers_have_certificates(answer: Callable[[], Any], names: list[str], claim: str, tmp_path: Path) -> None:
+    paths = [tmp_path / name for name in names]
+    found = answer()
+    proof = found.certificate(paths if len(paths) > 1 else paths[0])
+    proved = coface.check(proof, *paths)["proved"]
+    assert any(claim in one for one in proved), proved
+    # Again: the files are there, and hold the input. Other things are not replaced.
+    assert found.certificate(paths if len(paths) > 1 else paths[0]) == proof
+    paths[0].write_text("something else")
+    with pytest.raises(coface.InvalidInputError, match="does not hold the input"):
+        found.certificate(paths if len(paths) > 1 else paths[0])
+    assert paths[0].read_text() == "something else"
+
+
+def test_what_no_certificate_proves_is_said(tmp_path: Path) -> None:
+    here = tmp_path / "x.json"
+    for found, told in [
+        (coface.rips([[0.0, 1], [1, 0]], distances="square"), "persistence of distances"),
+        (coface.alpha(SQUARE), "radii=True"),
+        (coface.cubical(RING, periodic=[0]), "periodic"),
+        (coface.persistence([[0, 1]], cell_values=[[0, 0], [1]]), "no certificate"),
+        (coface.Homology.from_dict(coface.homology(CUBE).to_dict()), "coface.certificate"),
+    ]:
+        with pytest.raises(coface.InvalidInputError, match=told):
+            found.certificate(here)
+    with pytest.raises(coface.InvalidInputError, match="1 path is given"):
+        coface.boolean("union", CUBE, MOVED).certificate(here)
+    with pytest.raises(coface.InvalidInputError, match="ends with .json"):
+        coface.homology(CUBE).certificate(tmp_path / "x.stl")
+    with pytest.raises(coface.FileError, match="folder that is there"):
+        coface.homology(CUBE).certificate(tmp_path / "nowhere" / "x.json")
+    assert not list(tmp_path.iterdir())

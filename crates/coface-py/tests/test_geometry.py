@@ -46,6 +46,8 @@ def test_flatness_and_the_check_are_choices() -> None:
 def test_polygons_of_drawings_are_checked(tmp_path: Path) -> None:
     path = tmp_path / "bow.wkt"
     path.write_text("POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))")
+    (problem,) = coface.read(path).report().problems
+    assert (problem["kind"], problem["points"]) == ("ring_crosses_itself", [[1.0, 1.0]])
     polygons = coface.read(path).report().polygons
     assert (polygons["valid"], polygons["reason"]) == (False, "Self-intersection[1 1]")
     assert polygons["faults"][0]["name"] == "ring_crosses_itself"

@@ -137,7 +137,7 @@ def test_repair_leaves_out_repeated_faces() -> None:
     points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]
     model = coface.Model(points, [[0, 1, 2], [2, 0, 1], [1, 3, 2], [1, 0, 2]])
     model = model.with_data("number", [0, 1, 2, 3], "faces").with_group("late", [1, 2], "faces")
-    assert [problem["kind"] for problem in model.report().problems] == ["duplicate_cell"]
+    assert [problem["kind"] for problem in model.report().problems] == ["duplicate_cell", "faces_overlap"]
     repaired, sources = model.repaired()
     assert repaired.faces.tolist() == [[0, 1, 2], [1, 3, 2]] and sources.tolist() == [0, 1, 2, 3]
     assert repaired.report().problems == []
@@ -165,3 +165,29 @@ def test_values_of_cells_do_not_fall() -> None:
     falling = coface.persistence(path, [0.0, -2.0, -1.0], upper=True).diagram(0)
     negative = coface.persistence(path, cell_values=[[0.0, 2.0, 1.0], [2.0, 2.0]]).diagram(0)
     assert (-negative).tolist() == falling.tolist()
+
+
+POINTS = [[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [5, 5, 5]]
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        lambda points, _: coface.rips(points),
+        lambda points, _: coface.alpha(points),
+        lambda points, _: coface.Model(points, [[0, 1, 2]]),
+        lambda points, _: coface.homology((points, [[0, 1, 2]])),
+        lambda points, _: coface.arrange(coface.Model.from_arrays(points[:, :2], cells={"line": [[0, 1], [1, 3]]})),
+        lambda _, values: coface.persistence([[0, 1], [1, 2]], values),
+        lambda _, values: coface.Model(POINTS[:3], [[0, 1, 2]]).with_data("height", values),
+        lambda _, values: coface.is_exact([[0, 1], [1, 2], [0, 2]], values, tolerance=1e-9),
+    ],
+)
+def test_masked_entries_are_not_read(asked) -> None:
+    """What stands behind a mask is no number of its owner's; without masked entries such an array is an array."""
+    mask = np.zeros((4, 3), bool)
+    values = np.ma.array([1.0, 2.0, 3.0])
+    asked(np.ma.array(POINTS, mask=mask), values)
+    mask[3] = True
+    with pytest.raises(coface.InvalidInputError, match="masked entries; leave them out"):
+        asked(np.ma.array(POINTS, mask=mask), np.ma.array(values, mask=[False, False, True]))

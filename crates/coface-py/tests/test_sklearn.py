@@ -113,3 +113,14 @@ def test_columns_have_names_and_become_tables() -> None:
         assert len(set(table.columns)) == len(table.columns) == len(table.iloc[0])
     steps = pipeline.make_pipeline(PointDiagrams(), BettiCurves(bins=4)).set_output(transform="pandas")
     assert isinstance(steps.fit_transform(_clouds()), pandas.DataFrame)
+
+
+def test_masked_voxels_are_outside() -> None:
+    """The ring of ones around a masked voxel, whatever stands behind the mask."""
+    middle = np.arange(9).reshape(3, 3) == 4
+    for behind in (0.0, np.nan, 7.0):
+        values = np.where(middle, behind, 1.0)
+        (found,) = Diagrams().fit_transform([np.ma.array(values, mask=middle)])
+        assert found[1].tolist() == [[1.0, np.inf]]
+    with pytest.raises(coface.InvalidInputError, match="masked entries"):
+        PointDiagrams().fit_transform([np.ma.array([[0.0, 0], [1, 1]], mask=[[0, 0], [1, 1]])])

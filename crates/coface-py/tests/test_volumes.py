@@ -113,3 +113,38 @@ def test_wrong_requests_say_what_to_do(tmp_path: Path) -> None:
     path.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
     with pytest.raises(coface.InvalidInputError, match="no voxels"):
         coface.volume(path)
+
+
+def test_masked_voxels_are_not_set() -> None:
+    middle = np.arange(27).reshape(3, 3, 3) == 13
+    for rule in ({}, {"threshold": 0.5}, {"below": 2}, {"value": 1}):
+        hollow = coface.volume(np.ma.array(np.ones((3, 3, 3)), mask=middle), **rule)
+        assert hollow.voxels is not None and np.array_equal(hollow.voxels[0], ~middle)
+    assert coface.homology(hollow).betti_numbers == (1, 0, 1, 0)
+
+
+@pytest.mark.parametrize("is_mirrored", [False, True])
+def test_headers_place_voxels(tmp_path: Path, is_mirrored: bool) -> None:
+    """Two voxels, 0.5 x 2 x 3 each, the center of the first at (10, 20, 30); mirrored along the first axis, or not."""
+    first = -0.5 if is_mirrored else 0.5
+    path = tmp_path / "two.nrrd"
+    path.write_text(
+        "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 1 1\nencoding: ascii\nspace dimension: 3\n"
+        f"space directions: ({first},0,0) (0,2,0) (0,0,3)\nspace origin: (10,20,30)\n\n1 1\n"
+    )
+    model = coface.volume(path)
+    low = [9.25 if is_mirrored else 9.75, 19, 28.5]
+    for surface in (False, True):
+        placed = model.to_model(surface=surface)
+        assert placed.vertices.min(axis=0).tolist() == low
+        assert placed.vertices.max(axis=0).tolist() == [low[0] + 1, 21, 31.5]
+    assert model.to_model(surface=True).report().signed_volume == 6.0
+    corners = model.to_model().cells["hexahedron"]
+    for voxel in model.to_model().vertices[corners]:
+        # Hexahedra of VTK: the last four corners are above the first four, which run round counterclockwise.
+        assert np.linalg.det([voxel[1] - voxel[0], voxel[3] - voxel[0], voxel[4] - voxel[0]]) == pytest.approx(3.0)
+    # What is written is placed too; what is asked for takes the place of the header.
+    model.write(tmp_path / "two.obj")
+    assert coface.read(tmp_path / "two.obj").report().signed_volume == 6.0
+    given = model.to_model(surface=True, spacing=(1, 1, 1))
+    assert given.report().signed_volume == 2.0 and given.vertices.min() == 0.0

@@ -1177,7 +1177,10 @@ export interface InfoAnswer {
   orientable?: boolean | null;
   /** Whether the polygons with rings of a drawing are valid; `null` for what has none, and where they were not checked. */
   polygons?: DrawnPolygonsAnswer | null;
-  /** What is wrong, and where. */
+  /**
+   * What is wrong, and where: with the cells, with the faces in space (more of it under `geometry`), with the polygons of a drawing (more of it
+   * under `polygons`).
+   */
   problems: ProblemAnswer[];
   /** Whether every cell is a face of a cell of the highest degree; `null` for a chain complex. */
   pure?: boolean | null;
@@ -1974,6 +1977,8 @@ export interface ProblemAnswer {
   kind: string;
   /** One sentence that says how many places have it and what it means. */
   message: string;
+  /** The first places as points, of two or three rounded coordinates each; empty where the cells are the places. */
+  points: number[][];
   /** For each of the cells the top cells that meet there; empty when that says nothing. */
   top_cells: number[][];
 }

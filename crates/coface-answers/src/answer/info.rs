@@ -2,7 +2,7 @@
 
 use super::{HalfedgePointers, HomologyGroup, MapRepairAnswer, Remark};
 use crate::{DrawnFault, DrawnPlace, DrawnPolygons, GeometryFacts, Problem, Report};
-use coface_arrange::spatial::checks::{Fault, FaultPlace, GeometryFaults};
+use coface_arrange::spatial::checks::{Fault, FaultPlace, FaultScope, GeometryFaults};
 use coface_complexes::surface::{SurfaceComponent, SurfaceType};
 use serde::{Deserialize, Serialize};
 
@@ -70,7 +70,8 @@ pub struct InfoAnswer {
     /// Of a surface given by at most 60 halfedges: what each one points to; absent for other models.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub halfedges: Vec<HalfedgePointers>,
-    /// What is wrong, and where.
+    /// What is wrong, and where: with the cells, with the faces in space (more of it under `geometry`), with the polygons of a drawing (more of it
+    /// under `polygons`).
     pub problems: Vec<ProblemAnswer>,
     /// Whether the faces are sound in space; `null` for what has no faces with coordinates.
     #[serde(default)]
@@ -232,7 +233,7 @@ pub struct NamedGroup {
 }
 
 /// One sort of fault with its places.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ProblemAnswer {
@@ -246,6 +247,8 @@ pub struct ProblemAnswer {
     pub cells: Vec<Vec<u32>>,
     /// For each of the cells the top cells that meet there; empty when that says nothing.
     pub top_cells: Vec<Vec<u32>>,
+    /// The first places as points, of two or three rounded coordinates each; empty where the cells are the places.
+    pub points: Vec<Vec<f64>>,
 }
 
 /// Whether the faces of a model are sound in space.
@@ -480,6 +483,8 @@ impl Report {
     /// ```
     pub fn answer(&self, limit: usize) -> InfoAnswer {
         let finite = |[x, y, z]: [f64; 3]| [Some(x), Some(y), Some(z)];
+        let geometry = self.geometry.as_ref().map(|facts| GeometryAnswer::of(facts, limit));
+        let polygons = self.drawn.as_ref().map(|found| DrawnPolygonsAnswer::of(found, limit));
         InfoAnswer {
             file: None,
             format: None,
@@ -548,9 +553,9 @@ impl Report {
                     count: group.count(),
                 })
                 .collect(),
-            problems: self.problems.iter().map(|problem| ProblemAnswer::of(problem, limit)).collect(),
-            geometry: self.geometry.as_ref().map(|facts| GeometryAnswer::of(facts, limit)),
-            polygons: self.drawn.as_ref().map(|found| DrawnPolygonsAnswer::of(found, limit)),
+            problems: self.problems_of(geometry.as_ref(), polygons.as_ref(), limit),
+            geometry,
+            polygons,
             repair: None,
             reference_system: self
                 .reference
@@ -559,6 +564,24 @@ impl Report {
             warnings: self.warnings.clone(),
             remarks: self.remarks.clone(),
         }
+    }
+}
+
+impl Report {
+    /// What is wrong: with the cells, with the faces in space, with polygons of a drawing.
+    fn problems_of(
+        &self,
+        geometry: Option<&GeometryAnswer>,
+        polygons: Option<&DrawnPolygonsAnswer>,
+        limit: usize,
+    ) -> Vec<ProblemAnswer> {
+        let of_faces = geometry.map_or(&[][..], |found| &found.faults);
+        let of_faces = of_faces.iter().filter(|fault| fault.of == FaultScope::Surface.word());
+        let of_drawn = polygons.map_or(&[][..], |found| &found.faults);
+        (self.problems.iter().map(|problem| ProblemAnswer::of(problem, limit)))
+            .chain(of_faces.map(ProblemAnswer::of_faces))
+            .chain(of_drawn.iter().map(ProblemAnswer::of_drawn))
+            .collect()
     }
 }
 
@@ -584,6 +607,33 @@ impl ProblemAnswer {
             message: problem.message().to_owned(),
             cells: problem.cells().iter().take(limit).map(<[u32]>::to_vec).collect(),
             top_cells: problem.tops().iter().take(limit).map(<[u32]>::to_vec).collect(),
+            points: Vec::new(),
+        }
+    }
+
+    /// A fault of a polygon of a drawing.
+    fn of_drawn(fault: &DrawnFaultAnswer) -> Self {
+        Self {
+            kind: fault.name.clone(),
+            count: fault.count,
+            message: fault.message.clone(),
+            cells: Vec::new(),
+            top_cells: Vec::new(),
+            points: fault.places.iter().map(|place| place.point.to_vec()).collect(),
+        }
+    }
+
+    /// A fault of faces in space.
+    fn of_faces(fault: &GeometryFaultAnswer) -> Self {
+        let cells = fault.places.iter().map(|place| place.vertices.clone());
+        let points = fault.places.iter().filter_map(|place| place.point).map(|point| point.to_vec());
+        Self {
+            kind: fault.name.clone(),
+            count: fault.count,
+            message: fault.message.clone(),
+            cells: cells.filter(|vertices| !vertices.is_empty()).collect(),
+            top_cells: Vec::new(),
+            points: points.collect(),
         }
     }
 }

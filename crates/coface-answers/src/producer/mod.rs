@@ -115,6 +115,7 @@ impl Producer {
             structure,
             mut remarks,
             is_pseudomanifold,
+            frame,
             ..
         } = model.into_parts();
         let (cells, labels) = match structure {
@@ -123,6 +124,9 @@ impl Producer {
             Some(Structure::Volume(volume)) => {
                 let cells = VolumeCells::new(volume);
                 positions = cells.positions().unwrap_or_default();
+                if let Some(frame) = frame.filter(|_| !positions.is_empty()) {
+                    positions = frame.place(&positions)?;
+                }
                 (Cells::Voxels(Box::new(cells)), Labels::default())
             }
             Some(Structure::Halfedges { next, twin, outer }) => {

@@ -60,6 +60,8 @@ fn a_sound_solid_has_no_problems() {
 fn faces_that_cross_are_a_problem_with_places() {
     let found = report(&house(-0.5));
     let answer = found.answer(10);
+    let problem = &answer.problems[0];
+    assert_eq!((&problem.kind[..], problem.count, problem.points.len()), ("faces_cross", 4, 4));
     let geometry = answer.geometry.unwrap();
     let fault = &geometry.faults[0];
     assert_eq!((fault.code, &fault.name[..], &fault.of[..], fault.count), (306, "faces_cross", "surface", 4));
@@ -78,6 +80,7 @@ fn faces_that_cross_are_a_problem_with_places() {
 #[test]
 fn an_open_surface_is_sound_and_no_solid() {
     let found = report(&off(&CUBE, &SIDES[..5]));
+    assert!(found.answer(10).problems.is_empty());
     let geometry = found.answer(10).geometry.unwrap();
     assert_eq!((geometry.sound_surface, geometry.valid_solid), (Some(true), Some(false)));
     assert_eq!((geometry.faults[0].code, &geometry.faults[0].of[..]), (302, "solid"));

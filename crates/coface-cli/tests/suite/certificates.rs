@@ -330,7 +330,8 @@ fn lies_are_found() {
 #[test]
 fn what_is_no_certificate_is_told_so() {
     let folder = tempfile::tempdir().unwrap();
-    for text in ["v 0 0 0\n", "[]", "{\"inputs\":[]}"] {
+    let twins = "{\"coface_certificate\":1,\"answer\":{\"betti\":1,\"betti\":2},\"inputs\":[]}";
+    for text in ["v 0 0 0\n", "[]", "{\"inputs\":[]}", twins] {
         let path = folder.path().join("no.cert");
         std::fs::write(&path, text).unwrap();
         let run = coface(&["check", path.to_str().unwrap()]);

@@ -138,6 +138,12 @@ fn polygons_of_drawings_are_checked() {
         assert_eq!((&fault["name"], &found["polygons"]["reason"]), (&json!(name), &json!(reason)), "{text}");
         assert_eq!(fault["places"][0]["rings"], place, "{text}");
         assert_eq!(found["polygons"]["valid"], json!(false));
+        let problem = &found["problems"][0];
+        assert_eq!((&problem["kind"], &problem["message"]), (&fault["name"], &fault["message"]));
+        assert_eq!(
+            (&problem["count"], &problem["points"][0]),
+            (&fault["count"], &fault["places"][0]["point"])
+        );
         assert_eq!(found["remarks"][0]["code"], json!("invalid-polygon"));
         assert_eq!(found["remarks"][0]["message"], fault["message"]);
         let page = coface_reading(&["info", "-"], text.as_bytes()).stdout;

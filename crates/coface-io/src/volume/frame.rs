@@ -1,11 +1,11 @@
 //! Where voxels are: steps along the axes, and the place of the first one.
 
-use coface_algebra::{Error, RaggedArray};
+use coface_algebra::Error;
 use coface_geometry::Positions;
 
 /// The steps from a voxel of three axes to the next along each, in the unit of the file, and the center of the first voxel if the file says it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct VoxelFrame {
+pub struct VoxelFrame {
     steps: [[f64; 3]; 3],
     origin: Option<[f64; 3]>,
 }
@@ -38,12 +38,11 @@ impl VoxelFrame {
         self.steps.map(|step| step.iter().map(|x| x * x).sum::<f64>().sqrt())
     }
 
-    /// Moves corners of voxels, which are at whole numbers, to where they are; faces stay turned outward.
-    pub(crate) fn place(
-        &self,
-        corners: &Positions,
-        mut faces: RaggedArray,
-    ) -> Result<(Positions, RaggedArray), Error> {
+    /// Moves corners of voxels, which are at whole numbers, to where they are.
+    ///
+    /// # Errors
+    /// For corners in another dimension than 3.
+    pub fn place(&self, corners: &Positions) -> Result<Positions, Error> {
         let mut flat = Vec::with_capacity(corners.as_flat().len());
         for corner in corners.as_flat().chunks_exact(3) {
             // The first voxel has its center in the middle between corners 0 and 1.
@@ -53,12 +52,12 @@ impl VoxelFrame {
                 flat.push(along(0) + along(1) + along(2) + self.origin.map_or(0.0, |origin| origin[axis]));
             }
         }
-        if self.determinant() < 0.0 {
-            faces = RaggedArray::from_lists(
-                faces.iter().map(|face| face.iter().rev().copied().collect::<Vec<u32>>()),
-            );
-        }
-        Ok((Positions::from_flat(3, flat)?, faces))
+        Positions::from_flat(3, flat)
+    }
+
+    /// Whether the steps are left-handed: what looked outward looks inward where [`Self::place`] moves it.
+    pub fn is_mirrored(&self) -> bool {
+        self.determinant() < 0.0
     }
 
     /// What was done, for people.

@@ -30,7 +30,7 @@ pub(super) use nrrd::MAGIC as NRRD_MAGIC;
 pub(super) use pgm::is_pgm;
 /// The first bytes of an image as PNG.
 pub(super) const PNG_MAGIC: &[u8] = b"\x89PNG\r\n\x1a\n";
-pub(crate) use frame::VoxelFrame;
+pub use frame::VoxelFrame;
 pub use rule::{VolumeReading, VoxelRule};
 pub use stream::VolumeStream;
 pub(super) use stream::header_path;

@@ -198,6 +198,7 @@ impl Scene {
         let marks = report
             .problems
             .iter()
+            .filter(|problem| !problem.cells.is_empty() && problem.points.is_empty())
             .map(|problem| (problem.kind.replace('_', " "), problem.count, &problem.message, &problem.cells));
         let mut found: Vec<(String, usize, &String, &Vec<Vec<u32>>)> = marks.collect();
         // The witness is one of the places of such a problem.

@@ -130,7 +130,7 @@ from coface._questions import (
     witness_complex,
     zigzag,
 )
-from coface import _faults, _records, maps
+from coface import _faults, _proofs, _records, maps
 from coface._notebook import repr_html as _repr_html
 from coface._view import page, render, view
 from coface._volumes import volume
@@ -318,6 +318,7 @@ __all__ = [
 ]
 
 _records.install()
+_proofs.install()
 
 # What notebooks and plots need stands here, so that the compiled part knows neither.
 for _shown in (

@@ -26,6 +26,8 @@ CORNERS = {
     "wedge": 6,
     "hexahedron": 8,
 }
+#: What to do with masked entries where nothing can be left out.
+MASKED = "leave them out or give them numbers with array.filled(..); only coface.volume and coface.cubical take them, as outside"
 #: Why data of cells are left out.
 MIXED = "which are taken where all cells are faces"
 #: The kinds of 3-cells.
@@ -185,6 +187,11 @@ def plain(value: Any) -> Any:
 
     Members of sets come in rising order, and the sets in them as sorted lists.
 
+    Raises
+    ------
+    coface.InvalidInputError
+        For an array of which entries are masked: what stands behind a mask is no number of its owner's.
+
     Examples
     --------
     >>> plain({(0, 1, 2), (1, 2, 3)})
@@ -209,6 +216,8 @@ def plain(value: Any) -> Any:
         return value.to_numpy()
     if hasattr(value, "__next__") or isinstance(value, (KeysView, ValuesView)):
         return list(value)
+    if np.ma.is_masked(value):
+        raise_invalid("an array has masked entries", MASKED)
     return value
 
 
@@ -220,8 +229,9 @@ def numbers(value: Any, what: str) -> NDArray[np.float64]:
     coface.InvalidInputError
         For what is no array of real numbers.
     """
+    value = plain(value)
     try:
-        found = np.asarray(plain(value))
+        found = np.asarray(value)
     except ValueError:
         found = np.empty(0, object)
     if found.dtype.kind not in "biuf" and (found.size or found.dtype.kind == "O"):

@@ -2386,7 +2386,8 @@ class Model:
             Whether the squares around the voxels are made, turned outward; the voxels themselves otherwise: hexahedra, quadrilaterals or
             segments.
         spacing, origin : sequence of float, optional
-            How long a voxel is along each axis, and where the first corner is; 1 and 0 if left out.
+            How long a voxel is along each axis, and where the first corner is. Without both, voxels are where the header of their file places
+            them; of an array, they are of length 1 from 0.
 
         Returns
         -------
@@ -3150,7 +3151,9 @@ class Report:
         ...
     @property
     def problems(self) -> list[Problem]:
-        """What is wrong and where: dictionaries with ``kind``, ``count``, ``message``, ``cells`` and ``top_cells`` (lists of vertices)."""
+        """What is wrong and where: dictionaries with ``kind``, ``count``, ``message``, ``cells`` and ``top_cells`` (lists of vertices), and ``points`` where
+        cells are not the places: with the cells, with the faces in space, with the polygons of a drawing.
+        """
         ...
     @property
     def warnings(self) -> list[str]:

@@ -15,6 +15,7 @@ from coface._arrays import numbers, plain, point_rows, ragged, raise_invalid
 from coface._coface import (
     ChainComplex,
     Cocycles,
+    Complex,
     Congruence,
     Cover,
     Domain,
@@ -27,9 +28,10 @@ from coface._coface import (
     PlanarBoolean,
     SolidBoolean,
     SpatialArrangement,
+    Surface,
 )
 from coface._models import as_cells, as_chain_complex, as_drawn, as_model, as_surface, unwrapped
-from coface._records import asked
+from coface._records import asked, remember
 from coface._volumes import voxel_rule
 from coface._faults import in_words
 
@@ -97,7 +99,10 @@ def homology(
     >>> coface.homology([[0, 1, 2], [0, 2, 3]], relative="boundary").betti_numbers
     (0, 0, 1)
     """
-    return _chains(x, relative, domain, reduced, progress).homology(coefficients, generators=generators, progress=progress)
+    x = _held(x, progress)
+    chains = _chains(x, relative, domain, reduced, progress)
+    found = chains.homology(coefficients, generators=generators, progress=progress)
+    return _remembered(found, x, chains, relative, domain, coefficients=coefficients, reduced=reduced, generators=generators)
 
 
 @in_words
@@ -129,7 +134,26 @@ def cohomology(
     >>> [str(group) for group in coface.cohomology(coface.generate("rp2"))]
     ['Z', '0', 'Z/2']
     """
-    return _chains(x, relative, domain, reduced, progress).cohomology(coefficients, generators=generators, progress=progress)
+    x = _held(x, progress)
+    chains = _chains(x, relative, domain, reduced, progress)
+    found = chains.cohomology(coefficients, generators=generators, progress=progress)
+    return _remembered(found, x, chains, relative, domain, coefficients=coefficients, reduced=reduced, generators=generators, cohomology=True)
+
+
+def _held(x: Any, progress: Any) -> Any:
+    """Lists and arrays of cells as a model, which nobody changes; everything else as it is."""
+    is_list = isinstance(x, (list, tuple, np.ndarray)) and not (len(x) and hasattr(x[0], "tocsc"))
+    return as_cells(x, progress=progress) if is_list else x
+
+
+def _remembered(found: Homology, x: Any, chains: ChainComplex, relative: Any, domain: Any, **options: Any) -> Homology:
+    """The groups, which know what they were asked of: the model, or the chain complex where a part of it was divided out."""
+    is_whole = isinstance(x, (Model, Complex, Surface)) and domain is None and (relative is None or relative == "boundary" and isinstance(relative, str))
+    if is_whole:
+        remember(found, "homology", x, relative=relative, **options)
+    elif not options["reduced"]:
+        remember(found, "homology", chains, **options)
+    return found
 
 
 def _chains(x: Any, relative: Any, domain: Any, reduced: bool, progress: Any) -> ChainComplex:
@@ -228,9 +252,12 @@ def pi1(
     >>> [str(group) for group in coface.pi1(coface.generate("rp2"))]
     ['Z/2']
     """
-    return _coface.fundamental_groups(
-        as_cells(x), simplify=simplify, base=base, time_limit=time_limit, progress=progress
-    )
+    model = as_cells(x)
+    groups = _coface.fundamental_groups(model, simplify=simplify, base=base, time_limit=time_limit, progress=progress)
+    if base is None:
+        for group in groups:
+            remember(group, "pi1", model, simplify=simplify)
+    return groups
 
 
 @in_words
@@ -949,6 +976,7 @@ def persistence(
     array([[ 0., inf],
            [ 1.,  2.]])
     """
+    x = _held(x, progress)
     complex = as_chain_complex(x, progress=progress)
     if vertex_values is None and cell_values is None:
         if not hasattr(x, "get_simplices"):
@@ -975,6 +1003,9 @@ def persistence(
         least=least,
         progress=progress,
     )
+    if vertex_values is not None and isinstance(x, (Model, Complex, Surface)):
+        function = vertex_values.tolist()
+        remember(found, "persistence", x, function=function, coefficients=coefficients, upper_star=upper, min_persistence=least)
     return found
 
 

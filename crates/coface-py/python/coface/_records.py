@@ -102,6 +102,11 @@ def asked(name: str, *arguments: Any, **options: Any) -> Any:
     return found
 
 
+def remember(answer: Any, name: str, x: Any, **options: Any) -> None:
+    """Keeps beside an answer what it was asked of, for its certificate: an object of this package, which nobody can change."""
+    answer.__dict__["asked"] = (name, x, options)
+
+
 def kept(value: Any) -> Any:
     """A value that nobody else can change: arrays, matrices, lists and dictionaries are copied, but for arrays that are read-only and own their numbers.
 
@@ -448,6 +453,9 @@ def install() -> None:
         if "recipe" in self.__dict__:
             name, arguments, options = self.__dict__["recipe"]
             found.__dict__["recipe"] = (name, arguments, {**options, "least": max(options.get("least", 0.0), float(length))})
+        if "asked" in self.__dict__:
+            name, x, options = self.__dict__["asked"]
+            remember(found, name, x, **{**options, "min_persistence": max(options["min_persistence"], float(length))})
         return found
 
     functools.update_wrapper(longer_than, shortened)

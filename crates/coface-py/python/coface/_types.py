@@ -124,6 +124,7 @@ class Problem(TypedDict):
     message: str
     cells: list[list[int]]
     top_cells: list[list[int]]
+    points: list[list[float]]
 
 
 class Remark(TypedDict):

@@ -31,7 +31,8 @@ def volume(
     Parameters
     ----------
     x : array_like or path
-        An array of numbers or truth values with 1 to 8 axes; or a file: ``.npy``, NRRD, NIfTI, MetaImage, PGM or PNG.
+        An array of numbers or truth values with 1 to 8 axes, of which masked ones are not set; or a file: ``.npy``, NRRD, NIfTI, MetaImage, PGM
+        or PNG.
     threshold : float, optional
         Set voxels of this number and above. Without any rule those not 0 are set; NaN never is.
     below : float, optional
@@ -69,12 +70,15 @@ def volume(
     rule, bounds, axes = voxel_rule(threshold=threshold, below=below, between=between, value=value, periodic=periodic)
     if isinstance(x, (str, os.PathLike)):
         return _read_volume(x, (rule, bounds, axes), allow_outside, progress)
-    array = np.asarray(plain(x))
+    # What is masked is outside.
+    outside = np.ma.getmaskarray(x) if np.ma.is_masked(x) else None
+    array = np.asarray(plain(x if outside is None else np.ma.getdata(x)))
     if array.dtype.kind not in "biuf":
         raise_invalid(f"an array of {array.dtype} has no numbers to compare", "give numbers or truth values")
     if array.ndim == 0:
         raise_invalid("an array without axes has no voxels", "give an array with 1 to 8 axes")
-    return _volume(np.ascontiguousarray(_is_set(array, rule, bounds)), axes)
+    is_set = _is_set(array, rule, bounds)
+    return _volume(np.ascontiguousarray(is_set if outside is None else is_set & ~outside), axes)
 
 
 def voxel_rule(

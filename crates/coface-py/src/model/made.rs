@@ -9,8 +9,8 @@ use coface::io::{CellData, Format, Group, GroupKind, Model, ModelParts, Structur
 use coface::{Error, VertexId};
 use std::borrow::Cow;
 
-/// The voxels of a volume as hexahedra, quadrilaterals or segments, or the squares around them, each voxel as long as `spacing` says, the first
-/// corner at `origin`.
+/// The voxels of a volume as hexahedra, quadrilaterals or segments, or the squares around them: where the header of their file places them, or each
+/// voxel as long as `spacing` says, the first corner at `origin`.
 ///
 /// # Errors
 /// For a model of another structure, and where the axes are too many or close up.
@@ -35,22 +35,30 @@ pub(super) fn mesh_of_volume(
     if spacing.is_some_and(|spacing| !spacing.iter().all(|&length| length > 0.0)) {
         return Err(Error::invalid("a voxel has no positive length").with_cure("give positive lengths"));
     }
-    let (positions, polygons, cells, lines) = if surface {
-        let (positions, squares) = volume.boundary_squares()?;
-        (positions, squares, RaggedArray::new(), RaggedArray::new())
+    // What is given takes the place of what the header says.
+    let is_given = spacing.is_some() || origin.is_some();
+    let (mut positions, polygons, cells, lines) = if !surface {
+        match is_given {
+            true => voxels(&Model::from_structure(Structure::Volume(volume.clone())))?,
+            false => voxels(model)?,
+        }
     } else {
-        voxels(model)?
+        let squares =
+            if is_given { volume.boundary_squares()? } else { model.voxel_surface()?.unwrap_or_default() };
+        (squares.0, squares.1, RaggedArray::new(), RaggedArray::new())
     };
-    let dimension = positions.dimension();
-    let mut flat = positions.as_flat().to_vec();
-    for (at, x) in flat.iter_mut().enumerate() {
-        let axis = at % dimension;
-        *x = *x * spacing.map_or(1.0, |spacing| spacing[axis]) + origin.map_or(0.0, |origin| origin[axis]);
+    if is_given {
+        let dimension = positions.dimension();
+        let mut flat = positions.as_flat().to_vec();
+        for (at, x) in flat.iter_mut().enumerate() {
+            let axis = at % dimension;
+            *x =
+                *x * spacing.map_or(1.0, |spacing| spacing[axis]) + origin.map_or(0.0, |origin| origin[axis]);
+        }
+        positions = Positions::from_flat(dimension, flat)?;
     }
-    let count = positions.len();
-    let positions = Positions::from_flat(dimension, flat)?;
     let shapes = vec![CellShape::Hexahedron; cells.len()];
-    Model::from_parts(count, positions, polygons, (shapes, cells), lines, Vec::new())
+    Model::from_parts(positions.len(), positions, polygons, (shapes, cells), lines, Vec::new())
 }
 
 /// The model as a format holds it: of a volume the squares around its voxels, where the format has meshes alone.
@@ -77,12 +85,16 @@ fn voxels(model: &Model) -> Result<(Positions, RaggedArray, RaggedArray, RaggedA
         )
         .with_cure("leave out periodic, and take up to three axes"));
     };
+    // Around the lower face, then around the upper one, as VTK has them; where the header mirrors, the other one first.
+    let order = match model.voxel_frame().is_some_and(|frame| frame.is_mirrored()) {
+        false => [0, 4, 6, 2, 1, 5, 7, 3],
+        true => [1, 5, 7, 3, 0, 4, 6, 2],
+    };
     let chains = producer.chain_complex()?;
     let corners = (0..chains.cell_count(dimension)).map(|cell| {
         let list = producer.cell_vertices(dimension, coface::CellId::new(cell));
         match dimension {
-            // Around the lower face, then around the upper one, as VTK has them.
-            3 => [0, 4, 6, 2, 1, 5, 7, 3].map(|at| list[at]).to_vec(),
+            3 => order.map(|at| list[at]).to_vec(),
             _ => list,
         }
     });

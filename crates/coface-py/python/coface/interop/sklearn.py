@@ -22,7 +22,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from coface._arrays import raise_invalid
+from coface._arrays import plain, raise_invalid
 from coface._faults import in_words
 from coface._models import as_chain_complex
 from coface._questions import cubical, persistence, rips
@@ -93,7 +93,8 @@ class Diagrams(_ListsOfDiagrams):
         if isinstance(sample, tuple) and len(sample) == 2:
             answer = persistence(sample[0], sample[1], upper=self.upper, **options)
             return [answer.diagram(degree) for degree in self.degrees]
-        image = np.asarray(sample)
+        is_masked = np.ma.is_masked(sample)
+        image = np.asarray(np.ma.filled(sample, 0) if is_masked else plain(sample))
         if image.dtype.kind not in "biuf" or not 1 <= image.ndim <= 8 or not image.size:
             raise_invalid(
                 f"a sample has the type {image.dtype} and the shape {image.shape}",
@@ -103,8 +104,9 @@ class Diagrams(_ListsOfDiagrams):
         if np.isnan(values).any():
             raise_invalid("an image has voxels that are NaN", "give them a number, such as numpy.inf for the last to come")
         if image.ndim <= 4 and self.least >= 0.0:
-            answer = cubical(image, superlevel=self.upper, **options)
+            answer = cubical(sample if is_masked else image, superlevel=self.upper, **options)
             return [answer.diagram(degree) for degree in self.degrees]
+        plain(sample)  # Masks are taken above only.
         complex = as_chain_complex(volume(np.ones(image.shape, bool)))
         later = [np.full(count, np.nan) for count in complex.f_vector[:-1]]
         answer = persistence(complex, cell_values=[*later, -values if self.upper else values], **options)
