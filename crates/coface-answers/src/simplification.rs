@@ -2,7 +2,7 @@
 
 use crate::answer::{HomologyGroup, SimplifyAnswer};
 use crate::census::Census;
-use crate::facts::space_of;
+use crate::facts::{orientations_open, space_of};
 use crate::isomorphism::table_of;
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::gluing::{FaceClasses, GluingTable};
@@ -137,7 +137,7 @@ impl SimplifiedManifold {
                 Some(census) => Some(census.answer(census.find(&table)?)),
                 None => None,
             },
-            remarks: Vec::new(),
+            remarks: orientations_open(space.as_ref()).into_iter().collect(),
         };
         Ok(Self { model: Model::from_structure(Structure::Gluings(table)), answer })
     }

@@ -73,7 +73,17 @@ pub fn check_opened(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
 
 fn diagram(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     // Of points the certificate lists the simplices, and nothing is said about where they come from.
-    let listed = optional(whole, "facets").map(Value::to_string);
+    let listed = optional(whole, "facets");
+    if listed.is_some_and(|facets| !facets.is_array()) {
+        return Err(Fault::new("input", "the simplices that the certificate lists are no list of facets"));
+    }
+    if listed.and(optional(&whole["answer"], "star")).is_some() {
+        return Err(Fault::new(
+            "input",
+            "simplices are listed for points, and a star is of a function on a complex",
+        ));
+    }
+    let listed = listed.map(Value::to_string);
     let complex = Complex::read(listed.as_ref().map_or(inputs[0], |text| text.as_bytes()))?;
     let (answer, proof) = (field(whole, "answer", "answer")?, field(whole, "proof", "proof")?);
     let prime = index(field(answer, "field", "answer")?, "\"field\"", "answer")?;
@@ -87,8 +97,10 @@ fn diagram(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
         (Some(_), Some(layout)) if answer["function"] == "squared radii of the alpha complex" => {
             Some(alpha::check(&complex, &values, inputs[0], layout)?)
         }
-        _ => of_function,
+        (Some(_), _) => None,
+        (None, _) => of_function,
     };
+    let is_of_input = listed.is_none() || of_function.is_some();
     let is_upper = optional(answer, "star").and_then(Value::as_str) == Some("upper");
     let orders = pairs::orders(&complex, &values, field(proof, "order", "order")?, is_upper)?;
     let mut pairs = pairs::pairs(&complex, &orders, field(proof, "chains", "chains")?, prime.into())?;
@@ -135,8 +147,12 @@ fn diagram(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
             shown(least)
         ));
     }
-    Ok(Verdict::of(proved, answer, &known))
+    let verdict = Verdict::of(proved, answer, &known);
+    Ok(if is_of_input { verdict } else { verdict.leaving(LISTED) })
 }
+
+/// What the certificate of points leaves open, beside the keys of its answer.
+const LISTED: &str = "that these are the simplices of the input";
 
 /// What the persistence of pairs is that live longer than this and not no time at all.
 fn above(least: f64) -> String {

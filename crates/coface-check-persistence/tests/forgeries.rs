@@ -287,3 +287,31 @@ fn forged_alpha_complexes_are_refused() {
         assert!(found.contains(why), "{input}: {found}");
     }
 }
+
+/// A certificate of the vertices of an edge as points, by listed simplices.
+fn unchecked(more: &str, answer: &str) -> Result<Vec<String>, String> {
+    let input = b"[[0,1]]";
+    let hash = coface_check::sha256(input);
+    let certificate = format!(
+        r#"{{"coface_certificate":1,"kind":"persistence","inputs":[{{"name":"a.json","sha256":"{hash}"}}],"min_persistence":0.0,{more},
+            "answer":{{"file":"a.json","field":2,{answer}"betti":[1],"diagram":[
+                {{"degree":0,"birth":0.0,"death":null,"birth_cell":[0],"death_cell":null}}],"remarks":[]}},
+            "proof":{{"values":[[0.0]],"order":[[0]],"chains":[]}}}}"#
+    );
+    let verdict = coface_check_persistence::check(certificate.as_bytes(), &[input])
+        .map_err(|fault| fault.to_string())?;
+    Ok(verdict.unchecked().to_vec())
+}
+
+/// Simplices that a certificate lists are not those of a complex in the input, and it is said that they come from nowhere.
+#[test]
+fn listed_simplices_are_no_claim_about_a_complex() {
+    let simplices = r#""facets":[[0]]"#;
+    assert_eq!(unchecked(simplices, "").expect("a point"), ["that these are the simplices of the input"]);
+    let of_function = unchecked(simplices, r#""function":"vertex number","#).expect("a point");
+    assert_eq!(of_function, ["function", "that these are the simplices of the input"]);
+    let star = unchecked(simplices, r#""function":"vertex number","star":"lower","#);
+    assert!(star.expect_err("a star is of a complex").contains("a star is of a function"));
+    let chains = unchecked(r#""facets":{"boundaries":[]}"#, "");
+    assert!(chains.expect_err("no simplices").contains("no list of facets"));
+}

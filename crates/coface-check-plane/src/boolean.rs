@@ -2,7 +2,7 @@
 
 use crate::area::Area;
 use crate::claims::{Arrangement, claim};
-use crate::formula::Formula;
+use crate::formula::{Formula, Rule};
 use crate::subdivision::Subdivision;
 use coface_check::json::{field, list, optional, text};
 use coface_check::{Fault, Verdict};
@@ -44,7 +44,8 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
         plane.edges[halfedge as usize / 2].iter().for_each(|&end| degrees[end as usize] += 1);
     }
     let pinches = degrees.iter().filter(|degree| **degree > 2).count();
-    let mut proved = vec![title, format!("the result is {} of the inputs, numbered from 0", formula.shown())];
+    let of_inputs = format!("the result is {} of the inputs, numbered from 0", formula.shown());
+    let mut proved = vec![title, of_inputs, Rule::of(whole)?.claim()];
     claim(&mut proved, answer, "components", &json!(components))?;
     claim(&mut proved, answer, "pinches", &json!(pinches))?;
     // A face has a closed boundary, and so has a union of faces.

@@ -3,6 +3,7 @@
 use crate::area::Area;
 use crate::drawing::Drawing;
 use crate::faces::{Faces, OUTSIDE};
+use crate::formula::Rule;
 use crate::inside;
 use crate::subdivision::Subdivision;
 use coface_check::json::{field, index, list, optional};
@@ -57,7 +58,7 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     let [v, e, f] = [plane.vertices.len(), plane.edges.len(), faces.count - 1];
     let is_bridge = |edge: &usize| faces.of[2 * edge] == faces.of[2 * edge + 1];
     let bridges = (0..e).filter(is_bridge).count();
-    let mut proved = vec![title];
+    let mut proved = vec![title, Rule::of(whole)?.claim()];
     for (key, found) in [
         ("f_vector", json!([v, e, f])),
         ("components", json!(faces.components)),

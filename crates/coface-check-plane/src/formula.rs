@@ -128,6 +128,16 @@ impl Rule {
         }
     }
 
+    /// What a verdict says of the rule.
+    pub fn claim(self) -> String {
+        let inside = match self {
+            Self::Nonzero => "other than 0",
+            Self::Odd => "odd",
+            Self::Positive => "above 0",
+        };
+        format!("inside is where winding numbers are {inside}, the rule {:?}", self.name())
+    }
+
     /// Whether a winding number is inside.
     pub fn holds(self, winding: i64) -> bool {
         match self {

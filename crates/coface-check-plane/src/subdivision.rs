@@ -30,7 +30,7 @@ impl Subdivision {
         if let Some(at) = vertices.windows(2).position(|pair| pair[0].compare(&pair[1]).is_ge()) {
             return Err(Fault::new(step, format!("vertices {at} and {} do not rise", at + 1)));
         }
-        let pieces = pieces(proof, drawing, &vertices)?;
+        let (pieces, reasons) = pieces(proof, drawing, &vertices)?;
         let mut edges: Vec<[u32; 2]> = Vec::new();
         let mut rings: Vec<Vec<(u32, i64)>> = Vec::new();
         for ends in pieces.chunk_by(|a, b| a.0 == b.0) {
@@ -41,6 +41,10 @@ impl Subdivision {
         let (around, below) = (vec![Vec::new(); count], vec![None; count]);
         let mut found = Self { vertices, edges, rings, around, below };
         found.sweep()?;
+        if let Some(at) = reasons.iter().position(|reason| *reason != Reason::Corner) {
+            let message = format!("vertex {at} is no end of a segment, and no two segments cross there");
+            return Err(Fault::new(step, message));
+        }
         Ok(found)
     }
 
@@ -117,9 +121,20 @@ impl Subdivision {
 /// The vertices at the ends of a piece, the lower first; the ring along it; 1 if that runs up, else -1.
 type Piece = ([u32; 2], Option<u32>, i64);
 
-/// The pieces of all segments, sorted. Each segment is
+/// Why a point is a vertex.
+#[derive(Clone, Copy, PartialEq)]
+enum Reason {
+    /// There is none yet.
+    Nothing,
+    /// It lies inside of this segment, and of others along the same line.
+    Inside(usize),
+    /// It is an end of a segment, or two that run in different directions have it.
+    Corner,
+}
+
+/// The pieces of all segments, sorted, and why each vertex is one. Each segment is
 /// covered by its pieces, and each piece lies on it.
-fn pieces(proof: &Value, drawing: &Drawing, vertices: &[Point]) -> Result<Vec<Piece>, Fault> {
+fn pieces(proof: &Value, drawing: &Drawing, vertices: &[Point]) -> Result<(Vec<Piece>, Vec<Reason>), Fault> {
     let step = "chains";
     let chains = list(field(proof, "chains", step)?, "\"chains\"", step)?;
     let segments = drawing.segments();
@@ -128,6 +143,7 @@ fn pieces(proof: &Value, drawing: &Drawing, vertices: &[Point]) -> Result<Vec<Pi
         return Err(Fault::new(step, message));
     }
     let mut pieces = Vec::new();
+    let mut reasons = vec![Reason::Nothing; vertices.len()];
     for (number, (chain, ends)) in chains.iter().zip(segments).enumerate() {
         let fault = |what: &str| Err(Fault::new(step, format!("the chain of segment {number} {what}")));
         let chain = list(chain, "a chain", step)?.iter().map(|vertex| index(vertex, "a vertex", step));
@@ -149,6 +165,18 @@ fn pieces(proof: &Value, drawing: &Drawing, vertices: &[Point]) -> Result<Vec<Pi
         if chain.iter().any(|&vertex| side(&from, &to, point(vertex)).is_ne()) {
             return fault("leaves the line of the segment");
         }
+        for (at, &vertex) in chain.iter().enumerate() {
+            let reason = &mut reasons[vertex as usize];
+            *reason = match *reason {
+                _ if at == 0 || at + 1 == chain.len() => Reason::Corner,
+                Reason::Nothing => Reason::Inside(number),
+                // Both segments have the vertex: they lie on one line if an end of the one is on the line of the other.
+                Reason::Inside(first) if side(&from, &to, &Point::of(segments[first][0])).is_ne() => {
+                    Reason::Corner
+                }
+                before => before,
+            };
+        }
         let ring = drawing.ring_of(number);
         pieces.extend(
             chain
@@ -157,5 +185,5 @@ fn pieces(proof: &Value, drawing: &Drawing, vertices: &[Point]) -> Result<Vec<Pi
         );
     }
     pieces.sort_unstable();
-    Ok(pieces)
+    Ok((pieces, reasons))
 }

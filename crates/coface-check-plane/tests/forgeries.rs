@@ -28,7 +28,7 @@ fn refusal(change: impl Fn(&mut Value)) -> String {
 #[test]
 fn the_true_one_is_verified() {
     let verdict = check(honest().to_string().as_bytes(), &[INPUT.as_bytes()]).expect("it is true");
-    assert_eq!(verdict.proved().len(), 9);
+    assert_eq!(verdict.proved().len(), 10);
     assert_eq!(verdict.unchecked(), ["rounding"]);
 }
 
@@ -119,4 +119,32 @@ fn inputs_of_strangers_end() {
         let drawing = coface_check_plane::Drawing::read(&[input.as_bytes()]).expect(input);
         assert_eq!(drawing.segments().len(), segments, "{input}");
     }
+}
+
+/// A certificate of the arrangement of the triangle (0, 0), (2, 0), (0, 2).
+fn verdict(vertices: &str, chains: &str, answer: &str) -> Result<Vec<String>, String> {
+    let input = b"POLYGON ((0 0, 2 0, 0 2, 0 0))";
+    let hash = coface_check::sha256(input);
+    let certificate = format!(
+        r#"{{"coface_certificate":1,"kind":"arrangement","inputs":[{{"name":"a.wkt","sha256":"{hash}"}}],"rule":"evenodd",
+            "answer":{{{answer}}},"proof":{{"vertices":[{vertices}],"chains":[{chains}],"faces":[[0,2]]}}}}"#
+    );
+    let verdict =
+        coface_check_plane::check(certificate.as_bytes(), &[input]).map_err(|fault| fault.to_string())?;
+    Ok(verdict.proved().to_vec())
+}
+
+#[test]
+fn vertices_have_reasons() {
+    let chains = "[0,2],[2,1],[1,0]";
+    let honest = verdict("[0,0,1],[0,2,1],[2,0,1]", chains, r#""f_vector":[3,3,1]"#).expect("it holds");
+    assert_eq!(
+        honest[1..],
+        ["inside is where winding numbers are odd, the rule \"evenodd\"", "f_vector = [3,3,1]"]
+    );
+    // A vertex apart from all would make a component more; one on a side, an edge more.
+    let apart = verdict("[0,0,1],[0,2,1],[2,0,1],[5,5,1]", chains, r#""f_vector":[4,3,1],"components":2"#);
+    assert!(apart.expect_err("a lie").contains("vertex 3 is no end of a segment"));
+    let on_side = verdict("[0,0,1],[0,2,1],[1,0,1],[2,0,1]", "[0,2,3],[3,1],[1,0]", r#""f_vector":[4,4,1]"#);
+    assert!(on_side.expect_err("a lie").contains("vertex 2 is no end of a segment"));
 }

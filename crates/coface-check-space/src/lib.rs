@@ -45,7 +45,7 @@ use tree::Tree;
 ///         "proof":{{"vertices":[[0,0,0,1],[1,0,0,1],[0,1,0,1],[0,0,6,1]],"polygons":[[0,2,1],[0,1,3],[1,2,3],[2,0,3]]}}}}"#
 /// );
 /// let verdict = coface_check_space::check(certificate(1.0).as_bytes(), &[input]).expect("a sixth of 6");
-/// assert_eq!(verdict.proved()[0], "4 triangles that fill the 4 polygons of the inputs and meet in common sides and corners alone");
+/// assert_eq!(verdict.proved()[0], "4 triangles that fill the 4 polygons of the inputs and meet the insides of others in single points at most");
 /// assert!(coface_check_space::check(certificate(1.1).as_bytes(), &[input]).is_err());
 /// ```
 pub fn check(certificate: &[u8], inputs: &[&[u8]]) -> Result<Verdict, Fault> {
@@ -102,7 +102,7 @@ impl Arrangement {
         meeting::apart(&all, &tree, &planes)?;
         let [pieces, polygons] = [all.pieces.len(), solids.polygons.len()];
         let title = format!(
-            "{pieces} triangles that fill the {polygons} polygons of the inputs and meet in common sides and corners alone"
+            "{pieces} triangles that fill the {polygons} polygons of the inputs and meet the insides of others in single points at most"
         );
         Ok(Self { all, tree, planes, title })
     }
@@ -159,7 +159,7 @@ fn boolean(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     let of_triangles = format!(
         "the result is {shown} of the inputs, numbered from 0, and {count} of these triangles bound it"
     );
-    let mut proved = vec![space.title.clone(), of_triangles];
+    let mut proved = vec![space.title.clone(), of_triangles, rule.claim()];
     // The boundary of a region is closed.
     let found = [
         ("dimension", json!(3)),
@@ -253,6 +253,7 @@ fn arrangement(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
                 (0..inputs.len()).filter(|&input| rule.holds(windings[input])).collect::<Vec<_>>()
             ));
         }
+        proved.push(rule.claim());
         claimed(&mut proved, answer, &[("inside", Value::Array(inside))])?;
         known.push("inside");
     }

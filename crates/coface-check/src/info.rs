@@ -4,17 +4,18 @@ use crate::claims::keys;
 use crate::groups::Ring;
 use crate::homology::{compare, integral_groups};
 use crate::json::{field, optional};
-use crate::{Complex, Fault, Verdict};
+use crate::{Complex, Fault, Verdict, moves};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 
 pub(crate) fn check(certificate: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     let step = "answer";
     let (answer, complex) = (field(certificate, "answer", "certificate")?, Complex::read(inputs[0])?);
-    let groups = integral_groups(&complex, field(certificate, "proof", "certificate")?)?;
+    let proof = field(certificate, "proof", "certificate")?;
+    let groups = integral_groups(&complex, proof)?;
     let mut proved = compare(field(answer, "homology", step)?, &groups, &Ring::Integers, "H_")?;
     let mut known = vec!["file", "homology"];
-    for (key, found) in facts(&complex)? {
+    for (key, found) in facts(&complex, proof)? {
         let claim = field(answer, key, step)?;
         let is_manifold = key == "manifold";
         if is_manifold {
@@ -35,7 +36,7 @@ pub(crate) fn check(certificate: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fa
 }
 
 /// What can be said of a complex of simplices or polygons, by the keys of the answer.
-fn facts(complex: &Complex) -> Result<Vec<(&'static str, Value)>, Fault> {
+fn facts(complex: &Complex, proof: &Value) -> Result<Vec<(&'static str, Value)>, Fault> {
     let (counts, step) = (complex.counts(), "input");
     let names = complex.names().ok_or_else(|| Fault::new(step, "a report needs cells with vertices"))?;
     let top = counts.len() - 1;
@@ -90,9 +91,16 @@ fn facts(complex: &Complex) -> Result<Vec<(&'static str, Value)>, Fault> {
     if top == 2 {
         facts.push(("boundary_loops", json!(loop_count)));
     }
-    if top <= 3 {
-        let is_manifold =
-            is_pure && links(names[top].iter(), top).values().all(|link| is_ball_or_sphere(link, top - 1));
+    let links = links(names[top].iter(), top);
+    let is_manifold = match (top, optional(proof, "links")) {
+        (..=3, _) => Some(is_pure && links.values().all(|link| is_ball_or_sphere(link, top - 1))),
+        _ if !is_pure || ridges.iter().any(|cells| cells.len() > 2) => Some(false),
+        (_, Some(logs)) => moves::follow(logs, &links).map(|()| Some(true))?,
+        (_, None) => {
+            (!small_links(names[top].iter()).values().all(|link| is_ball_or_sphere(link, 2))).then_some(false)
+        }
+    };
+    if let Some(is_manifold) = is_manifold {
         facts.push(("manifold", json!([if is_manifold { "yes" } else { "no" }, rim.is_empty()])));
         if let (true, 2, 1, Some(orientable)) = (is_manifold, top, pieces.count, is_orientable) {
             let twice = 2 - euler - loop_count as i64;
@@ -112,6 +120,28 @@ fn links<'a>(cells: impl Iterator<Item = &'a [u32]>, dimension: usize) -> BTreeM
                 others = vec![others[0], others[others.len() - 1]];
             }
             links.entry(*vertex).or_default().push(others);
+        }
+    }
+    links
+}
+
+/// The links of dimension 2: for each simplex of three vertices less than a facet the triangles around it.
+fn small_links<'a>(facets: impl Iterator<Item = &'a [u32]>) -> BTreeMap<Vec<u32>, Vec<Vec<u32>>> {
+    let mut links: BTreeMap<Vec<u32>, Vec<Vec<u32>>> = BTreeMap::new();
+    for facet in facets {
+        for a in 0..facet.len() {
+            for b in 0..a {
+                for c in 0..b {
+                    let is_corner = |place: &usize| [a, b, c].contains(place);
+                    let part = |wanted: bool| {
+                        (0..facet.len())
+                            .filter(|place| is_corner(place) == wanted)
+                            .map(|place| facet[place])
+                            .collect()
+                    };
+                    links.entry(part(false)).or_default().push(part(true));
+                }
+            }
         }
     }
     links

@@ -16,6 +16,7 @@ mod info;
 pub mod json;
 mod lists;
 mod matching;
+mod moves;
 mod polygons;
 mod sha256;
 mod simplices;
@@ -43,11 +44,11 @@ pub struct Verdict {
     unchecked: Vec<String>,
 }
 
-/// Keys whose empty list is a claim: that there are none.
-const CLAIMS_OF_NONE: [&str; 2] = ["problems", "warnings"];
+/// The key whose empty list claims nothing: an answer that assumes nothing. Of others an empty list says that there are none.
+const REMARKS: &str = "remarks";
 
 impl Verdict {
-    /// What was proved; the keys of an answer beyond the known ones that hold something, or say that there are no problems, are unchecked.
+    /// What was proved; the keys of an answer beyond the known ones that hold something, or say that there is none, are unchecked.
     ///
     /// # Examples
     /// ```
@@ -58,12 +59,24 @@ impl Verdict {
     pub fn of(proved: Vec<String>, answer: &Value, known: &[&str]) -> Self {
         let says = |key: &str, value: &Value| match value {
             Value::Null => false,
-            Value::Array(list) => !list.is_empty() || CLAIMS_OF_NONE.contains(&key),
+            Value::Array(list) => !list.is_empty() || key != REMARKS,
             _ => true,
         };
         let others = answer.as_object().into_iter().flatten();
         let others = others.filter(|(key, value)| !known.contains(&key.as_str()) && says(key, value));
         Self { proved, unchecked: others.map(|(key, _)| key.clone()).collect() }
+    }
+
+    /// The same, with one more thing that is not checked.
+    ///
+    /// # Examples
+    /// ```
+    /// let verdict = coface_check::Verdict::of(Vec::new(), &serde_json::json!({}), &[]).leaving("where this comes from");
+    /// assert_eq!(verdict.unchecked(), ["where this comes from"]);
+    /// ```
+    pub fn leaving(mut self, what: &str) -> Self {
+        self.unchecked.push(what.to_owned());
+        self
     }
 
     /// The claims that were derived from the input and agree with the answer, one a line.

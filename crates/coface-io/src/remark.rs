@@ -252,6 +252,8 @@ pub enum RemarkCode {
     HandlesLeft,
     /// A search ended early, so the best that it found need not be the best there is.
     SearchEnded,
+    /// The name of a connected sum does not say how its summands are oriented to each other.
+    SummandOrientations,
     /// The input has no positions, and each edge counts as length 1.
     UnitLengths,
     /// The weights asked for do not exist on this input, and uniform ones were taken.

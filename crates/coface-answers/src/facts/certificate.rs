@@ -3,7 +3,9 @@
 use crate::answer::InfoAnswer;
 use crate::homology::certificate::{Input, Proof, checked, refused};
 use coface_algebra::Error;
+use coface_complexes::simplicial::{SimplicialComplex, SphereCertificate, recognize_ball, recognize_sphere};
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// A certificate of a report, as `docs/certificates.md` describes it.
 #[derive(Serialize)]
@@ -13,12 +15,71 @@ struct Certificate<'a> {
     kind: &'static str,
     inputs: Vec<Input>,
     answer: &'a InfoAnswer,
-    proof: Proof,
+    proof: ReportProof,
+}
+
+#[derive(Serialize)]
+struct ReportProof {
+    #[serde(flatten)]
+    homology: Proof,
+    /// The bistellar moves of the link of each vertex of a manifold above dimension 3, by rising vertices.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    links: Option<Vec<LinkMoves>>,
+}
+
+/// Moves from a link, with the cone over its boundary if that has an apex, to the boundary of a simplex.
+#[derive(Serialize)]
+struct LinkMoves {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    apex: Option<u32>,
+    moves: Vec<[Vec<u32>; 2]>,
+}
+
+impl LinkMoves {
+    fn of(found: &SphereCertificate) -> Self {
+        let moves =
+            found.moves().iter().map(|one| [one.removed(), one.added()].map(|face| face.numbers().to_vec()));
+        Self { apex: found.apex(), moves: moves.collect() }
+    }
+}
+
+/// So many moves are tried on a link, and more on a large one.
+const LINK_MOVES: usize = 10_000;
+
+/// The moves of all links of vertices; `None` where they are not found, or the dimension needs none.
+fn links(complex: &coface_check::Complex) -> Result<Option<Vec<LinkMoves>>, Error> {
+    let top = complex.counts().len().saturating_sub(1);
+    if top < 4 {
+        return Ok(None);
+    }
+    let mut around: BTreeMap<u32, Vec<Vec<u32>>> = BTreeMap::new();
+    for cell in 0..complex.counts()[top] {
+        let Some(vertices) = complex.vertices(top, cell) else { return Ok(None) };
+        for &vertex in vertices {
+            let others = vertices.iter().copied().filter(|&other| other != vertex).collect();
+            around.entry(vertex).or_default().push(others);
+        }
+    }
+    let mut found = Vec::with_capacity(around.len());
+    for facets in around.values() {
+        let link = SimplicialComplex::from_facets(facets)?;
+        let budget = LINK_MOVES + 20 * facets.len();
+        // A link with a boundary is refused by the search for spheres.
+        let moves = match recognize_sphere(&link, budget) {
+            Ok(moves) => moves,
+            Err(_) => recognize_ball(&link, budget)?,
+        };
+        match moves {
+            Some(moves) => found.push(LinkMoves::of(&moves)),
+            None => return Ok(None),
+        }
+    }
+    Ok(Some(found))
 }
 
 impl InfoAnswer {
-    /// A certificate of the report on a file, from the name and the bytes of the file: the counts, components, Euler characteristic, and up to
-    /// dimension 3 whether the model is a manifold; whether it is orientable, its boundary loops and genus; and its homology.
+    /// A certificate of the report on a file, from the name and the bytes of the file: the counts, components, Euler characteristic, and
+    /// whether the model is a manifold, above dimension 3 where bistellar moves show it; whether it is orientable, its boundary loops and genus; and its homology.
     /// [`coface_check::check`] derives them without any code of this library, as `docs/certificates.md` says. It has been checked.
     ///
     /// # Errors
@@ -50,7 +111,10 @@ impl InfoAnswer {
             kind: "info",
             inputs: Input::list(inputs),
             answer: self,
-            proof: Proof::of(&complex)?,
+            proof: ReportProof {
+                homology: Proof::of(&complex)?,
+                links: if self.manifold.verdict == "yes" { links(&complex)? } else { None },
+            },
         };
         checked(&certificate, inputs).map_err(|fault| refused(&fault.to_string()))
     }

@@ -51,6 +51,7 @@ pub(crate) fn report(table: &GluingTable, faces: &FaceClasses) -> Result<Report,
     if table.dimension() == 3 && table.is_closed() {
         remarks.extend(no_name_looked_for(table.simplex_count()));
     }
+    remarks.extend(orientations_open(space.as_ref()));
     Ok(Report {
         f_vector: faces.class_counts(),
         shapes: shapes(table),
@@ -85,6 +86,15 @@ pub(super) fn no_name_looked_for(count: usize) -> Option<Remark> {
         "the name of the space is looked for up to {NAMED_SIMPLICES} tetrahedra, and this has {count}; a simplified triangulation may have one"
     );
     (count > NAMED_SIMPLICES).then(|| Remark::new(RemarkCode::SearchEnded, message))
+}
+
+/// That a name is of several spaces, if it is.
+pub(crate) fn orientations_open(space: Option<&NamedSpace>) -> Option<Remark> {
+    let name = space?.name();
+    let message = format!(
+        "{name} is written of all sums of these spaces and their mirror images; which of them this is, is not said"
+    );
+    name.leaves_orientations_open().then(|| Remark::new(RemarkCode::SummandOrientations, message))
 }
 
 /// Which 3-manifold a table is, where that is proved.

@@ -29,7 +29,7 @@ pub use examination::ReportRequest;
 pub(crate) use geometry::sentence as geometry_sentence;
 pub use geometry::{GeometryCheck, GeometryFacts, GeometryUnchecked};
 pub use gluings::group_of_space;
-pub(crate) use gluings::space_of;
+pub(crate) use gluings::{orientations_open, space_of};
 pub use moments::Moment;
 pub(crate) use polygons::witness;
 pub use problem::{Problem, ProblemKind};

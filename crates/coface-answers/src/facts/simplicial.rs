@@ -52,7 +52,7 @@ pub(crate) fn report(complex: &FrozenComplex, budget: u64) -> Result<Report, Err
         name_proof: space.as_ref().map(NamedSpace::proof),
         homology: homology(&chains).groups().to_vec(),
         problems,
-        remarks: unnamed.into_iter().collect(),
+        remarks: unnamed.into_iter().chain(gluings::orientations_open(space.as_ref())).collect(),
         ..Report::of_nothing()
     })
 }

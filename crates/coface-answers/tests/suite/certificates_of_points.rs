@@ -123,5 +123,5 @@ fn flag_complexes_list_their_simplices() {
     let found = request.found("graph.txt", points.producer()).expect("a diagram");
     let certificate = found.certificate_of_points(&inputs).expect("the checker accepts the proof");
     let verdict = coface_check_walks::check(certificate.as_bytes(), &[input]).expect("it has been checked");
-    assert_eq!(verdict.unchecked(), ["function", "threshold"]);
+    assert_eq!(verdict.unchecked(), ["function", "threshold", "that these are the simplices of the input"]);
 }

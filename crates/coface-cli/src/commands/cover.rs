@@ -34,7 +34,7 @@ pub(crate) struct Cover {
     /// All copies up to this distance
     #[arg(long, value_name = "N")]
     radius: Option<usize>,
-    /// So many copies, the nearest first
+    /// So many copies, the nearest first; all of a finite cover that has fewer
     #[arg(long, value_name = "N")]
     copies: Option<usize>,
     /// The orientation double cover instead: every face twice, so that all agree

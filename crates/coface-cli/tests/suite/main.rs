@@ -41,6 +41,7 @@ mod pi1;
 mod pictures;
 mod program;
 mod properties;
+mod readme;
 mod regions;
 mod remarks;
 mod render;

@@ -71,8 +71,11 @@ fn a_cube_shows_nine_of_its_edges() {
         let edges = path_of(&svg, "stroke=\"#5c6670\"");
         assert_eq!(edges.matches('L').count(), 9, "{edges}");
         // Three faces, a color each.
-        let mut colors: Vec<&str> =
-            svg.lines().filter_map(|line| line.strip_prefix("<path color=")).map(|line| &line[..9]).collect();
+        let mut colors: Vec<&str> = svg
+            .lines()
+            .filter_map(|line| line.strip_prefix("<path fill=\"#"))
+            .map(|line| &line[..6])
+            .collect();
         colors.sort_unstable();
         colors.dedup();
         assert_eq!(colors.len(), 3);
@@ -163,14 +166,14 @@ fn every_sort_of_model_is_seen() {
         (
             "rp2.json",
             "[[0,1,2],[0,1,5],[0,2,4],[0,3,4],[0,3,5],[1,2,3],[1,3,4],[1,4,5],[2,3,5],[2,4,5]]",
-            &["color="],
+            &["stroke-width=\"0.5\""],
         ),
         ("graph.json", "[[0,1],[1,2],[2,0],[3]]", &["stroke-width=\"1.6\"", "<circle"]),
-        ("two.mesh", tetrahedra, &["color="]),
+        ("two.mesh", tetrahedra, &["stroke-width=\"0.5\""]),
         ("cross.lines", "0,0,1,1\n0,1,1,0\n", &["stroke-width=\"1.6\""]),
         ("set.json", yin, &["C", "<circle", "#cc3333"]),
         ("ring.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 2, 2 2, 2 1, 1 1))", &["evenodd"]),
-        ("torus.json", r#"{"next":[2,3,4,5,0,1]}"#, &["color="]),
+        ("torus.json", r#"{"next":[2,3,4,5,0,1]}"#, &["stroke-width=\"0.5\""]),
     ] {
         let path = file(&folder, name, text);
         let pixels = drawn(&folder, &path, &[]);

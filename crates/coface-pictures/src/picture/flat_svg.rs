@@ -40,11 +40,10 @@ impl FlatPicture {
 
 /// Triangles; those of one color that come after each other are one path.
 fn push_triangles(triangles: &[(Color, [[f64; 2]; 3])], text: &mut String) {
-    text.push_str(
-        "<g fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"0.5\" stroke-linejoin=\"round\">\n",
-    );
+    text.push_str("<g stroke-width=\"0.5\" stroke-linejoin=\"round\">\n");
     for run in triangles.chunk_by(|a, b| packed(a.0) == packed(b.0)) {
-        let _ = write!(text, "<path color=\"{}\" d=\"", hex(run[0].0));
+        let color = hex(run[0].0);
+        let _ = write!(text, "<path fill=\"{color}\" stroke=\"{color}\" d=\"");
         for (_, corners) in run {
             for (letter, corner) in ['M', 'L', 'L'].into_iter().zip(corners) {
                 text.push(letter);

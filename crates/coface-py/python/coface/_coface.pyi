@@ -2386,8 +2386,7 @@ class Model:
             Whether the squares around the voxels are made, turned outward; the voxels themselves otherwise: hexahedra, quadrilaterals or
             segments.
         spacing, origin : sequence of float, optional
-            How long a voxel is along each axis, and where the first corner is. Without both, voxels are where the header of their file places
-            them; of an array, they are of length 1 from 0.
+            How long a voxel is along each axis, and where the first corner is; without both as the header of the file says, else 1 and 0.
 
         Returns
         -------

@@ -169,12 +169,6 @@ fn impossible_covers_are_refused() {
         UniversalCover::new(map, &cut, component, extent, most).unwrap_err().to_string()
     };
     let sphere = map_of(&known_spaces::simplex_boundary(2).unwrap());
-    assert_eq!(
-        fault(&sphere, 0, CoverExtent::Copies(5), 1000),
-        "the fundamental group has 1 element, so the whole universal cover is 1 copy of the fundamental domain: 5 copies \
-         is beyond it; ask for 1 copy, or for radius 0 or more"
-    );
-    assert!(fault(&sphere, 0, CoverExtent::Copies(2), 1000).contains("2 copies is beyond it"));
     assert!(fault(&sphere, 1, CoverExtent::Radius(0), 1000).contains("no component 1"));
     assert!(fault(&sphere, 0, CoverExtent::Copies(0), 1000).contains("0 copies"));
     let torus = map_of(&known_spaces::cyclic_torus(2).unwrap());
@@ -247,7 +241,7 @@ proptest! {
             match UniversalCover::new(&map, &cut, component, CoverExtent::Copies(copies), 1_000_000) {
                 Ok(cover) if cut.domains().len() == 1 => check(&map, &cover),
                 Ok(cover) => prop_assert!(cover.euler_characteristic() >= 1),
-                Err(error) => prop_assert!(error.message().contains("beyond it")),
+                Err(error) => prop_assert!(false, "{error}"),
             }
         }
     }

@@ -19,7 +19,7 @@ const NONE: u32 = u32::MAX;
 pub enum CoverExtent {
     /// All copies that are reached by at most so many letters.
     Radius(usize),
-    /// So many copies, the nearest first.
+    /// So many copies, the nearest first; all of a finite cover that has fewer.
     Copies(usize),
 }
 
@@ -106,9 +106,10 @@ impl UniversalCover {
     /// let sphere = UniversalCover::new(&plane, &cut, 0, CoverExtent::Copies(2), 1000)?;
     /// assert_eq!(sphere.f_vector(), [12, 30, 20]);
     /// assert_eq!(sphere.euler_characteristic(), 2);
-    /// let error = UniversalCover::new(&plane, &cut, 0, CoverExtent::Copies(5), 1000).unwrap_err();
-    /// assert!(error.message().contains("2 copies"));
-    /// assert!(UniversalCover::new(&plane, &cut, 0, CoverExtent::Radius(5), 1000)?.is_complete());
+    /// // More than the whole cover is the whole cover.
+    /// for extent in [CoverExtent::Copies(5), CoverExtent::Radius(5)] {
+    ///     assert!(UniversalCover::new(&plane, &cut, 0, extent, 1000)?.is_complete());
+    /// }
     /// # Ok(()) }
     /// ```
     pub fn new(
@@ -511,17 +512,6 @@ impl UniversalCover {
 /// The number of copies, if they can be had.
 fn copy_count(domain: &Domain, extent: CoverExtent, most_cells: usize) -> Result<usize, Error> {
     let group = &domain.group;
-    if let (Some(order), CoverExtent::Copies(count)) = (group.order(), extent)
-        && count > order
-    {
-        let (copies, radius) = if order == 1 { ("1 copy", 0) } else { ("2 copies", 1) };
-        return Err(Error::invalid(format!(
-            "the fundamental group has {order} element{}, so the whole universal cover is {copies} of the \
-             fundamental domain: {count} copies is beyond it",
-            if order == 1 { "" } else { "s" }
-        ))
-        .with_cure(format!("ask for {copies}, or for radius {radius} or more")));
-    }
     let most = (most_cells / domain.cell_count().max(1)).min(NONE as usize - 1);
     let too_large = |copies: String| {
         Error::new(
@@ -538,8 +528,10 @@ fn copy_count(domain: &Domain, extent: CoverExtent, most_cells: usize) -> Result
         CoverExtent::Copies(0) => {
             Err(Error::invalid("a cover of 0 copies was asked for").with_cure("ask for at least 1 copy"))
         }
-        CoverExtent::Copies(count) if count > most => Err(too_large(count.to_string())),
-        CoverExtent::Copies(count) => Ok(count),
+        CoverExtent::Copies(count) => match group.order().map_or(count, |order| count.min(order)) {
+            count if count > most => Err(too_large(count.to_string())),
+            count => Ok(count),
+        },
         CoverExtent::Radius(radius) => group.ball_size(radius, most).ok_or_else(|| {
             too_large(if radius <= 1000 {
                 let sizes = group.sphere_sizes(radius);

@@ -43,6 +43,32 @@ pub enum SpaceName {
     Sum(Vec<SpaceName>),
 }
 
+impl SpaceName {
+    /// Whether spaces with this name can differ by how summands are oriented to each other: two or more of them are other spaces than their mirror
+    /// images, or may be, and all are orientable.
+    ///
+    /// # Examples
+    /// L(5,2) is its own mirror image, for 2 times 2 is -1 modulo 5; L(3,1) is not.
+    /// ```
+    /// use coface_topology::SpaceName;
+    /// let [third, fifth] = [(3, 1), (5, 2)].map(|(p, q)| SpaceName::Lens { p, q });
+    /// assert!(SpaceName::Sum(vec![third.clone(), third.clone()]).leaves_orientations_open());
+    /// assert!(!SpaceName::Sum(vec![third, fifth]).leaves_orientations_open());
+    /// ```
+    pub fn leaves_orientations_open(&self) -> bool {
+        let Self::Sum(summands) = self else { return false };
+        let is_one_sided = |summand: &Self| {
+            matches!(summand, Self::SphereBundle { is_orientable: false } | Self::ProjectivePlaneTimesCircle)
+        };
+        let is_mirrored = |summand: &&Self| match **summand {
+            Self::Lens { p, q } => u128::from(q) * u128::from(q) % u128::from(p) != u128::from(p) - 1,
+            Self::SphereBundle { .. } | Self::Sphere => false,
+            _ => true,
+        };
+        !summands.iter().any(is_one_sided) && summands.iter().filter(is_mirrored).count() > 1
+    }
+}
+
 impl fmt::Display for SpaceName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -334,7 +334,7 @@ fn check_hyperbolic(component: &CanonicalComponent) -> Result<(), Error> {
     if surface.euler_characteristic() >= 0 || has_paths {
         return Err(Error::new(
             ErrorKind::InvalidInput,
-            format!("a {surface} has no regular polygon in the hyperbolic plane whose corners make one turn"),
+            format!("no regular polygon in the hyperbolic plane whose corners make one turn is this surface: {surface}"),
         )
         .with_cure("take the layout polygon"));
     }
