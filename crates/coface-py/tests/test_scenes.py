@@ -47,7 +47,7 @@ def test_each_model_is_a_layer_with_its_name_and_color(tmp_path) -> None:
 
 def test_stills_have_the_colors() -> None:
     picture = coface.render([placed(0), placed(9)], colors=[(1.0, 0.0, 0.0), "blue"], size=(200, 120)).decode()
-    fills = {tuple(int(text[i : i + 2], 16) for i in (0, 2, 4)) for text in re.findall(r'color="#([0-9a-f]{6})"', picture)}
+    fills = {tuple(int(text[i : i + 2], 16) for i in (0, 2, 4)) for text in re.findall(r'fill="#([0-9a-f]{6})"', picture)}
     reds = [fill for fill in fills if fill[0] > 60 and fill[1] == fill[2] == 0]
     blues = [fill for fill in fills if fill[2] > 1.4 * fill[1] > 0 == fill[0]]
     assert reds and blues
