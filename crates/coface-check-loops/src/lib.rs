@@ -5,6 +5,7 @@
 //! characteristics, and the ways around them. One of cocycles has a certificate of homology inside, which proves how many there have to be.
 //! `docs/certificates.md` has each rule and why it proves the claim. Certificates of other kinds are handed to [`coface_check_space`].
 
+mod abelian;
 mod cocycles;
 mod cover;
 mod cut;

@@ -1,5 +1,6 @@
 //! Certificates of fundamental groups.
 
+use crate::abelian::abelianized;
 use crate::cut::vertices;
 use crate::surface::Classes;
 use crate::tietze::{Presentation, relators};
@@ -70,7 +71,21 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
             (_, said) => claims.leave(said.is_some(), "components.name"),
         }
         claims.leave(true, "components.base");
-        for key in ["abelianization", "lengths", "subgroups", "homomorphisms"] {
+        if let Some(said) = optional(said, "abelianization") {
+            match abelianized(&simplified) {
+                Some((rank, torsion)) if *said == json!({"betti": rank, "torsion": torsion}) => {
+                    claims.prove(format!("abelianized it has the rank {rank} and the torsion {torsion:?}"));
+                }
+                Some((rank, torsion)) => {
+                    let message = format!(
+                        "abelianized a group has the rank {rank} and the torsion {torsion:?}, and the answer says {said}"
+                    );
+                    return Err(Fault::new("answer", message));
+                }
+                None => claims.leave(true, "components.abelianization"),
+            }
+        }
+        for key in ["lengths", "subgroups", "homomorphisms"] {
             claims.leave(optional(said, key).is_some(), &format!("components.{key}"));
         }
     }
