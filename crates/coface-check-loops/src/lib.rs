@@ -7,6 +7,7 @@
 
 mod abelian;
 mod cocycles;
+mod cosets;
 mod cover;
 mod cut;
 mod pi1;

@@ -1,6 +1,7 @@
 //! Certificates of fundamental groups.
 
 use crate::abelian::abelianized;
+use crate::cosets::order;
 use crate::cut::vertices;
 use crate::surface::Classes;
 use crate::tietze::{Presentation, relators};
@@ -13,6 +14,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 const COMPONENT_KEYS: [&str; 8] =
     ["base", "generators", "relators", "abelianization", "name", "lengths", "subgroups", "homomorphisms"];
+/// What a finite group is called that is not known better.
+const OF_ORDER: &str = "finite group of order";
 /// The words of all edges have at most so many letters together.
 const MOST_LETTERS: usize = 1 << 26;
 
@@ -68,7 +71,26 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
             (Some(found), Some(said)) => {
                 return Err(Fault::new("answer", format!("a group is {found}, and the answer says {said}")));
             }
-            (_, said) => claims.leave(said.is_some(), "components.name"),
+            (None, Some(said)) => match order(&simplified) {
+                Some(elements) => {
+                    claims.prove(format!("this group has {}", count(elements, "element", "elements")));
+                    match finite_name(&simplified, elements) {
+                        Some(found) if *said == json!(found) => {
+                            claims.prove(format!("this group is {found}"))
+                        }
+                        Some(found)
+                            if !found.starts_with(OF_ORDER)
+                                || said.as_str().is_none_or(|said| said.starts_with(OF_ORDER)) =>
+                        {
+                            let message = format!("a group is {found}, and the answer says {said}");
+                            return Err(Fault::new("answer", message));
+                        }
+                        _ => claims.leave(true, "components.name"),
+                    }
+                }
+                None => claims.leave(true, "components.name"),
+            },
+            (_, None) => {}
         }
         claims.leave(true, "components.base");
         if let Some(said) = optional(said, "abelianization") {
@@ -118,6 +140,19 @@ fn name((generators, relators): &(usize, Vec<Word>)) -> Option<String> {
     let mut all: Vec<Word> = (1..=rank).flat_map(|b| (1..b).map(move |a| commutator(a, b))).collect();
     all.sort_unstable();
     (all == *relators).then(|| format!("Z^{rank}"))
+}
+
+/// The name of a group with so many elements: of an abelian one its cyclic factors, for it has as many elements as they have.
+fn finite_name(presentation: &(usize, Vec<Word>), elements: usize) -> Option<String> {
+    let (rank, torsion) = abelianized(presentation)?;
+    let product = torsion.iter().try_fold(1u64, |product, factor| product.checked_mul(*factor))?;
+    Some(match (rank, torsion.is_empty()) {
+        (0, true) if elements == 1 => "trivial".to_owned(),
+        (0, false) if product == elements as u64 => {
+            torsion.iter().map(|factor| format!("Z/{factor}")).collect::<Vec<_>>().join(" x ")
+        }
+        _ => format!("{OF_ORDER} {elements}"),
+    })
 }
 
 /// The vertices, edges and faces of a complex, for paths along edges.
