@@ -165,6 +165,8 @@ describe("a surface of genus 2 with its generators", () => {
     });
     const { page } = opened;
     expect(await page.locator("#stills polygon").count()).toBe(100);
+    // What the model hides of its loops is faint.
+    expect(await page.locator("#stills line[stroke-opacity]").count()).toBeGreaterThan(0);
     const first = await page.locator("#stills").innerHTML();
     await page.keyboard.press("ArrowLeft");
     await settle(page);

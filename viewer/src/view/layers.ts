@@ -5,13 +5,11 @@ import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import type { Layer } from "../scene/document";
 import { offsetsOf, type Parts } from "./parts";
+import { HIDDEN } from "./palette";
 import type { Stage } from "./stage";
 
 /** So many arrowheads are on one line at most. */
 const HEADS = 24;
-
-/** How much is seen of lines behind the model, of 1. */
-const HIDDEN = 0.22;
 
 /** A layer in the window. What it is drawn with is made when it is shown for the first time. */
 export class DrawnLayer {

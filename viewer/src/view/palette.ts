@@ -10,6 +10,9 @@ export const ALARM = "#d0021b";
 /** What a click selects, and its star, closure, link and boundary: no layer has these colors. */
 export const NEIGHBORHOOD = { selection: "#7a2cf5", star: "#f15bb5", closure: "#00bcd4", link: "#76b900", boundary: "#8d6248" };
 
+/** How much is seen of lines behind the model, of 1. */
+export const HIDDEN = 0.22;
+
 /** The color of a place in the palette; from 2^24 on a color of its own, as red, green and blue. */
 export function colorOf(place: number): string {
   if (place >= 1 << 24) return `#${(place & 0xffffff).toString(16).padStart(6, "0")}`;

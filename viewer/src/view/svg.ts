@@ -6,7 +6,7 @@ import { loneEdges } from "./edges";
 import { offsetsOf } from "./parts";
 import type { Stage } from "./stage";
 import type { Surface } from "./surface";
-import { THEMES, type Theme } from "./palette";
+import { HIDDEN, THEMES, type Theme } from "./palette";
 
 /** More triangles than this are not written: the file would be of no use. */
 export const MOST_TRIANGLES = 200000;
@@ -37,11 +37,13 @@ export function svgText(
       text: `<polygon points="${corners}" fill="${fill}"${opacity} stroke="${stroke ?? fill}" stroke-width="0.5" stroke-linejoin="round"/>`,
     });
   };
-  const addLine = (from: THREE.Vector3, to: THREE.Vector3, color: string, width: number, nearer: number) => {
+  const addLine = (from: THREE.Vector3, to: THREE.Vector3, color: string, width: number, nearer: number, hasFaint = false) => {
     const [a, b] = [stage.project(from), stage.project(to)];
     if (Math.abs(a.z) > 1 || Math.abs(b.z) > 1) return;
-    const ends = `x1="${number(a.x)}" y1="${number(a.y)}" x2="${number(b.x)}" y2="${number(b.y)}"`;
-    parts.push({ depth: (a.z + b.z) / 2 - nearer, text: `<line ${ends} stroke="${color}" stroke-width="${width}" stroke-linecap="round"/>` });
+    const ends = `x1="${number(a.x)}" y1="${number(a.y)}" x2="${number(b.x)}" y2="${number(b.y)}" stroke="${color}"`;
+    parts.push({ depth: (a.z + b.z) / 2 - nearer, text: `<line ${ends} stroke-width="${width}" stroke-linecap="round"/>` });
+    // What the model hides is faint: over everything, where it does not show on what is seen.
+    if (hasFaint) parts.push({ depth: -Infinity, text: `<line ${ends} stroke-width="${0.6 * width}" stroke-opacity="${HIDDEN}"/>` });
   };
   // In the plane everything is at one depth, and layers lie on the model in their order.
   const near = depthOf(stage);
@@ -66,7 +68,9 @@ export function svgText(
     }
     for (let line = 0; line + 1 < layer.lines.starts.length; line++) {
       for (let i = layer.lines.starts[line]; i + 1 < layer.lines.starts[line + 1]; i++) {
-        for (const [from, to] of copies(layer.lines.items.subarray(i, i + 2))) addLine(from, to, color, 3.5, near * (2 + 0.01 * place));
+        for (const [from, to] of copies(layer.lines.items.subarray(i, i + 2))) {
+          addLine(from, to, color, 3.5, near * (2 + 0.01 * place), !stage.isFlat);
+        }
       }
     }
     for (const point of layer.points) {
