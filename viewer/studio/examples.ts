@@ -77,4 +77,30 @@ export const EXAMPLES: { group: string; examples: Example[] }[] = [
       },
     ],
   },
+  {
+    group: "figures to begin with",
+    examples: [
+      {
+        title: "a complex that is not pure: triangles, an edge, a point",
+        name: "mixed.json",
+        from: '{"facets":[[0,1,2],[1,2,3],[2,3,4],[4,5],[6]]}\n',
+      },
+      made("cells of a plan: squares in rows", "cuboids.json", "cuboids", "--shape", "3,2"),
+      {
+        title: "two squares that overlap, and a wall through both",
+        name: "squares.wkt",
+        from: "LINESTRING(0 0,4 0,4 4,0 4,0 0)\nLINESTRING(2 1,6 1,6 3,2 3,2 1)\nLINESTRING(-1 2,7 2)\n",
+      },
+      {
+        title: "walls that nearly meet: one tolerance makes them rooms",
+        name: "walls.wkt",
+        from: "LINESTRING(0 0,4.01 0)\nLINESTRING(4 0.01,4 3)\nLINESTRING(4 3.01,0 3)\nLINESTRING(0.01 3,0 0.01)\nLINESTRING(2 0,2 3)\n",
+      },
+      {
+        title: "ears and a face: curves with kinks where they meet",
+        name: "ears.yin.json",
+        from: '{"order":4,"curves":[{"points":[[2,0],[1.2,1.4],[1.9,2.1],[1.3,2.9],[0.5,2.3],[0,1.9],[-0.5,2.3],[-1.3,2.9],[-1.9,2.1],[-1.2,1.4],[-2,0],[0,-2]],"kinks":[1,4,6,9]}]}\n',
+      },
+    ],
+  },
 ];
