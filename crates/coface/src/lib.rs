@@ -14,6 +14,10 @@
 //! * [`io`]: models and their files. [`answers`]: one request and one answer for each question. [`pictures`]: scenes, stills and pages.
 //!   [`scale`]: complexes larger than memory, worker processes, reports over many files.
 //!
+//! The guide in `examples/` has twenty numbered pages, a program each, whose assertions can be checked by hand: 1 to 7 go through the chapters, 8 and 9 cut
+//! and combine solids and regions, 10 and 11 are persistence and Hodge theory, 12 and 13 shards and voxels, 14 to 16 census, certificates, products and
+//! pairs, 17 to 20 groups and covers, halfedges, operators and congruence, interfaces.
+//!
 //! A producer makes a [`ChainComplex`] and a question is put to it; neither knows the other. Answers are exact; an [`Error`] names the place,
 //! the fault and the cure.
 
@@ -40,3 +44,23 @@ pub use coface_geometry::Positions;
 pub use coface_io::Model;
 pub use coface_topology::{AbelianGroup, Coefficients, HomologyBasis, homology};
 pub use coface_yin::YinSet;
+
+/// The Rust programs of the book, which `cargo test --doc` compiles and runs. `xtask` runs the commands in it, whose blocks have attributes that rustdoc does not know.
+#[cfg(doctest)]
+#[allow(rustdoc::invalid_codeblock_attributes)]
+mod book {
+    #[doc = include_str!("../../../docs/book/src/surfaces.md")]
+    mod surfaces {}
+    #[doc = include_str!("../../../docs/book/src/complexes.md")]
+    mod complexes {}
+    #[doc = include_str!("../../../docs/book/src/cells.md")]
+    mod cells {}
+    #[doc = include_str!("../../../docs/book/src/arrangements.md")]
+    mod arrangements {}
+    #[doc = include_str!("../../../docs/book/src/yin.md")]
+    mod yin {}
+    #[doc = include_str!("../../../docs/book/src/homology.md")]
+    mod homology {}
+    #[doc = include_str!("../../../docs/book/src/scale.md")]
+    mod scale {}
+}

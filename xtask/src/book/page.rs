@@ -32,8 +32,8 @@ document.querySelectorAll('[data-tex]').forEach(function(e){katex.render(e.datas
 pub(super) fn page(chapters: &[Chapter], task: Task) -> Vec<String> {
     let mut faults = Vec::new();
     let names: BTreeSet<&str> = chapters.iter().map(|chapter| chapter.name.as_str()).collect();
-    let anchors: BTreeMap<&str, BTreeSet<String>> =
-        chapters.iter().map(|chapter| (chapter.name.as_str(), anchors(&chapter.text))).collect();
+    let anchors: BTreeMap<&str, BTreeMap<String, String>> =
+        chapters.iter().map(|chapter| (chapter.name.as_str(), headings(&chapter.text))).collect();
     let mut body = String::new();
     let mut contents = String::new();
     for chapter in chapters {
@@ -67,14 +67,14 @@ fn parser(text: &str) -> Parser<'_> {
     Parser::new_ext(text, Options::ENABLE_TABLES | Options::ENABLE_MATH | Options::ENABLE_FOOTNOTES)
 }
 
-/// The names of the headings of a text.
-fn anchors(text: &str) -> BTreeSet<String> {
-    let mut found = BTreeSet::new();
+/// The headings of a text, by their names in links.
+pub(super) fn headings(text: &str) -> BTreeMap<String, String> {
+    let mut found = BTreeMap::new();
     let mut heading: Option<String> = None;
     for event in parser(text) {
         match event {
             Event::Start(Tag::Heading { .. }) => heading = Some(String::new()),
-            Event::End(TagEnd::Heading(_)) => found.extend(heading.take().map(|said| slug(&said))),
+            Event::End(TagEnd::Heading(_)) => found.extend(heading.take().map(|said| (slug(&said), said))),
             Event::Text(said) | Event::Code(said) => {
                 if let Some(heading) = &mut heading {
                     heading.push_str(&said);
@@ -96,7 +96,7 @@ fn slug(heading: &str) -> String {
 fn events<'a>(
     chapter: &'a Chapter,
     names: &BTreeSet<&str>,
-    anchors: &BTreeMap<&str, BTreeSet<String>>,
+    anchors: &BTreeMap<&str, BTreeMap<String, String>>,
     faults: &mut Vec<String>,
 ) -> Vec<Event<'a>> {
     let mut out: Vec<Event<'a>> = Vec::new();
@@ -164,7 +164,7 @@ fn target(
     link: &str,
     chapter: &Chapter,
     names: &BTreeSet<&str>,
-    anchors: &BTreeMap<&str, BTreeSet<String>>,
+    anchors: &BTreeMap<&str, BTreeMap<String, String>>,
 ) -> Result<String, String> {
     if link.starts_with("https://") || link.starts_with("mailto:") {
         return Ok(link.to_owned());
@@ -176,7 +176,7 @@ fn target(
             return Ok(format!("#{name}"));
         }
         return match anchors.get(name) {
-            Some(found) if found.contains(anchor) => Ok(format!("#{name}-{anchor}")),
+            Some(found) if found.contains_key(anchor) => Ok(format!("#{name}-{anchor}")),
             _ => Err(format!("{name}.md has no heading of that name")),
         };
     }
