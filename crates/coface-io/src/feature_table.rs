@@ -1,5 +1,6 @@
 //! The features of a map: what a file says of them beside their shapes.
 
+use crate::keeping::KeptFeatures;
 use crate::{Model, Remark};
 use coface_algebra::{Error, VertexId};
 use std::sync::Arc;
@@ -82,6 +83,25 @@ impl FeatureTable {
             return Self::default();
         }
         Self(Arc::new(Table { texts, of_lines: Vec::new(), of_points: Vec::new(), of_polygons }))
+    }
+
+    /// All of it, for [`Model::kept`].
+    pub(crate) fn kept(&self) -> KeptFeatures {
+        let Table { texts, of_lines, of_points, of_polygons } = &*self.0;
+        KeptFeatures {
+            texts: (0..texts.len()).map(|feature| texts.of(feature).map(str::to_owned).into()).collect(),
+            of_lines: of_lines.clone(),
+            of_points: of_points.clone(),
+            of_polygons: of_polygons.clone(),
+        }
+    }
+
+    /// The table of what [`Self::kept`] gave.
+    pub(crate) fn of_kept(kept: KeptFeatures) -> Self {
+        let mut texts = FeatureTexts::default();
+        kept.texts.iter().for_each(|(properties, id)| texts.push(properties, id));
+        let KeptFeatures { of_lines, of_points, of_polygons, .. } = kept;
+        Self(Arc::new(Table { texts, of_lines, of_points, of_polygons }))
     }
 
     /// The number of features, those without shapes included.
@@ -205,6 +225,24 @@ impl Model {
     pub fn with_remarks(mut self, remarks: impl IntoIterator<Item = Remark>) -> Self {
         self.remarks.extend(remarks);
         self
+    }
+
+    /// The model with the features of another one, which it was made of: its lines and points are the same, and polygon i comes from polygon
+    /// `polygon_sources[i]`.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if there are other lines, points or polygons.
+    #[doc(hidden)]
+    pub fn with_features_of(mut self, other: &Self, polygon_sources: &[usize]) -> Result<Self, Error> {
+        self.features = other.features.clone();
+        if !other.features.0.of_polygons.is_empty() {
+            let mut kept = other.features.kept();
+            let of = |&source: &usize| kept.of_polygons.get(source).copied().unwrap_or(NO_FEATURE);
+            kept.of_polygons = polygon_sources.iter().map(of).collect();
+            self.features = FeatureTable::of_kept(kept);
+        }
+        self.check()?;
+        Ok(self)
     }
 
     /// The model with features that have these properties, texts of JSON objects, by the feature of each line. Its points are of none.

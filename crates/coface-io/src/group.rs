@@ -37,7 +37,7 @@ pub enum GroupRole {
 
 /// A set of roles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub(crate) struct Roles(u8);
+pub(crate) struct Roles(pub(crate) u8);
 
 impl Roles {
     pub(crate) const fn of(role: GroupRole) -> Self {
@@ -89,6 +89,20 @@ impl Group {
     /// ```
     pub fn new(name: impl Into<String>, kind: GroupKind, members: Vec<u32>) -> Self {
         Self { name: name.into(), kind, members, roles: Roles::of(GroupRole::Group), number: None }
+    }
+
+    /// The same group with other members: it keeps its name, its kind, its roles and its number.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{Group, GroupKind, GroupRole};
+    /// let wall = Group::new("wall", GroupKind::Polygons, vec![0, 3]).with_role(GroupRole::Object);
+    /// let split = wall.with_members(vec![0, 1, 5, 6]);
+    /// assert!(split.has_role(GroupRole::Object) && split.members().len() == 4);
+    /// ```
+    #[must_use]
+    pub fn with_members(&self, members: Vec<u32>) -> Self {
+        Self { name: self.name.clone(), members, ..*self }
     }
 
     /// The same with the number by which files refer to it: the tag of a physical group of Gmsh.

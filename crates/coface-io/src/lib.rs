@@ -48,6 +48,7 @@ mod holed_faces;
 pub mod isosig;
 pub mod json;
 mod json_text;
+mod keeping;
 mod limits;
 pub mod lines_text;
 mod lists;

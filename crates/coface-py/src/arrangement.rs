@@ -6,12 +6,12 @@ use crate::chain_complex::ChainComplex;
 use crate::congruence::{choice, named_models};
 use crate::errors::{OrRaise, invalid, whole_or_none};
 use crate::model::Model;
-use crate::objects::{text_of, to_python};
+use crate::objects::{remarks_of, text_of, to_python};
 use crate::solid_boolean::{Combined, solid_result};
 use crate::source::Source;
 use crate::spatial_arrangement::{Arranged, SpatialArrangement};
 use crate::spatial_request::{precision_of, spatial_request};
-use crate::target::{Target, warn_all, warn_of_assumptions};
+use crate::target::{Target, warn_all};
 use crate::work::run;
 use coface::answers::answer::{
     PlanarArrangementAnswer, PlanarBooleanAnswer, SolidBooleanAnswer, SolidBooleanProvenance,
@@ -174,7 +174,7 @@ pub(crate) fn arrange<'py>(
             let answer = arranged.answer()?;
             Ok((arranged, answer))
         })?;
-        warn_of_assumptions(py, &answer.remarks)?;
+        warn_all(py, &answer.remarks)?;
         return Ok(Bound::new(py, PlanarArrangement { arranged, answer })?.into_any());
     }
     if prune {
@@ -204,7 +204,7 @@ pub(crate) fn arrange<'py>(
                 Ok((arranged, answer))
             })?;
             let arranged = Arranged::Exact(Box::new(arranged));
-            warn_of_assumptions(py, &answer.remarks)?;
+            warn_all(py, &answer.remarks)?;
             return Ok(Bound::new(py, SpatialArrangement { arranged, rule, answer, exact })?.into_any());
         }
         let (arranged, answer) = run(py, None, || {
@@ -212,7 +212,7 @@ pub(crate) fn arrange<'py>(
             Ok((glued, answer))
         })?;
         let arranged = Arranged::Congruent(Box::new(arranged));
-        warn_of_assumptions(py, &answer.remarks)?;
+        warn_all(py, &answer.remarks)?;
         return Ok(Bound::new(py, SpatialArrangement { arranged, rule, answer, exact })?.into_any());
     }
     let request = spatial_request(snap, tolerance, max_cells, split, merge_coplanar, precision);
@@ -226,7 +226,7 @@ pub(crate) fn arrange<'py>(
     })?;
     let rule = rule.unwrap_or_default();
     let arranged = Arranged::Exact(Box::new(arranged));
-    warn_of_assumptions(py, &answer.remarks)?;
+    warn_all(py, &answer.remarks)?;
     Ok(Bound::new(py, SpatialArrangement { arranged, rule, answer, exact })?.into_any())
 }
 
@@ -421,7 +421,7 @@ pub(crate) fn boolean<'py>(
             RegionBoolean::new(drawing, &formula(operation, count)?, &request)
         })?;
         let answer = result.answer();
-        warn_of_assumptions(py, &answer.remarks)?;
+        warn_all(py, &answer.remarks)?;
         return Ok(Bound::new(py, PlanarBoolean { result, answer })?.into_any());
     }
     refuse_planar(py, grid, close)?;
@@ -563,6 +563,12 @@ answer! { PlanarArrangement {
     /// What congruence put together, with ``method="congruence"``.
     congruence,
 }
+    /// What was assumed, changed or left out, each a dictionary with ``code``, ``message``, ``count`` and ``places``; a warning said so too.
+    #[getter]
+    fn remarks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        remarks_of(py, &self.answer.remarks)
+    }
+
     /// What is odd about the inputs.
     #[getter]
     fn warnings(&self) -> Vec<String> {
@@ -751,6 +757,12 @@ answer! { PlanarBoolean {
     /// What congruence put together, with ``method="congruence"``.
     congruence,
 }
+    /// What was assumed, changed or left out, each a dictionary with ``code``, ``message``, ``count`` and ``places``; a warning said so too.
+    #[getter]
+    fn remarks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        remarks_of(py, &self.answer.remarks)
+    }
+
     /// The number of holes.
     #[getter]
     fn holes(&self) -> usize {

@@ -439,6 +439,10 @@ pub(crate) fn to_integer(value: &Bound<'_, PyAny>) -> PyResult<Integer> {
     number.str()?.to_str()?.parse().or_raise(py)
 }
 
+/// What to do about entries of matrices beyond 32 bits; dividing a matrix would change its homology.
+const BEYOND: &str =
+    "write it with one more cell in each of the two degrees: 2^40 a = 0 is 2^20 a = b and 2^20 b = 0";
+
 /// An entry of rows of integers that is beyond 64 bits, which no array of scipy holds.
 fn large_entry(rows: &Bound<'_, PyAny>, what: &str) -> PyResult<Option<String>> {
     for (i, row) in rows.try_iter()?.enumerate() {
@@ -462,7 +466,7 @@ pub(crate) fn to_matrix(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Sparse
     copied.set_item("copy", true)?;
     let matrix = class.call((value,), Some(&copied)).map_err(|_| {
         if let Ok(Some(message)) = large_entry(value, what) {
-            return invalid(py, message, "divide the matrix by a common factor");
+            return invalid(py, message, BEYOND);
         }
         invalid(
             py,
@@ -490,9 +494,9 @@ pub(crate) fn to_matrix(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Sparse
         };
         let number = whole_number(&entry)
             .map_err(|_| invalid(py, format!("{}, which is no integer", at()), "give integers"))?;
-        let small = number.extract::<i32>().map_err(|_| {
-            invalid(py, format!("{}, which is beyond 32 bits", at()), "divide the matrix by a common factor")
-        })?;
+        let small = number
+            .extract::<i32>()
+            .map_err(|_| invalid(py, format!("{}, which is beyond 32 bits", at()), BEYOND))?;
         entries.push(small);
     }
     SparseMatrix::from_parts(rows, starts, indices, entries).or_raise(py)

@@ -2,7 +2,7 @@
 
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
-use crate::errors::{OrRaise, invalid, whole, wrong_type};
+use crate::errors::{OrRaise, bound, invalid, required, whole, wrong_type};
 use crate::memory::owned_matrix;
 use crate::model::Model;
 use crate::source::{Names, Naming};
@@ -137,12 +137,14 @@ fn words(counts: &[usize]) -> String {
 #[pymethods]
 impl Complex {
     #[new]
-    #[pyo3(signature = (facets=None, *, progress=None))]
+    #[pyo3(signature = (*arguments, **options), text_signature = "(facets=None, *, progress=None)")]
     fn new(
         py: Python<'_>,
-        facets: Option<&Bound<'_, PyAny>>,
-        progress: Option<&Bound<'_, PyAny>>,
+        arguments: &Bound<'_, PyTuple>,
+        options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
+        let [facets, progress] = bound("Complex", ["facets", "progress"], 1, arguments, options)?;
+        let progress = progress.as_ref();
         let Some(facets) = facets else { return Ok(Self::of(SimplicialComplex::new())) };
         if let Ok(complex) = facets.cast::<Self>() {
             return Ok(Self::of(complex.get().tree.as_ref().clone()));
@@ -153,7 +155,7 @@ impl Complex {
         }
         let facets = match facets.cast::<Simplices>() {
             Ok(set) => RaggedArray::from_lists(set.get().set.iter().map(Simplex::numbers)),
-            Err(_) => arrays::lists(facets, "facets")?,
+            Err(_) => arrays::lists(&facets, "facets")?,
         };
         run(py, progress, || SimplicialComplex::from_facets(facets.iter())).map(Self::of)
     }
@@ -724,8 +726,14 @@ impl Simplices {
 #[pymethods]
 impl Simplices {
     #[new]
-    fn new(py: Python<'_>, simplices: &Bound<'_, PyAny>) -> PyResult<Self> {
-        simplex_set(py, simplices).map(Self::of)
+    #[pyo3(signature = (*arguments, **options), text_signature = "(simplices)")]
+    fn new(
+        py: Python<'_>,
+        arguments: &Bound<'_, PyTuple>,
+        options: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        let [simplices] = bound("Simplices", ["simplices"], 1, arguments, options)?;
+        simplex_set(py, &required(py, "Simplices", "simplices", simplices)?).map(Self::of)
     }
 
     /// The numbers of simplices of the dimensions 0, 1, ...

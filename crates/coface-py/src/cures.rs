@@ -1,7 +1,9 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 49] = [
+const PHRASES: [(&str, &str); 51] = [
+    ("by ChainComplex::of_points", "by coface.ChainComplex.of_points(n)"),
+    ("ask with HomologyRequest::certified(true)", "ask with generators=True"),
     (
         "take a skeleton of it: coface skeleton INPUT --dimension K -o OUT.json",
         "give its faces of the dimensions that are wanted",

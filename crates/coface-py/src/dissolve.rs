@@ -4,6 +4,7 @@ use crate::arrangement::{drawing_of, rule_of};
 use crate::congruence::named_models;
 use crate::errors::{invalid, whole_or_none};
 use crate::model::Model;
+use crate::target::warn_all;
 use crate::work::run;
 use coface::answers::{BooleanRequest, DissolveRequest, Dissolved, DrawingOptions};
 use pyo3::prelude::*;
@@ -78,10 +79,11 @@ pub(crate) fn dissolve(
     (boolean.rule, boolean.snap, boolean.exact) = (rule_of(py, rule)?, snap, exact);
     (boolean.grid, boolean.max_cells) = (grid, max_cells);
     let options = DrawingOptions::new().close_lines(close);
-    run(py, progress, || {
+    let dissolved = run(py, progress, || {
         let drawing = drawing_of(&models, &options, dimension)?;
-        let dissolved = Dissolved::new(&drawing, &DissolveRequest::new(names).boolean(boolean))?;
-        Ok(dissolved.model().clone().with_remarks(dissolved.answer().remarks.iter().cloned()))
-    })
-    .map(Model::of)
+        Dissolved::new(&drawing, &DissolveRequest::new(names).boolean(boolean))
+    })?;
+    let remarks = &dissolved.answer().remarks;
+    warn_all(py, remarks)?;
+    Ok(Model::of(dissolved.model().clone().with_remarks(remarks.iter().cloned())))
 }

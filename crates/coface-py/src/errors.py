@@ -127,8 +127,17 @@ class CoefficientError(Error, ValueError):
     """A coefficient that must be invertible is not, or two coefficients come from different rings."""
 
 
+class NotInstalledError(Error, ImportError):
+    """Another library is needed, and it cannot be imported; the cure installs it."""
+
+    def __init__(self, message="", *, fault=None, cure=None, library=None, **place):
+        super().__init__(message, fault=fault, cure=cure, **place)
+        self.name = library
+
+
 class AssumptionWarning(UserWarning):
-    """What a reader assumed about a file that says too little or contradicts itself; with ``strict=True`` it is an error.
+    """What was assumed, changed or left out, of an input that says too little or contradicts itself, or on the way to an answer: what the program prints
+    as a remark. Of reading, ``strict=True`` makes it an error.
 
     Examples
     --------

@@ -6,14 +6,14 @@ use coface::{Error, ErrorKind};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::{PyDict, PyType};
+use pyo3::types::{PyDict, PyTuple, PyType};
 use std::ffi::CString;
 
 /// The classes, written in Python: only there can one exception have two bases.
 const SOURCE: &str = include_str!("errors.py");
 
 /// The names of the classes, the base first.
-const NAMES: [&str; 18] = [
+const NAMES: [&str; 19] = [
     "Error",
     "FileError",
     "ParseError",
@@ -31,6 +31,7 @@ const NAMES: [&str; 18] = [
     "TooLargeError",
     "NonManifoldError",
     "CoefficientError",
+    "NotInstalledError",
     "AssumptionWarning",
 ];
 
@@ -154,6 +155,52 @@ pub(crate) fn truth(value: &Bound<'_, PyAny>) -> PyResult<bool> {
         let name = value.get_type().name().map_or_else(|_| String::new(), |name| name.to_string());
         wrong_type(value.py(), format!("a {name} is neither true nor false"), "give True or False")
     })
+}
+
+/// The arguments of a constructor by their names, the first `places` of which may be given by place; `None` is none. Faults are those of this
+/// package, where those that Python finds itself would be bare `TypeError`s.
+pub(crate) fn bound<'py, const N: usize>(
+    class: &str,
+    names: [&str; N],
+    places: usize,
+    arguments: &Bound<'py, PyTuple>,
+    options: Option<&Bound<'py, PyDict>>,
+) -> PyResult<[Option<Bound<'py, PyAny>>; N]> {
+    let py = arguments.py();
+    let cure = format!("help(coface.{class}) says what it takes");
+    let wrong = |fault: String| wrong_type(py, format!("{class}: {fault}"), &cure);
+    let mut found: [Option<Bound<'py, PyAny>>; N] = std::array::from_fn(|_| None);
+    if arguments.len() > places {
+        let by_place = names[..places].join(", ");
+        return Err(wrong(format!(
+            "{} arguments are given by place, and only {by_place} may be",
+            arguments.len()
+        )));
+    }
+    for (at, given) in arguments.iter().enumerate() {
+        found[at] = Some(given);
+    }
+    for (name, given) in options.into_iter().flatten() {
+        let name = name.extract::<String>()?;
+        let Some(at) = names.iter().position(|own| *own == name) else {
+            return Err(wrong(format!("there is no parameter {name}")));
+        };
+        if found[at].replace(given).is_some() {
+            return Err(wrong(format!("{name} is given twice")));
+        }
+    }
+    Ok(found.map(|given| given.filter(|given| !given.is_none())))
+}
+
+/// An argument that a constructor needs.
+pub(crate) fn required<'py>(
+    py: Python<'py>,
+    class: &str,
+    name: &str,
+    given: Option<Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let cure = format!("help(coface.{class}) says what it takes");
+    given.ok_or_else(|| wrong_type(py, format!("{class}: {name} is not given"), &cure))
 }
 
 /// A message of the program in the words of Python, for tests.

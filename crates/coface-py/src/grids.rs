@@ -2,7 +2,7 @@
 
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
-use crate::errors::{OrRaise, invalid, whole, wrong_type};
+use crate::errors::{OrRaise, bound, invalid, required, whole, wrong_type};
 use crate::given::source_of;
 use crate::model::Model;
 use crate::work::run;
@@ -17,7 +17,7 @@ use coface::io::Structure;
 use coface::{CellId, Error};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyDict, PyTuple};
 use std::sync::Arc;
 
 /// A grid of cuboids of any dimension: cells are products of intervals and points, their faces index arithmetic.
@@ -58,20 +58,21 @@ impl CuboidGrid {
 #[pymethods]
 impl CuboidGrid {
     #[new]
-    #[pyo3(signature = (shape=None, *, lengths=None))]
+    #[pyo3(signature = (*arguments, **options), text_signature = "(shape=None, *, lengths=None)")]
     fn new(
         py: Python<'_>,
-        shape: Option<&Bound<'_, PyAny>>,
-        lengths: Option<&Bound<'_, PyAny>>,
+        arguments: &Bound<'_, PyTuple>,
+        options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
-        let wrong = |lengths| {
+        let [shape, lengths] = bound("CuboidGrid", ["shape", "lengths"], 1, arguments, options)?;
+        let wrong = |lengths: &Bound<'_, PyAny>| {
             let cure = "give a list of lengths for each axis: lengths=[[1.0, 2.0], [1.0]]";
             wrong_type(py, format!("lengths is {lengths}"), cure)
         };
         let lengths: Option<Vec<Vec<f64>>> =
-            lengths.map(|lengths| lengths.extract().map_err(|_| wrong(lengths))).transpose()?;
+            lengths.map(|lengths| lengths.extract().map_err(|_| wrong(&lengths))).transpose()?;
         let grid = match (shape, lengths) {
-            (Some(shape), None) => Grid::new(&arrays::ids(shape, "the shape")?),
+            (Some(shape), None) => Grid::new(&arrays::ids(&shape, "the shape")?),
             (None, Some(lengths)) => Grid::with_lengths(&lengths),
             _ => return Err(invalid(py, "a grid has a shape or lengths", "give one of the two")),
         };
@@ -198,7 +199,14 @@ pub(crate) struct SimplicialGrid {
 #[pymethods]
 impl SimplicialGrid {
     #[new]
-    fn new(py: Python<'_>, shape: &Bound<'_, PyAny>) -> PyResult<Self> {
+    #[pyo3(signature = (*arguments, **options), text_signature = "(shape)")]
+    fn new(
+        py: Python<'_>,
+        arguments: &Bound<'_, PyTuple>,
+        options: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        let [shape] = bound("SimplicialGrid", ["shape"], 1, arguments, options)?;
+        let shape = &required(py, "SimplicialGrid", "shape", shape)?;
         Ok(Self { grid: Kuhn::new(&arrays::ids(shape, "the shape")?).or_raise(py)? })
     }
 

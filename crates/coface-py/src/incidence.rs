@@ -2,7 +2,7 @@
 
 use crate::arrays;
 use crate::chain_complex::ChainComplex;
-use crate::errors::{OrRaise, invalid, whole, whole_or_none, wrong_type};
+use crate::errors::{OrRaise, bound, invalid, required, whole, wrong_type};
 use crate::given::source_of;
 use crate::memory::owned_matrix;
 use crate::model::Model;
@@ -14,7 +14,7 @@ use coface::complexes::lar::{LarModel as Lar, Operator, Shared, TopOrientation};
 use coface::geometry::Positions;
 use coface::io::{self, Structure};
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyDict, PyTuple};
 use std::sync::Arc;
 
 /// Cells of each degree as lists of vertices, as in the linear algebraic representation.
@@ -53,13 +53,16 @@ fn pattern(column_count: usize, lists: &RaggedArray) -> Result<SparseMatrix, Err
 #[pymethods]
 impl LarModel {
     #[new]
-    #[pyo3(signature = (cells, vertex_count=None, *, progress=None))]
+    #[pyo3(signature = (*arguments, **options), text_signature = "(cells, vertex_count=None, *, progress=None)")]
     fn new(
         py: Python<'_>,
-        cells: &Bound<'_, PyAny>,
-        #[pyo3(from_py_with = whole_or_none)] vertex_count: Option<usize>,
-        progress: Option<&Bound<'_, PyAny>>,
+        arguments: &Bound<'_, PyTuple>,
+        options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
+        let names = ["cells", "vertex_count", "progress"];
+        let [cells, vertex_count, progress] = bound("LarModel", names, 2, arguments, options)?;
+        let (cells, progress) = (&required(py, "LarModel", "cells", cells)?, progress.as_ref());
+        let vertex_count = vertex_count.map(|count| whole(&count)).transpose()?;
         if let Ok(source) = source_of(cells) {
             return run(py, progress, || {
                 let producer = source.producer()?;
@@ -117,9 +120,10 @@ impl LarModel {
     /// ----------
     /// operator : str
     ///     Rows and columns: two of ``V``, ``E``, ``F``, ``C``, as in ``"FE"``.
-    /// kind : {"counts", "incident", "signed"}
+    /// kind : {"counts", "incident", "signed"}, optional
     ///     How many vertices two cells share, 1 where one is a face of the other (adjacent, if both have one degree), or the signs of
-    ///     the boundary or coboundary operator.
+    ///     the boundary or coboundary operator. If it is left out, ``"counts"`` between cells of one degree, as in ``FF``, and ``"incident"``
+    ///     between those of two, as in ``FE``: what ``coface incidence`` prints.
     /// at_least : int, optional
     ///     1 where so many vertices are shared, instead of ``kind``.
     /// exactly : int, optional
@@ -133,17 +137,19 @@ impl LarModel {
     ///     One row for each cell of the first degree. Of ``counts`` between cells of one degree the diagonal is not empty: a cell shares all its
     ///     vertices with itself. ``VV`` counts edges: an entry is the number of edges that join two vertices, the diagonal the number of
     ///     edges at a vertex. ``incident`` has no diagonal.
-    #[pyo3(signature = (operator, kind="counts", *, at_least=None, exactly=None, progress=None))]
+    #[pyo3(signature = (operator, kind=None, *, at_least=None, exactly=None, progress=None))]
     fn incidence<'py>(
         &self,
         py: Python<'py>,
         operator: &str,
-        kind: &str,
+        kind: Option<&str>,
         at_least: Option<u32>,
         exactly: Option<u32>,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let operator: Operator = operator.parse().or_raise(py)?;
+        let usual = if operator.rows() == operator.columns() { "counts" } else { "incident" };
+        let kind = kind.unwrap_or(usual);
         let shared = match (at_least, exactly) {
             (None, None) => None,
             (Some(n), None) if n > 0 => Some(Shared::AtLeast(n)),

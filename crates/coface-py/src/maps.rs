@@ -4,6 +4,7 @@ use crate::congruence::{choice, named_models};
 use crate::errors::invalid;
 use crate::model::Model;
 use crate::objects::to_python;
+use crate::target::warn_all;
 use crate::work::run;
 use coface::answers::{BufferCaps, BufferJoins, BufferOptions, MapResult, MapTask, RepairMethod};
 use pyo3::prelude::*;
@@ -98,6 +99,7 @@ pub(crate) fn map_task<'py>(
     let result = run(py, progress, || {
         MapResult::new(models.iter().map(|(name, source)| (name.as_str(), &source.model)), &task)
     })?;
+    warn_all(py, &result.answer().remarks)?;
     let answer = to_python(py, result.answer())?;
     let model = result.model().clone().with_remarks(result.answer().remarks.iter().cloned());
     Ok((Model::of(model), answer))

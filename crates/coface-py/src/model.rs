@@ -19,7 +19,7 @@ use crate::arrays;
 use crate::chain_complex::ChainComplex;
 use crate::complex::Complex;
 use crate::cures::in_python;
-use crate::errors::{OrRaise, invalid, whole, whole_or_none};
+use crate::errors::{OrRaise, bound, invalid, whole, whole_or_none};
 use crate::memory::{shared, shared_ids};
 use crate::report::{Report, report_request};
 use crate::source::Source;
@@ -27,7 +27,8 @@ use crate::target::warn_all;
 use crate::volumes::voxels_of;
 use crate::work::run;
 use cells::{
-    Parts, facets_of, kind_of, kind_word, model_of_parts, permutations_of, refuse_tetrahedra, structure_word,
+    Parts, data_of, facets_of, kind_of, kind_word, model_of_parts, permutations_of, refuse_tetrahedra,
+    structure_word, system_name,
 };
 use coface::answers::{losses_of, repaired, simplicial_complex, triangulated, welded};
 use coface::complexes::gluing::GluingTable;
@@ -68,13 +69,14 @@ pub(crate) struct Model {
 #[pymethods]
 impl Model {
     #[new]
-    #[pyo3(signature = (vertices=None, faces=None))]
+    #[pyo3(signature = (*arguments, **options), text_signature = "(vertices=None, faces=None)")]
     fn new(
         py: Python<'_>,
-        vertices: Option<&Bound<'_, PyAny>>,
-        faces: Option<&Bound<'_, PyAny>>,
+        arguments: &Bound<'_, PyTuple>,
+        options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
-        Self::from_arrays(py, vertices, faces, None, None)
+        let [vertices, faces] = bound("Model", ["vertices", "faces"], 2, arguments, options)?;
+        Self::from_arrays(py, vertices.as_ref(), faces.as_ref(), None, None)
     }
 
     /// A model from arrays.
@@ -425,6 +427,13 @@ impl Model {
         self.model().reference_system()?.srid()
     }
 
+    /// The reference system that a map names, as :mod:`pyproj` takes it: ``"EPSG:25832"``, the name of another authority such as ``"ESRI:54009"``,
+    /// or WKT.
+    #[getter]
+    fn crs(&self) -> Option<String> {
+        system_name(self.model().reference_system()?)
+    }
+
     /// The facets of a model of facets: an array of shape (m, k) or ``(flat, offsets)``; ``None`` of other models.
     #[getter]
     fn facets<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
@@ -494,20 +503,7 @@ impl Model {
     /// The named data of the file: a list of (name, kind, array), the array of shape (m,) or (m, components).
     #[getter]
     fn data<'py>(&self, py: Python<'py>) -> PyResult<Vec<(String, &'static str, Bound<'py, PyAny>)>> {
-        let mut list = Vec::new();
-        for data in self.model().data() {
-            let (width, count) = (data.components(), data.len());
-            let array = if data.is_integral() {
-                let rows = (0..count).flat_map(|i| data.integer_row(i).unwrap_or_default()).collect();
-                PyArray1::from_vec(py, rows).into_any()
-            } else {
-                let rows: Vec<f64> = (0..count).flat_map(|i| data.real_row(i)).collect();
-                PyArray1::from_vec(py, rows).into_any()
-            };
-            let array = if width == 1 { array } else { array.call_method1("reshape", ((count, width),))? };
-            list.push((data.name().to_owned(), kind_word(data.kind()), array));
-        }
-        Ok(list)
+        data_of(py, self.model())
     }
 
     /// What was odd about the file.

@@ -1,6 +1,8 @@
 //! What the library serializes, such as an answer, as objects of Python.
 
+use crate::cures::in_python;
 use crate::errors::invalid;
+use coface::answers::answer::Remark;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString};
 use serde::ser::{
@@ -21,6 +23,13 @@ pub(crate) fn to_python<'py, T: Serialize + ?Sized>(
             invalid(py, message, "tell the authors: an answer has what is no object of Python")
         }
     })
+}
+
+/// The remarks of an answer as dictionaries, their messages with the parameters of functions for the options of the program.
+pub(crate) fn remarks_of<'py>(py: Python<'py>, remarks: &[Remark]) -> PyResult<Bound<'py, PyAny>> {
+    let mut remarks = remarks.to_vec();
+    remarks.iter_mut().for_each(|remark| remark.message = in_python(&remark.message));
+    to_python(py, &remarks)
 }
 
 /// An answer, or one of its keys, as JSON, for the text that represents an object.

@@ -1,7 +1,7 @@
 //! Fundamental groups.
 
 use crate::arrays;
-use crate::errors::{invalid, whole};
+use crate::errors::{bound, invalid, required, whole, wrong_type};
 use crate::given::source_of;
 use crate::homology::Homology;
 use crate::model::Model;
@@ -17,7 +17,7 @@ use coface::topology::{
 use coface::{Error, ErrorKind, VertexId};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyInt;
+use pyo3::types::{PyDict, PyInt, PyTuple};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -151,6 +151,25 @@ pub(crate) fn fundamental_groups(
     })
 }
 
+impl FundamentalGroup {
+    /// The group of generators and relators.
+    fn made(
+        py: Python<'_>,
+        generators: usize,
+        relators: Vec<Vec<i32>>,
+        time_limit: Option<f64>,
+    ) -> PyResult<Self> {
+        let effort = effort(py, time_limit)?;
+        let words = relators.into_iter().map(Word::from_letters).collect();
+        let (presentation, name) = run(py, None, || {
+            let presentation = Presentation::new(generators, words)?;
+            let name = Simplification::new(&presentation, effort).presentation().recognized(effort);
+            Ok((presentation, name))
+        })?;
+        Ok(Self { presentation, name, base: None, loops: Vec::new(), source: None })
+    }
+}
+
 #[pymethods]
 impl FundamentalGroup {
     /// A group by generators and relators.
@@ -170,21 +189,29 @@ impl FundamentalGroup {
     /// >>> str(coface.FundamentalGroup(2, [[1, 2, -1, -2]]))
     /// 'Z^2'
     #[new]
-    #[pyo3(signature = (generators, relators=Vec::new(), *, time_limit=None))]
+    #[pyo3(signature = (*arguments, **options), text_signature = "(generators, relators=[], *, time_limit=None)")]
     fn py_new(
         py: Python<'_>,
-        #[pyo3(from_py_with = whole)] generators: usize,
-        relators: Vec<Vec<i32>>,
-        time_limit: Option<f64>,
+        arguments: &Bound<'_, PyTuple>,
+        options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
-        let effort = effort(py, time_limit)?;
-        let words = relators.into_iter().map(Word::from_letters).collect();
-        let (presentation, name) = run(py, None, || {
-            let presentation = Presentation::new(generators, words)?;
-            let name = Simplification::new(&presentation, effort).presentation().recognized(effort);
-            Ok((presentation, name))
-        })?;
-        Ok(Self { presentation, name, base: None, loops: Vec::new(), source: None })
+        let names = ["generators", "relators", "time_limit"];
+        let [generators, relators, time_limit] = bound("FundamentalGroup", names, 2, arguments, options)?;
+        let generators = whole(&required(py, "FundamentalGroup", "generators", generators)?)?;
+        let wrong = |what: &Bound<'_, PyAny>, cure: &str| {
+            wrong_type(py, format!("FundamentalGroup: {what} is given"), cure)
+        };
+        let relators: Vec<Vec<i32>> = match relators {
+            Some(words) => words
+                .extract()
+                .map_err(|_| wrong(&words, "give relators as lists of letters: [[1, 2, -1, -2]]"))?,
+            None => Vec::new(),
+        };
+        let time_limit: Option<f64> = match time_limit {
+            Some(limit) => Some(limit.extract().map_err(|_| wrong(&limit, "give time_limit in seconds"))?),
+            None => None,
+        };
+        Self::made(py, generators, relators, time_limit)
     }
 
     /// The vertex that loops start from.
@@ -406,6 +433,6 @@ pub(crate) fn _group(
     model: Option<&Bound<'_, Model>>,
 ) -> PyResult<FundamentalGroup> {
     let source = model.map(|model| Arc::clone(&model.get().source));
-    let made = FundamentalGroup::py_new(py, generators, relators, None)?;
+    let made = FundamentalGroup::made(py, generators, relators, None)?;
     Ok(FundamentalGroup { base, loops, source, ..made })
 }

@@ -3,9 +3,9 @@
 use crate::answer::answer;
 use crate::errors::OrRaise;
 use crate::model::Model;
-use crate::objects::{text_of, to_python};
+use crate::objects::{remarks_of, text_of, to_python};
 use crate::spatial_arrangement::{write_model, written_bytes};
-use crate::target::{Target, warn_of_assumptions};
+use crate::target::{Target, warn_all};
 use crate::work::run;
 use coface::answers::answer::{SolidBooleanAnswer, SolidBooleanProvenance};
 use coface::answers::{CongruentBoolean, CongruentScene, SceneArrangement, SolidBoolean, SolidRequest};
@@ -66,6 +66,12 @@ answer! { SolidBooleanResult {
     /// Vertices - edges + faces.
     euler_characteristic,
 }
+    /// What was assumed, changed or left out, each a dictionary with ``code``, ``message``, ``count`` and ``places``; a warning said so too.
+    #[getter]
+    fn remarks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        remarks_of(py, &self.answer.remarks)
+    }
+
     /// The surface.
     #[getter]
     fn model(&self, py: Python<'_>) -> Py<Model> {
@@ -141,7 +147,7 @@ pub(crate) fn solid_result(
         SolidRequest,
     ),
 ) -> PyResult<Bound<'_, PyAny>> {
-    warn_of_assumptions(py, &answer.remarks)?;
+    warn_all(py, &answer.remarks)?;
     let result = SolidBooleanResult {
         answer,
         provenance,

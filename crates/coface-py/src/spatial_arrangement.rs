@@ -5,7 +5,7 @@ use crate::arrays;
 use crate::chain_complex::ChainComplex;
 use crate::errors::OrRaise;
 use crate::model::Model;
-use crate::objects::{text_of, to_python};
+use crate::objects::{remarks_of, text_of, to_python};
 use crate::target::{Target, warn_all};
 use crate::work::run;
 use coface::answers::answer::SpatialArrangementAnswer;
@@ -142,8 +142,6 @@ answer! { SpatialArrangement {
     inputs_of_faces,
     /// The inputs: names, numbers of polygons, and whether each is closed.
     files,
-    /// What was assumed or left out.
-    remarks,
     /// What rounding of coordinates does.
     rounding,
     /// What was put together, where that was asked for or needed.
@@ -153,6 +151,12 @@ answer! { SpatialArrangement {
     /// What congruence put together, with ``method="congruence"``.
     congruence,
 }
+    /// What was assumed, changed or left out, each a dictionary with ``code``, ``message``, ``count`` and ``places``; a warning said so too.
+    #[getter]
+    fn remarks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        remarks_of(py, &self.answer.remarks)
+    }
+
     /// The positions of the vertices: ``float64``, shape (n, 3).
     #[getter]
     fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {

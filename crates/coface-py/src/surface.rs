@@ -6,7 +6,7 @@ mod walks;
 pub(crate) use opened::{Cocycles, Cover, Domain};
 
 use crate::arrays;
-use crate::errors::{OrRaise, invalid, truth, whole, whole_or_none};
+use crate::errors::{OrRaise, bound, invalid, required, truth, whole, whole_or_none};
 use crate::homology::Chain;
 use crate::memory::shared_ids;
 use crate::model::Model;
@@ -173,14 +173,17 @@ impl Surface {
 #[pymethods]
 impl Surface {
     #[new]
-    #[pyo3(signature = (model, *, boundary=false, progress=None))]
+    #[pyo3(signature = (*arguments, **options), text_signature = "(model, *, boundary=False, progress=None)")]
     fn new(
         py: Python<'_>,
-        model: &Bound<'_, PyAny>,
-        #[pyo3(from_py_with = truth)] boundary: bool,
-        progress: Option<&Bound<'_, PyAny>>,
+        arguments: &Bound<'_, PyTuple>,
+        options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
-        surface_of(py, &crate::given::source_of(model)?, boundary, progress)
+        let names = ["model", "boundary", "progress"];
+        let [model, boundary, progress] = bound("Surface", names, 1, arguments, options)?;
+        let model = required(py, "Surface", "model", model)?;
+        let boundary = boundary.as_ref().map_or(Ok(false), truth)?;
+        surface_of(py, &crate::given::source_of(&model)?, boundary, progress.as_ref())
     }
 
     /// The numbers of vertices, edges and faces.
@@ -537,7 +540,7 @@ impl Surface {
     /// radius : int, optional
     ///     All copies of the domain at words of this length at most.
     /// copies : int, optional
-    ///     So many copies; 1 if neither is given.
+    ///     So many copies, instead.
     /// component : int
     ///     The component.
     /// layout : {"auto", "flat", "disk", "klein", "none"}
@@ -573,6 +576,11 @@ impl Surface {
     ) -> PyResult<Cover> {
         if radius.is_some() && copies.is_some() {
             return Err(invalid(py, "radius and copies are both given", "give one of the two"));
+        }
+        if radius.is_none() && copies.is_none() {
+            let cure =
+                "give radius=1 or copies=8; the cover that can be oriented is model.surface().double_cover()";
+            return Err(invalid(py, "it is not said how much of the cover is wanted", cure));
         }
         let choice = match layout {
             "auto" => Some(LayoutChoice::Any),

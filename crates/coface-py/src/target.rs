@@ -102,8 +102,3 @@ fn put(file: &Bound<'_, PyAny>, bytes: Vec<u8>) -> PyResult<()> {
 pub(crate) fn warn_all<'a>(py: Python<'_>, remarks: impl IntoIterator<Item = &'a Remark>) -> PyResult<()> {
     remarks.into_iter().try_for_each(|remark| errors::warn(py, &remark.message))
 }
-
-/// Warns of what was assumed.
-pub(crate) fn warn_of_assumptions(py: Python<'_>, remarks: &[Remark]) -> PyResult<()> {
-    warn_all(py, remarks.iter().filter(|remark| remark.code.is_assumption()))
-}

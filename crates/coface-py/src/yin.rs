@@ -16,7 +16,8 @@ pub(crate) use kinks::Kinks;
 
 use self::kink_request::kinks_of;
 use self::motion::{
-    GivenFlow, below_knots, contact_of, parameters_of, scheme_of, tracking_options, verification_of,
+    GivenFlow, MotionFacts, Repair, VanishedCurve, below_knots, contact_of, parameters_of, scheme_of,
+    tracking_options, verification_of,
 };
 use crate::answer::answer;
 use crate::arrangement::{formula, rule_of};
@@ -27,7 +28,7 @@ use crate::model::{Model, read_options};
 use crate::objects::to_python;
 use crate::pictures::flat_file;
 use crate::source::Source;
-use crate::target::Target;
+use crate::target::{Target, warn_all};
 use crate::work::run;
 use coface::answers::answer::{YinDecision, YinEventAnswer, YinProvenance, YinSetAnswer};
 use coface::answers::{PlanarSet, SetRequest, text};
@@ -39,7 +40,7 @@ use coface::yin::{EndCondition, EventKind, KnotIndex, Order, SetLocation};
 use coface::{Error, VertexId};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyTuple};
+use pyo3::types::{PyBytes, PyDict, PyTuple};
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -87,7 +88,7 @@ fn type_name(value: &Bound<'_, PyAny>) -> String {
 /// ----------
 /// curves : sequence of Curve
 ///     Boundaries with the set on their left, pairwise disjoint but for single points. Outermost ones that run clockwise leave everything
-///     outside of them, with an :class:`AssumptionWarning`.
+///     outside of them, with an :class:`AssumptionWarning`. Their kinks are kinks of the set; so are corners of splines, with a warning.
 /// orient : bool
 ///     Whether curves are turned so that they bound what is inside of them: those in no other counterclockwise, those in others against the one
 ///     around them.
@@ -124,32 +125,6 @@ struct SetProvenance {
     uncertified: Vec<YinDecision>,
 }
 
-/// What came of moving a set.
-#[derive(Serialize)]
-struct MotionFacts {
-    steps: usize,
-    added: usize,
-    removed: usize,
-    vanished: Vec<VanishedCurve>,
-    repairs: Vec<Repair>,
-    events: Option<Vec<YinEventAnswer>>,
-}
-
-/// A curve that became too small, and when.
-#[derive(Serialize)]
-struct VanishedCurve {
-    time: f64,
-    curve: u32,
-}
-
-/// A set whose curves crossed, and when it was cut and pasted.
-#[derive(Serialize)]
-struct Repair {
-    step: usize,
-    time: f64,
-    fault: String,
-}
-
 impl YinSet {
     fn of(set: PlanarSet) -> Result<Self, Error> {
         Self::with_provenance(set, None)
@@ -184,6 +159,12 @@ impl YinSet {
             let fault = "the outermost curves run clockwise, so the set is all that lies outside of them and its area is infinite";
             errors::warn(py, &format!("{fault}; {cure}, and ~ of that is this set without a warning"))?;
         }
+        Ok(self)
+    }
+
+    /// The set, after a warning for each remark about what it was made of.
+    fn after_remarks(self, py: Python<'_>) -> PyResult<Self> {
+        warn_all(py, self.set.remarks())?;
         Ok(self)
     }
 
@@ -241,23 +222,26 @@ answer! { YinSet {
     }
 
     #[new]
-    #[pyo3(signature = (curves, *, orient=false))]
+    #[pyo3(signature = (*arguments, **options), text_signature = "(curves, *, orient=False)")]
     fn new(
         py: Python<'_>,
-        curves: &Bound<'_, PyAny>,
-        #[pyo3(from_py_with = truth)] orient: bool,
+        arguments: &Bound<'_, PyTuple>,
+        options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
+        let [curves, orient] = errors::bound("YinSet", ["curves", "orient"], 1, arguments, options)?;
+        let curves = &errors::required(py, "YinSet", "curves", curves)?;
+        let orient = orient.as_ref().map_or(Ok(false), truth)?;
         let cure = "give curves: coface.YinSet([coface.Curve(points)]), or points to coface.YinSet.from_rings(rings)";
         let wrong = |name: String| wrong_type(py, format!("a {name} is no Curve"), cure);
         let listed = curves.try_iter().map_err(|_| wrong(type_name(curves)))?;
-        let mut given: Vec<yin::Curve<'static>> = Vec::new();
+        let mut given: Vec<(yin::Curve<'static>, Vec<u32>)> = Vec::new();
         for curve in listed {
             let curve = curve?;
             let found = curve.cast::<Curve>().map_err(|_| wrong(type_name(&curve)))?;
-            given.push(found.get().curve.clone());
+            let found = found.get();
+            given.push((found.curve.clone(), found.kinks.clone()));
         }
-        let made = || if orient { yin::YinSet::oriented(&given) } else { yin::YinSet::new(&given) };
-        let set = run(py, None, || Self::of(PlanarSet::from_set(made()?)))?;
+        let set = run(py, None, || Self::of(PlanarSet::of_curves(&given, orient)?))?.after_remarks(py)?;
         set.warned(py, "the inside of curves of any direction needs orient=True")
     }
 
@@ -313,6 +297,7 @@ answer! { YinSet {
             let drawing = io::read_boundary_path(&path, &options)?;
             Self::of(PlanarSet::of(&drawing, &request).map_err(|error| error.in_file(name))?)
         })
+        .and_then(|set| set.after_remarks(py))
     }
 
     /// A set bounded by rings of points.
@@ -365,6 +350,7 @@ answer! { YinSet {
             drawing.push(filling, curves);
             Self::of(PlanarSet::of(&drawing, &request)?)
         })
+        .and_then(|set| set.after_remarks(py))
         .and_then(|set| match stated {
             Some(_) => Ok(set),
             None => set.warned(py, "the inside of rings of any direction needs rule=\"evenodd\""),
@@ -388,6 +374,7 @@ answer! { YinSet {
             let drawing = io::yin::drawing_of_model(&source.model)?;
             Self::of(PlanarSet::of(&drawing, &request)?)
         })
+        .and_then(|set| set.after_remarks(py))
     }
 
     /// The set without points.
@@ -547,7 +534,10 @@ answer! { YinSet {
     #[getter]
     fn curves(&self) -> Vec<Curve> {
         let set = self.inner();
-        (0..set.curve_count()).map(|curve| Curve { curve: set.curve(curve).into_owned() }).collect()
+        let kinks = |curve: usize| set.kinks().on_curve(curve as u32).collect();
+        (0..set.curve_count())
+            .map(|curve| Curve { curve: set.curve(curve).into_owned(), kinks: kinks(curve) })
+            .collect()
     }
 
     /// What was odd about the input.
@@ -987,6 +977,8 @@ pub(crate) fn _yin_set(py: Python<'_>, bytes: Vec<u8>, provenance: Option<&str>)
     let provenance = provenance.map_err(|fault| invalid(py, format!("{fault}"), "pickle the set again"))?;
     run(py, None, || {
         let drawing = io::read_boundary(&bytes[..], Format::Json, &io::ReadOptions::default())?;
-        YinSet::with_provenance(PlanarSet::of(&drawing, &SetRequest::default())?, provenance)
+        let mut request = SetRequest::default();
+        request.as_declared = true;
+        YinSet::with_provenance(PlanarSet::of(&drawing, &request)?, provenance)
     })
 }

@@ -80,7 +80,6 @@ CASES = [
     Case("coface.as_chain_complex(ring).chain([1, 0, 0])", "pairs (coefficient", ("coface.as_chain_complex(ring).chain([(1, [0, 1])])",)),
     Case("coface.as_chain_complex(ring).chain(np.array([1, -1, 1]))", "degree=k", ("coface.as_chain_complex(ring).chain(np.array([1, -1, 1]), degree=1)",)),
     Case("square.subdivided()", "model.subdivided()", ("coface.generate('torus').report()",)),
-    Case("coface.to_trimesh(squares)", "model.triangulated()", ("coface.as_model(squares).triangulated()",)),
     Case("flat_square.write(folder / 'x.what')", "format", ("flat_square.write(folder / 'x.what', format='obj')",)),
     Case("coface.arrange(flat_square).write(folder / 'x.what')", "format=", ("coface.arrange(flat_square).write(folder / 'x.what', format='svg')",)),
     # Files.

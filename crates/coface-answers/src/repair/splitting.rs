@@ -79,7 +79,7 @@ fn without_repeated(model: Model) -> Result<Model, Error> {
         GroupKind::Polygons => {
             let place = |&member: &u32| kept.binary_search(&(member as usize)).ok();
             let members = group.members().iter().filter_map(place).map(|place| place as u32).collect();
-            Group::new(group.name(), group.kind(), members)
+            group.with_members(members)
         }
         _ => group.clone(),
     };
@@ -237,7 +237,7 @@ fn repaired_group(group: &Group, repair: &MeshRepair, line_starts: &[u32]) -> Gr
             .collect(),
         GroupKind::Polygons | GroupKind::Cells => group.members().to_vec(),
     };
-    Group::new(group.name(), group.kind(), members)
+    group.with_members(members)
 }
 
 #[cfg(test)]

@@ -392,7 +392,7 @@ impl Cleaned {
             };
             members.sort_unstable();
             members.dedup();
-            Group::new(group.name(), group.kind(), members)
+            group.with_members(members)
         };
         let coordinates = kept.iter().flat_map(|&v| &given[v as usize * dimension..][..dimension]);
         let (positions, partial_positions) = placed(dimension, coordinates.copied().collect())?;

@@ -6,7 +6,7 @@ use crate::text;
 use coface_algebra::{Error, ErrorKind, RaggedArray, VertexId};
 use coface_arrange::congruence::{ClassRule, Representative, vertex_congruence};
 use coface_geometry::Positions;
-use coface_io::{Group, GroupKind, GroupRole, Model, ModelParts, Structure, placed};
+use coface_io::{Group, GroupKind, Model, ModelParts, Structure, placed};
 
 /// What was done to merge vertices.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -263,9 +263,7 @@ fn merged(
         };
         members.sort_unstable();
         members.dedup();
-        let made = Group::new(group.name(), group.kind(), members);
-        let roles = [GroupRole::Object, GroupRole::Group, GroupRole::Material];
-        roles.into_iter().find(|&role| group.has_role(role)).into_iter().fold(made, Group::with_role)
+        group.with_members(members)
     };
     let coordinates = kept.iter().flat_map(|&vertex| &given[vertex as usize * dimension..][..dimension]);
     let (positions, partial_positions) = placed(dimension, coordinates.copied().collect())?;

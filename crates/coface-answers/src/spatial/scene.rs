@@ -63,7 +63,8 @@ pub struct SpatialScene {
 }
 
 impl SpatialScene {
-    /// The polygons of these models, one after the other; `walls` says whether faces between cells of one model are among them.
+    /// The polygons of these models, one after the other; `walls` says whether faces between cells of one model are among them. Of a volume of
+    /// voxels they are the squares around those that are set.
     ///
     /// # Errors
     /// [`ErrorKind::InvalidInput`] naming the file of a model with points or lines only or without positions in space, and what
@@ -221,6 +222,9 @@ impl SpatialScene {
         if let Some(coarse) = model.coarse()? {
             return self.add(name, &coarse, walls);
         }
+        if let Some((positions, squares)) = model.voxel_surface()? {
+            return self.add(name, &Model::from_polygons(positions, squares)?, walls);
+        }
         model.require_finite()?;
         if let Some(count @ 1..) = model.stated_surfaces().map(StatedSurfaces::incomplete_count) {
             let surfaces = if count == 1 {
@@ -259,7 +263,7 @@ impl SpatialScene {
             Some(_) => {
                 return Err(Error::new(
                     ErrorKind::UnsupportedFormat,
-                    "facet lists, halfedges, gluings and voxels have no polygons in space",
+                    "facet lists, halfedges and gluings have no polygons in space",
                 )
                 .with_cure("give a mesh or a chain complex with positions"));
             }

@@ -435,7 +435,7 @@ impl SurfaceModel {
             group.members().iter().for_each(|&member| is_member[member as usize] = true);
             let count = model.count_of(group.kind());
             let members = (0..count).filter(|&i| is_member.get(row(i)) == Some(&true)).map(|i| i as u32);
-            let group = Group::new(group.name(), group.kind(), members.collect());
+            let group = group.with_members(members.collect());
             model = model.with_group(group)?;
         }
         let numbers = |values: Vec<i64>, name: &str, kind| CellData::integers(name, kind, 1, values);

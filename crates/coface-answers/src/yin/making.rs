@@ -4,7 +4,6 @@ use crate::answer::{Remark, RemarkCode};
 use crate::text;
 use coface_algebra::{Error, ErrorKind};
 use coface_arrange::boolean::InsideRule;
-use coface_io::Format;
 use coface_io::yin::{BoundaryCurve, BoundaryDrawing, Filling, flattened};
 use coface_yin::{Combination, Curve, EndCondition, KnotIndex, Order, YinSet, turning_kinks};
 use std::borrow::Cow;
@@ -42,6 +41,9 @@ pub struct SetRequest {
     pub flatten: Option<f64>,
     /// Let curves begin at their lowest knots, and come in one order whatever the file's is.
     pub canonical: bool,
+    /// Leave knots where splines have a corner as they are, instead of taking them as kinks: for what was a set before.
+    #[doc(hidden)]
+    pub as_declared: bool,
 }
 
 impl Default for SetRequest {
@@ -54,6 +56,7 @@ impl Default for SetRequest {
             ends: EndCondition::NotAKnot,
             flatten: None,
             canonical: false,
+            as_declared: false,
         }
     }
 }
@@ -174,10 +177,11 @@ impl PlanarSet {
                     let kinks: (Vec<KnotIndex>, Vec<u32>) =
                         set.kinks().iter().map(|(at, vertex)| (at, vertex.to_u32())).unzip();
                     set = set.with_declared_kinks(&kinks.0, Some(&kinks.1), Some(next))?;
-                } else if drawing.format() == Some(Format::Dat) && !request.fit && order > Order::LINEAR {
+                }
+                if !request.fit && !request.as_declared {
                     let (with_corners, count) = with_kinks_at_corners(set)?;
                     set = with_corners;
-                    remarks.extend(corners_as_kinks(count));
+                    remarks.extend(corners_as_kinks(count, "the file does not tell kinks"));
                 }
             }
         }
@@ -186,6 +190,47 @@ impl PlanarSet {
             planar = planar.canonical();
         }
         Ok(planar)
+    }
+
+    /// The set that closed curves bound, each with the numbers of the knots that are its kinks: it keeps them. A knot of a spline at which the
+    /// boundary has a corner is a kink too, and a remark says so. With `orient` curves are turned as [`YinSet::oriented`] does it.
+    ///
+    /// # Errors
+    /// Those of [`YinSet::new`], and [`ErrorKind::InvalidInput`] for a kink that is none of the knots.
+    ///
+    /// # Complexity
+    /// That of an overlay of all curves.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::PlanarSet;
+    /// use coface_yin::{Curve, EndCondition, Order};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+    /// let square = Curve::fit_closed(&corners, &[0, 1, 2, 3], Order::CUBIC, &EndCondition::NotAKnot)?;
+    /// let set = PlanarSet::of_curves(&[(square, vec![0, 1, 2, 3])], false)?;
+    /// assert_eq!((set.set().kinks().len(), set.remarks().len()), (4, 0));
+    /// # Ok(()) }
+    /// ```
+    #[doc(hidden)]
+    pub fn of_curves(curves: &[(Curve<'_>, Vec<u32>)], orient: bool) -> Result<Self, Error> {
+        let bare: Vec<Curve<'_>> = curves.iter().map(|(curve, _)| curve.clone()).collect();
+        let set = if orient { YinSet::oriented(&bare)? } else { YinSet::new(&bare)? };
+        let mut knots = Vec::new();
+        for (curve, (given, kinks)) in (0..).zip(curves) {
+            let count = given.piece_count() as u32;
+            if let Some(kink) = kinks.iter().find(|&&kink| kink >= count) {
+                return Err(Error::invalid(format!("curve {curve} has no knot {kink}"))
+                    .with_cure(format!("give kinks below {count}")));
+            }
+            // Of one or two pieces both ways have the same numbers.
+            let is_turned = set.curve(curve as usize).knot_point(1) != given.knot_point(1);
+            let at = |kink: u32| if is_turned { (count - kink) % count } else { kink };
+            knots.extend(kinks.iter().map(|&kink| KnotIndex { curve, knot: at(kink) }));
+        }
+        let (set, count) = with_kinks_at_corners(set.with_declared_kinks(&knots, None, None)?)?;
+        let remarks = corners_as_kinks(count, "the curves do not tell them").into_iter().collect();
+        Ok(Self { set, names: Vec::new(), remarks })
     }
 
     /// The number of the curve that has a name, the first of several.
@@ -431,26 +476,33 @@ fn check_curves_of_kinks(count: usize, request: &SetRequest) -> Result<(), Error
 /// Where the boundary turns by more than this angle, in radians, it is meant to have a corner.
 const CORNER: f64 = 0.1;
 
-/// The set with its corners as kinks, which its file did not tell, and how many these are: what moves or changes it keeps them then.
+/// The set with the corners of its splines as kinks, which nobody told, and how many these are: what moves or changes it keeps them then.
 fn with_kinks_at_corners(set: YinSet) -> Result<(YinSet, usize), Error> {
-    let known: Vec<KnotIndex> = set.kinks().iter().map(|(at, _)| at).collect();
-    let mut knots = set.corners(CORNER)?;
-    knots.retain(|at| !known.contains(at));
-    let count = knots.len();
+    if set.order() == Order::LINEAR {
+        return Ok((set, 0));
+    }
+    let (mut knots, mut names): (Vec<KnotIndex>, Vec<u32>) =
+        set.kinks().iter().map(|(at, vertex)| (at, vertex.to_u32())).unzip();
+    let mut corners = set.corners(CORNER)?;
+    corners.retain(|at| knots.binary_search(at).is_err());
+    let count = corners.len();
     if count == 0 {
         return Ok((set, 0));
     }
-    knots.extend(known);
-    Ok((set.with_declared_kinks(&knots, None, None)?, count))
+    let next = set.kinks().next_name();
+    names.extend((next..).take(count));
+    knots.extend(corners);
+    let next = next + count as u32;
+    Ok((set.with_declared_kinks(&knots, Some(&names), Some(next))?, count))
 }
 
-fn corners_as_kinks(count: usize) -> Option<Remark> {
+fn corners_as_kinks(count: usize, why: &str) -> Option<Remark> {
     let knots = match count {
         0 => return None,
         1 => "1 knot where the boundary has a corner is taken as a kink".to_owned(),
         count => format!("{count} knots where the boundary has a corner are taken as kinks"),
     };
-    let message = format!("{knots}; the file does not tell kinks");
+    let message = format!("{knots}; {why}");
     Some(Remark::new(RemarkCode::InputReading, message).at(count, []))
 }
 

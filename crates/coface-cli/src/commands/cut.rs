@@ -19,7 +19,7 @@ use std::path::PathBuf;
 ///
 /// Without options a component is cut along all edges that a spanning tree of its faces does not cross. --simplify leaves
 /// out what is not needed: a torus is cut along two loops that meet, a sphere along one edge, a disk not at all. Surfaces may
-/// have a boundary, and need not be orientable.
+/// have a boundary, and need not be orientable. (The function coface.cut of Python does as --simplify unless it is told simplify=False.)
 ///
 /// --canonical cuts along disjoint simple loops through one vertex, so that the way around the disk is a1 b1 a1^-1 b1^-1 a2 .. of an
 /// orientable surface, and c1 c1 c2 c2 .. of one that is not; paths e1, e2, .. lead to boundary loops d1, d2, .. The loops go across edges and

@@ -186,3 +186,19 @@ fn pictures_show_the_boundary() {
     assert!(run.stderr.contains("drawn: the 48 squares around the voxels of the volume"), "{}", run.stderr);
     assert!(fs::read_to_string(&out).unwrap().starts_with("<svg "));
 }
+
+/// Voxels as inputs of Booleans and arrangements are the squares around them.
+#[test]
+fn voxels_are_solids() {
+    let folder = tempfile::tempdir().unwrap();
+    let [left, right] = ["left.npy", "right.npy"].map(|name| folder.path().join(name));
+    let block = |set: fn(&[u32]) -> bool| CubicalVolume::new(&[3, 2, 2], &[false; 3], set).unwrap();
+    write_npy(&block(|at| at[0] < 2), fs::File::create(&left).unwrap()).unwrap();
+    write_npy(&block(|at| at[0] > 0), fs::File::create(&right).unwrap()).unwrap();
+    for (operation, volume) in [("union", 12.0), ("intersection", 4.0), ("difference", 4.0), ("xor", 8.0)] {
+        let found = coface(&["boolean", operation, argument(&left), argument(&right), "--json"]).json();
+        assert_eq!(found["measure"].as_f64(), Some(volume), "{operation}: {found}");
+    }
+    let found = coface(&["arrange", argument(&left), "--json"]).json();
+    assert_eq!(found["measures"], serde_json::json!([8.0]), "{found}");
+}

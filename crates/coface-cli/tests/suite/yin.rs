@@ -437,6 +437,23 @@ fn corners_of_files_without_kinks_are_kinks() {
         let area = yin(&["info", argument(&moved)])["area"].as_f64().unwrap();
         assert!((area - 16.0).abs() < 1e-7, "order {order}: {area}");
     }
+    // Control points in JSON that turn where no kink is named: corners are kinks, and keep what names there are.
+    let corners = "[[0,0],[3,0],[3,3],[0,3]]";
+    let controls = "[[0,0],[1,0],[2,0],[3,0],[3,1],[3,2],[3,3],[2,3],[1,3],[0,3],[0,2],[0,1]]";
+    for (kinks, count) in [("", 4), ("\"kinks\":[2],", 3)] {
+        let curve = format!("{{{kinks}\"points\":{corners},\"controls\":{controls}}}");
+        let nameless = file(&folder, "nameless.json", &format!("{{\"order\":4,\"curves\":[{curve}]}}"));
+        let info = yin(&["info", argument(&nameless)]);
+        assert_eq!(info["curves"][0]["kinks"].as_array().map(Vec::len), Some(4), "{info}");
+        let remark = &info["remarks"][0];
+        assert_eq!((&remark["code"], &remark["count"]), (&json!("input-reading"), &json!(count)));
+        let moved = folder.path().join("turned.json");
+        let words =
+            ["yin", "advect", argument(&nameless), "--flow", "rotation", "--time", "0.1", "--spacing", "0.5"];
+        assert_eq!(coface(&[&words[..], &["-o", argument(&moved), "-q"]].concat()).status, 0);
+        let area = yin(&["info", argument(&moved)])["area"].as_f64().unwrap();
+        assert!((area - 9.0).abs() < 1e-4, "{kinks}: {area}");
+    }
     // A circle has no corners.
     let round = folder.path().join("round.dat");
     let circle: Vec<String> = (0..24)

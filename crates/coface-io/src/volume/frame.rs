@@ -12,11 +12,16 @@ pub struct VoxelFrame {
 
 impl VoxelFrame {
     /// The frame of these steps; `None` if it makes no difference, or if the steps span no space.
-    pub(super) fn new(steps: [[f64; 3]; 3], origin: Option<[f64; 3]>) -> Option<Self> {
+    pub(crate) fn new(steps: [[f64; 3]; 3], origin: Option<[f64; 3]>) -> Option<Self> {
         let frame = Self { steps, origin };
         let is_finite = steps.iter().flatten().chain(origin.iter().flatten()).all(|x| x.is_finite());
         let is_plain = steps == [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] && origin.is_none();
         (is_finite && frame.determinant() != 0.0 && !is_plain).then_some(frame)
+    }
+
+    /// The steps and the center of the first voxel.
+    pub(crate) fn numbers(&self) -> ([[f64; 3]; 3], Option<[f64; 3]>) {
+        (self.steps, self.origin)
     }
 
     /// The frame of steps along the axes.

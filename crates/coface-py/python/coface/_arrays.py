@@ -29,7 +29,7 @@ CORNERS = {
 #: What to do with masked entries where nothing can be left out.
 MASKED = "leave them out or give them numbers with array.filled(..); only coface.volume and coface.cubical take them, as outside"
 #: Why data of cells are left out.
-MIXED = "which are taken where all cells are faces"
+MIXED = "which are taken where all cells are faces, or all are 3-cells"
 #: The kinds of 3-cells.
 SOLID = ("tetra", "pyramid", "wedge", "hexahedron")
 

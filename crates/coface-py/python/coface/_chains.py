@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coface import _coface
+from coface._answers import FactsAnswer, ListAnswer
 from coface._arrays import plain, raise_invalid
 from coface._coface import Chain, Generator, Model
 from coface._models import as_cells, as_chain_complex, as_model
@@ -77,7 +78,7 @@ def classes(x: Any, cycles: Iterable[Any], *, degree: int | None = None, progres
     >>> found["class"], found["bounds"]
     ([2], False)
     """
-    return _coface.classes(as_chain_complex(x), list(cycles), degree=degree, progress=progress)
+    return ListAnswer(_coface.classes(as_chain_complex(x), list(cycles), degree=degree, progress=progress))
 
 
 @in_words
@@ -180,7 +181,7 @@ def cup_products(
     >>> table[0][0], abs(table[0][1][0])
     ([0], 1)
     """
-    return _coface.cup_products(as_cells(x), p, q, coefficients, progress=progress)
+    return cast("CupTable", FactsAnswer(_coface.cup_products(as_cells(x), p, q, coefficients, progress=progress)))
 
 
 @in_words
@@ -206,7 +207,7 @@ def intersection_form(x: Any, *, progress: Any = False) -> IntersectionForm:
     >>> abs(form["signature"]), form["parity"]
     (1, 'odd')
     """
-    return _coface.intersection_form(as_cells(x), progress=progress)
+    return cast("IntersectionForm", FactsAnswer(_coface.intersection_form(as_cells(x), progress=progress)))
 
 
 @in_words
@@ -237,7 +238,7 @@ def long_exact_sequence(x: Any, part: Any = "boundary", *, progress: Any = False
     from coface._questions import part_of
 
     model = as_cells(x)
-    return _coface.long_exact_sequence(model, part_of(model, part), progress=progress)
+    return cast("ExactSequence", FactsAnswer(_coface.long_exact_sequence(model, part_of(model, part), progress=progress)))
 
 
 @in_words
@@ -271,7 +272,7 @@ def induced_map(
     (array([[2]]), 'Z/2')
     """
     images: Any = dict(vertices) if isinstance(vertices, Mapping) else [tuple(pair) if isinstance(pair, (list, tuple)) else pair for pair in plain(vertices)]
-    return _coface.induced_map(as_cells(source), as_cells(target), images, progress=progress)
+    return ListAnswer(_coface.induced_map(as_cells(source), as_cells(target), images, progress=progress))
 
 
 @in_words

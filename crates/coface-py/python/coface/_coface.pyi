@@ -106,6 +106,11 @@ class ShapeError(Error, ValueError): ...
 class TooLargeError(Error, OverflowError): ...
 class NonManifoldError(Error, ValueError): ...
 class CoefficientError(Error, ValueError): ...
+class NotInstalledError(Error, ImportError):
+    """Another library is needed, and it cannot be imported; the cure installs it."""
+    def __init__(
+        self, message: str = "", *, fault: str | None = None, cure: str | None = None, library: str | None = None, **place: Any
+    ) -> None: ...
 class AssumptionWarning(UserWarning): ...
 
 @final
@@ -928,7 +933,7 @@ class Curve:
     def _repr_html_(self) -> str: ...
     def __new__(cls, points: ArrayLike, order: int = 2, ends: str | None = None) -> Curve: ...
     @staticmethod
-    def closed(points: ArrayLike, kinks: str | float | Sequence[tuple[int, int]] | None = None, order: int = 4, ends: str = "not-a-knot") -> Curve:
+    def closed(points: ArrayLike, kinks: ArrayLike | None = None, order: int = 4, ends: str = "not-a-knot") -> Curve:
         """A closed spline through points with kinks at some of them.
 
         Parameters
@@ -936,7 +941,7 @@ class Curve:
         points : array_like, shape (n, 2)
             Points, the first one not repeated.
         kinks : array_like of int, optional
-            Places of points where the curve may turn.
+            Places of points where the curve may turn; :class:`YinSet` takes them over.
         order : {2, 4, 6, 8}
             The order.
         ends : {"not-a-knot", "natural"}
@@ -966,6 +971,10 @@ class Curve:
     @property
     def knots(self) -> NDArray[np.float64]:
         """The parameters where pieces meet."""
+        ...
+    @property
+    def kinks(self) -> NDArray[np.int64]:
+        """The numbers of the knots where the curve may turn, as :meth:`closed` was told or a :class:`YinSet` has them."""
         ...
     @property
     def controls(self) -> NDArray[np.float64]:
@@ -1460,8 +1469,8 @@ class Interface:
         """The length of all edges, each once; ``None`` where it overflows."""
         ...
     @property
-    def remarks(self) -> list[dict[str, Json]]:
-        """What was assumed or left out."""
+    def remarks(self) -> list[Remark]:
+        """What was assumed, changed or left out, each a dictionary with ``code``, ``message``, ``count`` and ``places``; a warning said so too."""
         ...
     @property
     def names(self) -> list[str]:
@@ -1876,16 +1885,17 @@ class LarModel:
     def characteristic(self, degree: int) -> csc_array:
         """The characteristic matrix of a degree: one row for each cell, 1 in the columns of its vertices."""
         ...
-    def incidence(self, operator: str, kind: str = "counts", *, at_least: int | None = None, exactly: int | None = None, progress: _Progress = ...) -> csr_array:
+    def incidence(self, operator: str, kind: str | None = None, *, at_least: int | None = None, exactly: int | None = None, progress: _Progress = ...) -> csr_array:
         """An operator between cells of two degrees.
 
         Parameters
         ----------
         operator : str
             Rows and columns: two of ``V``, ``E``, ``F``, ``C``, as in ``"FE"``.
-        kind : {"counts", "incident", "signed"}
+        kind : {"counts", "incident", "signed"}, optional
             How many vertices two cells share, 1 where one is a face of the other (adjacent, if both have one degree), or the signs of
-            the boundary or coboundary operator.
+            the boundary or coboundary operator. If it is left out, ``"counts"`` between cells of one degree, as in ``FF``, and ``"incident"``
+            between those of two, as in ``FE``: what ``coface incidence`` prints.
         at_least : int, optional
             1 where so many vertices are shared, instead of ``kind``.
         exactly : int, optional
@@ -2131,6 +2141,12 @@ class Model:
     @property
     def srid(self) -> int | None:
         """The number of the reference system that a map names (``SRID`` of EWKT and EWKB, ``crs`` of GeoJSON), if it has one."""
+        ...
+    @property
+    def crs(self) -> str | None:
+        """The reference system that a map names, as :mod:`pyproj` takes it: ``"EPSG:25832"``, the name of another authority such as ``"ESRI:54009"``,
+        or WKT.
+        """
         ...
     @property
     def facets(self) -> _Lists | None:
@@ -2839,6 +2855,10 @@ class PlanarArrangement:
     def regions(self) -> list[str]:
         """The names of the inputs that contain faces."""
         ...
+    @property
+    def remarks(self) -> list[Remark]:
+        """What was assumed, changed or left out, each a dictionary with ``code``, ``message``, ``count`` and ``places``; a warning said so too."""
+        ...
     def to_dict(self) -> dict[str, Json]:
         """The answer as a dictionary, in the words of the program's JSON, and how it was made: ``recipe``, which ``from_dict`` reads."""
         ...
@@ -2967,6 +2987,10 @@ class PlanarBoolean:
     @property
     def rounding(self) -> dict[str, Json] | None:
         """What rounding of coordinates does."""
+        ...
+    @property
+    def remarks(self) -> list[Remark]:
+        """What was assumed, changed or left out, each a dictionary with ``code``, ``message``, ``count`` and ``places``; a warning said so too."""
         ...
     def to_dict(self) -> dict[str, Json]:
         """The answer as a dictionary, in the words of the program's JSON, and how it was made: ``recipe``, which ``from_dict`` reads."""
@@ -3413,6 +3437,10 @@ class SolidBoolean:
     def euler_characteristic(self) -> int:
         """Vertices - edges + faces."""
         ...
+    @property
+    def remarks(self) -> list[Remark]:
+        """What was assumed, changed or left out, each a dictionary with ``code``, ``message``, ``count`` and ``places``; a warning said so too."""
+        ...
     def to_dict(self) -> dict[str, Json]:
         """The answer as a dictionary, in the words of the program's JSON, and how it was made: ``recipe``, which ``from_dict`` reads."""
         ...
@@ -3512,7 +3540,7 @@ class SpatialArrangement:
         ...
     @property
     def remarks(self) -> list[Remark]:
-        """What was assumed or left out."""
+        """What was assumed, changed or left out, each a dictionary with ``code``, ``message``, ``count`` and ``places``; a warning said so too."""
         ...
     @property
     def congruence(self) -> dict[str, Json] | None:
@@ -3771,7 +3799,7 @@ class Surface:
         radius : int, optional
             All copies of the domain at words of this length at most.
         copies : int, optional
-            So many copies; 1 if neither is given.
+            So many copies, instead.
         component : int
             The component.
         layout : {"auto", "flat", "disk", "klein", "none"}
@@ -3956,7 +3984,7 @@ class YinSet:
     ----------
     curves : sequence of Curve
         Boundaries with the set on their left, pairwise disjoint but for single points. Outermost ones that run clockwise leave everything
-        outside of them, with an :class:`AssumptionWarning`.
+        outside of them, with an :class:`AssumptionWarning`. Their kinks are kinks of the set; so are corners of splines, with a warning.
     orient : bool
         Whether curves are turned so that they bound what is inside of them: those in no other counterclockwise, those in others against the one
         around them.
@@ -4056,7 +4084,7 @@ class YinSet:
         """The rings of a planar model as a set."""
         ...
     @staticmethod
-    def from_shapely(geometry: Any, *, order: int = 2, kinks: str | float | Sequence[tuple[int, int]] | None = None, progress: _Progress = ...) -> YinSet:
+    def from_shapely(geometry: Any, *, order: int = 2, rule: str | None = None, kinks: str | float | Sequence[tuple[int, int]] | None = None, progress: _Progress = ...) -> YinSet:
         """The polygons of a geometry of shapely, or of a list of them, as a set.
 
         Parameters
@@ -4065,6 +4093,8 @@ class YinSet:
             Polygons with holes, in any direction.
         order
             2 for polylines, 4 for cubic splines through the points, ...
+        rule
+            What is inside rings that cross: ``"nonzero"``, ``"evenodd"`` or ``"positive"``.
         kinks
             Where splines may turn, as in :meth:`YinSet.from_rings`.
         progress
@@ -5411,7 +5441,7 @@ def is_exact(model: Any, values: ArrayLike, *, tolerance: float | None = None, p
 def _group(generators: int, relators: Sequence[Sequence[int]], base: int | None, loops: Sequence[Sequence[int]], model: Model | None) -> FundamentalGroup: ...
 def _surface(model: Any, boundary: bool) -> Surface: ...
 def _page(model: Any, title: str, results: Sequence[Any], report: bool, members: Sequence[tuple[str, int, int, tuple[int, int, int] | None]] = ..., progress: _Progress = ...) -> str: ...
-def _curve(order: int, controls: ArrayLike, knots: ArrayLike) -> Curve: ...
+def _curve(order: int, controls: ArrayLike, knots: ArrayLike, kinks: ArrayLike | None = None) -> Curve: ...
 def _yin_set(bytes: bytes, provenance: str | None = None) -> YinSet: ...
 def _report(model: Model, asked: tuple[Sequence[Sequence[int]], str, float | None]) -> Report: ...
 def _in_python(message: str) -> str: ...

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from coface._coface import Complex, Model, PlanarArrangement, YinSet
-from coface._models import as_complex, as_drawn, as_model
+from coface._models import as_complex, as_drawn, as_model, geometries_of, is_features
 from coface._arrays import raise_invalid
 from coface.interop import geopandas, gudhi, meshio, networkx, open3d, pymeshlab, pyvista, shapely, trimesh
 from coface._faults import in_words
@@ -33,9 +33,9 @@ def from_trimesh(mesh: Any) -> Model:
 
 @in_words
 def to_trimesh(x: Any, **options: Any) -> Any:
-    """A model of triangles as ``trimesh.Trimesh``; one of lines as ``trimesh.path.Path3D``.
+    """A model as ``trimesh.Trimesh``, its polygons cut into triangles; one of lines as ``trimesh.path.Path3D``; of a volume the squares around its voxels.
 
-    Vertices and faces keep their numbers. `options` go to the class of trimesh; ``process=False`` stands unless said otherwise.
+    Vertices keep their numbers, and faces if they are triangles. `options` go to the class of trimesh; ``process=False`` stands unless said otherwise.
 
     Examples
     --------
@@ -146,7 +146,9 @@ def to_gudhi(x: Any, values: Any = None) -> Any:
 
 @in_words
 def from_shapely(geometry: Any) -> Model:
-    """A geometry of shapely, or a list of them, as a model of lines; rings know their polygon."""
+    """A geometry of shapely, or a list, set, array, ``GeoSeries`` or ``GeoDataFrame`` of them, as a model of lines; rings know their polygon."""
+    if is_features(geometry) or geometries_of(geometry) is not None:
+        return as_model(geometry)
     for one in geometry if isinstance(geometry, (list, tuple)) else [geometry]:
         _like(one, "geometry of shapely", "geom_type")
     return shapely.to_model(geometry)
@@ -181,7 +183,7 @@ def to_geopandas(x: Any) -> Any:
     return geopandas.from_model(x.attributes() if isinstance(x, PlanarArrangement) else as_drawn(x))
 
 
-def set_from_shapely(geometry: Any, *, order: int = 2, kinks: Any = None, progress: Any = None) -> YinSet:
+def set_from_shapely(geometry: Any, *, order: int = 2, rule: str | None = None, kinks: Any = None, progress: Any = None) -> YinSet:
     """The polygons of a geometry of shapely, or of a list of them, as a set.
 
     Parameters
@@ -190,6 +192,8 @@ def set_from_shapely(geometry: Any, *, order: int = 2, kinks: Any = None, progre
         Polygons with holes, in any direction.
     order
         2 for polylines, 4 for cubic splines through the points, ...
+    rule
+        What is inside rings that cross: ``"nonzero"``, ``"evenodd"`` or ``"positive"``.
     kinks
         Where splines may turn, as in :meth:`YinSet.from_rings`.
     progress
@@ -207,7 +211,7 @@ def set_from_shapely(geometry: Any, *, order: int = 2, kinks: Any = None, progre
     >>> coface.YinSet.from_shapely(shapely.box(0, 0, 2, 1)).area
     2.0
     """
-    return YinSet.from_model(as_model(geometry), order=order, kinks=kinks, progress=progress)
+    return YinSet.from_model(as_model(geometry), order=order, rule=rule, kinks=kinks, progress=progress)
 
 
 def set_to_shapely(self: YinSet, *, flatten: float | None = None) -> Any:

@@ -25,10 +25,11 @@ _ALLOWED = (
 )
 
 
-def in_words(function: Function) -> Function:
+def in_words(function: Function, name: str | None = None) -> Function:
     """A function whose faults in arguments are of this package: a ``TypeError`` becomes :class:`InvalidTypeError`, which is both.
 
-    What functions of the user raise, such as those that show progress, goes through as it is.
+    What functions of the user raise, such as those that show progress, goes through as it is. `name` is the name by which users call the function,
+    where it has another one.
 
     Examples
     --------
@@ -54,15 +55,22 @@ def in_words(function: Function) -> Function:
                 kind = InvalidTypeError
             elif isinstance(fault, OverflowError):
                 kind = OutOfRangeError
-            name = function.__qualname__
+            known = name or _PUBLIC.get(function.__name__) or function.__qualname__
             # What modules with a leading underscore define is found in the package itself; compiled methods name no module.
             module = getattr(function, "__module__", None) or "coface"
-            if any(part.startswith("_") for part in module.split(".")):
+            if name is not None or any(part.startswith("_") for part in module.split(".")):
                 module = "coface"
-            message, cure = f"{name}: {fault}", f"help({module}.{name}) says what it takes"
+            text = f"there is no {fault}" if isinstance(fault, KeyError) else str(fault)
+            # Python names a function as it is defined.
+            text = text.removeprefix(f"{function.__qualname__}() ")
+            message, cure = f"{known}: {text}", f"help({module}.{known}) says what it takes"
             raise kind(f"{message}; {cure}", fault=message, cure=cure) from fault
 
     return asked  # type: ignore[return-value]
+
+
+#: Functions that are methods by other names.
+_PUBLIC = {"set_from_shapely": "YinSet.from_shapely", "set_to_shapely": "YinSet.to_shapely"}
 
 
 def _is_own(place: TracebackType | None) -> bool:
@@ -87,13 +95,14 @@ def compiled_in_words(names: dict[str, Any]) -> None:
             for member, value in list(vars(thing).items()):
                 if member.startswith("_") and member not in ("__contains__", "__getitem__"):
                     continue
+                called = f"{thing.__name__}.{member}"
                 if isinstance(value, (staticmethod, classmethod)):
-                    setattr(thing, member, type(value)(_named(in_words(value.__func__), thing, member)))
+                    setattr(thing, member, type(value)(_named(in_words(value.__func__, called), thing, member)))
                 elif inspect.isbuiltin(value):
                     # A compiled function of a class that takes none of its objects.
-                    setattr(thing, member, staticmethod(_named(in_words(value), thing, member)))
+                    setattr(thing, member, staticmethod(_named(in_words(value, called), thing, member)))
                 elif inspect.isfunction(value) or inspect.ismethoddescriptor(value) and hasattr(value, "__objclass__"):
-                    setattr(thing, member, in_words(value))
+                    setattr(thing, member, in_words(value, called))
 
 
 def _named(function: Function, owner: type, member: str) -> Function:

@@ -5,12 +5,16 @@ from __future__ import annotations
 import json
 import os
 import warnings
+from decimal import Decimal
+from pathlib import Path
 from typing import Any, NamedTuple
+from uuid import UUID
 
 import numpy as np
 from numpy.typing import NDArray
 
 from coface import _coface
+from coface._answers import same
 from coface._arrays import plain, raise_invalid
 from coface._coface import (
     AssumptionWarning,
@@ -45,6 +49,15 @@ class Repaired(NamedTuple):
     model: Model
     #: For each vertex the one that it was.
     vertex_sources: NDArray[np.int64]
+
+    def _repr_html_(self) -> str:
+        return self.model._repr_html_()
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, tuple) and same(tuple(self), tuple(other))
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
 
 
 class RepairedSurface(NamedTuple):
@@ -97,11 +110,11 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
         * points: an array ``(n, 1)``, ``(n, 2)`` or ``(n, 3)`` of floats;
         * voxels: an array of truth values, as in :func:`volume`; an image of other numbers is refused here, since it could be points or
           facets;
-        * a ``GeoDataFrame`` or ``GeoSeries``, or another table with ``__geo_interface__``: its geometries, with their attributes;
+        * a ``GeoDataFrame`` or ``GeoSeries``, or anything else with ``__geo_interface__``: its geometries, with their attributes; a dictionary of GeoJSON;
         * a table with ``to_numpy()``, as pandas has them, or a generator, for any of these;
         * a dictionary in the words of the JSON files: ``{"facets": ...}``, ``{"boundaries": ...}`` and so on;
         * a mesh, scene or drawing of trimesh, a mesh of meshio, a mesh of PyMeshLab, a data set of pyvista or VTK, a geometry of open3d, a
-          graph of networkx, a ``SimplexTree`` of gudhi, a geometry of shapely, a ``Delaunay`` triangulation or a ``ConvexHull`` of scipy.
+          graph of networkx, a ``SimplexTree`` of gudhi, a geometry of shapely or a list, set or array of them, a ``Delaunay`` triangulation or a ``ConvexHull`` of scipy.
     progress
         As in :func:`read`, where a file is read.
 
@@ -136,27 +149,33 @@ def as_model(x: Any, *, progress: Any = None) -> Model:
         return Model.from_bytes(bytes(x), progress=progress)
     if isinstance(x, dict) and "recipe" in x:
         return as_model(read_back(x["recipe"]))
+    if isinstance(x, dict) and x.get("type") in _GEOJSON:
+        return _of_geojson(x, progress)
     if isinstance(x, dict):
         return Model.from_bytes(json.dumps(x, default=_plain).encode(), "json")
-    if _is_features(x):
-        return Model.from_bytes(json.dumps(_features(x), default=_plain).encode(), "geojson", progress=progress)
+    if is_features(x):
+        return _of_geojson(_features(x), progress)
+    geometries = geometries_of(x)
+    if geometries is not None:
+        return _of_geometries(geometries, getattr(x, "crs", None), progress)
     adapter = adapter_of(x)
     if adapter is not None:
         found: Model = adapter.to_model(x)
         return found
+    if hasattr(x, "__geo_interface__"):
+        return _of_geojson(dict(x.__geo_interface__), progress)
     if hasattr(x, "read"):
         data = x.read()
         return Model.from_bytes(data.encode() if isinstance(data, str) else data, progress=progress)
     x = plain(x)
+    geometries = geometries_of(x)
+    if geometries is not None:
+        return _of_geometries(geometries, None, progress)
     if isinstance(x, np.ndarray):
         return _of_array(x)
     if isinstance(x, tuple) and len(x) == 2 and not _is_list_of_ids(x[0]):
         return Model.from_arrays(x[0], x[1])
     if isinstance(x, (list, tuple)):
-        if x and adapter_of(x[0]) is not None and type(x[0]).__module__.startswith("shapely"):
-            from coface.interop import shapely
-
-            return shapely.to_model(list(x))
         first = _first_leaf(x)
         if isinstance(first, (bool, np.bool_, float, np.floating)):
             try:
@@ -354,16 +373,68 @@ def geo_interface(model: Model) -> dict[str, Any]:
     return found
 
 
+#: What a dictionary of GeoJSON says that it is.
+_GEOJSON = frozenset(
+    ("Point", "MultiPoint", "LineString", "MultiLineString", "Polygon", "MultiPolygon", "GeometryCollection", "Feature", "FeatureCollection")
+)
+
+
 def _features(x: Any) -> dict[str, Any]:
     """The features of a table as GeoJSON, with the reference system that the table names."""
     found = dict(x.__geo_interface__)
-    srid = x.crs.to_epsg() if getattr(x, "crs", None) is not None and hasattr(x.crs, "to_epsg") else None
-    if srid is not None and "crs" not in found:
-        found["crs"] = {"type": "name", "properties": {"name": f"urn:ogc:def:crs:EPSG::{srid}"}}
+    system = _system_of(getattr(x, "crs", None))
+    if system is not None and "crs" not in found:
+        found["crs"] = {"type": "name", "properties": {"name": system}}
     return found
 
 
-def _is_features(x: Any) -> bool:
+def _system_of(crs: Any) -> str | None:
+    """The name of a reference system of pyproj: by EPSG, else by another authority, else as WKT."""
+    if crs is None or not hasattr(crs, "to_epsg"):
+        return None
+    authority = crs.to_authority(min_confidence=100)
+    if authority is not None and authority[0] == "OGC":
+        return ":".join(authority)
+    srid = crs.to_epsg()
+    if srid is not None:
+        return f"urn:ogc:def:crs:EPSG::{srid}"
+    return ":".join(authority) if authority is not None else str(crs.to_wkt())
+
+
+def _of_geojson(found: dict[str, Any], progress: Any) -> Model:
+    """The model of GeoJSON; one without geometries is an empty drawing, whose box has no numbers."""
+    found = {key: value for key, value in found.items() if key != "bbox"}
+    return Model.from_bytes(json.dumps(found, default=_plain).encode(), "geojson", progress=progress)
+
+
+def geometries_of(x: Any) -> list[Any] | None:
+    """The geometries of shapely in a list, tuple, set, array, column of a table or generator; ``None`` where it holds other things, or nothing."""
+    if isinstance(x, (list, tuple, set, frozenset)):
+        members = list(x)
+    elif isinstance(x, np.ndarray):
+        members = list(x.reshape(-1)) if x.dtype == object else []
+    elif type(x).__module__.partition(".")[0] in ("pandas", "geopandas") and hasattr(x, "to_numpy"):
+        column = x.to_numpy()
+        members = list(column) if column.dtype == object and column.ndim == 1 else []
+    else:
+        return None
+    members = [one for one in members if one is not None]
+    return members if members and all(type(one).__module__.startswith("shapely") for one in members) else None
+
+
+def _of_geometries(geometries: list[Any], crs: Any, progress: Any) -> Model:
+    """The model of geometries of shapely, in the reference system of the column that they come from."""
+    system = _system_of(crs)
+    if system is None:
+        from coface.interop import shapely
+
+        return shapely.to_model(geometries)
+    features = [{"type": "Feature", "properties": {}, "geometry": one.__geo_interface__} for one in geometries]
+    name = {"type": "name", "properties": {"name": system}}
+    return _of_geojson({"type": "FeatureCollection", "features": features, "crs": name}, progress)
+
+
+def is_features(x: Any) -> bool:
     """Whether this is a table of features, such as a ``GeoDataFrame`` or a ``GeoSeries``: with geometries, and properties if it has any."""
     return hasattr(x, "__geo_interface__") and (hasattr(x, "iloc") or hasattr(x, "geom_type") and not hasattr(x, "wkt"))
 
@@ -373,9 +444,21 @@ def _is_list_of_ids(value: Any) -> bool:
 
 
 def _plain(value: Any) -> Any:
+    """A value as JSON: times and dates as text of ISO 8601, what is missing as null, fractions of ten as numbers."""
+    if isinstance(value, np.datetime64):
+        return None if np.isnat(value) else str(value)
     if isinstance(value, (np.ndarray, np.generic)):
         return value.tolist()
-    raise TypeError(f"a {type(value).__name__} cannot be written as JSON")
+    if hasattr(value, "isoformat"):
+        text = value.isoformat()
+        return None if text == "NaT" else text
+    if type(value).__name__ in ("NAType", "NaTType"):
+        return None
+    if isinstance(value, Decimal):
+        return float(value)
+    if isinstance(value, (UUID, Path)):
+        return str(value)
+    raise_invalid(f"a {type(value).__name__} cannot be written as JSON", "make it a number, a text, a date, a list or a dictionary, or leave its column out")
 
 
 @in_words

@@ -60,10 +60,10 @@ def _facts(x: Any) -> str:
     if isinstance(x, FundamentalGroup):
         return f"<div>{_presentation(x)}</div>"
     if is_model(x):
-        return _table(_of_model(x))
+        return table(_of_model(x))
     if not hasattr(x, "to_dict"):
         return ""
-    return _table(facts_of(x))
+    return table(facts_of(x))
 
 
 def _of_model(x: Any) -> dict[str, Any]:
@@ -79,7 +79,8 @@ def _of_model(x: Any) -> dict[str, Any]:
     return facts
 
 
-def _table(facts: Mapping[str, Any]) -> str:
+def table(facts: Mapping[str, Any]) -> str:
+    """Facts as a table; those that are too long for a line are counted or left out."""
     rows = []
     for key, value in facts.items():
         text = _short(value)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from coface._answers import is_facts, rows_of
 from coface._arrays import blocks, polygons, raise_invalid, refuse_unplaced, steps
 from coface._shown import shown
 from coface.interop import needed
@@ -90,18 +91,22 @@ def plot(
         return _chain_complex(pyplot, x, ax, title)
     if hasattr(x, "tocoo"):
         return _titled(_matrix(_flat_axes(pyplot, ax), x), title)
-    if isinstance(x, dict) and "extended+" in x:
+    if isinstance(x, dict) and ("extended+" in x or "closed-open" in x):
         return _titled(_diagram(_flat_axes(pyplot, ax), _extended(x)), title)
     if isinstance(x, np.ndarray) and x.ndim == 2 and x.shape[1] == 2 and x.dtype.kind == "f":
         return _titled(_diagram(_flat_axes(pyplot, ax), {0: x}), title)
     if kind in FLAT:
         return _titled(FLAT[kind](_flat_axes(pyplot, ax), x), title)
+    if is_facts(x):
+        return _titled(_facts(_flat_axes(pyplot, ax), x), title)
     together = shown(x)
     is_placed = together.model is not None and together.model.vertices is not None
     if not is_placed and kind in ("Homology", "HomologyGroup"):
         return _titled(_bars(_flat_axes(pyplot, ax), x), title)
     model = together.scene()
-    found = [*_generators(generators), *overlays(together.facts)]
+    given = _generators(generators)
+    _refuse_strangers(model, given)
+    found = [*given, *overlays(together.facts)]
     if kind == "CutCells" and values is None and len(model.data):
         values = model.data[0][2]
     places = model.vertices
@@ -127,6 +132,27 @@ def plot(
     _model(axes, model, points, is_flat, found, values, edges, alpha)
     _frame(axes, points, is_flat, view)
     return _titled(axes, title)
+
+
+def _refuse_strangers(model: Any, generators: Iterable[Any]) -> None:
+    """Refuses generators with vertices or edges that the model does not have."""
+    ends: set[tuple[int, int]] | None = None
+    for generator in generators:
+        cells = np.asarray(generator.simplices) if not isinstance(generator.simplices, tuple) else np.zeros((0, 1))
+        if not cells.size or cells.dtype.kind not in "iu":
+            continue
+        missing: list[Any] | None = [int(cells.max())] if int(cells.max()) >= model.vertex_count else None
+        if missing is None and cells.ndim == 2 and cells.shape[1] == 2 and model.structure != "volume":
+            if ends is None:
+                ends = set(map(tuple, np.sort(np.asarray(model.edges, np.int64).reshape(-1, 2), axis=1).tolist()))
+            missing = next((row for row in cells.tolist() if tuple(sorted(row)) not in ends), None)
+        if missing is not None:
+            what = "vertex" if len(missing) == 1 else "edge between the vertices"
+            raise_invalid(
+                f"the generators are of another model: this one has no {what} {', '.join(map(str, missing))}",
+                "give coface.homology(model, generators=True) of the model that is drawn",
+                [missing],
+            )
 
 
 def plot_method(self: Any, **options: Any) -> Any:
@@ -341,6 +367,21 @@ def _generator(axes: Any, points: Any, is_flat: bool, generator: Any, shade: str
             axes.add_collection3d(Poly3DCollection(points[simplices], facecolors=shade, alpha=0.4, zorder=4))
 
 
+def _facts(axes: Any, found: Any) -> Any:
+    """Paths of points of a diagram; other facts as a table."""
+    if isinstance(found, list) and found and all(isinstance(one, tuple) and len(one) == 2 and np.ndim(one[1]) == 2 for one in found):
+        for degree, path in found:
+            path = np.asarray(path, np.float64)
+            axes.plot(path[:, -2], path[:, -1], color=color(int(degree)), linewidth=1.0, label=f"degree {degree}")
+        axes.set_xlabel("birth")
+        axes.set_ylabel("death")
+        return axes
+    lines = [f"{name} = {str(value)[:60]}" for name, value in rows_of(found)]
+    axes.axis("off")
+    axes.text(0.0, 1.0, "\n".join(lines[:40]), transform=axes.transAxes, va="top", family="monospace", color=INK)
+    return axes
+
+
 def _matrix(axes: Any, matrix: Any) -> Any:
     found = matrix.tocoo()
     rows, columns = found.shape
@@ -371,8 +412,8 @@ def _chain_complex(pyplot: Any, complex: Any, ax: Any, title: str | None) -> lis
 
 
 def _extended(found: dict[str, Any]) -> dict[int, NDArray[np.float64]]:
-    """Births and deaths of extended persistence by degree, of all kinds together."""
-    pairs = [pair for kind in ("ordinary", "relative", "extended+", "extended-") for pair in found[kind]]
+    """Births and deaths of extended persistence, or of a zigzag, by degree, of all kinds together."""
+    pairs = [pair for pairs in found.values() for pair in pairs]
     degrees = range(1 + max((degree for degree, _ in pairs), default=0))
     return {k: np.array([ends for degree, ends in pairs if degree == k], np.float64).reshape(-1, 2) for k in degrees}
 

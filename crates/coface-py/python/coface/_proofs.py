@@ -28,7 +28,6 @@ from coface._coface import (
     SolidBoolean,
     SpatialArrangement,
 )
-from coface._faults import in_words
 from coface._models import as_chain_complex, as_model
 
 #: The answers that have a proof.
@@ -221,4 +220,4 @@ _SOLID = {"tetra", "pyramid", "wedge", "hexahedron"}
 def install() -> None:
     """Gives the classes their method."""
     for cls in CERTIFIED:
-        setattr(cls, "certificate", in_words(_method))
+        setattr(cls, "certificate", _method)

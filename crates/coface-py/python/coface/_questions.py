@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from coface import _coface
+from coface._answers import FactsAnswer, ListAnswer
 from coface._arrays import numbers, plain, point_rows, ragged, raise_invalid
 from coface._coface import (
     ChainComplex,
@@ -288,7 +289,7 @@ def homotopic(x: Any, walks: Sequence[Any], *, boundary: bool = False, progress:
     >>> [loop["contractible"], face["contractible"]].count(True)
     1
     """
-    return as_surface(x, boundary=boundary, progress=progress).compare(walks, progress=progress)
+    return ListAnswer(as_surface(x, boundary=boundary, progress=progress).compare(walks, progress=progress))
 
 
 @in_words
@@ -315,7 +316,7 @@ def cut(
     along
         A path of vertices, closed if the first is there again at the end; else a graph that leaves disks is found.
     simplify
-        Whether loose ends are left out and seams made short.
+        Whether loose ends are left out and seams made short. The program does so with ``--simplify``: ``simplify=False`` is ``coface cut`` without options.
     rounds
         How often to go through all seams to make them shorter.
     base
@@ -371,7 +372,7 @@ def cover(
     x
         Anything that :func:`as_surface` understands.
     radius
-        All copies at words of at most this length.
+        All copies at words of at most this length. One of `radius` and `copies` is needed.
     copies
         So many copies, instead.
     component
@@ -502,14 +503,14 @@ def classify(x: Any, *, boundary: bool = False, progress: Any = False) -> list[S
     >>> [part["name"] for part in coface.classify(coface.generate("klein"))]
     ['Klein bottle']
     """
-    return as_surface(x, boundary=boundary, progress=progress).classify()
+    return ListAnswer(as_surface(x, boundary=boundary, progress=progress).classify())
 
 
 @in_words
 def incidence(
     x: Any,
     operator: str,
-    kind: str = "counts",
+    kind: str | None = None,
     *,
     at_least: int | None = None,
     exactly: int | None = None,
@@ -525,7 +526,8 @@ def incidence(
         Rows and columns: two of ``V``, ``E``, ``F``, ``C``, as in ``"FE"``.
     kind
         ``"counts"``: how many vertices two cells share; ``"incident"``: 1 where one is a face of the other; ``"signed"``: the signs of the
-        boundary.
+        boundary. If it is left out, ``"counts"`` between cells of one degree, as in ``"FF"``, and ``"incident"`` between those of two, as in
+        ``"FE"``: what ``coface incidence`` prints.
     at_least, exactly
         1 where so many vertices are shared, instead of `kind`.
     progress
@@ -559,14 +561,22 @@ def incidence(
 
 def _inputs(inputs: tuple[Any, ...], as_input: Callable[[Any], Model] = as_drawn) -> Any:
     """The models of the inputs, with names where they come in a dictionary."""
-    inputs = tuple(map(unwrapped, inputs))
+    inputs = tuple(map(_segments, map(unwrapped, inputs)))
     if len(inputs) == 1 and isinstance(inputs[0], Mapping) and not _is_json(inputs[0]):
         return {str(name): as_input(x) for name, x in inputs[0].items()}
     if len(inputs) == 1 and hasattr(inputs[0], "__next__"):
         inputs = (list(inputs[0]),)
     if len(inputs) == 1 and isinstance(inputs[0], (list, tuple)) and not _is_one_model(inputs[0]):
         inputs = tuple(inputs[0])
-    return [as_input(x) for x in inputs]
+    return [as_input(_segments(x)) for x in inputs]
+
+
+def _segments(x: Any) -> Any:
+    """An array of segments, of shape ``(n, 2, 2)`` or ``(n, 2, 3)``, as lines; everything else as it is."""
+    if not isinstance(x, np.ndarray) or x.dtype.kind not in "iuf" or x.ndim != 3 or x.shape[1] != 2 or x.shape[2] not in (2, 3):
+        return x
+    points, number = np.unique(x.reshape(-1, x.shape[2]), axis=0, return_inverse=True)
+    return Model.from_arrays(points.astype(np.float64), cells={"line": number.reshape(-1, 2)})
 
 
 def _as_solid(x: Any) -> Model:
@@ -678,7 +688,7 @@ def arrange(
     Parameters
     ----------
     *models
-        Anything that :func:`as_model` understands, or one list or dictionary of such.
+        Anything that :func:`as_model` understands, or one list or dictionary of such; segments also as an array of shape ``(n, 2, 2)``, the ends of each.
     dimension
         2 or 3; by the models if left out. 2 leaves out the heights of maps.
     rule
@@ -760,6 +770,34 @@ def arrange(
 
 #: The words that name an operation; everything else is a formula.
 _OPERATIONS = ("union", "intersection", "difference", "xor", "join", "meet")
+#: What other libraries call them.
+_SYNONYMS = {
+    "and": "intersection",
+    "intersect": "intersection",
+    "minus": "difference",
+    "or": "union",
+    "subtract": "difference",
+    "symmetric difference": "xor",
+    "symmetric_difference": "xor",
+    "unite": "union",
+}
+
+
+def _operation(word: Any) -> Any:
+    """The name of an operation, in any case and by other names; a formula as it is."""
+    if not isinstance(word, str):
+        return word
+    lower = word.strip().lower()
+    if lower in _OPERATIONS:
+        return lower
+    if lower in _SYNONYMS:
+        return _SYNONYMS[lower]
+    if lower.replace("_", "").isalpha() and len(lower) > 2 and "xor" not in lower:
+        raise_invalid(
+            f"the operation is {word!r}",
+            'give "union", "intersection", "difference", "xor", or a formula such as "(a | b) - c" or "0 & !1"',
+        )
+    return word
 
 
 def _refuse_order(operation: Any, models: tuple[Any, ...]) -> None:
@@ -807,7 +845,7 @@ def boolean(
     Parameters
     ----------
     operation
-        ``"union"``, ``"intersection"``, ``"difference"``, ``"xor"``, or a formula such as ``"(a | b) - c"`` or ``"(0 | 1) & !2"``.
+        ``"union"``, ``"intersection"``, ``"difference"``, ``"xor"``, in any case, or a formula such as ``"(a | b) - c"`` or ``"(0 | 1) & !2"``.
     *models
         Anything that :func:`as_model` understands, or one list or dictionary of such.
     dimension
@@ -850,7 +888,7 @@ def boolean(
     _refuse_order(operation, models)
     found: PlanarBoolean | SolidBoolean = asked(
         "boolean",
-        operation,
+        _operation(operation),
         _inputs(models, _as_solid),
         dimension=dimension,
         rule=rule,
@@ -949,8 +987,8 @@ def persistence(
     x
         Anything that :func:`as_chain_complex` understands. A ``SimplexTree`` of gudhi brings its own values.
     vertex_values
-        A number for each vertex of `x` by its id, an array of shape ``(n,)``, or a coordinate by its name, ``"x"``, ``"y"`` or ``"z"``: a cell
-        comes with its last vertex.
+        A number for each vertex of `x` by its id, an array of shape ``(n,)``, the name of data on its vertices, or a coordinate by its name, ``"x"``,
+        ``"y"`` or ``"z"``: a cell comes with its last vertex.
     cell_values
         For each degree a number for each cell, an array of shape ``(cells,)``; NaN where a cell comes as late as its cofaces allow.
     coefficients
@@ -1013,9 +1051,15 @@ def _coordinate(values: Any, x: Any) -> Any:
     """The coordinate of this name at each vertex of a model; values as they are."""
     if not isinstance(values, str):
         return values
+    model = as_cells(x)
+    named = [data for name, place, data in model.data if name == values and place == "vertices" and np.ndim(data) == 1]
+    if named:
+        return np.asarray(named[0], np.float64)
     if values not in ("x", "y", "z"):
-        raise_invalid(f"the values are {values!r}", 'give "x", "y" or "z", or a number for each vertex')
-    points, axis = as_cells(x).vertices, "xyz".index(values)
+        known = ", ".join(repr(name) for name, place, data in model.data if place == "vertices" and np.ndim(data) == 1)
+        cure = 'give "x", "y" or "z", or a number for each vertex' + (f"; the data on the vertices are {known}" if known else "")
+        raise_invalid(f"the values are {values!r}", cure)
+    points, axis = model.vertices, "xyz".index(values)
     if points is None or np.shape(points)[1] <= axis:
         raise_invalid(f"the vertices of the model have no coordinate {values}", "give a number for each vertex")
     return np.asarray(points)[:, axis]
@@ -1067,7 +1111,7 @@ def extended_persistence(
     kinds: dict[str, list[tuple[int, tuple[float, float]]]] = {"ordinary": [], "relative": [], "extended+": [], "extended-": []}
     for kind, degree, birth, death in _coface._extended_persistence(complex, values, coefficients=coefficients, least=least):
         kinds[kind].append((degree, (birth, death)))
-    return kinds
+    return FactsAnswer(kinds)
 
 
 @in_words
@@ -1111,7 +1155,7 @@ def vineyard(
     """
     complex = as_chain_complex(x, progress=progress)
     values = [_at_vertices(function, x, complex) for function in functions]
-    return _coface._vineyard(complex, values, coefficients=coefficients, least=least, progress=progress)
+    return ListAnswer(_coface._vineyard(complex, values, coefficients=coefficients, least=least, progress=progress))
 
 
 @in_words
@@ -1165,7 +1209,7 @@ def zigzag(
     kinds: dict[str, list[tuple[int, tuple[float, float]]]] = {"closed-open": [], "closed-closed": [], "open-closed": [], "open-open": []}
     for kind, degree, birth, death in _coface._zigzag(steps, times, coefficients=coefficients, least=least):
         kinds[kind].append((degree, (birth, death)))
-    return kinds
+    return FactsAnswer(kinds)
 
 
 def _step(step: Any) -> tuple[Any, ...]:
@@ -1589,7 +1633,7 @@ def witness(
     found: Persistence = asked(
         "witness",
         point_rows(points, None),
-        landmarks,
+        _landmarks(landmarks),
         strong=strong,
         threshold=threshold,
         dimension=dimension,
@@ -1598,6 +1642,15 @@ def witness(
         progress=progress,
     )
     return found
+
+
+def _landmarks(count: Any) -> int:
+    """How many landmarks are chosen."""
+    if isinstance(count, (int, np.integer)) and not isinstance(count, bool):
+        return int(count)
+    shape = np.shape(count) if isinstance(count, (list, tuple, np.ndarray)) else ()
+    what = f"an array of shape {shape}" if shape else f"a {type(count).__name__}"
+    raise_invalid(f"landmarks is {what}", "give how many are chosen among the points, such as landmarks=20; they are spread over the points")
 
 
 @in_words
@@ -1636,7 +1689,7 @@ def witness_complex(
     >>> coface.homology(coface.witness_complex(ring, 4, threshold=0)).betti_numbers
     (1, 1)
     """
-    return _coface.witness_complex(point_rows(points, None), landmarks, strong=strong, threshold=threshold, dimension=dimension)
+    return _coface.witness_complex(point_rows(points, None), _landmarks(landmarks), strong=strong, threshold=threshold, dimension=dimension)
 
 
 @in_words

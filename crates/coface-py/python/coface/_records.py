@@ -17,6 +17,7 @@ import numpy as np
 from coface import _coface
 from coface._arrays import raise_invalid
 from coface._coface import (
+    Chain,
     ChainComplex,
     Cocycles,
     Complex,
@@ -27,6 +28,9 @@ from coface._coface import (
     CutCells,
     Domain,
     FundamentalGroup,
+    Generator,
+    Homology,
+    HomologyGroup,
     Kinks,
     LarModel,
     Interface,
@@ -52,6 +56,7 @@ MAKERS: dict[str, Callable[..., Any]] = {
     "ChainComplex.from_boundaries": ChainComplex.from_boundaries,
     "ChainComplex.of_points": ChainComplex.of_points,
     "Complex": Complex,
+    **{f"{cls.__name__}.from_dict": getattr(cls, "from_dict") for cls in (Chain, Generator, Homology, HomologyGroup, Verdict) if hasattr(cls, "from_dict")},
     "FundamentalGroup": FundamentalGroup,
     "CuboidGrid": CuboidGrid,
     "CuboidGrid.of_lengths": lambda lengths: CuboidGrid(lengths=lengths),

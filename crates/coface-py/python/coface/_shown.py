@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from coface._answers import is_facts
 from coface._arrays import lists, ragged, raise_invalid
 from coface._coface import (
     Chain,
@@ -61,7 +62,7 @@ class Shown:
 
 def is_answer(x: Any) -> bool:
     """Whether this is an object of the package."""
-    return type(x).__module__ == "coface"
+    return type(x).__module__ == "coface" or is_facts(x)
 
 
 def is_model(x: Any) -> bool:
@@ -113,6 +114,9 @@ def shown(x: Any, results: Any = None) -> Shown:
 
 def _flat(x: Any) -> list[Any]:
     """The members of lists of lists of answers."""
+    x = unwrapped(x)
+    if is_facts(x):
+        return [x]
     if isinstance(x, (list, tuple)) and len(x) == 0:
         return []
     if isinstance(x, (list, tuple)) and (any(is_answer(one) or isinstance(one, dict) for one in x) or any(_is_list_of_answers(one) for one in x)):
@@ -121,7 +125,7 @@ def _flat(x: Any) -> list[Any]:
 
 
 def _is_list_of_answers(x: Any) -> bool:
-    return isinstance(x, (list, tuple)) and any(is_answer(one) or isinstance(one, dict) or _is_list_of_answers(one) for one in x)
+    return not is_facts(x) and isinstance(x, (list, tuple)) and any(is_answer(one) or isinstance(one, dict) or _is_list_of_answers(one) for one in x)
 
 
 def _result(x: Any) -> Shown:
@@ -130,6 +134,8 @@ def _result(x: Any) -> Shown:
 
 
 def _one(x: Any) -> Shown:
+    if is_facts(x) and not ({"harmonic", "generators", "loops", "cocycles", "simplices", "diagram"} & set(x if isinstance(x, dict) else ())):
+        return Shown()
     if isinstance(x, dict):
         return Shown(None, [{key: value for key, value in x.items() if key != "recipe"}])
     if isinstance(x, np.ndarray) and x.ndim == 2 and x.dtype.kind == "f" and x.shape[1] > 3:

@@ -5,16 +5,18 @@ from __future__ import annotations
 import html
 import json
 import os
+import warnings
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from coface import _coface
+from coface._answers import html_of, is_facts
 from coface._arrays import raise_invalid
-from coface._coface import ChainComplex, Interface, Persistence, YinSet
+from coface._coface import AssumptionWarning, ChainComplex, Interface, Persistence, YinSet
 from coface._faults import in_words
 from coface._scenes import colored
-from coface._shown import is_answer, shown
+from coface._shown import _flat, is_answer, shown
 
 
 @in_words
@@ -62,24 +64,32 @@ def page(
     >>> '"name":"ring"' in text, '"name":"ball"' in text
     (True, True)
     """
-    if isinstance(x, dict) and "extended+" in x and not results:
-        return _extended_page(x, title or "extended persistence")
+    if isinstance(x, dict) and ("extended+" in x or "closed-open" in x) and not results:
+        return _extended_page(x, title or ("extended persistence" if "extended+" in x else "zigzag persistence"))
     together = shown(x, results)
     members = colored(together.members, colors)
     if together.model is None and is_answer(x) and (not together.facts or isinstance(x, Persistence) and not results):
-        body = getattr(x, "_repr_html_", lambda: f"<pre>{html.escape(repr(x))}</pre>")()
+        body = html_of(x) if is_facts(x) else getattr(x, "_repr_html_", lambda: f"<pre>{html.escape(repr(x))}</pre>")()
         name = html.escape(title or type(x).__name__)
         return f"<!doctype html><html><head><meta charset=\"utf-8\"><title>{name}</title></head><body><h1>{name}</h1>{body}</body></html>"
     texts = [json.dumps(fact) for fact in together.facts]
+    _warn_of_tables(x, results)
     return _coface._page(together.scene(), title or "model", texts, report, members, progress)
 
 
+def _warn_of_tables(*given: Any) -> None:
+    """Says which answers have no cells, so that nothing of them is drawn over the model."""
+    if any(is_facts(one) for x in given if x is not None for one in _flat(x)):
+        message = "an answer in the list has no cells to draw: its table is in coface.view(answer, path)"
+        warnings.warn(message, AssumptionWarning, stacklevel=4)
+
+
 def _extended_page(found: dict[str, Any], title: str) -> str:
-    """A page with the table of extended persistence."""
+    """A page with the table of extended persistence, or of a zigzag."""
     rows = "".join(
         f"<tr><td>{kind}</td><td>{degree}</td><td>{birth:g}</td><td>{death:g}</td></tr>"
-        for kind in ("ordinary", "relative", "extended+", "extended-")
-        for degree, (birth, death) in found[kind]
+        for kind, pairs in found.items()
+        for degree, (birth, death) in pairs
     )
     name = html.escape(title)
     head = "<tr><th>kind</th><th>degree</th><th>birth</th><th>death</th></tr>"
@@ -218,6 +228,8 @@ def render(
     if not results and isinstance(x, ChainComplex) and x.source is None:
         return _coface._matrix_picture(x, format, size, transparent)
     together = shown(x, results)
+    if together.model is not None:
+        _warn_of_tables(x, results)
     if together.model is None and not together.facts and is_answer(x):
         raise_invalid(
             f"this {type(x).__name__} has no cells that could be drawn",

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from typing import Any, cast
 
 from coface import _coface
+from coface._answers import FactsAnswer
 from coface._coface import Model
 from coface._faults import in_words
 from coface._questions import _inputs
@@ -236,4 +237,4 @@ def coverage(*models: Any, gap_width: float | None = None, progress: Any = False
     (False, [2.0])
     """
     model, answer = _coface.map_task(_inputs(models), "coverage", length=gap_width, progress=progress)
-    return {**cast("dict[str, Any]", answer["coverage"]), "edges": model}
+    return FactsAnswer({**cast("dict[str, Any]", answer["coverage"]), "edges": model})

@@ -7,11 +7,12 @@ use coface::algebra::RaggedArray;
 use coface::complexes::cell_mesh::CellShape;
 use coface::geometry::Positions;
 use coface::io;
-use coface::io::{GroupKind, Structure};
+use coface::io::{GroupKind, ReferenceSystem, Structure};
 use coface::{Error, VertexId};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::borrow::Cow;
 
 /// What users give as cells by kind.
 #[derive(Default)]
@@ -268,5 +269,40 @@ impl super::Model {
             dict.set_item(shape_word(shape), value)?;
         }
         Ok(dict)
+    }
+}
+
+/// The data on cells as (name, kind, array).
+pub(super) fn data_of<'py>(
+    py: Python<'py>,
+    model: &io::Model,
+) -> PyResult<Vec<(String, &'static str, Bound<'py, PyAny>)>> {
+    let mut list = Vec::new();
+    for data in model.data() {
+        let (width, count) = (data.components(), data.len());
+        let array = if data.is_integral() {
+            let rows = (0..count).flat_map(|i| data.integer_row(i).unwrap_or_default()).collect();
+            PyArray1::from_vec(py, rows).into_any()
+        } else {
+            let rows: Vec<f64> = (0..count).flat_map(|i| data.real_row(i)).collect();
+            PyArray1::from_vec(py, rows).into_any()
+        };
+        let array = if width == 1 { array } else { array.call_method1("reshape", ((count, width),))? };
+        list.push((data.name().to_owned(), kind_word(data.kind()), array));
+    }
+    Ok(list)
+}
+
+/// A reference system by the name that pyproj takes: the number of EPSG, another authority with its code, or WKT.
+pub(super) fn system_name(system: &ReferenceSystem) -> Option<String> {
+    let by_number = || system.srid().map(|srid| format!("EPSG:{srid}"));
+    let Cow::Borrowed(member) = system.crs() else { return by_number() };
+    let member: serde_json::Value = serde_json::from_str(member).ok()?;
+    let name = member.get("properties").and_then(|properties| properties.get("name"));
+    let name = name.and_then(serde_json::Value::as_str);
+    match name {
+        // With longitudes first, which the number does not say.
+        Some("OGC:CRS84") => name.map(str::to_owned),
+        _ => by_number().or_else(|| name.map(str::to_owned)),
     }
 }

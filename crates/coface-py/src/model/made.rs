@@ -133,7 +133,7 @@ pub(super) fn triangulated(model: &Model) -> Result<Model, Error> {
     let group = |group: &Group| match group.kind() {
         GroupKind::Polygons => {
             let of = |&member: &u32| starts[member as usize]..starts[member as usize + 1];
-            Group::new(group.name(), group.kind(), group.members().iter().flat_map(of).collect())
+            group.with_members(group.members().iter().flat_map(of).collect())
         }
         _ => group.clone(),
     };
@@ -143,7 +143,9 @@ pub(super) fn triangulated(model: &Model) -> Result<Model, Error> {
         data: model.data().iter().map(data).collect(),
         ..model.clone().into_parts()
     }
-    .into_model())
+    .into_model()
+    .with_features_of(model, &sources)?
+    .with_reference_system(model.reference_system().cloned()))
 }
 
 fn triangles_of(model: &Model, number: usize, polygon: &[u32]) -> Result<Vec<[u32; 3]>, Error> {

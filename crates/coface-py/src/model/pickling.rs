@@ -53,7 +53,7 @@ pub(crate) fn _model(py: Python<'_>, parts: &Bound<'_, PyDict>) -> PyResult<Mode
         io::Model::from_structure(Structure::Gluings(GluingTable::from_rows(&rows).or_raise(py)?))
     } else if let Some(voxels) = parts.get_item("voxels")? {
         let (voxels, periodic) = voxels.extract()?;
-        return _volume(py, voxels, periodic);
+        _volume(py, voxels, periodic)?.model().clone()
     } else if let Some(complex) = parts.get_item("chains")? {
         let complex = complex.cast::<ChainComplex>()?.get().complex.as_ref().clone();
         let made = if positions.is_empty() {
@@ -98,6 +98,9 @@ pub(crate) fn _model(py: Python<'_>, parts: &Bound<'_, PyDict>) -> PyResult<Mode
     }
     if let Some(text) = parts.get_item("exact")? {
         model = io::json::with_exact_keys(model, text.extract::<String>()?.as_bytes()).or_raise(py)?;
+    }
+    if let Some(text) = parts.get_item("kept")? {
+        model = model.with_kept(&text.extract::<String>()?).or_raise(py)?;
     }
     let mut model = Model::of(model);
     for data in field("data")?.try_iter()? {
@@ -163,6 +166,7 @@ pub(super) fn parts<'py>(py: Python<'py>, model_of: &Model) -> PyResult<Bound<'p
         parts.set_item("exact", text)?;
     }
     parts.set_item("groups", model_of.groups(py))?;
+    parts.set_item("kept", model.kept())?;
     parts.set_item("data", model_of.data(py)?)?;
     Ok(parts)
 }

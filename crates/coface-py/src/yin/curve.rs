@@ -2,7 +2,7 @@
 
 use super::{ends_of, order_of, point_array, points_of};
 use crate::arrays;
-use crate::errors::{OrRaise, whole, wrong_type};
+use crate::errors::{OrRaise, bound, required, whole, wrong_type};
 use crate::work::run;
 use coface::geometry::Angle;
 use coface::io;
@@ -10,7 +10,7 @@ use coface::yin;
 use coface::yin::{Location, Order};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyDict, PyTuple};
 
 /// A piecewise polynomial curve of the plane: a polyline or a spline.
 ///
@@ -32,19 +32,34 @@ use pyo3::types::PyTuple;
 #[pyclass(frozen, module = "coface", name = "Curve")]
 pub(crate) struct Curve {
     pub(super) curve: yin::Curve<'static>,
+    /// The numbers of the knots where it may turn, rising.
+    pub(super) kinks: Vec<u32>,
+}
+
+impl Curve {
+    /// A curve that is smooth, or whose corners nobody named.
+    fn plain(curve: yin::Curve<'static>) -> Self {
+        Self { curve, kinks: Vec::new() }
+    }
+
+    /// The same curve elsewhere.
+    fn moved(&self, curve: yin::Curve<'static>) -> Self {
+        Self { curve, kinks: self.kinks.clone() }
+    }
 }
 
 #[pymethods]
 impl Curve {
     #[new]
-    #[pyo3(signature = (points, order=2, ends=None))]
+    #[pyo3(signature = (*arguments, **options), text_signature = "(points, order=2, ends=None)")]
     fn new(
         py: Python<'_>,
-        points: &Bound<'_, PyAny>,
-        #[pyo3(from_py_with = whole)] order: usize,
-        ends: Option<&Bound<'_, PyAny>>,
+        arguments: &Bound<'_, PyTuple>,
+        options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
-        let points = points_of(points, "points")?;
+        let [points, order, ends] = bound("Curve", ["points", "order", "ends"], 3, arguments, options)?;
+        let points = points_of(&required(py, "Curve", "points", points)?, "points")?;
+        let order = order.as_ref().map_or(Ok(2), whole)?;
         let ends: String = match ends {
             None => "not-a-knot".to_owned(),
             Some(ends) => ends.extract().map_err(|_| {
@@ -56,7 +71,7 @@ impl Curve {
             Order::LINEAR => yin::Curve::polyline(&points),
             order => yin::Curve::fit(&points, order, &ends),
         })?;
-        Ok(Self { curve })
+        Ok(Self::plain(curve))
     }
 
     /// A closed spline through points with kinks at some of them.
@@ -66,7 +81,7 @@ impl Curve {
     /// points : array_like, shape (n, 2)
     ///     Points, the first one not repeated.
     /// kinks : array_like of int, optional
-    ///     Places of points where the curve may turn.
+    ///     Places of points where the curve may turn; :class:`YinSet` takes them over.
     /// order : {2, 4, 6, 8}
     ///     The order.
     /// ends : {"not-a-knot", "natural"}
@@ -81,10 +96,11 @@ impl Curve {
         ends: &str,
     ) -> PyResult<Self> {
         let points = points_of(points, "points")?;
-        let kinks = kinks.map_or(Ok(Vec::new()), |kinks| arrays::ids(kinks, "kinks"))?;
+        let mut kinks = kinks.map_or(Ok(Vec::new()), |kinks| arrays::ids(kinks, "kinks"))?;
         let (order, ends) = (order_of(py, order)?, ends_of(py, ends)?);
         let curve = run(py, None, || yin::Curve::fit_closed(&points, &kinks, order, &ends))?;
-        Ok(Self { curve })
+        kinks.sort_unstable();
+        Ok(Self { curve, kinks })
     }
 
     /// A circle, counterclockwise.
@@ -98,7 +114,7 @@ impl Curve {
         #[pyo3(from_py_with = whole)] order: usize,
     ) -> PyResult<Self> {
         let curve = yin::Curve::circle(center, radius, pieces, order_of(py, order)?).or_raise(py)?;
-        Ok(Self { curve })
+        Ok(Self::plain(curve))
     }
 
     /// An ellipse, counterclockwise.
@@ -112,7 +128,7 @@ impl Curve {
         #[pyo3(from_py_with = whole)] order: usize,
     ) -> PyResult<Self> {
         let curve = yin::Curve::ellipse(center, axes, pieces, order_of(py, order)?).or_raise(py)?;
-        Ok(Self { curve })
+        Ok(Self::plain(curve))
     }
 
     /// The order: the degree of pieces plus 1.
@@ -137,6 +153,12 @@ impl Curve {
     #[getter]
     fn knots<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, self.curve.knots())
+    }
+
+    /// The numbers of the knots where the curve may turn, as :meth:`closed` was told or a :class:`YinSet` has them.
+    #[getter]
+    fn kinks<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        arrays::id_array(py, self.kinks.iter().copied())
     }
 
     /// The Bezier controls of all pieces: shape (n, 2).
@@ -178,18 +200,21 @@ impl Curve {
 
     /// The other way round.
     fn reversed(&self) -> Self {
-        Self { curve: self.curve.reversed() }
+        let count = self.curve.piece_count() as u32;
+        let mut kinks: Vec<u32> = self.kinks.iter().map(|&kink| (count - kink) % count).collect();
+        kinks.sort_unstable();
+        Self { curve: self.curve.reversed(), kinks }
     }
 
     /// Moved by a vector.
     fn translated(&self, by: [f64; 2]) -> Self {
-        Self { curve: self.curve.translated(by) }
+        self.moved(self.curve.translated(by))
     }
 
     /// Turned by degrees about a center.
     #[pyo3(signature = (degrees, center=[0.0, 0.0]))]
     fn rotated(&self, py: Python<'_>, degrees: f64, center: [f64; 2]) -> PyResult<Self> {
-        Ok(Self { curve: self.curve.rotated(Angle::degrees(degrees).or_raise(py)?, center) })
+        Ok(self.moved(self.curve.rotated(Angle::degrees(degrees).or_raise(py)?, center)))
     }
 
     /// ``inside``, ``outside`` or ``boundary``: where a point lies of a closed curve.
@@ -206,7 +231,10 @@ impl Curve {
     }
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
-        other.cast::<Self>().is_ok_and(|other| self.curve == other.get().curve)
+        other.cast::<Self>().is_ok_and(|other| {
+            let other = other.get();
+            self.curve == other.curve && self.kinks == other.kinks
+        })
     }
 
     fn __hash__(&self) -> isize {
@@ -220,20 +248,23 @@ impl Curve {
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let rebuild = py.import("coface._coface")?.getattr("_curve")?;
-        let parts = (self.order(), self.controls(py)?, self.knots(py));
+        let parts = (self.order(), self.controls(py)?, self.knots(py), self.kinks(py));
         Ok((rebuild, parts.into_pyobject(py)?))
     }
 }
 
 /// Makes a curve again, for pickling.
 #[pyfunction]
+#[pyo3(signature = (order, controls, knots, kinks=None))]
 pub(crate) fn _curve(
     py: Python<'_>,
     #[pyo3(from_py_with = whole)] order: usize,
     controls: &Bound<'_, PyAny>,
     knots: &Bound<'_, PyAny>,
+    kinks: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Curve> {
     let (controls, knots) = (points_of(controls, "controls")?, arrays::finite(knots, "knots")?);
     let curve = yin::Curve::from_controls(order_of(py, order)?, controls, knots).or_raise(py)?;
-    Ok(Curve { curve })
+    let kinks = kinks.map_or(Ok(Vec::new()), |kinks| arrays::ids(kinks, "kinks"))?;
+    Ok(Curve { curve, kinks })
 }

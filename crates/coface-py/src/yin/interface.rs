@@ -10,9 +10,9 @@ use crate::arrangement::rule_of;
 use crate::congruence::choice;
 use crate::errors::{self, OrRaise, invalid};
 use crate::model::Model;
-use crate::objects::to_python;
+use crate::objects::{remarks_of, to_python};
 use crate::pictures::flat_file;
-use crate::target::Target;
+use crate::target::{Target, warn_all};
 use crate::work::run;
 use coface::answers::answer::{
     InterfacePoint, YinInterfaceAnswer, YinInterfaceEventAnswer, YinLocation, to_json,
@@ -53,9 +53,13 @@ answer! { Interface {
     smooth_pairs,
     /// The length of all edges, each once; ``None`` where it overflows.
     length,
-    /// What was assumed or left out.
-    remarks,
 }
+    /// What was assumed, changed or left out, each a dictionary with ``code``, ``message``, ``count`` and ``places``; a warning said so too.
+    #[getter]
+    fn remarks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        remarks_of(py, &self.answer.remarks)
+    }
+
     fn _picture<'py>(
         &self,
         py: Python<'py>,
@@ -660,11 +664,13 @@ pub(crate) fn _interface(
     let named = names.into_iter().zip(&sets).map(|(name, set)| NamedSet::new(name, set.set.as_ref().clone()));
     let named: Vec<NamedSet> = named.collect();
     drop(sets);
-    run(py, progress, || {
+    let made = run(py, progress, || {
         let options =
             InterfaceOptions::new(PlanarInterface::order_for(&named)).smooth_angle(smooth.to_radians());
         Interface::of(PlanarInterface::of(named, &options, overlaps)?)
-    })
+    })?;
+    warn_all(py, &made.answer.remarks)?;
+    Ok(made)
 }
 
 /// Makes an interface again, for pickling.

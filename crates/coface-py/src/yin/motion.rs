@@ -6,12 +6,14 @@ use crate::cures::in_python;
 use crate::errors::{self, OrRaise, invalid};
 use crate::work::run;
 use coface::Error;
+use coface::answers::answer::YinEventAnswer;
 use coface::answers::contact_below_knots;
 use coface::yin::{
     Flow, MarkerParameters, OnContact, RungeKutta, TrackingOptions, VelocityExpression, Verification,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyString;
+use serde::Serialize;
 
 /// A velocity field.
 pub(super) enum GivenFlow {
@@ -124,4 +126,30 @@ pub(super) fn below_knots(py: Python<'_>, options: &TrackingOptions) -> PyResult
 pub(super) fn parameters_of(py: Python<'_>, word: Option<&str>) -> PyResult<Option<MarkerParameters>> {
     let all = [("lengths", MarkerParameters::Lengths), ("kept", MarkerParameters::Kept)];
     word.map(|word| choice(py, "parameters", word, &all)).transpose()
+}
+
+/// What came of moving a set.
+#[derive(Serialize)]
+pub(super) struct MotionFacts {
+    pub(super) steps: usize,
+    pub(super) added: usize,
+    pub(super) removed: usize,
+    pub(super) vanished: Vec<VanishedCurve>,
+    pub(super) repairs: Vec<Repair>,
+    pub(super) events: Option<Vec<YinEventAnswer>>,
+}
+
+/// A curve that became too small, and when.
+#[derive(Serialize)]
+pub(super) struct VanishedCurve {
+    pub(super) time: f64,
+    pub(super) curve: u32,
+}
+
+/// A set whose curves crossed, and when it was cut and pasted.
+#[derive(Serialize)]
+pub(super) struct Repair {
+    pub(super) step: usize,
+    pub(super) time: f64,
+    pub(super) fault: String,
 }

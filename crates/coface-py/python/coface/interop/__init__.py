@@ -12,6 +12,8 @@ from typing import Any
 
 import numpy as np
 
+from coface._coface import NotInstalledError
+
 #: The first part of a class's module, or its first two parts, and the file here that reads it.
 ADAPTERS = {
     "gudhi": "gudhi",
@@ -29,7 +31,7 @@ ADAPTERS = {
 }
 
 #: What to install, where it is not the name that is imported.
-_PACKAGES = {"skimage": "scikit-image", "sklearn": "scikit-learn"}
+_PACKAGES = {"skimage": "scikit-image", "sklearn": "scikit-learn", "vtkmodules": "vtk"}
 
 
 def adapter_of(value: Any) -> ModuleType | None:
@@ -49,8 +51,8 @@ def needed(name: str, purpose: str) -> Any:
 
     Raises
     ------
-    ImportError
-        With the command that installs it.
+    NotInstalledError
+        With the command that installs it; an ``ImportError`` too.
 
     Examples
     --------
@@ -59,7 +61,7 @@ def needed(name: str, purpose: str) -> Any:
     >>> needed("no_such_module", "an example")
     Traceback (most recent call last):
     ...
-    ImportError: an example needs no_such_module, which is not installed: pip install no_such_module
+    coface.NotInstalledError: an example needs no_such_module, which is not installed; pip install no_such_module
     """
     try:
         return importlib.import_module(name)
@@ -70,4 +72,5 @@ def needed(name: str, purpose: str) -> Any:
             why = "which is not installed"
         else:
             why = f"which cannot be imported ({error})"
-        raise ImportError(f"{purpose} needs {root}, {why}: pip install {package}", name=root) from error
+        message, cure = f"{purpose} needs {root}, {why}", f"pip install {package}"
+        raise NotInstalledError(f"{message}; {cure}", fault=message, cure=cure, library=root) from error

@@ -13,8 +13,7 @@ def from_model(model: Model) -> Any:
     """A planar model as ``geopandas.GeoDataFrame``: a row for each feature; attributes are columns."""
     library = needed("geopandas", "to_geopandas")
     features = geo_interface(model)["features"]
-    srid = model.srid
-    system = None if not srid else f"EPSG:{srid}"
+    system = model.crs
     if not features:
         return library.GeoDataFrame({"geometry": []}, geometry="geometry", crs=system)
     return library.GeoDataFrame.from_features(features, crs=system)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from coface._coface import Model
-from coface._arrays import CORNERS, MIXED, blocks, numbers_on, polygons, positions, ragged, raise_invalid, steps, warn_of_data_left_out, with_numbers
+from coface._arrays import CORNERS, MIXED, SOLID, blocks, numbers_on, polygons, positions, ragged, raise_invalid, steps, warn_of_data_left_out, with_numbers
 from coface.interop import needed
 
 FACES = ("triangle", "quad", "polygon")
@@ -39,6 +39,11 @@ def to_model(value: Any) -> Model:
     if set(cells) == {"polygon"}:
         joined = {name: np.concatenate([np.asarray(part) for part in parts]) for name, parts in value.cell_data.items()}
         return with_numbers(model, joined, "faces", len(ragged(model.faces)[1]) - 1)
+    if cells and set(cells) <= set(SOLID):
+        # Cells of one kind come after each other.
+        order = [at for kind in cells for at, block in enumerate(value.cells) if block.type == kind]
+        of_cells = {name: np.concatenate([np.asarray(parts[at]) for at in order]) for name, parts in value.cell_data.items()}
+        return with_numbers(model, of_cells, "cells", sum(len(rows) for rows in cells.values()))
     warn_of_data_left_out(value.cell_data, "cells", MIXED)
     return model
 
@@ -61,6 +66,9 @@ def from_model(model: Model, **options: Any) -> Any:
         Go to the class of meshio: ``point_data`` and the like.
     """
     library = needed("meshio", "to_meshio")
+    if model.structure == "volume":
+        # The voxels that are set as hexahedra.
+        model = model.to_model()
     found: list[tuple[str, Any]] = []
     pairs = steps(model)
     if len(pairs):
@@ -79,4 +87,6 @@ def from_model(model: Model, **options: Any) -> Any:
     if len(pairs) == 0 and not model.cells and 0 < len(begins) <= MANY and "cell_data" not in options:
         cuts = np.cumsum([len(block) for _, block in found])[:-1]
         options["cell_data"] = {name: np.split(values, cuts) for name, values in numbers_on(model, "faces").items()}
+    elif len(found) == 1 and found[0][0] in SOLID and "cell_data" not in options:
+        options["cell_data"] = {name: [values] for name, values in numbers_on(model, "cells").items()}
     return library.Mesh(positions(model, "to_meshio"), found, **options)

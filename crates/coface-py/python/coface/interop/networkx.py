@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from typing import Any, NoReturn
 
 import numpy as np
@@ -56,6 +57,44 @@ def to_chain_complex(value: Any) -> ChainComplex:
     matrix.eliminate_zeros()
     names = [[[vertex] for vertex in range(len(number))], pairs.tolist()]
     return _named_chains([matrix], names)
+
+
+def named(graph: Any, walks: Any) -> Any:
+    """The nodes of a graph where an answer has numbers of vertices: of one walk, or of lists of walks.
+
+    Parameters
+    ----------
+    graph
+        The graph that was asked about.
+    walks
+        Numbers of vertices in lists or arrays, such as :attr:`Generator.loop`.
+
+    Returns
+    -------
+    list
+        The same with nodes instead of numbers.
+
+    Examples
+    --------
+    >>> import coface, pytest
+    >>> networkx = pytest.importorskip("networkx")
+    >>> graph = networkx.Graph(["ab", "bc", "ca", "cd"])
+    >>> loops = [generator.loop for generator in coface.homology(graph, generators=True)[1].generators]
+    >>> [sorted(loop[:-1]) for loop in coface.interop.networkx.named(graph, loops)]
+    [['a', 'b', 'c']]
+    """
+    nodes = list(graph.nodes)
+
+    def node(number: Any) -> Any:
+        at = operator.index(number)
+        if not 0 <= at < len(nodes):
+            raise_invalid(f"the graph has {len(nodes)} nodes, and none with the number {at}", "give the graph that the answer is about")
+        return nodes[at]
+
+    def of(walk: Any) -> Any:
+        return [of(one) for one in walk] if isinstance(walk, (list, tuple, np.ndarray)) else node(walk)
+
+    return of(walks)
 
 
 def _pairs(value: Any) -> tuple[dict[Any, int], Any]:

@@ -30,6 +30,9 @@ def to_model(value: Any) -> Model:
 def from_model(model: Model) -> Any:
     """A model as ``open3d.geometry.TriangleMesh``, ``TetraMesh``, ``LineSet`` or ``PointCloud``: what it has most of."""
     library = needed("open3d", "to_open3d")
+    if model.structure == "volume":
+        # The squares around the voxels, as triangles.
+        model = model.to_model(surface=True).triangulated()
     points = library.utility.Vector3dVector(np.array(positions(model, "to_open3d")))
     solids = model.cells
     if len(solids):

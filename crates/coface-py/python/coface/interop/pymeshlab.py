@@ -26,6 +26,8 @@ def to_model(value: Any) -> Model:
 def from_model(model: Model) -> Any:
     """A model of triangles, or of points alone, as ``pymeshlab.Mesh``."""
     library = needed("pymeshlab", "to_pymeshlab")
+    if model.structure == "volume":
+        model = model.to_model(surface=True).triangulated()
     points, faces = positions(model, "to_pymeshlab"), triangles(model, "to_pymeshlab")
     if len(ragged(model.lines)[0]) or any(len(cells) for cells in model.cells.values()):
         raise_invalid(

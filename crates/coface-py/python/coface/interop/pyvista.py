@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from coface._coface import Model
-from coface._arrays import MIXED, SOLID, lists, numbers_on, padded, polygons, positions, ragged, raise_invalid, unpadded, warn_of_data_left_out, with_numbers
+from coface._arrays import MIXED, SOLID, lists, numbers_on, padded, polygons, positions, ragged, unpadded, warn_of_data_left_out, with_numbers
 from coface.interop import needed
 
 #: The numbers that VTK has for kinds of cells.
@@ -21,6 +21,8 @@ NUMBERS = {
 LINE, POLYLINE, PIXEL, VOXEL = 3, 4, 8, 11
 #: Triangles, polygons, pixels and quadrilaterals.
 FACES = (5, 7, PIXEL, 9)
+_SOLIDS = (10, VOXEL, 12, 13, 14)
+_LINEAR = (*FACES, *NUMBERS, LINE, POLYLINE, VOXEL)
 
 
 def is_other(value: Any) -> bool:
@@ -32,10 +34,7 @@ def is_other(value: Any) -> bool:
 def to_model(value: Any) -> Model:
     """A ``PolyData``, an ``UnstructuredGrid`` or anything else of VTK that pyvista can cast to one of them.
 
-    Raises
-    ------
-    coface.InvalidInputError
-        If there is a kind of cell that is not linear.
+    Cells that are not linear, polyhedra, strips and cells of several points are read as a ``.vtu`` file of them is.
     """
     if hasattr(value, "faces") and hasattr(value, "lines") and hasattr(value, "strips"):
         if len(value.strips):
@@ -59,6 +58,8 @@ def to_model(value: Any) -> Model:
     # The name was `offset` before version 0.49.
     offsets = np.asarray(value.cell_offsets if hasattr(value, "cell_offsets") else value.offset, np.int64)
     kinds = np.asarray(value.celltypes)
+    if not np.isin(kinds, _LINEAR).all():
+        return _as_file(value)
     cells = {}
     is_face = np.isin(kinds, FACES)
     if is_face.any():
@@ -74,16 +75,28 @@ def to_model(value: Any) -> Model:
         elif number == VOXEL:
             rows = np.array(chosen, np.int64)[:, [0, 1, 3, 2, 4, 5, 7, 6]]
             cells["hexahedron"] = np.concatenate([rows, cells["hexahedron"]]) if "hexahedron" in cells else rows
-        elif int(number) in NUMBERS:
+        else:
             rows = np.array(chosen, np.int64)
             kind = NUMBERS[int(number)]
             cells[kind] = np.concatenate([cells[kind], rows]) if kind in cells else rows
-        else:
-            raise_invalid(
-                f"cells of the kind {number} of VTK have no counterpart",
-                "make them linear: grid.linear_copy(), or grid.triangulate()",
-            )
-    return _with_data(Model.from_arrays(np.asarray(value.points, np.float64), cells=cells), value, bool(is_face.all()))
+    model = Model.from_arrays(np.asarray(value.points, np.float64), cells=cells)
+    if len(kinds) and np.isin(kinds, _SOLIDS).all():
+        # Cells of one kind come after each other.
+        order = np.argsort(kinds, kind="stable")
+        model = with_numbers(model, value.point_data, "vertices", len(value.points))
+        return with_numbers(model, {name: np.asarray(values)[order] for name, values in value.cell_data.items()}, "cells", len(kinds))
+    return _with_data(model, value, bool(is_face.all()))
+
+
+def _as_file(grid: Any) -> Model:
+    """The model of a grid as it is read from a ``.vtu`` file."""
+    writer = needed("vtkmodules.vtkIOXML", "as_model").vtkXMLUnstructuredGridWriter()
+    writer.WriteToOutputStringOn()
+    writer.SetDataModeToBinary()
+    writer.SetCompressorTypeToNone()
+    writer.SetInputData(grid)
+    writer.Write()
+    return Model.from_bytes(writer.GetOutputString().encode(), "vtu")
 
 
 def _with_data(model: Model, value: Any, has_faces_alone: bool) -> Model:
@@ -115,6 +128,9 @@ def from_model(model: Model, *, grid: bool = False, **options: Any) -> Any:
     Polygons keep their corners; in a grid, lines come first, then faces, then 3-cells.
     """
     library = needed("pyvista", "to_pyvista")
+    if model.structure == "volume":
+        # The voxels that are set as hexahedra.
+        model = model.to_model()
     points = positions(model, "to_pyvista")
     faces, walks = polygons(model), ragged(model.lines)
     solids = {kind: np.asarray(cells) for kind, cells in model.cells.items() if kind in SOLID and len(cells)}
@@ -129,6 +145,9 @@ def from_model(model: Model, *, grid: bool = False, **options: Any) -> Any:
             *(np.full(len(cells), numbers[kind]) for kind, cells in solids.items()),
         ]
         made = library.UnstructuredGrid(np.concatenate(parts), np.concatenate(kinds).astype(np.uint8), points, **options)
+        if len(solids) == 1 and not len(faces[0]) and not len(walks[0]):
+            for name, values in numbers_on(model, "cells").items():
+                made.cell_data[name] = values
         return _data_of(made, model, not solids and not len(walks[0]))
     mesh = library.PolyData(points, **options)
     if len(faces[0]):

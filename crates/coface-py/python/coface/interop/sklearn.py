@@ -152,8 +152,21 @@ class PointDiagrams(_ListsOfDiagrams):
         """For each cloud, for each degree, an array ``(n, 2)`` of births and deaths."""
         options: dict[str, Any] = {"distances": self.distances, "threshold": self.threshold, "coefficients": self.coefficients, "least": self.least}
         top = max(self.degrees, default=0)
-        answers = (rips(sample, dimension=top, **options) for sample in X)
+        samples = X if isinstance(X, np.ndarray) else list(X)
+        if self.distances == "points" and any(_is_row(sample) for sample in samples):
+            raise_invalid(
+                "a sample is a row of numbers, and no cloud of points",
+                "give a list of clouds, each an array of shape (points, coordinates); one cloud is [points]",
+            )
+        answers = (rips(sample, dimension=top, **options) for sample in samples)
         return [[answer.diagram(degree) for degree in self.degrees] for answer in answers]
+
+
+def _is_row(sample: Any) -> bool:
+    """Whether a sample is one list of numbers."""
+    if isinstance(sample, np.ndarray):
+        return sample.ndim == 1 and sample.dtype.kind in "biuf" and sample.size > 0
+    return isinstance(sample, (list, tuple)) and len(sample) > 0 and all(isinstance(one, (int, float, np.number)) for one in sample)
 
 
 def _falling(diagram: NDArray[np.float64]) -> NDArray[np.float64]:

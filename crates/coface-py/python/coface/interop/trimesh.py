@@ -60,11 +60,13 @@ def from_model(model: Model, **options: Any) -> Any:
     Parameters
     ----------
     model
-        Its faces have to be triangles. Where it has faces and 3-cells, the faces are taken, and a warning says so.
+        Its polygons are cut into triangles. Where it has faces and 3-cells, the faces are taken, and a warning says so.
     **options
         Go to the class of trimesh. ``process=False`` stands unless said otherwise, so that vertices keep their numbers.
     """
     library = needed("trimesh", "to_trimesh")
+    if model.structure == "volume":
+        model = model.to_model(surface=True)
     if len(model.faces) == 0 and len(model.lines):
         path = needed("trimesh.path", "to_trimesh")
         entities = [path.entities.Line(pair) for pair in steps(model)]
@@ -77,7 +79,7 @@ def from_model(model: Model, **options: Any) -> Any:
         else:
             model = _boundary(model)
     points = positions(model, "to_trimesh")
-    return library.Trimesh(points, triangles(model, "to_trimesh"), **{"process": False, **options})
+    return library.Trimesh(points, triangles(model.triangulated(), "to_trimesh"), **{"process": False, **options})
 
 
 def _boundary(model: Model) -> Model:
