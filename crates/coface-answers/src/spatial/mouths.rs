@@ -76,7 +76,7 @@ impl SpatialScene {
             let mut sides: Vec<[u32; 2]> = own.iter().map(|side| side.1).collect();
             let edges = sides.len();
             let walks = closed_walks(&mut sides);
-            self.refuse_loose_polygons(input, walks.len())?;
+            self.refuse_loose_polygons(input, walks.len(), edges)?;
             let mut triangles = Vec::new();
             walks.iter().for_each(|walk| self.triangulate(walk, &mut triangles));
             let mut area = 0.0;
@@ -114,17 +114,21 @@ impl SpatialScene {
     }
 
     /// Refuses to close an input that is nothing but mouths: patches would cover its polygons, and enclose nothing.
-    fn refuse_loose_polygons(&self, input: u32, mouth_count: usize) -> Result<(), Error> {
+    fn refuse_loose_polygons(&self, input: u32, mouth_count: usize, edges: usize) -> Result<(), Error> {
         let is_own = |polygon: &usize| self.input_of_polygon[*polygon] == input && !self.is_wall[*polygon];
         let own = (0..self.first_patch.unwrap_or(self.polygon_count())).filter(is_own).count();
-        if own < LEAST_POLYGONS || mouth_count < own.div_ceil(2) {
+        let walks = self.walks.iter().zip(&self.polygon_of_walk);
+        let sides: usize =
+            walks.filter(|(_, polygon)| is_own(&(**polygon as usize))).map(|(walk, _)| walk.len()).sum();
+        if own < LEAST_POLYGONS || mouth_count < own.div_ceil(2) || 2 * edges <= sides {
             return Ok(());
         }
         let fault = format!(
             "{own} polygons have {mouth_count} mouths, since they hardly share a side: patches would cover them and enclose nothing"
         );
         let error = Error::new(ErrorKind::NotACycle, fault).in_file(self.label(input as usize));
-        Err(match self.weld_of(input as usize) {
+        let radius = self.weld_of(input as usize).or_else(|| self.crack_weld(input as usize));
+        Err(match radius {
             Some(radius) => {
                 error.with_cure(format!("merge vertices that nearly coincide (--weld {radius:.2e})"))
             }
@@ -199,6 +203,58 @@ impl SpatialScene {
         // What closes it at some radius does so at longer ones, unless features vanish.
         let least = radii.partition_point(|&radius| !closes(radius));
         radii.get(least).copied().filter(|&radius| closes(radius))
+    }
+
+    /// The radius within which vertices have to be merged so that an input has mouths alone and no cracks: the least one that is
+    /// tried with the shortest rim, if that is at most half as long as without; none if there is none that is small beside the
+    /// input. What is left open are mouths.
+    ///
+    /// # Complexity
+    /// As [`Self::closing_weld`].
+    pub(super) fn crack_weld(&self, input: usize) -> Option<f64> {
+        let is_own = |other: u32| other as usize == input;
+        let length = |radius: f64| Some(self.rims(&self.welded_points(input, radius).ok()?, is_own).len());
+        self.shortest(self.rims(&self.classes_of_points(), is_own).len(), length)
+    }
+
+    /// The radius within which vertices have to be merged so that each side is one of an even number of polygons, whatever their
+    /// directions; none where that is so as it is, by the numbers of vertices, or is with no radius that is small beside the input.
+    pub(super) fn pairing_weld(&self, input: usize) -> Option<f64> {
+        let whole: Vec<u32> = (0..(self.flat.len() / 3) as u32).collect();
+        let odd = self.odd_side_count(input, &whole);
+        let length = |radius: f64| Some(self.odd_side_count(input, &self.welded_points(input, radius).ok()?));
+        self.shortest(odd, length).filter(|&radius| length(radius) == Some(0))
+    }
+
+    /// The least radius of those that are tried for which a length is least, if that is at most half of another one.
+    fn shortest(&self, without: usize, length: impl Fn(f64) -> Option<usize>) -> Option<f64> {
+        let crack = CRACK_PART * self.extent();
+        let mut radius = LEAST_PART * self.extent();
+        let mut best: Option<(usize, f64)> = None;
+        while radius > 0.0 && radius <= crack {
+            let tried = in_one_digit(radius);
+            let own = length(tried)?;
+            if 2 * own <= without && without > 0 && best.is_none_or(|(least, _)| own < least) {
+                best = Some((own, tried));
+            }
+            radius *= RADIUS_STEP;
+        }
+        best.map(|(_, radius)| radius)
+    }
+
+    /// The number of sides that an odd number of polygons of an input have.
+    fn odd_side_count(&self, input: usize, class: &[u32]) -> usize {
+        let mut sides: Vec<[u32; 2]> = Vec::new();
+        for (walk, &polygon) in self.walks.iter().zip(&self.polygon_of_walk) {
+            if self.is_wall[polygon as usize] || self.input_of_polygon[polygon as usize] as usize != input {
+                continue;
+            }
+            let ends = walk.iter().zip(walk.iter().cycle().skip(1));
+            let ends = ends.map(|(&a, &b)| [a, b].map(|vertex| class[vertex as usize]));
+            sides.extend(ends.filter(|[a, b]| a != b).map(|[a, b]| [a.min(b), a.max(b)]));
+        }
+        sides.sort_unstable();
+        sides.chunk_by(|x, y| x == y).filter(|same| same.len() % 2 == 1).count()
     }
 
     /// For each point the one that it is merged with within a radius, in the file of an input.
