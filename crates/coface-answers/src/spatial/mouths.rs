@@ -120,15 +120,14 @@ impl SpatialScene {
         let walks = self.walks.iter().zip(&self.polygon_of_walk);
         let sides: usize =
             walks.filter(|(_, polygon)| is_own(&(**polygon as usize))).map(|(walk, _)| walk.len()).sum();
-        if own < LEAST_POLYGONS || mouth_count < own.div_ceil(2) || 2 * edges <= sides {
+        if own < LEAST_POLYGONS || mouth_count < own.div_ceil(2) || 4 * edges <= 3 * sides {
             return Ok(());
         }
         let fault = format!(
             "{own} polygons have {mouth_count} mouths, since they hardly share a side: patches would cover them and enclose nothing"
         );
         let error = Error::new(ErrorKind::NotACycle, fault).in_file(self.label(input as usize));
-        let radius = self.weld_of(input as usize).or_else(|| self.crack_weld(input as usize));
-        Err(match radius {
+        Err(match self.weld_of(input as usize) {
             Some(radius) => {
                 error.with_cure(format!("merge vertices that nearly coincide (--weld {radius:.2e})"))
             }
@@ -214,7 +213,7 @@ impl SpatialScene {
     pub(super) fn crack_weld(&self, input: usize) -> Option<f64> {
         let is_own = |other: u32| other as usize == input;
         let length = |radius: f64| Some(self.rims(&self.welded_points(input, radius).ok()?, is_own).len());
-        self.shortest(self.rims(&self.classes_of_points(), is_own).len(), length)
+        self.shortest(input, self.rims(&self.classes_of_points(), is_own).len(), length)
     }
 
     /// The radius within which vertices have to be merged so that each side is one of an even number of polygons, whatever their
@@ -223,13 +222,13 @@ impl SpatialScene {
         let whole: Vec<u32> = (0..(self.flat.len() / 3) as u32).collect();
         let odd = self.odd_side_count(input, &whole);
         let length = |radius: f64| Some(self.odd_side_count(input, &self.welded_points(input, radius).ok()?));
-        self.shortest(odd, length).filter(|&radius| length(radius) == Some(0))
+        self.shortest(input, odd, length).filter(|&radius| length(radius) == Some(0))
     }
 
     /// The least radius of those that are tried for which a length is least, if that is at most half of another one.
-    fn shortest(&self, without: usize, length: impl Fn(f64) -> Option<usize>) -> Option<f64> {
-        let crack = CRACK_PART * self.extent();
-        let mut radius = LEAST_PART * self.extent();
+    fn shortest(&self, input: usize, without: usize, length: impl Fn(f64) -> Option<usize>) -> Option<f64> {
+        let extent = self.extent_of(input);
+        let (crack, mut radius) = (CRACK_PART * extent, LEAST_PART * extent);
         let mut best: Option<(usize, f64)> = None;
         while radius > 0.0 && radius <= crack {
             let tried = in_one_digit(radius);
@@ -240,6 +239,22 @@ impl SpatialScene {
             radius *= RADIUS_STEP;
         }
         best.map(|(_, radius)| radius)
+    }
+
+    /// The largest side of the box around an input.
+    fn extent_of(&self, input: usize) -> f64 {
+        let mut frame = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
+        for (walk, &polygon) in self.walks.iter().zip(&self.polygon_of_walk) {
+            if self.input_of_polygon[polygon as usize] as usize != input {
+                continue;
+            }
+            for &vertex in walk {
+                for (side, x) in frame.iter_mut().zip(self.point(vertex)) {
+                    *side = [side[0].min(x), side[1].max(x)];
+                }
+            }
+        }
+        frame.iter().map(|[low, high]| high - low).fold(0.0, f64::max)
     }
 
     /// The number of sides that an odd number of polygons of an input have.
