@@ -123,8 +123,13 @@ impl Facets {
             self.with_holes.push(facet.line);
         }
         facet.polygons = polygons;
-        // Segments have no direction.
-        if segment_count == 0 {
+        // Segments have no direction; and rings that touch others have no vertex there in files that are sound.
+        let touches = (0..rings.len()).any(|one| {
+            let mut others = (0..rings.len()).filter(|&other| other != one);
+            let corners = || rings[one].1.iter();
+            others.any(|other| corners().any(|&vertex| side(flat(vertex), &rings[other].1, flat) == Side::On))
+        });
+        if segment_count == 0 && !touches {
             facet.surfaces = surfaces;
         }
         if let (Some(all), 0) = (all, segment_count)
