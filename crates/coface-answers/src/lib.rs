@@ -79,7 +79,7 @@ pub use simplices::{Neighborhood, model_of_simplices, simplicial_complex, simpli
 pub use simplification::{SimplifiedManifold, gluing_model};
 pub use spatial::{
     CongruentBoolean, CongruentScene, InputState, OpenInputs, SceneArrangement, SolidBoolean, SolidRequest,
-    SpatialRequest, SpatialScene,
+    SpatialRequest, SpatialScene, remarks_of_single_precision,
 };
 pub use surface_model::{
     CutComponent, CutRequest, CutSeam, LayoutChoice, LayoutRequest, LayoutWeights, PlacedCover,

@@ -24,7 +24,8 @@ impl JoinedFeatures {
     /// Says that features were put together, because that was asked for or else needed, if it changed anything.
     pub(crate) fn remark(&self, is_asked: bool, cell: &str) -> Option<Remark> {
         let count = self.vertices + self.edges + self.crossings + self.faces;
-        if count + self.planes == 0 {
+        let vanishes = self.vanished_cells.is_some_and(|vanished| vanished > 0);
+        if count == 0 && self.largest_movement == 0.0 && !vanishes {
             return None;
         }
         let mut message = match is_asked {

@@ -13,6 +13,7 @@ use crate::{Place, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind, VertexId};
 use coface_complexes::cell_mesh::CellShape;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// A mesh that grows element by element. Groups have numbers, and names at the end.
 #[derive(Debug, Default)]
@@ -217,7 +218,8 @@ impl Assembly {
 
     /// The mesh. Vertices that only lie inside elements of higher order are left out.
     pub(crate) fn finish(mut self) -> Result<Model, Error> {
-        self.remarks.extend(std::mem::take(&mut self.oddities).into_remarks());
+        let oddities = std::mem::take(&mut self.oddities);
+        self.remarks.extend(oddities.remarks());
         let renumbered = if self.reduced_count > 0 { self.drop_inner_vertices() } else { None };
         let (positions, partial_positions) = placed(self.dimension, self.coordinates)?;
         let mut model = Model {
@@ -230,6 +232,7 @@ impl Assembly {
             lines: self.lines.into_ragged()?,
             points: self.points,
             remarks: self.remarks,
+            oddities: renumbered.is_none().then(|| Arc::new(oddities)),
             ..Model::default()
         };
         if let Some(renumbered) = &renumbered {

@@ -3,6 +3,7 @@
 use super::numbers::Numbers;
 use super::volume::VoxelFrame;
 use super::{CellData, FeatureTable, Format, Group, GroupKind, ReferenceSystem};
+use crate::oddities::Oddities;
 use crate::{Remark, StatedSurfaces};
 use coface_algebra::RaggedArray;
 use coface_algebra::chains::{ChainComplex, ChainRefinement};
@@ -42,6 +43,8 @@ pub struct Model {
     pub(crate) exact: Option<Arc<ExactPolygons>>,
     pub(crate) exact_segments: Option<Arc<ExactSegments>>,
     pub(crate) stated: Option<Arc<StatedSurfaces>>,
+    /// The oddities that the reader met, which are among the remarks.
+    pub(crate) oddities: Option<Arc<Oddities>>,
     pub(crate) features: FeatureTable,
     pub(crate) reference: Option<ReferenceSystem>,
     pub(crate) remarks: Vec<Remark>,
@@ -111,6 +114,7 @@ impl ModelParts {
             exact: None,
             exact_segments: None,
             stated: None,
+            oddities: None,
             features: FeatureTable::default(),
             reference: None,
             is_pseudomanifold,
@@ -574,6 +578,7 @@ impl Model {
             exact: _,
             exact_segments: _,
             stated: _,
+            oddities: _,
             features: _,
             reference: _,
             remarks,

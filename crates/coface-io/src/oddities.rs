@@ -1,6 +1,5 @@
 //! Oddities of ordinary files, counted while a file is read and said in one remark each at its end.
 
-use crate::remark::LISTED_PLACES;
 use crate::{Place, Remark, RemarkCode};
 use std::collections::HashSet;
 
@@ -68,6 +67,9 @@ impl Oddity {
     }
 }
 
+/// So many places of each oddity are kept, to tell those of a part of the file.
+const KEPT_PLACES: usize = 1 << 16;
+
 /// The oddities of a file so far, with the first places of each.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Oddities {
@@ -79,7 +81,7 @@ impl Oddities {
     pub(crate) fn note(&mut self, oddity: Oddity, place: impl FnOnce() -> Place) {
         let (count, places) = self.of(oddity);
         *count += 1;
-        if places.len() < LISTED_PLACES {
+        if places.len() < KEPT_PLACES {
             places.push(place());
         }
     }
@@ -90,7 +92,7 @@ impl Oddities {
             let (count, places) = self.of(oddity);
             *count += more;
             places.extend(new);
-            places.truncate(LISTED_PLACES);
+            places.truncate(KEPT_PLACES);
         }
     }
 
@@ -104,9 +106,15 @@ impl Oddities {
     }
 
     /// One remark for each oddity.
-    pub(crate) fn into_remarks(mut self) -> Vec<Remark> {
-        self.found.sort_by_key(|&(oddity, ..)| oddity);
-        let remark = |(oddity, count, places): (Oddity, usize, Vec<Place>)| {
+    pub(crate) fn into_remarks(self) -> Vec<Remark> {
+        self.remarks()
+    }
+
+    /// The same, of oddities that are kept.
+    pub(crate) fn remarks(&self) -> Vec<Remark> {
+        let mut found: Vec<&(Oddity, usize, Vec<Place>)> = self.found.iter().collect();
+        found.sort_by_key(|own| own.0);
+        let remark = |&(oddity, count, ref places): &(Oddity, usize, Vec<Place>)| {
             let mut message = oddity.message(count);
             match places.first() {
                 Some(Place { line: Some(line), .. }) => message += &format!("; the first is on line {line}"),
@@ -115,9 +123,32 @@ impl Oddities {
                 }
                 _ => {}
             }
-            Remark::new(oddity.code(), message).at(count, places)
+            Remark::new(oddity.code(), message).at(count, places.iter().cloned())
         };
-        self.found.into_iter().map(remark).collect()
+        found.into_iter().map(remark).collect()
+    }
+
+    /// Those of a part of the file: of cells whose vertices are all in it, by their new numbers; `number` has none for others. An
+    /// oddity of which not all places are kept, or of no cells, stays as it is.
+    pub(crate) fn of_part(&self, number: impl Fn(u32) -> Option<u32>) -> Self {
+        let mut part = Self::default();
+        for (oddity, count, places) in &self.found {
+            let cells = places.iter().filter(|place| place.cell.is_some()).count();
+            if places.len() < *count || cells < *count {
+                part.found.push((*oddity, *count, places.clone()));
+                continue;
+            }
+            let own = places.iter().filter_map(|place| {
+                let cell =
+                    place.cell.iter().flatten().map(|&vertex| number(vertex)).collect::<Option<_>>()?;
+                Some(Place { cell: Some(cell), ..place.clone() })
+            });
+            let own: Vec<Place> = own.collect();
+            if !own.is_empty() {
+                part.found.push((*oddity, own.len(), own));
+            }
+        }
+        part
     }
 }
 
@@ -152,6 +183,7 @@ pub(crate) fn without_standing_still(path: &[u32]) -> Vec<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::remark::LISTED_PLACES;
 
     #[test]
     fn oddities_of_pieces_are_counted_together() {

@@ -160,12 +160,30 @@ pub(crate) fn part(model: Model, entry: &str) -> Result<Model, Error> {
     };
     part.check()?;
     let format = model.format().unwrap_or(Format::Obj);
-    Ok(Model { remarks: model.remarks, ..part }.with_format(format))
+    let mut remarks = model.remarks;
+    if let Some(oddities) = &model.oddities {
+        let of_all = oddities.remarks();
+        let at = remarks.iter().position(|own| of_all.contains(own)).unwrap_or(remarks.len());
+        remarks.retain(|own| !of_all.contains(own));
+        let number = |vertex: u32| new.get(vertex as usize).copied().filter(|&own| own != u32::MAX);
+        remarks.splice(at..at, oddities.of_part(number).remarks());
+    }
+    Ok(Model { remarks, ..part }.with_format(format))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn parts_have_their_own_faults_alone() {
+        let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nv 2 1 1\no good\nf 1 2 3\no bad\nf 4 5 5 6\nf 4 5 4\nf 4 5 6\n";
+        let remarks = |entry: &str| part(crate::obj::read(text.as_bytes()).unwrap(), entry).unwrap().remarks;
+        assert_eq!(remarks("good"), []);
+        let bad = remarks("bad");
+        assert_eq!(bad.len(), 2);
+        assert_eq!(bad[0].places[0].cell, Some(vec![0, 1, 1, 2]), "by the numbers of the part");
+    }
 
     #[test]
     fn parts_have_the_lines_and_points_of_their_name() {

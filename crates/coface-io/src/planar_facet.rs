@@ -15,6 +15,22 @@ pub(crate) struct Facet {
     pub(crate) line: u64,
     pub(crate) polygons: Vec<(u64, Vec<u32>)>,
     pub(crate) holes: Vec<[f64; 3]>,
+    /// For each polygon of a facet that was divided the rings of the surface that begins with it, the outer one first; none where it
+    /// continues the surface before.
+    pub(crate) surfaces: Vec<Vec<Vec<u32>>>,
+}
+
+impl Facet {
+    /// Where polygons cross, or a hole point is in none or in an outer one: all of them as the rings of one surface, which is at
+    /// fault.
+    fn state_as_one(&mut self) {
+        let rings: Vec<Vec<u32>> =
+            self.polygons.iter().map(|own| own.1.clone()).filter(|ring| ring.len() > 2).collect();
+        self.surfaces = vec![Vec::new(); self.polygons.len()];
+        if let Some(first) = self.polygons.iter().position(|own| own.1.len() > 2) {
+            self.surfaces[first] = rings;
+        }
+    }
 }
 
 /// What was found while facets were divided.
@@ -57,39 +73,71 @@ impl Facets {
         let is_sound = rings.iter().all(|(_, ring)| repeated_vertex(ring).is_none());
         let Some(parents) = is_sound.then(|| parents(&rings, flat)).flatten() else {
             self.crossing.push(facet.line);
+            facet.state_as_one();
             return;
         };
         // The innermost ring around each hole point loses what it encloses.
         let mut is_hole = vec![false; rings.len()];
+        let mut is_odd = false;
         for &hole in &holes {
             let around = (0..rings.len()).filter(|&ring| side(hole, &rings[ring].1, flat) == Side::Inside);
             match around.max_by_key(|&ring| depth(&parents, ring)) {
-                Some(ring) => is_hole[ring] = true,
-                None => self.outside.push(facet.line),
+                Some(ring) => {
+                    is_hole[ring] = true;
+                    is_odd |= parents[ring].is_none();
+                }
+                None => {
+                    self.outside.push(facet.line);
+                    is_odd = true;
+                }
             }
         }
+        is_odd &= area_count > 1;
+        let all = is_odd.then(|| rings.iter().map(|own| own.1.clone()).collect::<Vec<_>>());
         let mut polygons = others;
+        let mut surfaces: Vec<Vec<Vec<u32>>> =
+            polygons.iter().map(|own: &Walk| vec![own.1.clone()]).collect();
         let mut is_divided = false;
         for ring in (0..rings.len()).filter(|&ring| !is_hole[ring]) {
             let inner: Vec<usize> = (0..rings.len()).filter(|&other| parents[other] == Some(ring)).collect();
             if inner.is_empty() {
                 polygons.push(rings[ring].clone());
+                surfaces.push(vec![rings[ring].1.clone()]);
                 continue;
             }
             let line = rings[ring].0;
             let mut walks: Vec<Vec<u32>> = vec![rings[ring].1.clone()];
             walks.extend(inner.iter().map(|&inner| rings[inner].1.clone()));
+            let stated = walks.clone();
             let Some(triangles) = triangulated(&mut walks, &point) else {
                 self.crossing.push(facet.line);
+                facet.state_as_one();
                 return;
             };
             is_divided = true;
+            surfaces.push(stated);
+            surfaces.resize(polygons.len() + triangles.len(), Vec::new());
             polygons.extend(triangles.into_iter().map(|triangle| (line, triangle.to_vec())));
         }
         if is_divided {
             self.with_holes.push(facet.line);
         }
         facet.polygons = polygons;
+        // Segments have no direction; and rings that touch others have no vertex there in files that are sound.
+        let touches = (0..rings.len()).any(|one| {
+            let mut others = (0..rings.len()).filter(|&other| other != one);
+            let corners = || rings[one].1.iter();
+            others.any(|other| corners().any(|&vertex| side(flat(vertex), &rings[other].1, flat) == Side::On))
+        });
+        if segment_count == 0 && !touches {
+            facet.surfaces = surfaces;
+        }
+        if let (Some(all), 0) = (all, segment_count)
+            && let Some(first) = facet.polygons.iter().position(|own| own.1.len() > 2)
+        {
+            facet.surfaces = vec![Vec::new(); facet.polygons.len()];
+            facet.surfaces[first] = all;
+        }
     }
 
     pub(crate) fn into_remarks(self) -> impl Iterator<Item = Remark> {
@@ -310,6 +358,7 @@ mod tests {
             line: 7,
             polygons: polygons.iter().map(|polygon| (8, polygon.clone())).collect(),
             holes: holes.iter().map(|&[x, y]| [x, y, x + 2.0 * y]).collect(),
+            surfaces: Vec::new(),
         };
         let mut facets = Facets::default();
         facets.divide(&mut facet, raster);

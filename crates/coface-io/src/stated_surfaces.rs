@@ -117,7 +117,7 @@ impl SurfaceCollector {
         self.solid_of_shell.push(self.primitives.len() as u32 - 1);
     }
 
-    /// A surface of the last shell, the outer ring first, that becomes polygons from this one on.
+    /// A surface of the last shell, or of none where no shell began, the outer ring first, that becomes polygons from this one on.
     pub(crate) fn add(&mut self, rings: &[Vec<u32>], polygon: usize) {
         let face = self.polygon_of_face.len() as u32;
         for ring in rings {
@@ -125,15 +125,18 @@ impl SurfaceCollector {
             self.face_of_ring.push(face);
         }
         self.polygon_of_face.push(polygon as u32);
-        self.shell_of_face.push(self.solid_of_shell.len() as u32 - 1);
+        self.shell_of_face.push((self.solid_of_shell.len() as u32).saturating_sub(1));
     }
 
     /// # Errors
     /// None for surfaces that were added.
     pub(crate) fn finish(self, model: &Model, incomplete_count: usize) -> Result<StatedSurfaces, Error> {
-        let faces = CheckedFaces::from_rings(self.rings, &self.face_of_ring)?
-            .with_shells(self.shell_of_face, self.solid_of_shell)?
-            .with_primitives(self.primitives)?;
+        let mut faces = CheckedFaces::from_rings(self.rings, &self.face_of_ring)?;
+        if !self.solid_of_shell.is_empty() {
+            faces = faces
+                .with_shells(self.shell_of_face, self.solid_of_shell)?
+                .with_primitives(self.primitives)?;
+        }
         Ok(StatedSurfaces {
             faces,
             polygon_of_face: self.polygon_of_face,

@@ -1,18 +1,21 @@
 //! The text files of TetGen and Triangle: `.node`, `.ele`, `.face`, `.edge` and `.poly`.
 //!
 //! A facet of a `.poly` in space is the part of a plane that its polygons enclose: polygons inside of others, or segments that close up, divide it,
-//! and what holds a hole point is left out. A facet with holes is read as triangles. Attributes of nodes and elements are left out.
+//! and what holds a hole point is left out. A facet with holes is read as triangles, and its rings are [surfaces as stated](crate::StatedSurfaces).
+//! Attributes of nodes and elements are left out.
 
 use crate::assembly::Assembly;
 use crate::element_kind::Kind;
 use crate::files::Companions;
 use crate::planar_facet::{Facet, Facets};
 use crate::scanner::{parse_coordinate, parse_f64, parse_i64};
+use crate::stated_surfaces::SurfaceCollector;
 use crate::{GroupKind, Model};
 use coface_algebra::{Error, ErrorKind};
 use std::collections::HashMap;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
+use std::sync::Arc;
 
 /// What a file lists, by its extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,7 +87,11 @@ pub(crate) fn read_beside(
         Part::Edges => mesh.read_elements(&mut file, Some(2))?,
     }
     let attributes = mesh.attributes;
+    let polygon_count = mesh.assembly.count_of(GroupKind::Polygons);
     let mut model = mesh.assembly.finish()?;
+    if !mesh.surfaces.is_empty() && model.polygons().len() == polygon_count {
+        model.stated = Some(Arc::new(mesh.surfaces.finish(&model, 0)?));
+    }
     if attributes > 0 {
         model.unread.push(("attributes of nodes", attributes));
     }
@@ -167,6 +174,8 @@ struct Mesh {
     attributes: usize,
     /// The vertices by the numbers of the file.
     vertices: HashMap<i64, u32>,
+    /// The surfaces of facets, where one has rings inside of others.
+    surfaces: SurfaceCollector,
 }
 
 impl Mesh {
@@ -315,6 +324,7 @@ impl Mesh {
         let count = file.count(&head, 0, "the count of facets")?;
         let has_markers = head.len() > 1 && file.count(&head, 1, "the count of markers")? > 0;
         let mut facets = Facets::default();
+        let mut has_rings = false;
         for _ in 0..count {
             let words = file.expect("a facet")?;
             if self.dimension == 2 {
@@ -327,20 +337,32 @@ impl Mesh {
             }
             let mut facet = self.read_facet(file, &words)?;
             facets.divide(&mut facet, |vertex| self.assembly.position(vertex));
-            for (line, polygon) in &facet.polygons {
+            has_rings |= facet.surfaces.iter().any(|rings| rings.len() > 1);
+            for (place, (line, polygon)) in facet.polygons.iter().enumerate() {
                 let kind = match polygon.len() {
                     0 => continue,
                     1 => Kind::Point,
                     2 => Kind::Line,
                     _ => Kind::Polygon,
                 };
+                let first = self.assembly.count_of(GroupKind::Polygons);
                 let member = self.add(*line, kind, polygon.len(), polygon)?;
+                let rings = match facet.surfaces.get(place) {
+                    None => std::slice::from_ref(polygon),
+                    Some(rings) => &rings[..],
+                };
+                if !rings.is_empty() && self.assembly.count_of(GroupKind::Polygons) > first {
+                    self.surfaces.add(rings, first);
+                }
                 if let (Some(member), true) = (member, has_markers && words.len() > 2) {
                     self.mark(file, &words, 2, kind.group_kind(), member)?;
                 }
             }
         }
         self.assembly.remarks.extend(facets.into_remarks());
+        if !has_rings {
+            self.surfaces = SurfaceCollector::default();
+        }
         Ok(())
     }
 
@@ -427,6 +449,8 @@ mod tests {
         let area = coface_geometry::polygon_area(model.positions(), model.polygons());
         assert_eq!(area, Some(120.0));
         assert_eq!(model.remarks()[0].message, "2 facets have polygons inside of others: read as triangles");
+        let stated = model.stated_surfaces().unwrap().faces();
+        assert_eq!((stated.face_count(), stated.rings().len()), (10, 12));
     }
 
     #[test]

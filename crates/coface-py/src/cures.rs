@@ -1,7 +1,7 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 51] = [
+const PHRASES: [(&str, &str); 52] = [
     ("by ChainComplex::of_points", "by coface.ChainComplex.of_points(n)"),
     ("ask with HomologyRequest::certified(true)", "ask with generators=True"),
     (
@@ -45,6 +45,10 @@ const PHRASES: [(&str, &str); 51] = [
     ("--keep-small keeps such curves", "keep_small=True keeps such curves"),
     ("repair it with coface yin normalize", "repair it with coface.Interface.read(path, rule=\"nonzero\")"),
     ("coface convert --orient", "model.repaired(orient=True)"),
+    (
+        "coface convert INPUT --repair -o OUT with that --weld",
+        "model.welded(radius).repaired_surface().model",
+    ),
     ("coface yin info INPUT -o OUT.dat", "coface.YinSet.from_model(model).write(\"out.dat\")"),
     ("coface shard INPUT -o FOLDER --parts N", "coface.shards.shard(model, folder, parts)"),
     ("coface convert, shard, reduce or merge has written", "model.write or coface.shards has written"),

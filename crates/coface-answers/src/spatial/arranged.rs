@@ -1,5 +1,6 @@
 //! The arrangement of a scene: what reports and Booleans ask of it.
 
+use super::coarse::{refuse_movement, refuse_rounding};
 use super::{SpatialRequest, SpatialScene};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, EdgeId, Error, ErrorKind, FaceId, VertexId};
@@ -8,15 +9,12 @@ use coface_arrange::spatial::{
     BallComplex, BallRules, Crossings, ExactPolygons, SpatialArrangement, SpatialOptions, SplitPolygon,
 };
 use coface_arrange::{CoordinatePrecision, JoinedFeatures};
-use coface_geometry::{Positions, frame_around};
+use coface_geometry::Positions;
 use std::sync::OnceLock;
 
 /// Where rounding an arrangement does not come to an end, features of the inputs are put together that are so many units of the
 /// last digit apart.
 const UNITS_OF_ROUNDING: [f64; 3] = [32.0, 128.0, 512.0];
-
-/// Numbers of 32 bits are too coarse for a result of which they move points by this part of the extent.
-const COARSE_PART: f64 = 1e-3;
 
 /// The cells that the polygons of a scene cut space into.
 ///
@@ -38,8 +36,7 @@ impl Arranged {
             .non_planar(request.non_planar)
             .merge_coplanar(request.merge_coplanar)
             .tolerance(request.tolerance)
-            .max_cells(request.max_cells)
-            .precision(request.precision);
+            .max_cells(request.max_cells);
         let arrangement = SpatialArrangement::new(&scene.polygons()?, &options);
         // A polygon that is none is named by its number in its own model.
         let mut arrangement = match arrangement {
@@ -51,26 +48,21 @@ impl Arranged {
             other => other?,
         };
         if request.snap {
-            arrangement = match arrangement.snapped(&options) {
+            arrangement = match snapped(&arrangement, &options, request) {
                 Err(error) if error.kind() == ErrorKind::InvalidInput => {
                     return Self::within_rounding(scene, request)?.ok_or(error);
                 }
                 other => other?,
             };
-            refuse_coarse(&arrangement, request)?;
         }
         Self::of(scene, arrangement)
     }
 
     /// The same with rounded coordinates that are valid.
     pub(super) fn snapped(&self, scene: &SpatialScene, request: &SpatialRequest) -> Result<Self, Error> {
-        let options = SpatialOptions::new()
-            .merge_coplanar(request.merge_coplanar)
-            .max_cells(request.max_cells)
-            .precision(request.precision);
-        let arrangement = self.arrangement.snapped(&options)?;
-        refuse_coarse(&arrangement, request)?;
-        Self::of(scene, arrangement)
+        let options =
+            SpatialOptions::new().merge_coplanar(request.merge_coplanar).max_cells(request.max_cells);
+        Self::of(scene, snapped(&self.arrangement, &options, request)?)
     }
 
     /// The scene with features put together that are some units of the last digit apart; none where that does not come to an
@@ -93,7 +85,9 @@ impl Arranged {
             let found = SpatialArrangement::new(&polygons, &options)?;
             let is_settled = found.joined().is_some_and(|joined| joined.unsettled == 0);
             if is_settled && found.is_exactly_rounded() {
-                refuse_coarse(&found, request)?;
+                if request.precision != CoordinatePrecision::Double {
+                    refuse_movement(polygons.positions(), largest_movement(&found))?;
+                }
                 return Self::of(scene, found).map(Some);
             }
         }
@@ -289,24 +283,23 @@ impl Arranged {
     }
 }
 
-/// Refuses numbers of 32 bits where rounding to them changes the shape: it moved points by more than a part of the extent.
-fn refuse_coarse(arrangement: &SpatialArrangement, request: &SpatialRequest) -> Result<(), Error> {
-    if request.precision == CoordinatePrecision::Double || request.tolerance.is_some() {
-        return Ok(());
+/// An arrangement with rounded coordinates that are valid, unless they are too coarse for it.
+fn snapped(
+    arrangement: &SpatialArrangement,
+    options: &SpatialOptions,
+    request: &SpatialRequest,
+) -> Result<SpatialArrangement, Error> {
+    let before = arrangement.fine_triangles().positions();
+    refuse_rounding(before, request.precision)?;
+    let snapped = arrangement.snapped(&options.precision(request.precision))?;
+    if request.precision != CoordinatePrecision::Double {
+        refuse_movement(before, largest_movement(&snapped) - largest_movement(arrangement))?;
     }
-    let moved = arrangement.joined().map_or(0.0, |joined| joined.largest_movement);
-    let points = arrangement.positions().as_flat().as_chunks::<3>().0;
-    let frame = frame_around(points.len(), |point| points[point].map(|x| [x; 2]));
-    let extent = frame.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
-    if moved <= COARSE_PART * extent {
-        return Ok(());
-    }
-    let fault = format!(
-        "numbers of 32 bits, as STL has, are too coarse here: points would move by {moved:.1e} beside an extent of {extent:.1e}"
-    );
-    Err(Error::new(ErrorKind::UnsupportedFormat, fault).with_cure(
-        "write .off or .obj, which have numbers of 64 bits, or move the model near the origin first",
-    ))
+    Ok(snapped)
+}
+
+fn largest_movement(arrangement: &SpatialArrangement) -> f64 {
+    arrangement.joined().map_or(0.0, |joined| joined.largest_movement)
 }
 
 /// An edge between two drawn vertices.

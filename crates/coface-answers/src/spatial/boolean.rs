@@ -1,5 +1,6 @@
 //! Boolean combinations of the models of a scene.
 
+use super::coarse::refuse_other_result;
 use super::coincident::coincident;
 use super::enclosed::turned_parts;
 use super::{InputState, OpenInputs, SceneArrangement};
@@ -131,7 +132,7 @@ impl<'a> SolidBoolean<'a> {
     /// # Errors
     /// [`ErrorKind::NotACycle`] naming a model that is open, with a closed walk along its rim, or whose polygons do not agree in
     /// direction; [`ErrorKind::InvalidInput`] if the formula names a model that is not there, or if pinches are to be split
-    /// while walls are kept.
+    /// while walls are kept; [`ErrorKind::UnsupportedFormat`] where numbers of 32 bits are too coarse for the result.
     ///
     /// # Complexity
     /// $O(n \log n)$ for n sides of faces, and the number of cells times that of models.
@@ -231,7 +232,7 @@ impl<'a> SolidBoolean<'a> {
                 }
             }
         }
-        Ok(Self {
+        let result = Self {
             arrangement,
             request: request.clone(),
             selection,
@@ -244,7 +245,13 @@ impl<'a> SolidBoolean<'a> {
             sides,
             regions,
             merged_facets,
-        })
+        };
+        if let Some(exact) = &arrangement.unrounded
+            && let Some(volume) = result.volume()
+        {
+            refuse_other_result(exact, request, (volume, result.part_counts()[0]))?;
+        }
+        Ok(result)
     }
 
     /// The cells that are selected.

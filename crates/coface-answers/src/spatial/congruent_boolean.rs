@@ -86,6 +86,26 @@ impl<'a> CongruentBoolean<'a> {
         Ok(Self { arrangement, request: request.clone(), selection, boundary, surface, regions })
     }
 
+    /// Whether the result is pinched at edges or vertices, where parts of it touch.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{CongruentBoolean, CongruentScene, SolidRequest, SpatialScene};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// // Two tetrahedra on a common edge.
+    /// let read = |text: &str| coface_io::read(text.as_bytes(), coface_io::Format::Obj);
+    /// let up = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")?;
+    /// let down = read("v 0 0 0\nv 1 0 0\nv 0 -1 0\nv 0 0 -6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")?;
+    /// let scene = CongruentScene::of_scene(SpatialScene::of([("up", &up), ("down", &down)], false)?, 1e-4)?;
+    /// let union = CongruentBoolean::of(&scene, &SolidRequest::of(BooleanFormula::union(2)))?;
+    /// assert!(union.is_pinched());
+    /// # Ok(()) }
+    /// ```
+    pub fn is_pinched(&self) -> bool {
+        !self.boundary.pinched_ridges().is_empty() || !self.boundary.pinched_vertices().is_empty()
+    }
+
     /// The volume; `None` if the exterior is in the result.
     ///
     /// # Examples

@@ -84,6 +84,7 @@ impl SpatialScene {
             source_of_polygon: Vec::new(),
             is_wall: Vec::new(),
             exact: Vec::new(),
+            surfaces: vec![Vec::new(); self.surfaces.len()],
             first_patch: None,
             ..self.clone()
         }

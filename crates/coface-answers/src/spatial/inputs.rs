@@ -219,8 +219,13 @@ fn refusal(
     let (fault, cure) = if rim.is_even() {
         (
             format!("polygons do not agree in direction across {count}; a walk along {edges}: {walk}"),
-            "turn polygons so that all agree (coface convert --orient), or count by parity (--rule evenodd)"
-                .to_owned(),
+            match scene.pairing_weld(input) {
+                Some(radius) => format!(
+                    "merge vertices that nearly coincide and count by parity (--weld {radius:.0e} --rule evenodd), or turn polygons so that all agree (coface convert INPUT --repair -o OUT with that --weld)"
+                ),
+                None => "turn polygons so that all agree (coface convert --orient), or count by parity (--rule evenodd)"
+                    .to_owned(),
+            },
         )
     } else {
         (
@@ -233,7 +238,12 @@ fn refusal(
                     Some(tolerance) => format!(
                         "put together what nearly coincides (--tolerance {tolerance:.0e}), or close its mouths with patches (--open close)"
                     ),
-                    None => "close it, or have its mouths closed with patches (--open close)".to_owned(),
+                    None => match scene.crack_weld(input) {
+                        Some(radius) => format!(
+                            "merge vertices that nearly coincide and have mouths closed with patches (--weld {radius:.0e} --open close)"
+                        ),
+                        None => "close it, or have its mouths closed with patches (--open close)".to_owned(),
+                    },
                 },
             },
         )

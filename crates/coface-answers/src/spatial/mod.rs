@@ -4,6 +4,7 @@ mod arranged;
 mod bent;
 mod boolean;
 mod certificate;
+mod coarse;
 mod coincident;
 mod congruent;
 mod congruent_boolean;
@@ -19,6 +20,7 @@ mod scene;
 mod scene_arrangement;
 
 pub use boolean::{SolidBoolean, SolidRequest};
+pub use coarse::remarks_of_single_precision;
 pub use congruent::CongruentScene;
 pub use congruent_boolean::CongruentBoolean;
 pub use inputs::{InputState, OpenInputs};

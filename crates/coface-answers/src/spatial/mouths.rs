@@ -76,7 +76,7 @@ impl SpatialScene {
             let mut sides: Vec<[u32; 2]> = own.iter().map(|side| side.1).collect();
             let edges = sides.len();
             let walks = closed_walks(&mut sides);
-            self.refuse_loose_polygons(input, walks.len())?;
+            self.refuse_loose_polygons(input, walks.len(), edges)?;
             let mut triangles = Vec::new();
             walks.iter().for_each(|walk| self.triangulate(walk, &mut triangles));
             let mut area = 0.0;
@@ -114,10 +114,13 @@ impl SpatialScene {
     }
 
     /// Refuses to close an input that is nothing but mouths: patches would cover its polygons, and enclose nothing.
-    fn refuse_loose_polygons(&self, input: u32, mouth_count: usize) -> Result<(), Error> {
+    fn refuse_loose_polygons(&self, input: u32, mouth_count: usize, edges: usize) -> Result<(), Error> {
         let is_own = |polygon: &usize| self.input_of_polygon[*polygon] == input && !self.is_wall[*polygon];
         let own = (0..self.first_patch.unwrap_or(self.polygon_count())).filter(is_own).count();
-        if own < LEAST_POLYGONS || mouth_count < own.div_ceil(2) {
+        let walks = self.walks.iter().zip(&self.polygon_of_walk);
+        let sides: usize =
+            walks.filter(|(_, polygon)| is_own(&(**polygon as usize))).map(|(walk, _)| walk.len()).sum();
+        if own < LEAST_POLYGONS || mouth_count < own.div_ceil(2) || 4 * edges <= 3 * sides {
             return Ok(());
         }
         let fault = format!(
@@ -199,6 +202,74 @@ impl SpatialScene {
         // What closes it at some radius does so at longer ones, unless features vanish.
         let least = radii.partition_point(|&radius| !closes(radius));
         radii.get(least).copied().filter(|&radius| closes(radius))
+    }
+
+    /// The radius within which vertices have to be merged so that an input has mouths alone and no cracks: the least one that is
+    /// tried with the shortest rim, if that is at most half as long as without; none if there is none that is small beside the
+    /// input. What is left open are mouths.
+    ///
+    /// # Complexity
+    /// As [`Self::closing_weld`].
+    pub(super) fn crack_weld(&self, input: usize) -> Option<f64> {
+        let is_own = |other: u32| other as usize == input;
+        let length = |radius: f64| Some(self.rims(&self.welded_points(input, radius).ok()?, is_own).len());
+        self.shortest(input, self.rims(&self.classes_of_points(), is_own).len(), length)
+    }
+
+    /// The radius within which vertices have to be merged so that each side is one of an even number of polygons, whatever their
+    /// directions; none where that is so as it is, by the numbers of vertices, or is with no radius that is small beside the input.
+    pub(super) fn pairing_weld(&self, input: usize) -> Option<f64> {
+        let whole: Vec<u32> = (0..(self.flat.len() / 3) as u32).collect();
+        let odd = self.odd_side_count(input, &whole);
+        let length = |radius: f64| Some(self.odd_side_count(input, &self.welded_points(input, radius).ok()?));
+        self.shortest(input, odd, length).filter(|&radius| length(radius) == Some(0))
+    }
+
+    /// The least radius of those that are tried for which a length is least, if that is at most half of another one.
+    fn shortest(&self, input: usize, without: usize, length: impl Fn(f64) -> Option<usize>) -> Option<f64> {
+        let extent = self.extent_of(input);
+        let (crack, mut radius) = (CRACK_PART * extent, LEAST_PART * extent);
+        let mut best: Option<(usize, f64)> = None;
+        while radius > 0.0 && radius <= crack {
+            let tried = in_one_digit(radius);
+            let own = length(tried)?;
+            if 2 * own <= without && without > 0 && best.is_none_or(|(least, _)| own < least) {
+                best = Some((own, tried));
+            }
+            radius *= RADIUS_STEP;
+        }
+        best.map(|(_, radius)| radius)
+    }
+
+    /// The largest side of the box around an input.
+    fn extent_of(&self, input: usize) -> f64 {
+        let mut frame = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
+        for (walk, &polygon) in self.walks.iter().zip(&self.polygon_of_walk) {
+            if self.input_of_polygon[polygon as usize] as usize != input {
+                continue;
+            }
+            for &vertex in walk {
+                for (side, x) in frame.iter_mut().zip(self.point(vertex)) {
+                    *side = [side[0].min(x), side[1].max(x)];
+                }
+            }
+        }
+        frame.iter().map(|[low, high]| high - low).fold(0.0, f64::max)
+    }
+
+    /// The number of sides that an odd number of polygons of an input have.
+    fn odd_side_count(&self, input: usize, class: &[u32]) -> usize {
+        let mut sides: Vec<[u32; 2]> = Vec::new();
+        for (walk, &polygon) in self.walks.iter().zip(&self.polygon_of_walk) {
+            if self.is_wall[polygon as usize] || self.input_of_polygon[polygon as usize] as usize != input {
+                continue;
+            }
+            let ends = walk.iter().zip(walk.iter().cycle().skip(1));
+            let ends = ends.map(|(&a, &b)| [a, b].map(|vertex| class[vertex as usize]));
+            sides.extend(ends.filter(|[a, b]| a != b).map(|[a, b]| [a.min(b), a.max(b)]));
+        }
+        sides.sort_unstable();
+        sides.chunk_by(|x, y| x == y).filter(|same| same.len() % 2 == 1).count()
     }
 
     /// For each point the one that it is merged with within a radius, in the file of an input.

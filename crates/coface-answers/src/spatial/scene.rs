@@ -60,6 +60,8 @@ pub struct SpatialScene {
     pub(super) first_patch: Option<usize>,
     /// What was open of each input and is closed by patches.
     pub(super) mouths: Vec<Option<Mouths>>,
+    /// For each polygon of each file the surface that it is a part of with others; empty for files that state none.
+    pub(super) surfaces: Vec<Vec<u32>>,
 }
 
 impl SpatialScene {
@@ -134,11 +136,13 @@ impl SpatialScene {
             exact: Vec::new(),
             first_patch: None,
             mouths: Vec::new(),
+            surfaces: Vec::new(),
         };
         let models: Vec<(&str, &Model)> = models.into_iter().collect();
         scene.flat.reserve(models.iter().map(|(_, model)| model.positions().as_flat().len()).sum());
         for (name, model) in models {
             scene.add(name, model, walls).map_err(|error| error.in_file(name))?;
+            scene.surfaces.push(surfaces_of(model));
             scene.files.push(name.to_owned());
             scene.remarks.extend(remarks_of_file(name, model));
         }
@@ -719,7 +723,16 @@ impl SpatialScene {
             || (self.walks.clone(), self.polygon_of_walk.clone()),
             || (self.positions(), inputs.collect()),
         );
-        let polygons = SpatialPolygons::new(positions?, walks, polygon_of_walk)?.with_inputs(inputs)?;
+        let mut polygons = SpatialPolygons::new(positions?, walks, polygon_of_walk)?.with_inputs(inputs)?;
+        if self.surfaces.iter().any(|own| !own.is_empty()) {
+            let surface = |polygon: usize| {
+                let file = self.file(self.input_of_polygon[polygon] as usize).0;
+                let source = self.source_of_polygon[polygon] as usize;
+                let own = self.surfaces[file].get(source).filter(|_| polygon < self.own_polygon_count());
+                own.copied().unwrap_or(u32::MAX)
+            };
+            polygons = polygons.with_surfaces((0..self.polygon_count()).map(surface).collect())?;
+        }
         self.exact
             .iter()
             .try_fold(polygons, |polygons, (first, own)| polygons.with_exact(*first, Arc::clone(own)))
@@ -869,6 +882,21 @@ impl SpatialScene {
     pub(super) fn mouth_edges(&self, input: usize) -> Option<usize> {
         self.mouths.get(input)?.map(|mouths| mouths.edges)
     }
+}
+
+/// The surface of each polygon of a model that states surfaces with holes, for those that became several polygons.
+fn surfaces_of(model: &Model) -> Vec<u32> {
+    let Some(stated) = model.stated_surfaces() else { return Vec::new() };
+    let mut surfaces = vec![u32::MAX; model.polygons().len()];
+    let count = stated.faces().face_count();
+    for face in 0..count {
+        let start = stated.polygon_of_face(face) as usize;
+        let end = if face + 1 < count { stated.polygon_of_face(face + 1) as usize } else { surfaces.len() };
+        if start + 1 < end && end <= surfaces.len() {
+            surfaces[start..end].fill(face as u32);
+        }
+    }
+    surfaces
 }
 
 fn too_large() -> Error {

@@ -1,6 +1,7 @@
 //! A scene arranged: its cells, and what they are inside of.
 
 use super::arranged::Arranged;
+use super::coarse::{endless, refuse_other_cells};
 use super::enclosed::turned_parts;
 use super::facts::{
     component_count, dangling_face_count, input_answers, input_state, products_are_zero, remarks_of_inputs,
@@ -16,6 +17,7 @@ use crate::near::ThinCells;
 use crate::text;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, Sign};
+use coface_arrange::CoordinatePrecision;
 use coface_arrange::boolean::InsideRule;
 use coface_arrange::spatial::{Crossings, SplitPolygon};
 use coface_geometry::{Positions, cross, dot};
@@ -56,6 +58,8 @@ pub struct SceneArrangement {
     cells_apart: Option<usize>,
     /// What is said of thin cells of the arrangement before anything was put together to make rounding valid.
     thin_apart: Option<Remark>,
+    /// What coordinates of 32 bits were rounded from.
+    pub(super) unrounded: Option<Box<Self>>,
     crossings: OnceLock<Crossings>,
 }
 
@@ -101,6 +105,11 @@ impl SceneArrangement {
     /// # Ok(()) }
     /// ```
     pub fn of_scene(scene: SpatialScene, request: &SpatialRequest) -> Result<Self, Error> {
+        if request.snap && request.precision != CoordinatePrecision::Double {
+            let exact = Self::of_scene(scene, &SpatialRequest { snap: false, ..*request })?;
+            let rounded = exact.snapped()?;
+            return Ok(Self { request: *request, thin_apart: None, ..rounded });
+        }
         let arranged = Arranged::new(&scene, request)?;
         let inputs = Inputs::new(&scene, &arranged)?;
         let cells_apart = request.tolerance.and_then(|_| {
@@ -108,7 +117,8 @@ impl SceneArrangement {
             apart.ok().map(|apart| apart.complex().cell_count(3))
         });
         let (request, crossings) = (*request, OnceLock::new());
-        Ok(Self { scene, arranged, inputs, request, cells_apart, thin_apart: None, crossings })
+        let (thin_apart, unrounded) = (None, None);
+        Ok(Self { scene, arranged, inputs, request, cells_apart, thin_apart, unrounded, crossings })
     }
 
     /// The same scene with coordinates that are exactly where they are rounded to: features that rounding would make
@@ -138,8 +148,14 @@ impl SceneArrangement {
         let inputs = Inputs::new(&self.scene, &arranged)?;
         let cells_apart = self.cells_apart.or(Some(self.complex().cell_count(3)));
         let thin_apart = self.thin_cells();
+        let unrounded = match self.request.precision {
+            CoordinatePrecision::Double => None,
+            CoordinatePrecision::Single => {
+                Some(self.unrounded.clone().unwrap_or_else(|| Box::new(self.clone())))
+            }
+        };
         let (scene, request, crossings) = (self.scene.clone(), self.request, OnceLock::new());
-        Ok(Self { scene, arranged, inputs, request, cells_apart, thin_apart, crossings })
+        Ok(Self { scene, arranged, inputs, request, cells_apart, thin_apart, unrounded, crossings })
     }
 
     /// The same scene [snapped](Self::snapped) so that its rounded coordinates are valid; none where no distance within
@@ -162,7 +178,10 @@ impl SceneArrangement {
     /// ```
     pub fn validly_rounded(&self) -> Result<Option<Self>, Error> {
         match self.snapped() {
-            Err(error) if error.kind() == ErrorKind::InvalidInput => Ok(None),
+            Err(error) if error.kind() == ErrorKind::InvalidInput => match self.request.precision {
+                CoordinatePrecision::Double => Ok(None),
+                CoordinatePrecision::Single => Err(endless(self.positions())),
+            },
             other => other.map(Some),
         }
     }
@@ -396,6 +415,9 @@ impl SceneArrangement {
     /// # Ok(()) }
     /// ```
     pub fn answer(&self, rule: InsideRule) -> Result<SpatialArrangementAnswer, Error> {
+        if let Some(exact) = &self.unrounded {
+            refuse_other_cells(exact, self)?;
+        }
         let complex = self.complex();
         let membership = self.membership(rule)?;
         let cells = complex.cell_count(3);

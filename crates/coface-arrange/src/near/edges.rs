@@ -5,6 +5,9 @@ use coface_algebra::RaggedArray;
 use coface_geometry::{AxisBox, BoxTree, dot};
 use rayon::prelude::*;
 
+/// A vertex so many units of the last place of the coordinates away from an edge is on it.
+const ON_UNITS: f64 = 4.0;
+
 /// A vertex to put on an edge, and how far along from the lower end.
 struct OnEdge {
     edge: u32,
@@ -38,8 +41,17 @@ impl NearChains {
         if self.join_corners(&edges, &found, limit) {
             return true;
         }
-        self.counts.edges += found.len();
+        let is_off = |on: &&OnEdge| self.is_off_edge(edges[on.edge as usize], on.vertex, on.part);
+        self.counts.edges += found.iter().filter(is_off).count();
         self.divide_edges(&edges, found)
+    }
+
+    /// Whether a vertex is not on an edge, but for rounding.
+    fn is_off_edge(&self, ends: [u32; 2], vertex: u32, part: f64) -> bool {
+        let [a, b] = ends.map(|end| self.point(end));
+        let largest = a.iter().chain(&b).fold(0.0, |most: f64, x| most.max(x.abs()));
+        let off = plus(minus(self.point(vertex), a), -part, minus(b, a));
+        squared(off) > (ON_UNITS * f64::EPSILON * largest).powi(2)
     }
 
     /// How far along an edge a vertex is, if it is beside the inside and near.

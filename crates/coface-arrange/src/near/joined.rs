@@ -32,6 +32,15 @@ pub struct JoinedFeatures {
 }
 
 impl JoinedFeatures {
+    /// Adds what was put together before; points are those of before.
+    pub(crate) fn join_before(&mut self, before: &Self) {
+        self.counts.add(&before.counts);
+        self.largest_movement += before.largest_movement;
+        self.moved.clone_from(&before.moved);
+        self.classes.clone_from(&before.classes);
+        self.tolerance = self.tolerance.max(before.tolerance);
+    }
+
     /// Notes where points went: from the first places to those of points that are given by number.
     pub(crate) fn tell(&mut self, first: &[[f64; 3]], place: &[u32], points: &[[f64; 3]]) {
         let at = |place: u32| points[place as usize];

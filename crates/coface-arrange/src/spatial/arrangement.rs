@@ -124,8 +124,9 @@ impl SpatialArrangement {
         let (mut points, fitted) = flattened(polygons, tolerance);
         points.iter_mut().for_each(|point| *point = options.precision.rounded_point(*point));
         let flat = polygons.clone().with_points(&points)?;
-        let mut made = Made::new(&flat, NonPlanar::Split)?;
-        made.join_faces(&flat_faces(polygons));
+        // Where a polygon is narrower than the tolerance its sides may cross now.
+        let mut made = Made::of(&flat, PolygonTriangles::of_moved(&flat, polygons)?);
+        made.join_faces(&flat_faces(polygons, tolerance));
         let drawing = Drawing::new(first, points, made.triangles, made.patches);
         let mut found = drawing.settled(options, tolerance, false)?;
         if let Some(joined) = &mut found.joined {
@@ -838,6 +839,10 @@ impl SpatialArrangement {
     pub(super) fn with_notes_of(mut self, first: &Self) -> Self {
         self.without_area.clone_from(&first.without_area);
         self.split.clone_from(&first.split);
+        match (&mut self.joined, &first.joined) {
+            (Some(joined), Some(before)) => joined.join_before(before),
+            (own, before) => *own = own.take().or_else(|| before.clone()),
+        }
         self
     }
 }
@@ -854,7 +859,10 @@ struct Made {
 
 impl Made {
     fn new(polygons: &SpatialPolygons, non_planar: NonPlanar) -> Result<Self, Error> {
-        let triangles = PolygonTriangles::new(polygons, non_planar)?;
+        Ok(Self::of(polygons, PolygonTriangles::new(polygons, non_planar)?))
+    }
+
+    fn of(polygons: &SpatialPolygons, triangles: PolygonTriangles) -> Self {
         let PolygonTriangles { triangles, polygon_of_triangle, without_area, split, apart } = triangles;
         let (patch_of_triangle, polygons_of_patch) =
             patches_with_triangles(polygons.polygon_count(), polygon_of_triangle, &apart);
@@ -871,7 +879,7 @@ impl Made {
             has_new_corners: false,
         };
         let split = split.into_iter().map(|split| split.0).collect();
-        Ok(Self { triangles, patches, without_area, split })
+        Self { triangles, patches, without_area, split }
     }
 
     /// Makes the triangles of a flat face one patch, for which the first of them stands; `first_of` has the first one of each polygon.

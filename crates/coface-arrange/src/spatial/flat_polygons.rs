@@ -100,6 +100,15 @@ enum Outcome {
     Apart(Vec<[u32; 3]>),
 }
 
+impl Outcome {
+    fn into_triangles(self) -> Vec<[u32; 3]> {
+        match self {
+            Self::WithoutArea => Vec::new(),
+            Self::Triangles(own) | Self::Split(own, ..) | Self::Apart(own) => own,
+        }
+    }
+}
+
 impl SpatialPolygons {
     /// Checks that each polygon is simple, as an arrangement of them does.
     ///
@@ -155,6 +164,14 @@ impl SpatialPolygons {
                 found.add([point[0], point[1], point[2]], most_listed);
             }
         }
+        // Two polygons that have a triangle in common lie on each other there.
+        let mut corners = made.triangles;
+        corners.iter_mut().for_each(|own| own.sort_unstable());
+        corners.par_sort_unstable();
+        for pair in corners.windows(2).filter(|pair| pair[0] == pair[1]) {
+            let point = self.positions().point(VertexId::from_u32(pair[0][0]));
+            found.add([point[0], point[1], point[2]], most_listed);
+        }
         Ok(found)
     }
 }
@@ -165,6 +182,23 @@ impl PolygonTriangles {
     /// # Errors
     /// `InvalidInput` naming the first polygon that is not planar, if those are refused, or whose sides cross or touch.
     pub(super) fn new(polygons: &SpatialPolygons, non_planar: NonPlanar) -> Result<Self, Error> {
+        Self::cut(polygons, non_planar, None)
+    }
+
+    /// Cuts polygons into triangles whose points were moved; those whose sides cross now have the triangles of `before`, each by
+    /// itself, but for triangles that lost their area.
+    ///
+    /// # Errors
+    /// As [`Self::new`] for polygons that crossed themselves before.
+    pub(super) fn of_moved(moved: &SpatialPolygons, before: &SpatialPolygons) -> Result<Self, Error> {
+        Self::cut(moved, NonPlanar::Split, Some(before))
+    }
+
+    fn cut(
+        polygons: &SpatialPolygons,
+        non_planar: NonPlanar,
+        before: Option<&SpatialPolygons>,
+    ) -> Result<Self, Error> {
         let points = GivenPoints::new(polygons.positions())?;
         let is_mesh = polygons.exact().is_empty()
             && polygons.walks().uniform_width() == Some(3)
@@ -178,6 +212,20 @@ impl PolygonTriangles {
         let scaled = Scaled::new(polygons.positions());
         let rounding = explained_deviations(polygons);
         let cutter = Cutter { points: &points, positions: polygons.positions(), scaled, non_planar };
+        let points_before = before.map(|own| GivenPoints::new(own.positions())).transpose()?;
+        let cutter_before = before.zip(points_before.as_ref()).map(|(own, points)| {
+            let (positions, scaled) = (own.positions(), Scaled::new(own.positions()));
+            (Cutter { points, positions, scaled, non_planar }, first_equal_points(positions))
+        });
+        let sides_of = |polygon: usize, first_equal: &[u32], sides: &mut Vec<[u32; 2]>| {
+            sides.clear();
+            for &walk in walks_of_polygon.list(polygon) {
+                let walk = polygons.walks().list(walk as usize);
+                let next = walk.iter().cycle().skip(1);
+                let ends = walk.iter().zip(next).map(|(&a, &b)| [a, b].map(|v| first_equal[v as usize]));
+                sides.extend(ends.filter(|[a, b]| a != b));
+            }
+        };
         let steps = stage("triangulating polygons", polygons.polygon_count());
         let found: Vec<Result<Outcome, Error>> = (0..polygons.polygon_count())
             .into_par_iter()
@@ -187,15 +235,18 @@ impl PolygonTriangles {
                     // Its triangles are known.
                     return Ok(Outcome::Triangles(Vec::new()));
                 }
-                sides.clear();
-                for &walk in walks_of_polygon.list(polygon) {
-                    let walk = polygons.walks().list(walk as usize);
-                    let next = walk.iter().cycle().skip(1);
-                    let ends = walk.iter().zip(next).map(|(&a, &b)| [a, b].map(|v| first_equal[v as usize]));
-                    sides.extend(ends.filter(|[a, b]| a != b));
+                sides_of(polygon, &first_equal, sides);
+                let rounding = rounding[polygons.input_of_polygon()[polygon] as usize];
+                match (cutter.cut(polygon, sides, rounding), &cutter_before) {
+                    (Err(_), Some((before, equal_before))) => {
+                        sides_of(polygon, equal_before, sides);
+                        let mut own = before.cut(polygon, sides, rounding)?.into_triangles();
+                        own.iter_mut().flatten().for_each(|corner| *corner = first_equal[*corner as usize]);
+                        own.retain(|&own| (0..3).any(|axis| points.normal_sign(axis, own).is_ne()));
+                        Ok(if own.is_empty() { Outcome::WithoutArea } else { Outcome::Apart(own) })
+                    }
+                    (found, _) => found,
                 }
-                let input = polygons.input_of_polygon()[polygon] as usize;
-                cutter.cut(polygon, sides, rounding[input])
             })
             .collect();
         let mut all = Self::default();

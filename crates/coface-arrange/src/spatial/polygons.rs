@@ -37,6 +37,8 @@ pub struct SpatialPolygons {
     input_count: usize,
     /// Polygons that are known exactly, each lot with the number of its first polygon, rising. Their walks are rounded.
     exact: Vec<(u32, Arc<ExactPolygons>)>,
+    /// The surface that each polygon is a part of; empty where none is known.
+    surface_of_polygon: Vec<u32>,
 }
 
 impl SpatialPolygons {
@@ -95,7 +97,15 @@ impl SpatialPolygons {
         }
         let input_count = usize::from(polygon_count > 0);
         let input_of_polygon = vec![0; polygon_count];
-        Ok(Self { positions, walks, polygon_of_walk, input_of_polygon, input_count, exact: Vec::new() })
+        Ok(Self {
+            positions,
+            walks,
+            polygon_of_walk,
+            input_of_polygon,
+            input_count,
+            exact: Vec::new(),
+            surface_of_polygon: Vec::new(),
+        })
     }
 
     /// Polygons without holes, each a walk. All belong to one input.
@@ -186,6 +196,40 @@ impl SpatialPolygons {
         }
         self.exact.push((first, exact));
         Ok(self)
+    }
+
+    /// The same where triangles are parts of surfaces that are meant to be flat, as those of a face with holes: the number of the
+    /// surface of each polygon, `u32::MAX` for one that is a surface by itself. A tolerance keeps them one face where all of
+    /// them are within it of a plane.
+    ///
+    /// # Errors
+    /// [`Shape`](ErrorKind::Shape) unless each polygon has a number.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::SpatialPolygons;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 1., 1., 0.01, 0., 1., 0.])?;
+    /// let halves = SpatialPolygons::from_polygons(corners, RaggedArray::from_lists([[0, 1, 2], [0, 2, 3]]))?;
+    /// assert!(halves.clone().with_surfaces(vec![0]).is_err());
+    /// assert_eq!(halves.with_surfaces(vec![0, 0])?.polygon_count(), 2);
+    /// # Ok(()) }
+    /// ```
+    pub fn with_surfaces(mut self, surface_of_polygon: Vec<u32>) -> Result<Self, Error> {
+        if surface_of_polygon.len() != self.polygon_count() {
+            let (numbers, count) = (surface_of_polygon.len(), self.polygon_count());
+            let fault = format!("{numbers} surfaces are named for {count} polygons");
+            return Err(Error::new(ErrorKind::Shape, fault).with_cure("name the surface of each polygon"));
+        }
+        self.surface_of_polygon = surface_of_polygon;
+        Ok(self)
+    }
+
+    /// The surface that a polygon is a part of with others, if it is known.
+    pub(super) fn surface_of(&self, polygon: u32) -> Option<u32> {
+        self.surface_of_polygon.get(polygon as usize).copied().filter(|&surface| surface != u32::MAX)
     }
 
     /// The polygons that are known exactly, each lot with the number of its first polygon, rising.

@@ -48,6 +48,7 @@ mod render;
 mod schema;
 mod shards;
 mod signatures;
+mod solid_files;
 mod strangers;
 mod surfaces;
 mod three_manifolds;

@@ -684,14 +684,9 @@ impl Walk<'_, '_, '_> {
         let mut rings: Vec<Vec<u32>> = Vec::new();
         while cursor.peek() == Some(Token::Open) {
             let indices = cursor.numbers().ok_or_else(self.malformed)?;
-            if indices.len() < 3 && rings.is_empty() {
-                return Err(Error::invalid(format!(
-                    "{}: ring {} has {} vertices",
-                    place(),
-                    rings.len(),
-                    indices.len()
-                ))
-                .with_cure("a ring needs 3: remove the surface, or write its vertices"));
+            if indices.is_empty() && rings.is_empty() {
+                return Err(Error::invalid(format!("{}: ring 0 has no vertices", place()))
+                    .with_cure("a ring needs 3: remove the surface, or write its vertices"));
             }
             let ring =
                 indices.iter().map(|&index| self.points.vertex(index, &mut self.city.assembly, &place));
@@ -701,6 +696,10 @@ impl Walk<'_, '_, '_> {
             }
             if self.is_mirror {
                 ring.reverse();
+            }
+            // A surface of one or two points is one that collapses.
+            while rings.is_empty() && ring.len() < 3 {
+                ring.push(ring[0]);
             }
             rings.push(ring);
         }

@@ -258,6 +258,13 @@ fn holes_that_cross_are_stated_and_left_out() {
 }
 
 #[test]
+fn surfaces_of_two_points_collapse() {
+    let text = city("2.0", &object("b1", &geometry("Solid", "\"2\"", "[[[[0,1]],[[0,1,2]]]]")), &cube(0, 10));
+    let model = read(text.as_bytes()).unwrap();
+    assert_eq!((model.polygons().len(), model.remarks()[0].code), (1, RemarkCode::CollapsedCell));
+}
+
+#[test]
 fn faults_name_object_geometry_and_place() {
     let solid = |boundaries: &str| {
         city("2.0", &object("b1", &geometry("Solid", "\"2.2\"", boundaries)), &cube(0, 10))
@@ -267,7 +274,7 @@ fn faults_name_object_geometry_and_place() {
             solid("[[[[0,1,2]],[[0,9,2]]]]"),
             "object \"b1\", geometry 0 (Solid, lod 2.2), shell 0, surface 1: vertex 9, but there are 8",
         ),
-        (solid("[[[[0,1,2]]],[[[0,1]]]]"), "shell 0, surface 0: ring 0 has 2 vertices"),
+        (solid("[[[[0,1,2]]],[[[]]]]"), "shell 0, surface 0: ring 0 has no vertices"),
         (solid("[[[0,1,2]]]"), "geometry 0 (Solid, lod 2.2): its boundaries are not nested"),
         (solid("[]").replace("Solid", "Sphere"), "the type \"Sphere\" is no geometry"),
         (solid("[[[[0,1,2]]]]").replace("\"vertices\"", "\"points\""), "no \"vertices\""),
@@ -275,7 +282,7 @@ fn faults_name_object_geometry_and_place() {
         (solid("[[[[0,1,2]]]]").replace("[7.7,0,0]", "[7.7,0]"), "\"translate\" of the transform"),
         (solid("[[[[0,1,2]]]]").replace("\"CityJSON\"", "\"CityGML\""), "not \"CityJSON\""),
     ] {
-        let text = text.replace("[[[[0,1,2]]],[[[0,1]]]]", "[[[[0,1]]],[[[0,1,2]]]]");
+        let text = text.replace("[[[[0,1,2]]],[[[]]]]", "[[[[]]],[[[0,1,2]]]]");
         let error = read(text.as_bytes()).unwrap_err().to_string();
         assert!(error.contains(says), "{error}\n{says}");
     }

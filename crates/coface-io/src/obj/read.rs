@@ -12,6 +12,7 @@ use crate::{CellData, GroupKind, Model, Place, ReadOptions};
 use coface_algebra::{Error, ErrorKind, RaggedArray, VertexId};
 use std::borrow::Cow;
 use std::io::Read;
+use std::sync::Arc;
 
 /// Reads a model in OBJ.
 ///
@@ -91,7 +92,7 @@ pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model
     let Elements { polygons, lines, points } = elements;
     let (positions, partial_positions) = placed(3, coordinates)?;
     let (mut polygons, mut lines, mut points) = (polygons.into_ragged()?, lines.into_ragged()?, points);
-    let mut remarks = oddities.into_remarks();
+    let mut remarks = oddities.remarks();
     if let Some(fault) = fault {
         // What names vertices that are not there any more goes with them.
         let is_there = |cell: &&[u32]| cell.iter().all(|&vertex| (vertex as usize) < vertex_count);
@@ -119,6 +120,7 @@ pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model
         vertex_count,
         data,
         unread,
+        oddities: Some(Arc::new(oddities)),
         positions,
         partial_positions,
         polygons,

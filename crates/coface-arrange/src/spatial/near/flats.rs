@@ -1,20 +1,21 @@
 //! Triangles that a flat face of an input was cut into.
 
 use super::super::flat_polygons::{explained_deviations, first_equal_points};
-use crate::near::{minus, squared};
+use crate::near::{minus, plus, squared};
 use crate::spatial::SpatialPolygons;
 use coface_geometry::{cross, dot};
-use std::collections::VecDeque;
+use std::collections::{BTreeSet, VecDeque};
 
 /// For each polygon the first one of the flat face that it is a part of; itself unless it is a triangle.
 ///
 /// Triangles of one input are of one face where they run along a common side in opposite directions, no other polygon of the input has
 /// that side, and all are in one plane but for what rounding of their coordinates explains. The diagonals between them are none of the
-/// features of the input.
+/// features of the input. Triangles of one surface, as of a face with holes, are of one face too where all its corners are within
+/// `tolerance` of a plane.
 ///
 /// # Complexity
 /// $O(n \log n)$ for n sides.
-pub(in crate::spatial) fn flat_faces(polygons: &SpatialPolygons) -> Vec<u32> {
+pub(in crate::spatial) fn flat_faces(polygons: &SpatialPolygons, tolerance: f64) -> Vec<u32> {
     let mut first_of: Vec<u32> = (0..polygons.polygon_count() as u32).collect();
     let points = polygons.positions().as_flat().as_chunks::<3>().0;
     let first_equal = first_equal_points(polygons.positions());
@@ -56,6 +57,11 @@ pub(in crate::spatial) fn flat_faces(polygons: &SpatialPolygons) -> Vec<u32> {
     order.retain(|&(area, _)| area > 0.0);
     order.sort_unstable_by(|x, y| y.0.total_cmp(&x.0).then(x.1.cmp(&y.1)));
     let rounding = explained_deviations(polygons);
+    let flat_surfaces = flat_surfaces(polygons, &corners, tolerance);
+    let surface = |polygon: u32| {
+        let own = polygons.surface_of(polygon)?;
+        flat_surfaces.contains(&(inputs[polygon as usize], own)).then_some(own)
+    };
     let mut is_taken = vec![false; corners.len()];
     let mut due = VecDeque::new();
     for (area, seed) in order {
@@ -75,7 +81,10 @@ pub(in crate::spatial) fn flat_faces(polygons: &SpatialPolygons) -> Vec<u32> {
         while let Some(polygon) = due.pop_front() {
             let start = neighbors.partition_point(|pair| pair[0] < polygon);
             for &[_, other] in neighbors[start..].iter().take_while(|pair| pair[0] == polygon) {
-                if !is_taken[other as usize] && corners[other as usize].is_some_and(is_of_face) {
+                let is_of_surface = || surface(seed).is_some() && surface(other) == surface(seed);
+                if !is_taken[other as usize]
+                    && (is_of_surface() || corners[other as usize].is_some_and(is_of_face))
+                {
                     is_taken[other as usize] = true;
                     members.push(other);
                     due.push_back(other);
@@ -88,6 +97,48 @@ pub(in crate::spatial) fn flat_faces(polygons: &SpatialPolygons) -> Vec<u32> {
     first_of
 }
 
+/// The surfaces of inputs whose triangles look the same way, with all corners within a distance from the plane through the middle
+/// of their triangles, by area.
+fn flat_surfaces(
+    polygons: &SpatialPolygons,
+    corners: &[Option<[u32; 3]>],
+    tolerance: f64,
+) -> BTreeSet<(u32, u32)> {
+    let points = polygons.positions().as_flat().as_chunks::<3>().0;
+    let mut triangles: Vec<((u32, u32), [[f64; 3]; 3])> = (0..)
+        .zip(corners)
+        .filter_map(|(polygon, own)| {
+            let surface = polygons.surface_of(polygon)?;
+            let own = (*own)?.map(|corner| points[corner as usize]);
+            Some(((polygons.input_of_polygon()[polygon as usize], surface), own))
+        })
+        .collect();
+    triangles.sort_by_key(|own| own.0);
+    let mut flat = BTreeSet::new();
+    for own in triangles.chunk_by(|x, y| x.0 == y.0) {
+        let origin = own[0].1[0];
+        let normals: Vec<[f64; 3]> =
+            own.iter().map(|(_, [a, b, c])| cross(minus(*b, *a), minus(*c, *a))).collect();
+        let sum = normals.iter().fold([0.0; 3], |sum, &normal| plus(sum, 1.0, normal));
+        let length = squared(sum).sqrt();
+        let unit = sum.map(|x| x / length);
+        let (mut middle, mut weight) = ([0.0; 3], 0.0);
+        for ((_, triangle), normal) in own.iter().zip(&normals) {
+            let area = squared(*normal).sqrt();
+            weight += 3.0 * area;
+            triangle.iter().for_each(|&corner| middle = plus(middle, area, minus(corner, origin)));
+        }
+        let middle = plus(origin, 1.0 / weight, middle);
+        let is_near = |&corner: &[f64; 3]| dot(unit, minus(corner, middle)).abs() <= tolerance;
+        if own.iter().all(|(_, triangle)| triangle.iter().all(is_near))
+            && normals.iter().all(|&normal| dot(normal, unit) > 0.0)
+        {
+            flat.insert(own[0].0);
+        }
+    }
+    flat
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -97,10 +148,30 @@ mod tests {
     fn firsts(flat: &[f64], lists: &[&[u32]], inputs: Option<Vec<u32>>) -> Vec<u32> {
         let positions = Positions::from_flat(3, flat.to_vec()).unwrap();
         let polygons = SpatialPolygons::from_polygons(positions, RaggedArray::from_lists(lists)).unwrap();
-        flat_faces(&match inputs {
-            Some(inputs) => polygons.with_inputs(inputs).unwrap(),
-            None => polygons,
-        })
+        flat_faces(
+            &match inputs {
+                Some(inputs) => polygons.with_inputs(inputs).unwrap(),
+                None => polygons,
+            },
+            0.0,
+        )
+    }
+
+    #[test]
+    fn triangles_of_one_surface_are_one_face_within_the_tolerance() {
+        let flat = vec![0., 0., 0., 1., 0., 0., 1., 1., 0.01, 0., 1., 0., 2., 0.5, 0.5];
+        let positions = Positions::from_flat(3, flat).unwrap();
+        let lists = RaggedArray::from_lists([[0, 2, 3], [0, 1, 2], [2, 1, 4]]);
+        let bent = SpatialPolygons::from_polygons(positions, lists).unwrap();
+        let of = |surfaces: Vec<u32>, tolerance| {
+            flat_faces(&bent.clone().with_surfaces(surfaces).unwrap(), tolerance)
+        };
+        assert_eq!(of(vec![7, 7, u32::MAX], 0.01), [0, 0, 2]);
+        // Not within the tolerance, of two surfaces, of a surface that is bent.
+        assert_eq!(of(vec![7, 7, u32::MAX], 0.001), [0, 1, 2]);
+        assert_eq!(of(vec![7, 8, u32::MAX], 0.01), [0, 1, 2]);
+        assert_eq!(of(vec![7, 7, 7], 0.01), [0, 1, 2]);
+        assert_eq!(flat_faces(&bent, 0.01), [0, 1, 2]);
     }
 
     #[test]

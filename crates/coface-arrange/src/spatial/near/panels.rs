@@ -34,6 +34,9 @@ struct Lie {
     axis: usize,
 }
 
+/// A vertex so many units of the last place of its coordinates away from a face is in it.
+const ON_UNITS: f64 = 16.0;
+
 /// The chains are panels, their owners patches.
 impl NearChains {
     /// Panels of triangles, each triangle a piece of a patch: patches that are flat within the tolerance, else their
@@ -146,7 +149,20 @@ impl NearChains {
             })
             .collect();
         let count: usize = found.iter().map(Vec::len).sum();
-        self.counts.faces += count;
+        let off_count = |panel: &Chain, own: &[u32]| {
+            if own.is_empty() {
+                return 0;
+            }
+            let lie = self.lie(panel);
+            let off = |&&vertex: &&u32| {
+                let largest = self.point(vertex).iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+                lie.as_ref()
+                    .is_some_and(|lie| self.height(lie, vertex).abs() > ON_UNITS * f64::EPSILON * largest)
+            };
+            own.iter().filter(off).count()
+        };
+        self.counts.faces +=
+            self.chains.iter().zip(&found).map(|(panel, own)| off_count(panel, own)).sum::<usize>();
         for (panel, own) in self.chains.iter_mut().zip(found) {
             panel.inside.extend(own);
         }

@@ -4,7 +4,8 @@ mod planar;
 mod spatial;
 
 pub(crate) use spatial::{
-    SpaceOptions, asks_for_exact_cells, in_space, refuse_certificate, rounding, scene_of, stacked,
+    SpaceOptions, asks_for_exact_cells, in_space, is_stl, larger_polygons, refuse_certificate, rounding,
+    scene_of, stacked, written_as_triangles,
 };
 
 use crate::arguments::{Common, length};

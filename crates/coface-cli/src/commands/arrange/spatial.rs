@@ -9,9 +9,14 @@ use crate::progress::Progress;
 use crate::remarks::{accept, say_remarks};
 use crate::target::{Seen, Target, write_seen};
 use clap::{Args, ValueEnum};
-use coface::answers::answer::{CellGraph, CongruentPieces, SpatialArrangementAnswer, SpatialRounding};
+use coface::Error;
+use coface::answers::answer::{
+    CellGraph, CongruentPieces, Remark, RemarkCode, SpatialArrangementAnswer, SpatialRounding,
+};
 use coface::answers::text;
-use coface::answers::{CongruentScene, SceneArrangement, SpatialRequest, SpatialScene};
+use coface::answers::{
+    CongruentScene, SceneArrangement, SpatialRequest, SpatialScene, remarks_of_single_precision,
+};
 use coface::arrange::CoordinatePrecision;
 use coface::arrange::spatial::NonPlanar;
 use coface::io;
@@ -81,8 +86,33 @@ impl SpaceOptions {
 }
 
 /// Whether the result goes to an STL file, which holds triangles whose coordinates have 32 bits.
-fn is_stl(output: Option<(&Path, Target)>) -> bool {
+pub(crate) fn is_stl(output: Option<(&Path, Target)>) -> bool {
     output.is_some_and(|(_, target)| target == Target::Model(Format::Stl))
+}
+
+/// The number of polygons that the format of the output has no elements for: it holds triangles and quadrangles. None where
+/// polygons are asked for.
+pub(crate) fn larger_polygons(
+    space: &SpaceOptions,
+    output: Option<(&Path, Target)>,
+    mesh: impl FnOnce() -> Result<Model, Error>,
+) -> Result<usize, Error> {
+    let holds_few = matches!(output, Some((_, Target::Model(Format::Msh | Format::Medit))));
+    if !holds_few || space.polygons || space.triangles {
+        return Ok(0);
+    }
+    Ok(mesh()?.polygons().iter().filter(|polygon| polygon.len() > 4).count())
+}
+
+/// That faces are written as triangles, since the format has no such polygons.
+pub(crate) fn written_as_triangles(count: usize, output: Option<(&Path, Target)>) -> Option<Remark> {
+    let format = output.and_then(|(_, target)| target.format()).filter(|_| count > 0)?;
+    let polygons = text::count(count, "polygon");
+    let message = format!(
+        "{polygons} of more than four vertices, which {} has not: all faces are written as triangles",
+        format.title()
+    );
+    Some(Remark::new(RemarkCode::FacesTriangulated, message).at(count, []))
 }
 
 /// The models with their names as borrowed pairs.
@@ -171,13 +201,17 @@ pub(super) fn run(
         _ => scene,
     };
     let mut arrangement = SceneArrangement::of_scene(scene, &request)?;
-    if !verb.cells.exact && !arrangement.is_valid()? {
+    // Numbers of 32 bits hold nothing exact.
+    if (!verb.cells.exact || is_stl(output)) && !arrangement.is_valid()? {
         progress.stage("rounding");
         arrangement = arrangement.validly_rounded()?.unwrap_or(arrangement);
     }
     progress.stage("multiplying boundaries");
     let rule = verb.cells.rule.map(Rule::inside).unwrap_or_default();
+    let triangulated = larger_polygons(&verb.space, output, || arrangement.to_mesh(triangles, false))?;
+    let triangles = triangles || triangulated > 0;
     let mut answer = arrangement.answer(rule)?;
+    answer.remarks.extend(written_as_triangles(triangulated, output));
     if let Some((done, joined)) = gluing {
         answer.congruence = Some(done);
         answer.joined = answer.joined.or(Some(joined));
@@ -247,8 +281,11 @@ fn by_congruence(
     progress: Progress,
 ) -> Result<(), Failure> {
     let triangles = verb.space.triangles(arrangement.scene(), output);
+    let triangulated = larger_polygons(&verb.space, output, || arrangement.to_mesh(triangles, false))?;
+    let triangles = triangles || triangulated > 0;
     progress.stage("multiplying boundaries");
     let mut answer = arrangement.answer(verb.cells.rule.map(Rule::inside).unwrap_or_default())?;
+    answer.remarks.extend(written_as_triangles(triangulated, output));
     accept(&answer.remarks, common)?;
     progress.stage("writing");
     let format = output.and_then(|(_, target)| target.format());
@@ -261,7 +298,11 @@ fn by_congruence(
         }
         Some((path, Target::Model(format))) => {
             let has_groups = matches!(format, Format::Obj | Format::Msh | Format::Medit);
-            io::write_path(&arrangement.to_mesh(triangles, has_groups)?, path, Some(format))?;
+            let mesh = arrangement.to_mesh(triangles, has_groups)?;
+            if format == Format::Stl {
+                answer.remarks.extend(remarks_of_single_precision(&mesh)?);
+            }
+            io::write_path(&mesh, path, Some(format))?;
         }
         Some((path, Target::Seen(seen))) => write_seen(path, &arrangement.to_mesh(triangles, false)?, seen)?,
         None => {}

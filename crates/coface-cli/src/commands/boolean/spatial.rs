@@ -4,7 +4,8 @@ use super::{Boolean, Task};
 use crate::arguments::Common;
 use crate::certified;
 use crate::commands::arrange::{
-    Rule, asks_for_exact_cells, in_space, refuse_certificate, rounding, scene_of, stacked,
+    Rule, asks_for_exact_cells, in_space, is_stl, larger_polygons, refuse_certificate, rounding, scene_of,
+    stacked, written_as_triangles,
 };
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, write_json};
@@ -19,7 +20,7 @@ use coface::answers::answer::{
 use coface::answers::text;
 use coface::answers::{
     ArrangementMethod, CongruentBoolean, CongruentScene, SceneArrangement, SolidBoolean, SolidRequest,
-    SpatialScene,
+    SpatialScene, remarks_of_single_precision,
 };
 use coface::arrange::spatial::NonPlanar;
 use coface::io;
@@ -77,7 +78,14 @@ pub(super) fn run(
         refuse_certificate(&verb.cells)?;
         let glued = CongruentScene::with_bent(scene, verb.cells.tolerance, spatial.non_planar)?;
         glued.refuse_more_cells(verb.cells.max_cells)?;
-        let splits = matches!(verb.solids.pinches, Some(Pinches::Split));
+        let splits = match verb.solids.pinches {
+            Some(pinches) => matches!(pinches, Pinches::Split),
+            None => {
+                is_mesh(output)
+                    && !verb.keep_walls
+                    && CongruentBoolean::of(&glued, &glued_request(verb, task, output, &glued))?.is_pinched()
+            }
+        };
         if !splits && !asks_for_exact_cells(&verb.cells, &verb.space) {
             return by_congruence(verb, task, common, output, &glued, progress);
         }
@@ -93,23 +101,32 @@ pub(super) fn run(
     let mut request = SolidRequest::of(task.formula(count));
     request.rule = verb.cells.rule.map(Rule::inside).unwrap_or_default();
     request.triangles = triangles;
-    let is_mesh = output.and_then(|(_, target)| target.format()).is_some_and(|format| format != Format::Json);
     request.split_pinches = match verb.solids.pinches {
         Some(pinches) => matches!(pinches, Pinches::Split),
-        None => is_mesh && !verb.keep_walls,
+        None => is_mesh(output) && !verb.keep_walls,
     };
     request.keep_walls = verb.keep_walls;
-    request.merge_coplanar = spatial.merge_coplanar && !verb.cells.exact;
+    // Numbers of 32 bits hold nothing exact.
+    let is_exact = verb.cells.exact && !is_stl(output);
+    request.merge_coplanar = spatial.merge_coplanar && !is_exact;
     let rounded;
-    let mut result = SolidBoolean::of(&arrangement, &request)?;
-    if !verb.cells.exact && !result.is_valid()? {
+    let mut combined = &arrangement;
+    let mut result = SolidBoolean::of(combined, &request)?;
+    if !is_exact && !result.is_valid()? {
         progress.stage("rounding");
         if let Some(valid) = arrangement.validly_rounded()? {
             rounded = valid;
-            result = SolidBoolean::of(&rounded, &request)?;
+            combined = &rounded;
+            result = SolidBoolean::of(combined, &request)?;
         }
     }
+    let triangulated = larger_polygons(&verb.space, output, || result.to_mesh())?;
+    if triangulated > 0 {
+        request.triangles = true;
+        result = SolidBoolean::of(combined, &request)?;
+    }
     let mut answer = result.answer()?;
+    answer.remarks.extend(written_as_triangles(triangulated, output));
     if let Some((done, joined)) = gluing {
         answer.congruence = Some(done);
         answer.joined = answer.joined.or(Some(joined));
@@ -140,12 +157,14 @@ fn by_congruence(
     arrangement: &CongruentScene,
     progress: Progress,
 ) -> Result<(), Failure> {
-    let mut request = SolidRequest::of(task.formula(arrangement.scene().names().len()));
-    request.rule = verb.cells.rule.map(Rule::inside).unwrap_or_default();
-    request.triangles = verb.space.triangles(arrangement.scene(), output);
-    request.keep_walls = verb.keep_walls;
     progress.stage("combining");
-    let result = CongruentBoolean::of(arrangement, &request)?;
+    let mut request = glued_request(verb, task, output, arrangement);
+    let mut result = CongruentBoolean::of(arrangement, &request)?;
+    let triangulated = larger_polygons(&verb.space, output, || result.to_mesh())?;
+    if triangulated > 0 {
+        request.triangles = true;
+        result = CongruentBoolean::of(arrangement, &request)?;
+    }
     let made = Made {
         chains: &|| result.to_chains(),
         mesh: &|| result.to_mesh(),
@@ -154,8 +173,31 @@ fn by_congruence(
         certificate: &|_| Ok(()),
     };
     let mut answer = result.answer()?;
+    answer.remarks.extend(written_as_triangles(triangulated, output));
     answer.remarks.extend(name_loss(arrangement.scene(), output));
+    if is_stl(output) {
+        answer.remarks.extend(remarks_of_single_precision(&result.to_mesh()?)?);
+    }
     finish(verb, common, output, answer, &made, progress)
+}
+
+/// What is asked of glued cells.
+fn glued_request(
+    verb: &Boolean,
+    task: &Task,
+    output: Option<(&Path, Target)>,
+    arrangement: &CongruentScene,
+) -> SolidRequest {
+    let mut request = SolidRequest::of(task.formula(arrangement.scene().names().len()));
+    request.rule = verb.cells.rule.map(Rule::inside).unwrap_or_default();
+    request.triangles = verb.space.triangles(arrangement.scene(), output);
+    request.keep_walls = verb.keep_walls;
+    request
+}
+
+/// Whether the result goes to a file of a mesh, which keeps no cells apart.
+fn is_mesh(output: Option<(&Path, Target)>) -> bool {
+    output.and_then(|(_, target)| target.format()).is_some_and(|format| format != Format::Json)
 }
 
 /// That the file which is written has no names of inputs.

@@ -58,6 +58,24 @@ const LOOSE: Files = &[(
      0 1 0\n0 0 -1.000000001\n0 -1 0\n-1.000000001 0 0\n0 0 -1\n1.000000001 0 0\n0 -1 0\n0 0 -1.000000001\n\
      3 0 1 2\n3 3 4 5\n3 6 7 8\n3 9 10 11\n3 12 13 14\n3 15 16 17\n3 18 19 20\n3 21 22 23\n",
 )];
+/// A cube one face of which is turned inside out, each face with corners of its own.
+const TURNED_APART: Files = &[(
+    "apart.off",
+    "OFF\n24 6 0\n\
+     0 0 0\n0 1 0\n1 1 0\n1 0 0\n0 0 0\n1 0 0\n1 0 1\n0 0 1\n1 0 0\n1 1 0\n1 1 1\n1 0 1\n1 1 0\n0 1 0\n\
+     0 1 1\n1 1 1\n0 1 0\n0 0 0\n0 0 1\n0 1 1\n0 1 1\n1 1 1\n1 0 1\n0 0 1\n4 0 1 2 3\n4 4 5 6 7\n\
+     4 8 9 10 11\n4 12 13 14 15\n4 16 17 18 19\n4 20 21 22 23\n",
+)];
+/// An open cube with cracks along its edges.
+const CRACK_AND_HOLE: Files = &[(
+    "cracked.off",
+    "OFF\n20 5 0\n\
+     0.000000001 0 0\n0.000000001 1 0\n1.000000001 1 0\n1.000000001 0 0\n0.000000002 0 0\n\
+     1.000000002 0 0\n1.000000002 0 1\n0.000000002 0 1\n1.000000003 0 0\n1.000000003 1 0\n\
+     1.000000003 1 1\n1.000000003 0 1\n1.000000004 1 0\n0.000000004 1 0\n0.000000004 1 1\n\
+     1.000000004 1 1\n0.000000005 1 0\n0.000000005 0 0\n0.000000005 0 1\n0.000000005 1 1\n4 0 1 2 3\n\
+     4 4 5 6 7\n4 8 9 10 11\n4 12 13 14 15\n4 16 17 18 19\n",
+)];
 /// A cube one face of which is turned inside out.
 const TURNED: Files = &[(
     "turned.off",
@@ -156,6 +174,20 @@ pub(super) const CASES: &[Case] = &[
             &["coface convert turned.off --orient -o solid.off", "coface boolean union solid.off"],
             &["coface boolean union turned.off --rule evenodd"],
         ]),
+    Case::new("spatial/inputs.rs", "coface convert INPUT --repair -o OUT with that --weld")
+        .files(TURNED_APART)
+        .refused("coface boolean union apart.off")
+        .cured(&[
+            &["coface boolean union apart.off --weld 1e-14 --rule evenodd"],
+            &[
+                "coface convert apart.off --weld 1e-14 --repair -o solid.off",
+                "coface boolean union solid.off",
+            ],
+        ]),
+    Case::new("spatial/inputs.rs", "have mouths closed with patches (--weld {radius:.0e} --open close)")
+        .files(CRACK_AND_HOLE)
+        .refused("coface boolean union cracked.off")
+        .cured(&[&["coface boolean union cracked.off --weld 1e-9 --open close"]]),
     Case::new("spatial/facts.rs", "--rule positive counts what winds backward as outside")
         .files(OVERLAPPING)
         .answered("coface boolean union twice.off")
