@@ -25,20 +25,8 @@ pub(crate) struct DomainOptions {
 impl DomainOptions {
     /// What the words mean for this model.
     pub(crate) fn domain(&self, model: &Model, progress: &Progress) -> Result<Domain, Failure> {
-        let mut domain = Domain { groups: self.domain.clone(), relative: None };
-        let words: Vec<&str> = self.relative.iter().filter_map(|word| word.to_str()).collect();
-        let is_group = |word: &str| named_groups(model, &[word.to_owned()]);
-        domain.relative = match (&self.relative[..], &words[..]) {
-            ([], _) => None,
-            ([_], [word]) if is_group(word).is_ok() => Some(RelativeTo::Groups(vec![(*word).to_owned()])),
-            ([_], ["boundary"]) => Some(RelativeTo::Boundary),
-            ([file], _) if file.exists() || model.groups().is_empty() => {
-                let part = input::read(file, ReadOptions::default(), progress)?;
-                Some(RelativeTo::Part { name: part.name, model: Box::new(part.model) })
-            }
-            (_, words) => Some(RelativeTo::Groups(words.iter().map(|&word| word.to_owned()).collect())),
-        };
-        Ok(domain)
+        let relative = part(&self.relative, model, progress)?;
+        Ok(Domain { groups: self.domain.clone(), relative })
     }
 
     /// The file that the domain is taken relative to, if the word is one.
@@ -63,6 +51,26 @@ impl DomainOptions {
             if parts.is_empty() { String::new() } else { format!(", relative to {}", parts.join(", ")) };
         (before, after)
     }
+}
+
+/// The part of a model that words name: its boundary, groups, or the cells of a file.
+pub(crate) fn part(
+    given: &[PathBuf],
+    model: &Model,
+    progress: &Progress,
+) -> Result<Option<RelativeTo>, Failure> {
+    let words: Vec<&str> = given.iter().filter_map(|word| word.to_str()).collect();
+    let is_group = |word: &str| named_groups(model, &[word.to_owned()]);
+    Ok(match (given, &words[..]) {
+        ([], _) => None,
+        ([_], [word]) if is_group(word).is_ok() => Some(RelativeTo::Groups(vec![(*word).to_owned()])),
+        ([_], ["boundary"]) => Some(RelativeTo::Boundary),
+        ([file], _) if file.exists() || model.groups().is_empty() => {
+            let part = input::read(file, ReadOptions::default(), progress)?;
+            Some(RelativeTo::Part { name: part.name, model: Box::new(part.model) })
+        }
+        (_, words) => Some(RelativeTo::Groups(words.iter().map(|&word| word.to_owned()).collect())),
+    })
 }
 
 /// Whether a file is a mesh of Gmsh by its name, which keeps chains as physical groups.

@@ -31,6 +31,7 @@ mod maps;
 mod memory;
 mod model;
 mod objects;
+mod pairs;
 mod persistence;
 mod pi1;
 mod pictures;
@@ -105,7 +106,8 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(yin::_label_sets, module)?)?;
     module.add_function(wrap_pyfunction!(yin::_feature_sets, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::persistence, module)?)?;
-    module.add_function(wrap_pyfunction!(persistence::_extended_persistence, module)?)?;
+    module.add_function(wrap_pyfunction!(pairs::_extended_persistence, module)?)?;
+    module.add_function(wrap_pyfunction!(pairs::_cells_of_part, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::_vineyard, module)?)?;
     module.add_function(wrap_pyfunction!(zigzags::_zigzag, module)?)?;
     module.add_function(wrap_pyfunction!(diagrams::_diagram_distance, module)?)?;

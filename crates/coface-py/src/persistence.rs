@@ -5,6 +5,7 @@ use crate::chain::Chain;
 use crate::chain_complex::{ChainComplex, ring};
 use crate::diagrams::{self, Curves};
 use crate::errors::{OrRaise, invalid, warn, whole};
+use crate::pairs;
 use crate::pictures::flat_file;
 use crate::source::{Names, Naming};
 use crate::work::run;
@@ -55,6 +56,8 @@ pub(crate) enum Diagram {
         filtration: Arc<Filtration>,
         /// Classes that live no longer were left out.
         least: f64,
+        /// Whether classes are those of a part as the whole sees them.
+        image: bool,
     },
     Points(FoundRips),
     Image(FoundImage),
@@ -104,6 +107,10 @@ fn filtration(
 ///     Whether a cell enters with its first vertex and values fall.
 /// least : float
 ///     Classes that live no longer than this are left out.
+/// part : list of list of int, optional
+///     For each degree the cells of a part, relative to which persistence is.
+/// image : bool
+///     Whether it is that of the part, as the complex sees it.
 /// progress : bool or callable, optional
 ///     ``True`` shows a bar; a function is called with (stage, done, total).
 ///
@@ -112,7 +119,7 @@ fn filtration(
 /// Persistence
 ///     The diagram.
 #[pyfunction]
-#[pyo3(signature = (complex, *, vertex_values=None, cell_values=None, coefficients=None, upper=false, least=0.0, progress=None), text_signature = "(complex, *, vertex_values=None, cell_values=None, coefficients='f2', upper=False, least=0.0, progress=False)")]
+#[pyo3(signature = (complex, *, vertex_values=None, cell_values=None, coefficients=None, upper=false, least=0.0, part=None, image=false, progress=None), text_signature = "(complex, *, vertex_values=None, cell_values=None, coefficients='f2', upper=False, least=0.0, part=None, image=False, progress=False)")]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn persistence(
     py: Python<'_>,
@@ -122,6 +129,8 @@ pub(crate) fn persistence(
     coefficients: Option<&Bound<'_, PyAny>>,
     upper: bool,
     least: f64,
+    part: Option<Vec<Vec<u32>>>,
+    image: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Persistence> {
     let complex = complex.get();
@@ -137,56 +146,13 @@ pub(crate) fn persistence(
             Some(lists)
         }
     };
-    let (diagram, filtration) = run(py, progress, || {
+    let found = run(py, progress, || {
         let filtration = filtration(complex, vertex_values, cell_values, upper)?;
-        Ok((topology::persistence(&complex.complex, &filtration, field)?.longer_than(least), filtration))
+        pairs::found(complex, part, image, filtration, field)
     })?;
-    let (naming, complex) = (Arc::clone(&complex.naming), Arc::clone(&complex.complex));
-    let filtration = Arc::new(filtration);
-    Ok(Persistence { diagram: Diagram::Complex { diagram, naming, complex, filtration, least } })
-}
-
-/// Extended persistence of values of vertices.
-///
-/// Parameters
-/// ----------
-/// complex : ChainComplex
-///     The complex.
-/// vertex_values : array_like of float
-///     A value for each vertex in the order of the complex.
-/// coefficients : str or int
-///     A prime field: ``"f2"``, ``"f3"``, ...
-/// least : float
-///     Ordinary and relative classes that live no longer than this are left out.
-///
-/// Returns
-/// -------
-/// list of tuple
-///     Kind, degree, birth and death of each class.
-#[pyfunction]
-#[pyo3(signature = (complex, vertex_values, *, coefficients=None, least=0.0), text_signature = "(complex, vertex_values, *, coefficients='f2', least=0.0)")]
-pub(crate) fn _extended_persistence(
-    py: Python<'_>,
-    complex: &Bound<'_, ChainComplex>,
-    vertex_values: &Bound<'_, PyAny>,
-    coefficients: Option<&Bound<'_, PyAny>>,
-    least: f64,
-) -> PyResult<Vec<(&'static str, usize, f64, f64)>> {
-    let complex = complex.get();
-    let field = coefficients.map_or(Ok(Coefficients::Modulo(2)), ring)?;
-    let values = arrays::finite(vertex_values, "vertex_values")?;
-    let pairs = run(py, None, || topology::extended_persistence(&complex.complex, &values, field))?;
-    let class = |pair: &topology::ExtendedPair| {
-        let (kind, is_whole) = match pair.kind() {
-            topology::ExtendedKind::Ordinary => ("ordinary", false),
-            topology::ExtendedKind::Relative => ("relative", false),
-            topology::ExtendedKind::ExtendedPlus => ("extended+", true),
-            topology::ExtendedKind::ExtendedMinus => ("extended-", true),
-        };
-        let is_long = is_whole || (pair.death() - pair.birth()).abs() > least;
-        is_long.then(|| (kind, pair.degree(), pair.birth(), pair.death()))
-    };
-    Ok(pairs.iter().filter_map(class).collect())
+    let pairs::Found { diagram, naming, complex, filtration } = found;
+    let diagram = diagram.longer_than(least);
+    Ok(Persistence { diagram: Diagram::Complex { diagram, naming, complex, filtration, least, image } })
 }
 
 /// The paths of the points of a diagram while the function moves.
@@ -398,7 +364,12 @@ impl Persistence {
     /// The cells, which points make again for their cycles.
     fn stored(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Stored> {
         match &self.diagram {
-            Diagram::Complex { diagram, naming, complex, filtration, least } => Ok(Stored {
+            Diagram::Complex { image: true, .. } => Err(invalid(
+                py,
+                "there are no cycles of the image of a part".to_owned(),
+                "ask for those of the part or of the whole",
+            )),
+            Diagram::Complex { diagram, naming, complex, filtration, least, .. } => Ok(Stored {
                 prime: diagram.prime(),
                 naming: Arc::clone(naming),
                 complex: Arc::clone(complex),
@@ -902,6 +873,7 @@ impl Persistence {
         #[pyo3(from_py_with = whole)] place: usize,
     ) -> PyResult<Option<Chain>> {
         self.require_complex(py)?;
+        self.stored(py, None)?;
         let Diagram::Complex { naming, complex, .. } = &self.diagram else { return Ok(None) };
         let Some(pair) = self.pairs_of_degree(degree).get(place) else {
             return Err(invalid(
@@ -922,12 +894,13 @@ impl Persistence {
     /// The diagram without classes that live no longer than this.
     fn longer_than(&self, length: f64) -> Self {
         let diagram = match &self.diagram {
-            Diagram::Complex { diagram, naming, complex, filtration, least } => Diagram::Complex {
+            Diagram::Complex { diagram, naming, complex, filtration, least, image } => Diagram::Complex {
                 diagram: diagram.longer_than(length),
                 naming: Arc::clone(naming),
                 complex: Arc::clone(complex),
                 filtration: Arc::clone(filtration),
                 least: least.max(length),
+                image: *image,
             },
             Diagram::Points(found) => Diagram::Points(found.longer_than(length)),
             Diagram::Image(found) => Diagram::Image(found.longer_than(length)),
@@ -986,6 +959,15 @@ impl Persistence {
         transparent: bool,
     ) -> PyResult<Bound<'py, PyBytes>> {
         flat_file(py, format, size, transparent, || diagram_picture(title, &self.points()))
+    }
+
+    /// The numbers of edges before and after their collapse; ``None`` if they were not collapsed.
+    #[getter]
+    fn collapsed(&self) -> Option<(usize, usize)> {
+        match &self.diagram {
+            Diagram::Points(found) => found.collapsed(),
+            Diagram::Complex { .. } | Diagram::Image(_) => None,
+        }
     }
 
     fn __len__(&self) -> usize {

@@ -2,7 +2,7 @@
 
 use crate::arrays;
 use crate::chain_complex::ring;
-use crate::errors::{OrRaise, warn, whole};
+use crate::errors::{OrRaise, invalid, warn, whole};
 use crate::model::Model;
 use crate::persistence::{Diagram, Persistence};
 use crate::source::{Names, Naming};
@@ -40,6 +40,8 @@ use std::sync::Arc;
 ///     A prime field: ``"f2"``, ``"f3"``, ...
 /// least : float
 ///     Classes that live no longer than this are left out.
+/// collapse : bool
+///     Whether edges are collapsed before.
 /// progress : bool or callable, optional
 ///     ``True`` shows a bar; a function is called with (stage, done, total).
 ///
@@ -48,7 +50,7 @@ use std::sync::Arc;
 /// Persistence
 ///     The diagram.
 #[pyfunction]
-#[pyo3(signature = (table, *, form=None, dimension=None, threshold=None, coefficients=None, least=0.0, progress=None), text_signature = "(table, *, form=None, dimension=1, threshold=None, coefficients='f2', least=0.0, progress=False)")]
+#[pyo3(signature = (table, *, form=None, dimension=None, threshold=None, coefficients=None, least=0.0, collapse=false, progress=None), text_signature = "(table, *, form=None, dimension=1, threshold=None, coefficients='f2', least=0.0, collapse=False, progress=False)")]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn rips(
     py: Python<'_>,
@@ -58,6 +60,7 @@ pub(crate) fn rips(
     threshold: Option<f64>,
     coefficients: Option<&Bound<'_, PyAny>>,
     least: f64,
+    collapse: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Persistence> {
     let table = rows(table)?;
@@ -67,7 +70,7 @@ pub(crate) fn rips(
     let (found, said) = run(py, progress, || {
         let points = reading.distances(&table)?;
         let request = RipsRequest::new().coefficients(field).dimension(dimension);
-        let request = request.threshold(threshold).min_persistence(least);
+        let request = request.threshold(threshold).min_persistence(least).collapse(collapse);
         Ok((request.found("points", points.distances())?, points.remarks().to_vec()))
     })?;
     warn_of(py, &said)?;
@@ -90,6 +93,8 @@ pub(crate) fn rips(
 ///     A prime field: ``"f2"``, ``"f3"``, ...
 /// least : float
 ///     Classes that live no longer than this are left out.
+/// collapse : bool
+///     Whether edges are collapsed before.
 /// progress : bool or callable, optional
 ///     ``True`` shows a bar; a function is called with (stage, done, total).
 ///
@@ -98,7 +103,7 @@ pub(crate) fn rips(
 /// Persistence
 ///     The diagram.
 #[pyfunction]
-#[pyo3(signature = (graph, *, directed=false, dimension=None, threshold=None, coefficients=None, least=0.0, progress=None), text_signature = "(graph, *, directed=False, dimension=1, threshold=None, coefficients='f2', least=0.0, progress=False)")]
+#[pyo3(signature = (graph, *, directed=false, dimension=None, threshold=None, coefficients=None, least=0.0, collapse=false, progress=None), text_signature = "(graph, *, directed=False, dimension=1, threshold=None, coefficients='f2', least=0.0, collapse=False, progress=False)")]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn flag(
     py: Python<'_>,
@@ -108,19 +113,24 @@ pub(crate) fn flag(
     threshold: Option<f64>,
     coefficients: Option<&Bound<'_, PyAny>>,
     least: f64,
+    collapse: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Persistence> {
     let graph = GivenGraph::of(graph)?;
     let field = coefficients.map_or(Ok(Coefficients::Modulo(2)), ring)?;
     let dimension = dimension.map_or(Ok(1), whole)?;
     let reading = FlagReading { directed, threshold, ..FlagReading::default() };
+    if directed && collapse {
+        let message = "edges with directions are not collapsed".to_owned();
+        return Err(invalid(py, message, "give collapse=False"));
+    }
     if directed {
         return directed_flag(py, &graph, reading, dimension, field, least, progress);
     }
     let (found, said) = run(py, progress, || {
         let graph = graph.read(reading)?;
         let request = RipsRequest::new().coefficients(field).dimension(dimension);
-        let request = request.threshold(threshold).min_persistence(least);
+        let request = request.threshold(threshold).min_persistence(least).collapse(collapse);
         Ok((request.found_of_graph("graph", &graph)?, graph.remarks().to_vec()))
     })?;
     warn_of(py, &said)?;
@@ -159,7 +169,9 @@ fn directed_flag(
     warn_of(py, &said)?;
     let naming = Arc::new(Naming::of(Names::Given(Arc::new(names))));
     let (complex, filtration) = (Arc::new(chains), Arc::new(filtration));
-    Ok(Persistence { diagram: Diagram::Complex { diagram, naming, complex, filtration, least } })
+    Ok(Persistence {
+        diagram: Diagram::Complex { diagram, naming, complex, filtration, least, image: false },
+    })
 }
 
 /// Persistent homology of the Čech complex of points.
@@ -421,7 +433,9 @@ fn of_cells(
     warn_of(py, &said)?;
     let naming = Arc::new(Naming::of(names));
     let (complex, filtration) = (Arc::new(complex), Arc::new(filtration));
-    Ok(Persistence { diagram: Diagram::Complex { diagram, naming, complex, filtration, least } })
+    Ok(Persistence {
+        diagram: Diagram::Complex { diagram, naming, complex, filtration, least, image: false },
+    })
 }
 
 /// Persistent homology of the alpha complex of points.

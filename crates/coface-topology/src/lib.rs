@@ -56,8 +56,8 @@ pub use persistence::{
     Barcode, BarcodeMatching, ExtendedKind, ExtendedPair, Filtration, ImageConstruction, ImageDiagram,
     ImageFiltration, ImagePair, PersistenceDiagram, PersistencePair, PersistenceSurface, PersistentCycle,
     RipsCochain, RipsDiagram, RipsFiltration, RipsPair, RipsSize, Vine, VinePoint, ZigzagFiltration,
-    ZigzagPair, ZigzagStep, euler_characteristic_curve, extended_persistence, persistence, persistent_cycles,
-    torsion_primes, vineyard,
+    ZigzagPair, ZigzagStep, euler_characteristic_curve, extended_persistence, image_persistence, persistence,
+    persistent_cycles, relative_persistence, torsion_primes, vineyard,
 };
 
 mod curves;

@@ -27,6 +27,16 @@ pub struct PersistenceAnswer {
     /// for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub torsion_primes: Option<Vec<u32>>,
+    /// The numbers of edges before and after their collapse, if they were collapsed; cells of pairs are among those that are left.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub collapsed: Option<(usize, usize)>,
+    /// The part that homology is taken relative to, if there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub relative_to: Option<String>,
+    /// The part whose classes are followed in the whole, if there is one: they are born in the part, and die when they bound in the whole. `betti` has the ranks of
+    /// its homology in that of the whole.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub image_of: Option<String>,
     /// The names of the vertices by their numbers, of a graph whose vertices have names.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vertex_names: Option<Vec<String>>,

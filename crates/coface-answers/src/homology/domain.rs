@@ -21,6 +21,23 @@ pub enum RelativeTo {
     Groups(Vec<String>),
 }
 
+impl RelativeTo {
+    /// What the part is called: `boundary`, the name of the other model, or those of the groups.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::RelativeTo;
+    /// assert_eq!(RelativeTo::Groups(vec!["lid".to_owned(), "rim".to_owned()]).name(), "lid, rim");
+    /// ```
+    pub fn name(&self) -> String {
+        match self {
+            Self::Boundary => "boundary".to_owned(),
+            Self::Part { name, .. } => name.clone(),
+            Self::Groups(words) => words.join(", "),
+        }
+    }
+}
+
 /// The domain of homology and what it is relative to; by default the whole model.
 ///
 /// # Examples

@@ -102,6 +102,9 @@ impl FoundDiagram<'_> {
         let [(_, bytes)] = inputs else {
             return Err(Error::invalid("a certificate of persistence is of one input"));
         };
+        if self.relative_to.is_some() || self.image_of.is_some() {
+            return Err(refused("persistence of a part of a model has no certificate"));
+        }
         let listed = facets.as_ref().map(crate::answer::to_json);
         let bytes = listed.as_ref().map_or(*bytes, |text| text.as_bytes());
         let read = coface_check::Complex::read(bytes).map_err(|fault| refused(&fault.to_string()))?;

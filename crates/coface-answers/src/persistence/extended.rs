@@ -33,6 +33,10 @@ impl PersistenceRequest {
             )
             .with_cure("ask for it without superlevel sets and without values of cells"));
         };
+        if self.relative.is_some() || self.image_of.is_some() {
+            return Err(Error::invalid("extended persistence is of a whole model")
+                .with_cure("ask for it without a part, or write the part as a model of its own"));
+        }
         let Coefficients::Modulo(prime) = self.coefficients else {
             return Err(Error::invalid("persistence has a prime field").with_cure("give f2, f3, f5, ..."));
         };
@@ -76,6 +80,9 @@ impl PersistenceRequest {
             diagram: pairs.iter().filter(is_long).map(answer).collect(),
             betti,
             torsion_primes: None,
+            collapsed: None,
+            relative_to: None,
+            image_of: None,
             vertex_names: None,
             remarks: Vec::new(),
         })

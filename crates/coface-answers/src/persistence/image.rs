@@ -390,6 +390,9 @@ impl FoundImage {
             diagram: self.diagram.pairs().iter().map(pair).collect(),
             betti: self.diagram.betti_numbers(),
             torsion_primes: None,
+            collapsed: None,
+            relative_to: None,
+            image_of: None,
             vertex_names: None,
             remarks: Vec::new(),
         }

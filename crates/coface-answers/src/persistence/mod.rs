@@ -36,15 +36,15 @@ pub use vineyard::{VineyardRequest, write_vines};
 pub use zigzag::GivenZigzag;
 
 use crate::answer::{PersistenceAnswer, PersistencePairAnswer};
-use crate::{CellNames, Producer};
+use crate::{CellNames, Domain, Pair, Producer, RelativeTo};
 use coface_algebra::chains::{Chain, ChainComplex};
 use coface_algebra::progress::stage;
 use coface_algebra::{CellId, Error, Integer, VertexId};
 use coface_geometry::Positions;
 use coface_io::Model;
 use coface_topology::{
-    Coefficients, Filtration, PersistenceDiagram, PersistencePair, PersistentCycle, persistence,
-    persistent_cycles, torsion_primes,
+    Coefficients, Filtration, PersistenceDiagram, PersistencePair, PersistentCycle, image_persistence,
+    persistence, persistent_cycles, torsion_primes,
 };
 
 /// A function on the vertices of a model.
@@ -189,14 +189,27 @@ pub struct PersistenceRequest {
     threshold: Option<f64>,
     /// For each degree the cells as they enter, where values of cells leave that open.
     order: Option<Vec<Vec<u32>>>,
+    relative: Option<RelativeTo>,
+    image_of: Option<RelativeTo>,
 }
 
 impl Default for PersistenceRequest {
     fn default() -> Self {
         let coefficients = Coefficients::Modulo(2);
         let growth = Growth::Lower(None);
-        let (most_degree, threshold, order) = (None, None, None);
-        Self { coefficients, growth, min_persistence: 0.0, cycles: false, most_degree, threshold, order }
+        let (most_degree, threshold, order, relative, image_of) = (None, None, None, None, None);
+        let (min_persistence, cycles) = (0.0, false);
+        Self {
+            coefficients,
+            growth,
+            min_persistence,
+            cycles,
+            most_degree,
+            threshold,
+            order,
+            relative,
+            image_of,
+        }
     }
 }
 
@@ -273,6 +286,44 @@ impl PersistenceRequest {
         self
     }
 
+    /// Asks for homology relative to a part of the model: cells of the part are left out, those that are left enter as they do. Cycles are relative ones.
+    ///
+    /// # Examples
+    /// A disk relative to its rim: one class of degree 2, from when all of the disk is there.
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PersistenceRequest, Producer, RelativeTo};
+    /// let disk = Producer::of(coface_io::read(&b"[[0,1,2],[0,2,3]]"[..], coface_io::Format::Json)?)?;
+    /// let request = PersistenceRequest::new().relative(Some(RelativeTo::Boundary));
+    /// let answer = request.found("disk", &disk)?.answer();
+    /// assert_eq!((answer.betti, answer.relative_to.as_deref()), (vec![0, 0, 1], Some("boundary")));
+    /// assert_eq!((answer.diagram[0].degree, answer.diagram[0].birth), (2, 3.0));
+    /// # Ok(()) }
+    /// ```
+    pub fn relative(mut self, part: Option<RelativeTo>) -> Self {
+        self.relative = part;
+        self
+    }
+
+    /// Asks for the classes of a part of the model as they are seen in the whole: they are born in the part, and die when they bound in the whole.
+    ///
+    /// # Examples
+    /// The rim of a triangle, whose last vertex has the number 2.
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PersistenceRequest, Producer, RelativeTo};
+    /// let disk = Producer::of(coface_io::read(&b"[[0,1,2]]"[..], coface_io::Format::Json)?)?;
+    /// let request = PersistenceRequest::new().image_of(Some(RelativeTo::Boundary)).min_persistence(-1.0);
+    /// let answer = request.found("disk", &disk)?.answer();
+    /// let rim = answer.diagram.last().expect("a loop that bounds at once");
+    /// assert_eq!((rim.degree, rim.birth, rim.death), (1, 2.0, Some(2.0)));
+    /// # Ok(()) }
+    /// ```
+    pub fn image_of(mut self, part: Option<RelativeTo>) -> Self {
+        self.image_of = part;
+        self
+    }
+
     /// Asks for the degrees up to one: of a model that lacks its cells of higher degree, those that it tells.
     ///
     /// # Examples
@@ -316,37 +367,116 @@ impl PersistenceRequest {
     /// # Ok(()) }
     /// ```
     pub fn found<'a>(&self, name: &str, producer: &'a Producer) -> Result<FoundDiagram<'a>, Error> {
+        self.found_in(name, producer, None)
+    }
+
+    /// The same with the model of the producer, which says what its groups are: a part may be one of them.
+    ///
+    /// # Errors
+    /// As [`Self::found`], and those of [`Domain::pair`] where a part is asked for.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PersistenceRequest, Producer, RelativeTo};
+    /// let square = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng lid\nf 1 2 3\ng rest\nf 1 3 4\n";
+    /// let model = coface_io::read(&square[..], coface_io::Format::Obj)?;
+    /// let producer = Producer::of(model.clone())?;
+    /// let request = PersistenceRequest::new().relative(Some(RelativeTo::Groups(vec!["lid".to_owned()])));
+    /// let found = request.found_in("square.obj", &producer, Some(&model))?;
+    /// assert_eq!(found.answer().betti, [0, 0, 0], "what is left is a disk relative to an edge");
+    /// # Ok(()) }
+    /// ```
+    pub fn found_in<'a>(
+        &self,
+        name: &str,
+        producer: &'a Producer,
+        model: Option<&Model>,
+    ) -> Result<FoundDiagram<'a>, Error> {
         let complex = producer.chain_complex()?;
+        let relative = self.pair(name, self.relative.as_ref(), producer, &complex, model)?;
+        let image = self.pair(name, self.image_of.as_ref(), producer, &complex, model)?;
         let steps = stage("sorting cells", 0);
         let (function, star, filtration) = self.filtration(name, producer, &complex)?;
         drop(steps);
-        let steps = stage("pairing cells", 0);
-        let mut whole = persistence(&complex, &filtration, self.coefficients)?;
-        if let Some(degree) = self.most_degree {
-            whole = whole.up_to_degree(degree);
-        }
-        drop(steps);
-        let (cycles, torsion_primes) = match self.cycles {
-            true => {
-                let cycles = persistent_cycles(&complex, &filtration, &whole, self.min_persistence)?;
-                (Some(cycles), Some(torsion_primes(&complex, &filtration)?))
-            }
-            false => (None, None),
-        };
-        let diagram = whole.longer_than(self.min_persistence);
-        Ok(FoundDiagram {
+        let found = |filtration, kept, diagram: &PersistenceDiagram, (cycles, torsion_primes)| FoundDiagram {
             producer,
             name: name.to_owned(),
             function,
             star,
             filtration,
             min_persistence: self.min_persistence,
-            diagram,
+            diagram: diagram.longer_than(self.min_persistence),
             most_degree: self.most_degree,
             threshold: self.threshold,
             cycles,
             torsion_primes,
-        })
+            kept,
+            relative_to: self.relative.as_ref().map(RelativeTo::name),
+            image_of: self.image_of.as_ref().map(RelativeTo::name),
+        };
+        if let Some(image) = image {
+            let steps = stage("pairing cells", 0);
+            let part = image.subcomplex(&complex)?;
+            let whole = self.up_to(image_persistence(&complex, &filtration, &part, self.coefficients)?);
+            drop(steps);
+            return Ok(found(filtration, None, &whole, (None, None)));
+        }
+        let Some(pair) = relative else {
+            let (whole, cycles, primes) = self.classes(&complex, &filtration)?;
+            return Ok(found(filtration, None, &whole, (cycles, primes)));
+        };
+        let kept = pair.cells().to_vec();
+        let (whole, cycles, primes) = self.classes(pair.chains(), &filtration.restricted(&kept))?;
+        let whole = whole.with_cells(&kept);
+        Ok(found(filtration, Some(kept), &whole, (cycles, primes)))
+    }
+
+    /// The pair of the model and a part, if there is one.
+    fn pair(
+        &self,
+        name: &str,
+        part: Option<&RelativeTo>,
+        producer: &Producer,
+        complex: &ChainComplex,
+        model: Option<&Model>,
+    ) -> Result<Option<Pair>, Error> {
+        let Some(part) = part else { return Ok(None) };
+        let refused =
+            |message: &str, cure: &str| Err(Error::invalid(message).with_cure(cure.to_owned()).in_file(name));
+        if self.relative.is_some() && self.image_of.is_some() {
+            return refused(
+                "persistence is relative to a part, or of its image in the whole",
+                "give one of both",
+            );
+        }
+        if self.image_of.is_some() && self.cycles {
+            return refused(
+                "there are no cycles of the image of a part",
+                "ask for those of the part or of the whole",
+            );
+        }
+        let domain = Domain { groups: Vec::new(), relative: Some(part.clone()) };
+        domain.pair(producer, complex, model).map_err(|error| error.in_file(name))
+    }
+
+    /// The whole diagram, with cycles and the primes of torsion if cycles are asked for.
+    fn classes(&self, complex: &ChainComplex, filtration: &Filtration) -> Result<Classes, Error> {
+        let steps = stage("pairing cells", 0);
+        let whole = self.up_to(persistence(complex, filtration, self.coefficients)?);
+        drop(steps);
+        if !self.cycles {
+            return Ok((whole, None, None));
+        }
+        let cycles = persistent_cycles(complex, filtration, &whole, self.min_persistence)?;
+        Ok((whole, Some(cycles), Some(torsion_primes(complex, filtration)?)))
+    }
+
+    fn up_to(&self, whole: PersistenceDiagram) -> PersistenceDiagram {
+        match self.most_degree {
+            Some(degree) => whole.up_to_degree(degree),
+            None => whole,
+        }
     }
 
     fn filtration(
@@ -384,6 +514,9 @@ impl PersistenceRequest {
     }
 }
 
+/// A diagram with cycles and the primes of torsion, if they were asked for.
+type Classes = (PersistenceDiagram, Option<Vec<PersistentCycle>>, Option<Vec<u32>>);
+
 fn of_listed(
     listed: &[(Vec<u32>, f64)],
     producer: &Producer,
@@ -415,6 +548,10 @@ pub struct FoundDiagram<'a> {
     /// In the order of the diagram.
     cycles: Option<Vec<PersistentCycle>>,
     torsion_primes: Option<Vec<u32>>,
+    /// The cells that are not in the part, by degree: cycles have their numbers.
+    kept: Option<Vec<Vec<CellId>>>,
+    relative_to: Option<String>,
+    image_of: Option<String>,
 }
 
 impl FoundDiagram<'_> {
@@ -468,6 +605,9 @@ impl FoundDiagram<'_> {
         let cycles = self.cycles.as_deref();
         let cycles =
             cycles.ok_or_else(|| Error::invalid("cycles were not asked for").with_cure("ask for cycles"))?;
+        let of_whole = |chain: &Chain<Integer>| {
+            Chain::of_cells(chain.degree(), self.placed(chain.degree(), chain.terms()))
+        };
         let mut chains = Vec::new();
         let mut places = vec![0; self.diagram.degree_count()];
         for one in cycles {
@@ -475,12 +615,24 @@ impl FoundDiagram<'_> {
             let (degree, place) = (pair.degree(), places[pair.degree()]);
             places[degree] += 1;
             let death = pair.death().map_or("inf".to_owned(), |death| death.to_string());
-            chains.push((format!("H{degree}_{place}_from_{}_to_{death}", pair.birth()), one.cycle().clone()));
+            chains.push((
+                format!("H{degree}_{place}_from_{}_to_{death}", pair.birth()),
+                of_whole(one.cycle())?,
+            ));
             if let Some(bounding) = one.bounding_chain() {
-                chains.push((format!("filling_H{degree}_{place}"), bounding.clone()));
+                chains.push((format!("filling_H{degree}_{place}"), of_whole(bounding)?));
             }
         }
         self.producer.picture(&chains)
+    }
+
+    /// The terms of a chain or cochain with the numbers of cells in the whole model.
+    fn placed(&self, degree: usize, terms: &[(CellId, Integer)]) -> Vec<(CellId, Integer)> {
+        let cell = |cell: CellId| match &self.kept {
+            Some(kept) => kept[degree][cell.index()],
+            None => cell,
+        };
+        terms.iter().map(|(one, coefficient)| (cell(*one), coefficient.clone())).collect()
     }
 
     /// The answer as plain data, with the vertices of the cells.
@@ -499,7 +651,9 @@ impl FoundDiagram<'_> {
         let names = CellNames::of(self.producer);
         let pair = |(place, pair): (usize, &PersistencePair)| {
             let cycle = self.cycles.as_ref().map(|cycles| &cycles[place]);
-            let terms = |chain: &Chain<Integer>| names.terms(chain.degree(), chain.terms());
+            let terms = |chain: &Chain<Integer>| {
+                names.terms(chain.degree(), &self.placed(chain.degree(), chain.terms()))
+            };
             PersistencePairAnswer {
                 degree: pair.degree(),
                 kind: None,
@@ -509,7 +663,9 @@ impl FoundDiagram<'_> {
                 death_cell: pair.death_cell().map(|cell| vertices(pair.degree() + 1, cell)),
                 cycle: cycle.map(|one| terms(one.cycle())),
                 bounding_chain: cycle.and_then(|one| one.bounding_chain()).map(terms),
-                cocycle: cycle.map(|one| names.terms(pair.degree(), one.cocycle().terms())),
+                cocycle: cycle.map(|one| {
+                    names.terms(pair.degree(), &self.placed(pair.degree(), one.cocycle().terms()))
+                }),
             }
         };
         let mut betti = self.diagram.betti_numbers();
@@ -526,6 +682,9 @@ impl FoundDiagram<'_> {
             diagram: self.diagram.pairs().iter().enumerate().map(pair).collect(),
             betti,
             torsion_primes: self.torsion_primes.clone(),
+            collapsed: None,
+            relative_to: self.relative_to.clone(),
+            image_of: self.image_of.clone(),
             vertex_names: self.producer.vertex_names().map(<[String]>::to_vec),
             remarks: Vec::new(),
         }

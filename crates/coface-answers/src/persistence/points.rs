@@ -9,7 +9,7 @@ use coface_algebra::{Error, VertexId, memory};
 use coface_complexes::filtered::{Distances, FilteredComplex};
 use coface_geometry::Positions;
 use coface_io::FileGraph;
-use coface_topology::{Coefficients, RipsDiagram, RipsFiltration, RipsPair};
+use coface_topology::{Coefficients, RipsDiagram, RipsFiltration, RipsPair, RipsSize};
 use std::io::Write;
 
 /// Asks for persistent homology of the Vietoris-Rips filtration of points.
@@ -32,11 +32,13 @@ pub struct RipsRequest {
     dimension: usize,
     threshold: Option<f64>,
     min_persistence: f64,
+    collapse: bool,
 }
 
 impl Default for RipsRequest {
     fn default() -> Self {
-        Self { coefficients: Coefficients::Modulo(2), dimension: 1, threshold: None, min_persistence: 0.0 }
+        let coefficients = Coefficients::Modulo(2);
+        Self { coefficients, dimension: 1, threshold: None, min_persistence: 0.0, collapse: false }
     }
 }
 
@@ -114,6 +116,23 @@ impl RipsRequest {
         self
     }
 
+    /// Whether edges are collapsed before: the diagram is the same, of fewer simplices, and the simplices of its classes are among those that are left.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::RipsRequest;
+    /// use coface_complexes::filtered::Distances;
+    /// let line = Distances::from_lower_triangle(4, vec![1.0, 2.0, 1.0, 3.0, 2.0, 1.0])?;
+    /// let answer = RipsRequest::new().threshold(Some(3.0)).collapse(true).found("line", &line)?.answer();
+    /// assert_eq!(answer.collapsed, Some((6, 3)));
+    /// # Ok(()) }
+    /// ```
+    pub fn collapse(mut self, collapse: bool) -> Self {
+        self.collapse = collapse;
+        self
+    }
+
     /// Finds the diagram of points with these distances.
     ///
     /// # Errors
@@ -124,9 +143,11 @@ impl RipsRequest {
     /// # Examples
     /// See [`RipsRequest`].
     pub fn found(&self, name: &str, distances: &Distances) -> Result<FoundRips, Error> {
-        let filtration =
-            RipsFiltration::new(distances, self.threshold).map_err(|error| error.in_file(name))?;
-        self.of_filtration(name, filtration, None)
+        let in_file = |error: Error| error.in_file(name);
+        let held = bytes_of(distances);
+        self.require_edges(distances, held).map_err(in_file)?;
+        let filtration = RipsFiltration::new(distances, self.threshold).map_err(in_file)?;
+        self.of_filtration(name, filtration, None, held)
     }
 
     /// Finds the diagram of the flag complex of a graph.
@@ -148,14 +169,15 @@ impl RipsRequest {
     pub fn found_of_graph(&self, name: &str, graph: &FileGraph) -> Result<FoundRips, Error> {
         let filtration =
             RipsFiltration::of_graph(&graph.graph(), self.threshold).map_err(|error| error.in_file(name))?;
-        self.of_filtration(name, filtration, Some(graph))
+        self.of_filtration(name, filtration, Some(graph), 0.0)
     }
 
     fn of_filtration(
         &self,
         name: &str,
-        filtration: RipsFiltration,
+        mut filtration: RipsFiltration,
         graph: Option<&FileGraph>,
+        held: f64,
     ) -> Result<FoundRips, Error> {
         let in_file = |error: Error| error.in_file(name);
         if self.min_persistence < 0.0 {
@@ -165,35 +187,68 @@ impl RipsRequest {
                 Error::invalid(message).with_cure("give 0 or more as the least persistence"),
             ));
         }
-        self.require_memory(&filtration).map_err(in_file)?;
+        let collapsed = self.collapse.then(|| {
+            let before = filtration.edge_count();
+            filtration = filtration.collapsed();
+            (before, filtration.edge_count())
+        });
+        self.require_memory(&filtration, held).map_err(in_file)?;
         let diagram = filtration.persistence(self.dimension, self.coefficients).map_err(in_file)?;
         let pairs = diagram.pairs().filter(|pair| length(pair) > self.min_persistence).cloned().collect();
         let labels = graph.map(Labels::of_graph);
         let (name, min_persistence) = (name.to_owned(), self.min_persistence);
-        Ok(FoundRips { name, filtration, diagram, pairs, labels, min_persistence })
+        Ok(FoundRips { name, filtration, diagram, pairs, labels, min_persistence, collapsed })
     }
 
-    fn require_memory(&self, filtration: &RipsFiltration) -> Result<(), Error> {
-        let size = filtration.size(self.dimension, f64::INFINITY)?;
-        let what = || {
-            let counts: Vec<String> =
-                size.simplices().iter().map(|&count| text::grouped(count.round() as usize)).collect();
-            format!(
-                "persistence of about {} simplices of degrees 0 to {}",
-                counts.join(" + "),
-                self.dimension
-            )
-        };
-        memory::require(size.bytes() as u64, what).map_err(|error| {
-            let free = memory::free().unwrap_or(0) as f64;
-            match filtration.threshold_within(self.dimension, free).ok().flatten() {
-                Some(fitting) if fitting > 0.0 => error.with_cure(format!(
-                    "ask for a threshold of {fitting} or less (--threshold {fitting}), a lower dimension, or allow more memory"
-                )),
-                _ => error.with_cure("ask for a lower dimension, take fewer points, or allow more memory"),
-            }
-        })
+    /// That the edges alone fit beside the distances, before they are made.
+    fn require_edges(&self, distances: &Distances, held: f64) -> Result<(), Error> {
+        if memory::free().is_none() {
+            return Ok(());
+        }
+        let size = RipsFiltration::size_of_edges(distances, self.threshold);
+        let least = if self.dimension > 1 { "at least" } else { "about" };
+        let what = || format!("persistence of {least} {} to 1", counted(&size));
+        let fitting = |bytes| RipsFiltration::threshold_of(distances, self.dimension, bytes);
+        require(size.bytes(), held, what, fitting)
     }
+
+    /// That the rest fits too.
+    fn require_memory(&self, filtration: &RipsFiltration, held: f64) -> Result<(), Error> {
+        let size = filtration.size(self.dimension, f64::INFINITY)?;
+        let what = || format!("persistence of about {} to {}", counted(&size), self.dimension);
+        require(size.bytes(), held, what, |bytes| filtration.threshold_within(self.dimension, bytes))
+    }
+}
+
+/// That so many bytes fit beside those that are held; if not, the error has the threshold that fits, if there is one.
+fn require(
+    bytes: f64,
+    held: f64,
+    what: impl FnOnce() -> String,
+    fitting: impl FnOnce(f64) -> Result<Option<f64>, Error>,
+) -> Result<(), Error> {
+    memory::require((bytes + held) as u64, what).map_err(|error| {
+        let free = memory::free().unwrap_or(0) as f64 - held;
+        match fitting(free).ok().flatten() {
+            Some(fitting) if fitting > 0.0 => error.with_cure(format!(
+                "ask for a threshold of {fitting} or less (--threshold {fitting}), a lower dimension, or allow more memory"
+            )),
+            _ => error.with_cure("ask for a lower dimension, take fewer points, or allow more memory"),
+        }
+    })
+}
+
+/// The memory that distances take.
+fn bytes_of(distances: &Distances) -> f64 {
+    let mut count = 0usize;
+    distances.each(|_, _, _| count += 1);
+    count as f64 * if distances.is_sparse() { 16.0 } else { 8.0 }
+}
+
+/// The numbers of simplices, as far as the lowest of their degrees.
+fn counted(size: &RipsSize) -> String {
+    let counts = size.simplices().iter().map(|&count| text::grouped(count.round() as usize));
+    format!("{} simplices of degrees 0", counts.collect::<Vec<_>>().join(" + "))
 }
 
 fn length(pair: &RipsPair) -> f64 {
@@ -210,6 +265,8 @@ pub struct FoundRips {
     /// Of a graph, what the vertices are called in the file.
     pub(super) labels: Option<Labels>,
     pub(super) min_persistence: f64,
+    /// The numbers of edges before and after their collapse.
+    collapsed: Option<(usize, usize)>,
 }
 
 impl FoundRips {
@@ -278,7 +335,7 @@ impl FoundRips {
     /// pictures.
     ///
     /// # Errors
-    /// Those of [`RipsFiltration::complex_of`].
+    /// Those of [`RipsFiltration::complex_of`]; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if edges were collapsed.
     ///
     /// # Examples
     /// A square, whose hole has its four sides as a cycle.
@@ -316,7 +373,7 @@ impl FoundRips {
     /// The simplices that the classes need for cycles, by the places of the points.
     ///
     /// # Errors
-    /// Those of [`RipsFiltration::complex_of`].
+    /// Those of [`RipsFiltration::complex_of`]; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if edges were collapsed.
     ///
     /// # Examples
     /// ```
@@ -328,7 +385,32 @@ impl FoundRips {
     /// # Ok(()) }
     /// ```
     pub fn simplices(&self) -> Result<FilteredComplex, Error> {
+        self.require_all_edges("cycles and cocycles")?;
         self.filtration.complex_of(&self.diagram).map_err(|error| error.in_file(&self.name))
+    }
+
+    /// That no edges are left out, of which a proof would have to speak.
+    pub(super) fn require_all_edges(&self, what: &str) -> Result<(), Error> {
+        if self.collapsed.is_none() {
+            return Ok(());
+        }
+        let error = Error::invalid(format!("there are no {what} of a complex whose edges were collapsed"));
+        Err(error.with_cure("ask for them without the collapse of edges").in_file(&self.name))
+    }
+
+    /// The numbers of edges before and after their collapse; `None` if they were not collapsed.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::RipsRequest;
+    /// use coface_complexes::filtered::Distances;
+    /// let two = Distances::from_lower_triangle(2, vec![3.0])?;
+    /// assert_eq!(RipsRequest::new().collapse(true).found("two", &two)?.collapsed(), Some((1, 1)));
+    /// # Ok(()) }
+    /// ```
+    pub fn collapsed(&self) -> Option<(usize, usize)> {
+        self.collapsed
     }
 
     /// What grows.
@@ -362,6 +444,9 @@ impl FoundRips {
             diagram: self.pairs.iter().map(pair).collect(),
             betti: self.diagram.betti_numbers(),
             torsion_primes: None,
+            collapsed: self.collapsed,
+            relative_to: None,
+            image_of: None,
             vertex_names: self.vertex_names().map(<[String]>::to_vec),
             remarks: Vec::new(),
         }

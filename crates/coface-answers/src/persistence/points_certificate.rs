@@ -64,6 +64,7 @@ impl FoundRips {
             return Err(Error::invalid("such a certificate is of the points of one input")
                 .with_cure("ask for that of its simplices"));
         }
+        self.require_all_edges("proofs")?;
         let dimension = self.diagram.degree_count() - 1;
         self.require_work(dimension)?;
         let coefficients = Coefficients::Modulo(self.diagram.prime().into());

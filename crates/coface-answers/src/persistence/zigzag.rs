@@ -343,6 +343,9 @@ impl PersistenceRequest {
             diagram: long.map(answer).collect(),
             betti,
             torsion_primes: None,
+            collapsed: None,
+            relative_to: None,
+            image_of: None,
             vertex_names: None,
             remarks: Vec::new(),
         })

@@ -233,6 +233,11 @@ impl Pair {
         self.kept[degree][cell.index()]
     }
 
+    /// The cells of the pair by degree, as rising numbers in the whole complex.
+    pub(crate) fn cells(&self) -> &[Vec<CellId>] {
+        &self.kept
+    }
+
     /// The cells of the subcomplex by degree, as numbers in the whole complex.
     ///
     /// # Errors

@@ -7,6 +7,7 @@ mod zigzag;
 
 use crate::arguments::Common;
 use crate::certified;
+use crate::domain::part;
 use crate::failure::Failure;
 use crate::filtration::{read_function, read_values};
 use crate::input::{self, Source};
@@ -20,10 +21,10 @@ use coface::answers::answer::{PersistenceAnswer, PersistencePairAnswer};
 use coface::answers::text;
 use coface::answers::{
     DiagramFormat, FoundDiagram, FoundRips, Growth, PersistenceRequest, PointFiltration, Producer,
-    VineyardRequest, write_diagram, write_kinds,
+    RelativeTo, VineyardRequest, write_diagram, write_kinds,
 };
 use coface::geometry::Positions;
-use coface::io::{Format, write_path};
+use coface::io::{Format, Model, write_path};
 use coface::topology::Coefficients;
 use image::ImageArguments;
 use points::{PointQuestion, stored};
@@ -74,6 +75,18 @@ pub(crate) struct Persistence {
     /// as .csv with lines vine,degree,parameter,birth,death; the JSON has "functions", and "vines", a list of {"degree","points"} with points `[parameter,birth,death]`
     #[arg(long, value_name = "x|y|z|FILE", num_args = 1.., conflicts_with_all = ["function", "values", "upper_star", "extended", "cycles", "certificate", "zigzag"])]
     vineyard: Vec<String>,
+    /// Relative to a part of the model, whose cells are left out: boundary, a group of the mesh by its name or number, several with commas between, or a file of cells by
+    /// the same vertex numbers; groups may be given several times. A word that is a group and something else is the group
+    #[arg(long, value_name = "boundary|GROUP|FILE", conflicts_with_all = ["extended", "zigzag", "vineyard", "certificate"])]
+    relative: Vec<PathBuf>,
+    /// Image persistence: the classes of a part of the model, named as for --relative, as they are seen in the whole: they are born in the part, and die when they bound in the
+    /// whole
+    #[arg(long, value_name = "boundary|GROUP|FILE", conflicts_with_all = ["extended", "zigzag", "vineyard", "certificate", "cycles", "relative"])]
+    image_of: Vec<PathBuf>,
+    /// Collapse edges before, of --rips and --flag: the diagram is the same, found from fewer simplices, among which are the cells of the pairs; "collapsed" of the JSON has the
+    /// numbers of edges before and after
+    #[arg(long, conflicts_with_all = ["extended", "zigzag", "vineyard", "certificate", "cycles", "relative", "image_of", "function", "values", "upper_star"])]
+    collapse: bool,
     /// Only pairs whose persistence is greater than R; a negative R keeps all, of other complexes than those of --rips and --flag
     #[arg(long, value_name = "R", default_value = "0", allow_negative_numbers = true, value_parser = length)]
     min_persistence: f64,
@@ -145,6 +158,19 @@ impl Persistence {
             certified::check_other_output(place, std::slice::from_ref(&self.input), common)?;
             certified::refuse_standard_input(std::slice::from_ref(&self.input))?;
         }
+        if self.collapse {
+            let threshold = common.voxels.threshold();
+            let is_undirected = common.points.flag(threshold).is_some_and(|flag| !flag.directed);
+            if common.points.rips(threshold).is_none() && !is_undirected {
+                return Err(Failure::new(format!(
+                    "{}: --collapse is for the edges of --rips and of --flag without directions; leave --collapse out",
+                    input::name(&self.input)
+                )));
+            }
+        }
+        if self.has_part() {
+            common.points.refuse("persistence of a part of a model")?;
+        }
         let progress = Progress::start(common.quiet);
         if self.zigzag {
             let zigzag = zigzag::given(&self.input, common, &self.image)?;
@@ -162,7 +188,7 @@ impl Persistence {
                     common,
                     output.as_ref(),
                     progress,
-                    (&name, points.producer(), request, true),
+                    (&name, points.producer(), request, None, true),
                 );
             }
             self.save_certificate(&progress, |inputs| found.certificate(inputs))?;
@@ -181,7 +207,7 @@ impl Persistence {
                 common,
                 output.as_ref(),
                 progress,
-                (&name, points.producer(), request, true),
+                (&name, points.producer(), request, None, true),
             );
         }
         if self.is_of_values(common) {
@@ -202,7 +228,12 @@ impl Persistence {
                 input::name(&self.input)
             )));
         }
-        let (name, producer) = input::identify(source.model(common.reading(), &progress)?, &progress)?;
+        let loaded = source.model(common.reading(), &progress)?;
+        let relative = part(&self.relative, &loaded.model, &progress)?;
+        let image_of = part(&self.image_of, &loaded.model, &progress)?;
+        let of_groups = |part: &Option<RelativeTo>| matches!(part, Some(RelativeTo::Groups(_)));
+        let mesh = (of_groups(&relative) || of_groups(&image_of)).then(|| loaded.model.clone());
+        let (name, producer) = input::identify(loaded, &progress)?;
         if is_moving {
             let request = VineyardRequest::new().coefficients(self.coefficients);
             let request = request.min_persistence(self.min_persistence);
@@ -215,14 +246,19 @@ impl Persistence {
                 if self.upper_star { Growth::Upper(function) } else { Growth::Lower(function) }
             }
         };
-        let request = self.request(growth);
+        let request = self.request(growth).relative(relative).image_of(image_of);
         if self.extended {
             let answer = request.extended(&name, &producer)?;
             return self.give(common, output.as_ref(), progress, &answer, |bytes, format| {
                 write_table(&answer, bytes, format)
             });
         }
-        self.give_complex(common, output.as_ref(), progress, (&name, &producer, request, false))
+        self.give_complex(
+            common,
+            output.as_ref(),
+            progress,
+            (&name, &producer, request, mesh.as_ref(), false),
+        )
     }
 
     /// The diagram of points, distances or a graph whose complex is not stored, with the positions of points that have some.
@@ -234,8 +270,11 @@ impl Persistence {
         if self.is_of_a_function() {
             return Ok(None);
         }
-        let question =
-            PointQuestion { coefficients: self.coefficients, min_persistence: self.min_persistence };
+        let question = PointQuestion {
+            coefficients: self.coefficients,
+            min_persistence: self.min_persistence,
+            collapse: self.collapse,
+        };
         let found = question.found(&self.input, common, progress)?;
         Ok(found)
     }
@@ -279,13 +318,19 @@ impl Persistence {
         common: &Common,
         output: Option<&(&Path, Output)>,
         progress: Progress,
-        (name, producer, request, of_points): (&str, &Producer, PersistenceRequest, bool),
+        (name, producer, request, mesh, of_points): (
+            &str,
+            &Producer,
+            PersistenceRequest,
+            Option<&Model>,
+            bool,
+        ),
     ) -> Result<(), Failure> {
         if self.certificate.is_some() && !of_points {
             // The checker reads the file as it is.
             common.points.refuse("persistence with a certificate")?;
         }
-        let found = request.cycles(self.cycles.is_some()).found(name, producer)?;
+        let found = request.cycles(self.cycles.is_some()).found_in(name, producer, mesh)?;
         if let Some(Some(place)) = &self.cycles {
             progress.stage(format!("writing {}", place.display()));
             save_cycles(place, &found)?;
@@ -313,13 +358,21 @@ impl Persistence {
     /// A volume whose values nothing chooses from has no function but its values.
     fn refuse_values(&self, source: &Source<'_>, common: &Common) -> Result<(), Failure> {
         let has_function = self.function.is_some() || self.values.is_some() || !self.vineyard.is_empty();
-        if has_function || common.voxels.rule_given().is_some() || !(self.upper_star || self.extended) {
+        if has_function
+            || common.voxels.rule_given().is_some()
+            || !(self.upper_star || self.extended || self.has_part())
+        {
             return Ok(());
         }
         if image::stream(source, common)?.is_none() {
             return Ok(());
         }
         let name = input::name(&self.input);
+        if self.has_part() {
+            return Err(Failure::new(format!(
+                "{name}: --relative and --image-of are for functions on vertices, and the values of a volume are those of voxels; say the function on the voxels that are set: --function x"
+            )));
+        }
         Err(Failure::new(match self.upper_star {
             true => format!(
                 "{name}: --upper-star is for functions on vertices, and the values of a volume are those of voxels; grow by superlevel sets of the values with --superlevel, or say the function on the voxels that are set: --function x"
@@ -353,6 +406,12 @@ impl Persistence {
             || self.function.is_some()
             || self.values.is_some()
             || self.upper_star
+            || self.has_part()
+    }
+
+    /// Whether the question is about a part of the model.
+    fn has_part(&self) -> bool {
+        !self.relative.is_empty() || !self.image_of.is_empty()
     }
 
     /// Writes the file that was asked for, and prints.
@@ -386,7 +445,16 @@ impl Persistence {
 
     /// The diagram for people: for each degree the longest pairs.
     fn page(&self, answer: &PersistenceAnswer) -> String {
-        let mut page = format!("  persistence of {} over {}\n", escaped(&answer.file), self.coefficients);
+        let (file, field) = (escaped(&answer.file), self.coefficients);
+        let mut page = match (&answer.relative_to, &answer.image_of) {
+            (Some(part), _) => {
+                format!("  persistence of {file} over {field}, relative to {}\n", escaped(part))
+            }
+            (_, Some(part)) => {
+                format!("  persistence of the image of {} in {file} over {field}\n", escaped(part))
+            }
+            _ => format!("  persistence of {file} over {field}\n"),
+        };
         let function = &answer.function;
         // Writing to a string does not fail.
         let _ = match (&answer.star, answer.threshold) {
@@ -403,6 +471,10 @@ impl Persistence {
             (None, None) if self.zigzag => writeln!(page, "    zigzag: intervals with closed and open ends"),
             (None, None) => writeln!(page, "    values: {function}"),
         };
+        if let Some((before, after)) = answer.collapsed {
+            let (after, before) = (text::grouped(after), text::count(before, "edge"));
+            let _ = writeln!(page, "    {after} of {before} left by collapses");
+        }
         if let Some(primes) = &answer.torsion_primes {
             let _ = match &primes[..] {
                 [] => writeln!(page, "    the same pairs over every field: no torsion along the way"),

@@ -33,6 +33,7 @@ mod persistence_cycles;
 mod persistence_extended;
 mod persistence_graphs;
 mod persistence_images;
+mod persistence_pairs;
 mod persistence_points;
 mod persistence_vineyard;
 mod persistence_zigzag;

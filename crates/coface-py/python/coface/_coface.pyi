@@ -2558,6 +2558,10 @@ class Persistence:
         """Whether values fall along the filtration."""
         ...
     @property
+    def collapsed(self) -> tuple[int, int] | None:
+        """The numbers of edges before and after their collapse; ``None`` if they were not collapsed."""
+        ...
+    @property
     def betti_numbers(self) -> tuple[int, ...]:
         """The numbers of classes that never die, by degree."""
         ...
@@ -4810,7 +4814,7 @@ def read(path: str | os.PathLike[str], format: str | None = None, *, flatten: fl
 def _model(parts: Mapping[str, Any]) -> Model: ...
 def _volume(voxels: NDArray[np.bool_], periodic: Sequence[int]) -> Model: ...
 def _read_volume(path: str | os.PathLike[str], voxels: tuple[str, tuple[float, float], Sequence[int]], allow_outside: bool = False, progress: _Progress = ...) -> Model: ...
-def persistence(complex: ChainComplex, *, vertex_values: ArrayLike | None = None, cell_values: Sequence[ArrayLike] | None = None, coefficients: str | int = ..., upper: bool = False, least: float = 0.0, progress: _Progress = ...) -> Persistence:
+def persistence(complex: ChainComplex, *, vertex_values: ArrayLike | None = None, cell_values: Sequence[ArrayLike] | None = None, coefficients: str | int = ..., upper: bool = False, least: float = 0.0, part: Sequence[Sequence[int]] | None = None, image: bool = False, progress: _Progress = ...) -> Persistence:
     """Persistent homology of a filtration by values.
 
     Parameters
@@ -4827,6 +4831,10 @@ def persistence(complex: ChainComplex, *, vertex_values: ArrayLike | None = None
         Whether a cell enters with its first vertex and values fall.
     least : float
         Classes that live no longer than this are left out.
+    part : list of list of int, optional
+        For each degree the cells of a part, relative to which persistence is.
+    image : bool
+        Whether it is that of the part, as the complex sees it.
     progress : bool or callable, optional
         ``True`` shows a bar; a function is called with (stage, done, total).
 
@@ -4887,6 +4895,7 @@ def alpha_complex(table: Any, *, weighted: bool = False, bound: float | None = N
         Tetrahedra, triangles, edges and points; with periods a list of simplices, or of few points a chain complex, without positions.
     """
     ...
+def _cells_of_part(complex: ChainComplex, pair: ChainComplex) -> list[list[int]]: ...
 def _extended_persistence(complex: ChainComplex, vertex_values: ArrayLike, *, coefficients: str | int = ..., least: float = 0.0) -> list[tuple[str, int, float, float]]: ...
 def _vineyard(complex: ChainComplex, functions: Sequence[ArrayLike], *, coefficients: str | int = ..., least: float = 0.0, progress: _Progress = ...) -> list[tuple[int, NDArray[np.float64]]]: ...
 def _zigzag(steps: Any, times: list[list[float]] | None = None, *, coefficients: str | int = ..., least: float = 0.0) -> list[tuple[str, int, float, float]]: ...
@@ -4932,7 +4941,7 @@ def cech_complex(table: Any, *, threshold: float | None = None, dimension: int |
         Tetrahedra, triangles, edges and points, or simplices.
     """
     ...
-def flag(graph: Any, *, directed: bool = False, dimension: int = ..., threshold: float | None = None, coefficients: str | int = ..., least: float = 0.0, progress: _Progress = ...) -> Persistence:
+def flag(graph: Any, *, directed: bool = False, dimension: int = ..., threshold: float | None = None, coefficients: str | int = ..., least: float = 0.0, collapse: bool = False, progress: _Progress = ...) -> Persistence:
     """Persistent homology of the flag complex of a weighted graph.
 
     Parameters
@@ -4949,6 +4958,8 @@ def flag(graph: Any, *, directed: bool = False, dimension: int = ..., threshold:
         A prime field: ``"f2"``, ``"f3"``, ...
     least : float
         Classes that live no longer than this are left out.
+    collapse : bool
+        Whether edges are collapsed before.
     progress : bool or callable, optional
         ``True`` shows a bar; a function is called with (stage, done, total).
 
@@ -5070,7 +5081,7 @@ def witness_complex(table: Any, landmarks: int, *, strong: bool = False, thresho
         Tetrahedra, triangles, edges and points, or simplices.
     """
     ...
-def rips(table: Any, *, form: str | None = None, dimension: int = ..., threshold: float | None = None, coefficients: str | int = ..., least: float = 0.0, progress: _Progress = ...) -> Persistence:
+def rips(table: Any, *, form: str | None = None, dimension: int = ..., threshold: float | None = None, coefficients: str | int = ..., least: float = 0.0, collapse: bool = False, progress: _Progress = ...) -> Persistence:
     """Persistent homology of the Vietoris-Rips filtration of points or distances.
 
     Parameters
@@ -5088,6 +5099,8 @@ def rips(table: Any, *, form: str | None = None, dimension: int = ..., threshold
         A prime field: ``"f2"``, ``"f3"``, ...
     least : float
         Classes that live no longer than this are left out.
+    collapse : bool
+        Whether edges are collapsed before.
     progress : bool or callable, optional
         ``True`` shows a bar; a function is called with (stage, done, total).
 

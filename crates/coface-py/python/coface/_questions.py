@@ -978,6 +978,8 @@ def persistence(
     coefficients: str | int = "f2",
     upper: bool = False,
     least: float = 0.0,
+    relative: Any = None,
+    image_of: Any = None,
     progress: Any = False,
 ) -> Persistence:
     """Persistent homology of the filtration that values make.
@@ -997,6 +999,11 @@ def persistence(
         Whether a cell comes with its first vertex and values fall; for `vertex_values` alone.
     least
         Classes that live no longer than this are left out.
+    relative
+        A part of `x` that is divided out, as for :func:`homology`: classes are those of the cells outside of it, as they come, and cells have the numbers that
+        they have in ``chain_complex(relative)``.
+    image_of
+        A part of `x`, as for `relative`, whose classes are followed as the whole sees them (image persistence): they are born in the part, and die when they bound in the whole. It has no cycles.
     progress
         As for :func:`homology`.
 
@@ -1013,15 +1020,30 @@ def persistence(
     >>> coface.persistence([[0, 1], [1, 2]], [0.0, 2.0, 1.0]).diagram(0)
     array([[ 0., inf],
            [ 1.,  2.]])
+
+    A disk relative to its boundary, and the boundary in the disk:
+
+    >>> disk = [[0, 1, 3], [1, 2, 3], [2, 0, 3]]
+    >>> coface.persistence(disk, [0.0, 1.0, 2.0, 5.0], relative="boundary").diagram(2)
+    array([[ 5., inf]])
+    >>> coface.persistence(disk, [0.0, 1.0, 2.0, 5.0], image_of="boundary").diagram(1)
+    array([[2., 5.]])
     """
     x = _held(x, progress)
+    part = relative if image_of is None else image_of
+    if relative is not None and image_of is not None:
+        raise_invalid("persistence is relative to a part, or of its image in the whole", "give relative or image_of, not both")
+    given = x
+    if part is not None:
+        # Cells and those of the part have the numbers that they have in the model.
+        x = as_cells(x, progress=progress)
     complex = as_chain_complex(x, progress=progress)
     if vertex_values is None and cell_values is None:
-        if not hasattr(x, "get_simplices"):
+        if not hasattr(given, "get_simplices"):
             raise_invalid("persistence needs values", "give vertex_values or cell_values; of an image ask coface.cubical(x)")
         from coface.interop import gudhi
 
-        cell_values = gudhi.values(x, complex)
+        cell_values = gudhi.values(given, complex)
     if vertex_values is not None:
         vertex_values = _at_vertices(vertex_values, x, complex)
     if cell_values is not None and upper:
@@ -1031,6 +1053,10 @@ def persistence(
         )
     if cell_values is not None:
         cell_values = [_at_cells(values, degree, complex) for degree, values in enumerate(cell_values)]
+    options: dict[str, Any] = {}
+    if part is not None:
+        divided = x.chain_complex(part if _are_groups(x, part) else part_of(x, part), progress=progress)
+        options = {"part": _coface._cells_of_part(complex, divided), "image": image_of is not None}
     found: Persistence = asked(
         "persistence",
         complex,
@@ -1040,8 +1066,9 @@ def persistence(
         upper=upper,
         least=least,
         progress=progress,
+        **options,
     )
-    if vertex_values is not None and isinstance(x, (Model, Complex, Surface)):
+    if part is None and vertex_values is not None and isinstance(x, (Model, Complex, Surface)):
         function = vertex_values.tolist()
         remember(found, "persistence", x, function=function, coefficients=coefficients, upper_star=upper, min_persistence=least)
     return found
@@ -1252,6 +1279,7 @@ def rips(
     distances: Literal["points", "lower", "upper", "square", "sparse"] | None = None,
     coefficients: str | int = "f2",
     least: float = 0.0,
+    collapse: bool = False,
     progress: Any = False,
 ) -> Persistence:
     """Persistent homology of the Vietoris-Rips filtration of points or of distances.
@@ -1273,6 +1301,9 @@ def rips(
         A prime field: ``"f2"``, ``"f3"``, ...
     least
         Classes that live no longer than this are left out.
+    collapse
+        Whether edges are collapsed before (Glisse and Pritam, 2022): the diagram is the same, found from fewer simplices, among which are those that make and end classes. ``collapsed`` has the
+        numbers of edges before and after. There are no cycles then.
     progress
         As for :func:`homology`.
 
@@ -1289,6 +1320,8 @@ def rips(
     >>> import coface
     >>> coface.rips([[0, 0], [3, 0], [3, 4], [0, 4]], dimension=1).diagram(1)
     array([[4., 5.]])
+    >>> coface.rips([[0, 0], [1, 0], [2, 0], [3, 0]], threshold=3, collapse=True).collapsed
+    (6, 3)
     >>> coface.rips([[3], [5, 4]], distances="lower", dimension=0).diagram(0)
     array([[ 0., inf],
            [ 0.,  3.],
@@ -1303,6 +1336,7 @@ def rips(
         threshold=threshold,
         coefficients=coefficients,
         least=least,
+        collapse=collapse,
         progress=progress,
     )
     return found
@@ -1396,6 +1430,7 @@ def flag(
     threshold: float | None = None,
     coefficients: str | int = "f2",
     least: float = 0.0,
+    collapse: bool = False,
     progress: Any = False,
 ) -> Persistence:
     """Persistent homology of the flag complex (clique complex) of a weighted graph.
@@ -1424,6 +1459,9 @@ def flag(
         A prime field: ``"f2"``, ``"f3"``, ...
     least
         Classes that live no longer than this are left out.
+    collapse
+        Whether edges are collapsed before (Glisse and Pritam, 2022): the diagram is the same, found from fewer simplices, among which are those that make and end classes. ``collapsed`` has the
+        numbers of edges before and after. There are no cycles then.
     progress
         As for :func:`homology`.
 
@@ -1454,6 +1492,7 @@ def flag(
         threshold=threshold,
         coefficients=coefficients,
         least=least,
+        collapse=collapse,
         progress=progress,
     )
     return found

@@ -376,6 +376,32 @@ impl PersistenceDiagram {
         (0..self.degree_count()).map(essential).collect()
     }
 
+    /// The same with other numbers of cells: `cells[k][i]` is the new number of cell i of degree k. Diagrams of some cells of a complex, made with
+    /// [`Filtration::restricted`], have the numbers of the whole so.
+    ///
+    /// # Panics
+    /// If a cell has no new number.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::CellId;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::{Coefficients, Filtration, persistence};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = ChainComplex::of_points(1);
+    /// let diagram = persistence(&points, &Filtration::lower_star(&points, &[1.0])?, Coefficients::Modulo(2))?;
+    /// assert_eq!(diagram.with_cells(&[vec![CellId::new(7)]]).pairs()[0].birth_cell(), CellId::new(7));
+    /// # Ok(()) }
+    /// ```
+    #[must_use]
+    pub fn with_cells(mut self, cells: &[Vec<CellId>]) -> Self {
+        for pair in &mut self.pairs {
+            pair.birth_cell = cells[pair.degree][pair.birth_cell.index()];
+            pair.death_cell = pair.death_cell.map(|cell| cells[pair.degree + 1][cell.index()]);
+        }
+        self
+    }
+
     /// The diagram without the pairs whose persistence is `length` or less: 0 removes the diagonal, a negative length
     /// removes nothing. Essential classes stay.
     ///

@@ -371,6 +371,41 @@ impl Filtration {
         })
     }
 
+    /// The filtration of some cells alone: `cells[k]` are those of degree k, by rising numbers, and their places are their new numbers. It is one of the
+    /// complex that they are, or of that relative to the others.
+    ///
+    /// # Panics
+    /// If there is no such cell.
+    ///
+    /// # Complexity
+    /// Linear in the cells of all degrees that are listed, and n log n where they were not put in order before.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{CellId, SparseMatrix};
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::Filtration;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let segment = ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?])?;
+    /// let filtration = Filtration::lower_star(&segment, &[3.0, 2.0])?;
+    /// let edge = filtration.restricted(&[vec![], vec![CellId::new(0)]]);
+    /// assert_eq!((edge.values(0), edge.values(1)), (&[][..], &[3.0][..]));
+    /// # Ok(()) }
+    /// ```
+    #[must_use]
+    pub fn restricted(&self, cells: &[Vec<CellId>]) -> Self {
+        let of_degree = |(degree, cells): (usize, &Vec<CellId>)| -> (Vec<f64>, OnceLock<Vec<u32>>) {
+            let values = self.values(degree);
+            let mut numbers = vec![u32::MAX; values.len()];
+            (0..).zip(cells).for_each(|(number, cell)| numbers[cell.index()] = number);
+            let order = self.entrance(degree).iter().map(|&cell| numbers[cell as usize]);
+            let order: Vec<u32> = order.filter(|&number| number != u32::MAX).collect();
+            (cells.iter().map(|cell| values[cell.index()]).collect(), OnceLock::from(order))
+        };
+        let (values, entrances) = cells.iter().enumerate().map(of_degree).unzip();
+        Self { values, is_falling: self.is_falling, entrances }
+    }
+
     fn of_values(values: Vec<Vec<f64>>, is_falling: bool) -> Self {
         let entrances = values.iter().map(|_| OnceLock::new()).collect();
         Self { values, is_falling, entrances }
@@ -393,7 +428,11 @@ impl Filtration {
 }
 
 fn check_shape<T>(complex: &ChainComplex, values: &[Vec<T>]) -> Result<(), Error> {
-    let counts: Vec<usize> = values.iter().map(Vec::len).collect();
+    let mut counts: Vec<usize> = values.iter().map(Vec::len).collect();
+    // What is left of points without any of them has no degrees.
+    counts.truncate(
+        complex.degree_count().max(counts.iter().rposition(|&count| count > 0).map_or(0, |last| last + 1)),
+    );
     if counts == complex.f_vector() {
         return Ok(());
     }

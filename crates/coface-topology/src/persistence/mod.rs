@@ -8,6 +8,8 @@
 //!   [`PersistenceDiagram`] holds all pairs. The number of essential classes of a degree is its Betti number.
 //! * A [`Barcode`] has births and deaths alone: what diagrams of all filtrations have in common. Distances are distances of barcodes.
 //! * **Extended** persistence goes on with the homology relative to growing superlevel sets, where each class dies: [`extended_persistence`].
+//! * Of a pair of a complex and a part of it, **relative** persistence has the homology of the whole modulo the part ([`relative_persistence`]), and **image**
+//!   persistence that of the part as it is seen in the whole ([`image_persistence`]).
 //! * A **zigzag** gains and loses simplices: a [`ZigzagFiltration`]. Its classes live on intervals whose ends are **closed** or **open**: a [`ZigzagPair`].
 //! * A [`vineyard`] follows the points of a diagram while the function moves: each path is a [`Vine`].
 //! * The **persistence** of a pair is the distance between birth and death. Pairs of persistence zero, on the
@@ -20,6 +22,7 @@ mod elimination;
 mod extended;
 mod filtration;
 mod image;
+mod pair;
 mod reduction;
 mod rips;
 mod shortening;
@@ -42,6 +45,7 @@ pub use diagram::{PersistenceDiagram, PersistencePair};
 pub use extended::{ExtendedKind, ExtendedPair, extended_persistence};
 pub use filtration::Filtration;
 pub use image::{ImageConstruction, ImageDiagram, ImageFiltration, ImagePair};
+pub use pair::{image_persistence, relative_persistence};
 pub use reduction::persistence;
 pub use rips::{RipsCochain, RipsDiagram, RipsFiltration, RipsPair, RipsSize};
 pub use torsion::torsion_primes;

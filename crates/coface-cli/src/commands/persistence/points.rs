@@ -18,6 +18,7 @@ use std::path::Path;
 pub(super) struct PointQuestion {
     pub(super) coefficients: Coefficients,
     pub(super) min_persistence: f64,
+    pub(super) collapse: bool,
 }
 
 impl PointQuestion {
@@ -47,6 +48,7 @@ impl PointQuestion {
             .dimension(common.points.dimension().unwrap_or(1))
             .threshold(common.voxels.threshold())
             .min_persistence(self.min_persistence)
+            .collapse(self.collapse)
     }
 
     fn of_points(

@@ -44,6 +44,14 @@ pub(super) const CASES: &[Case] = &[
         .files(&[("image.pgm", "P2\n2 2\n9\n1 2\n3 4\n")])
         .refused("coface persistence image.pgm --extended")
         .cured(&[&["coface persistence image.pgm --extended --function y"]]),
+    Case::new("commands/persistence.rs", "--relative and --image-of are for functions on vertices")
+        .files(&[("image.pgm", "P2\n2 2\n9\n1 2\n3 4\n")])
+        .refused("coface persistence image.pgm --relative boundary")
+        .cured(&[&["coface persistence image.pgm --relative boundary --function y"]]),
+    Case::new("commands/persistence.rs", "leave --collapse out")
+        .files(POINTS)
+        .refused("coface persistence points.csv --alpha --collapse")
+        .cured(&[&["coface persistence points.csv --alpha"], &["coface persistence points.csv --rips --collapse"]]),
     Case::new("render/mod.rs", "draw it with --diagram")
         .files(LINE)
         .before(&["coface persistence model.off -o a.json"])

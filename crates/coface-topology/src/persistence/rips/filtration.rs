@@ -31,14 +31,14 @@ use rayon::prelude::*;
 /// ```
 #[derive(Clone, Debug)]
 pub struct RipsFiltration {
-    count: usize,
-    threshold: f64,
+    pub(super) count: usize,
+    pub(super) threshold: f64,
     /// The different distances up to the threshold, rising, 0 first; of a graph the values of vertices and edges.
-    values: Vec<f64>,
+    pub(super) values: Vec<f64>,
     /// The ranks at which points enter; [`FAR`] beyond the threshold.
-    births: Vec<u32>,
+    pub(super) births: Vec<u32>,
     /// Pairs of points i > j with their ranks, as they enter.
-    edges: Vec<(u32, u32, u32)>,
+    pub(super) edges: Vec<(u32, u32, u32)>,
 }
 
 /// How many simplices a Vietoris-Rips filtration has, and how much memory their persistence takes, as far as a sample shows.
@@ -91,7 +91,7 @@ impl RipsFiltration {
         }
         let _steps = stage("sorting distances", 0);
         let threshold = threshold.unwrap_or_else(|| distances.whole_threshold());
-        let mut pairs: Vec<(f64, u32, u32)> = Vec::new();
+        let mut pairs: Vec<(f64, u32, u32)> = Vec::with_capacity(edges_within(distances, threshold));
         distances.each(|i, j, distance| {
             if distance <= threshold && distance.is_finite() {
                 pairs.push((distance, i as u32, j as u32));
@@ -99,7 +99,10 @@ impl RipsFiltration {
         });
         // Of one length the larger index first: by i, then j.
         pairs.par_sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((b.1, b.2).cmp(&(a.1, a.2))));
-        let mut values = vec![0.0];
+        // With room for the different ones: a list that grows takes three times as much for a while.
+        let different = pairs.windows(2).filter(|two| two[0].0 < two[1].0).count();
+        let mut values = Vec::with_capacity(different + 2);
+        values.push(0.0);
         let edges = pairs.into_iter().map(|(distance, i, j)| {
             if values.last().is_some_and(|&last| distance > last) {
                 values.push(distance);
@@ -430,6 +433,72 @@ impl RipsFiltration {
     }
 
     /// How many of the different distances may be thresholds.
+    /// How many points and edges the filtration of distances up to a threshold would have, and the memory that these alone take, before anything is made.
+    ///
+    /// # Complexity
+    /// Linear in the distances.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::filtered::Distances;
+    /// use coface_topology::RipsFiltration;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let line = Distances::from_lower_triangle(3, vec![1.0, 3.0, 2.0])?;
+    /// assert_eq!(RipsFiltration::size_of_edges(&line, Some(1.0)).simplices(), [3.0, 1.0]);
+    /// // Without a threshold up to the enclosing radius.
+    /// assert_eq!(RipsFiltration::size_of_edges(&line, None).simplices(), [3.0, 2.0]);
+    /// # Ok(()) }
+    /// ```
+    pub fn size_of_edges(distances: &Distances, threshold: Option<f64>) -> RipsSize {
+        let threshold = threshold.unwrap_or_else(|| distances.whole_threshold());
+        let (points, edges) = (distances.point_count() as f64, edges_within(distances, threshold) as f64);
+        RipsSize { simplices: vec![points, edges], bytes: bytes_of_edges(points, edges) }
+    }
+
+    /// A threshold for which the persistence of distances takes no more than this memory, where the edges up to another threshold alone would take more; of many
+    /// distances not the largest one. `None` if there is none.
+    ///
+    /// # Errors
+    /// Those of [`Self::size`].
+    ///
+    /// # Complexity
+    /// Some passes over the distances, and as of [`Self::threshold_within`]. What is made of the distances stays within the memory.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::filtered::Distances;
+    /// use coface_topology::RipsFiltration;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let line = Distances::from_lower_triangle(3, vec![1.0, 3.0, 2.0])?;
+    /// assert_eq!(RipsFiltration::threshold_of(&line, 1, 1e6)?, Some(3.0));
+    /// assert_eq!(RipsFiltration::threshold_of(&line, 1, 1.0)?, None);
+    /// # Ok(()) }
+    /// ```
+    pub fn threshold_of(distances: &Distances, dimension: usize, bytes: f64) -> Result<Option<f64>, Error> {
+        // Every so many distances tell which ones there are.
+        const SEEN: usize = 1 << 18;
+        let (mut known, mut seen) = (0usize, Vec::new());
+        distances.each(|_, _, _| known += 1);
+        let (step, mut place) = (known.div_ceil(SEEN).max(1), 0);
+        distances.each(|_, _, distance| {
+            if place % step == 0 && distance.is_finite() {
+                seen.push(distance);
+            }
+            place += 1;
+        });
+        seen.sort_unstable_by(f64::total_cmp);
+        let points = distances.point_count() as f64;
+        let fits = |edges: usize| bytes_of_edges(points, edges as f64) <= bytes;
+        let mut end = (0..seen.len()).collect::<Vec<_>>().partition_point(|&last| fits((last + 1) * step));
+        while let Some(last) = end.checked_sub(1) {
+            if fits(edges_within(distances, seen[last])) {
+                return Self::new(distances, Some(seen[last]))?.threshold_within(dimension, bytes);
+            }
+            end -= end.div_ceil(20);
+        }
+        Ok(None)
+    }
+
     fn fitting<N: Near>(&self, simplices: &Simplices<N>, dimension: usize, bytes: f64) -> usize {
         self.values.partition_point(|&value| self.size_with(simplices, dimension, value).bytes <= bytes)
     }
@@ -462,17 +531,14 @@ impl RipsFiltration {
             sample = thinned(&above).copied().collect();
         }
         counts.truncate(dimension + 1);
-        let square = self.count as f64 * self.count as f64;
-        let is_dense = edge_count as f64 * DENSE >= square;
-        // Distances, edges twice, who is near whom; simplices below the top; columns with their pivots.
-        let mut bytes =
-            edge_count as f64 * 48.0 + if is_dense { 4.0 * square } else { 16.0 * edge_count as f64 };
+        // Simplices below the top; columns with their pivots.
+        let mut bytes = bytes_of_edges(self.count as f64, edge_count as f64);
         bytes += counts.iter().take(dimension).skip(2).map(|count| 32.0 * count).sum::<f64>();
         bytes += counts.last().filter(|_| dimension > 0).map_or(0.0, |count| 96.0 * free * count);
         RipsSize { simplices: counts, bytes }
     }
 
-    fn is_dense(&self) -> bool {
+    pub(super) fn is_dense(&self) -> bool {
         let square = self.count as f64 * self.count as f64;
         self.edges.len() as f64 * DENSE >= square
     }
@@ -500,6 +566,18 @@ impl RipsFiltration {
 
 /// From this many edges for each n^2 points on (1 / [`DENSE`]) all ranks are kept in a square.
 const DENSE: f64 = 10.0;
+
+/// The memory of distances, of edges three times, and of who is near whom.
+fn bytes_of_edges(points: f64, edges: f64) -> f64 {
+    let square = points * points;
+    edges * 56.0 + if edges * DENSE >= square { 4.0 * square } else { 16.0 * edges }
+}
+
+fn edges_within(distances: &Distances, threshold: f64) -> usize {
+    let mut count = 0;
+    distances.each(|_, _, distance| count += usize::from(distance <= threshold && distance.is_finite()));
+    count
+}
 
 fn simplex((i, j, rank): (u32, u32, u32)) -> Simplex {
     let (i, j) = (u64::from(i), u64::from(j));

@@ -11,6 +11,7 @@
 //! * A simplex and a coface of the same diameter are an **apparent pair** if the coface is the first one to enter and the simplex the last facet
 //!   of it to enter. Both are seen from the distances, so such pairs are neither stored nor reduced.
 
+mod collapse;
 mod diagram;
 mod filtration;
 mod near;

@@ -10,6 +10,9 @@ pub(super) trait Near: Sync {
     /// The rank of the distance of two points; [`FAR`] beyond the threshold.
     fn rank(&self, i: u32, j: u32) -> u32;
 
+    /// Makes the rank of the distance of two points that are near another one; [`FAR`] takes it away.
+    fn set_rank(&mut self, i: u32, j: u32, rank: u32);
+
     /// Goes through the points from the last one down to `least` that are near all of some points, with the largest of their ranks, until
     /// `visit` gives something.
     fn common<T>(&self, points: &[u32], least: u32, visit: impl FnMut(u32, u32) -> Option<T>) -> Option<T>;
@@ -42,6 +45,11 @@ impl Square {
 impl Near for Square {
     fn rank(&self, i: u32, j: u32) -> u32 {
         self.ranks[i as usize * self.count + j as usize]
+    }
+
+    fn set_rank(&mut self, i: u32, j: u32, rank: u32) {
+        self.ranks[i as usize * self.count + j as usize] = rank;
+        self.ranks[j as usize * self.count + i as usize] = rank;
     }
 
     fn common<T>(
@@ -115,6 +123,16 @@ impl Near for Lists {
     fn rank(&self, i: u32, j: u32) -> u32 {
         let list = self.list(i);
         list.binary_search_by(|&(point, _)| j.cmp(&point)).map_or(FAR, |at| list[at].1)
+    }
+
+    fn set_rank(&mut self, i: u32, j: u32, rank: u32) {
+        for (from, to) in [(i, j), (j, i)] {
+            let places = self.starts[from as usize]..self.starts[from as usize + 1];
+            let list = &mut self.near[places];
+            if let Ok(at) = list.binary_search_by(|&(point, _)| to.cmp(&point)) {
+                list[at].1 = rank;
+            }
+        }
     }
 
     fn common<T>(
