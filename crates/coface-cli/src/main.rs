@@ -9,6 +9,7 @@ mod chains;
 mod classes;
 mod commands;
 mod domain;
+mod examples;
 mod failure;
 mod filtration;
 mod groups;

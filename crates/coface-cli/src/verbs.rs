@@ -2,6 +2,7 @@
 
 use crate::arguments::Common;
 use crate::commands;
+use crate::examples::with_examples;
 use crate::failure::Failure;
 use crate::output::end_with;
 use crate::remarks::say_read;
@@ -76,7 +77,7 @@ impl Arguments {
         }
     }
 
-    /// The command line with the options that a verb cannot use left out of its help. It takes them all the same.
+    /// The command line with the options that a verb cannot use left out of its help, which ends with examples. It takes them all the same.
     pub(crate) fn shaped() -> Command {
         let mut whole = Self::command();
         let of_volumes = |option: &&Arg| option.get_help_heading() == Some("Volumes");
@@ -112,7 +113,7 @@ impl Arguments {
         for verb in WITHOUT_INPUTS {
             whole = whole.mut_subcommand(verb, |verb| verb.args(&volumes).args(&inputs));
         }
-        whole
+        with_examples(whole)
     }
 
     /// The program for people: without the verbs that no help lists.
