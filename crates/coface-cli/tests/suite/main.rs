@@ -48,6 +48,7 @@ mod schema;
 mod shards;
 mod signatures;
 mod strangers;
+mod stray_files;
 mod surfaces;
 mod three_manifolds;
 mod verbs;
