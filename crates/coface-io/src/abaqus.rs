@@ -47,8 +47,10 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
                 return Err(Error::parse("an element ends before its last node").at_line(number));
             }
             section = mesh.begin(&line).map_err(|error| error.at_line(number))?;
+            mesh.awaited = matches!(section, Section::Elements(..)).then_some(number);
             continue;
         }
+        mesh.awaited = None;
         mesh.read_data(&mut section, &line, &mut gathered).map_err(|error| error.at_line(number))?;
     }
     if !gathered.is_empty() {
@@ -156,6 +158,8 @@ struct Mesh {
     ahead: Vec<(bool, String, String)>,
     /// How many surfaces there are.
     surfaces: usize,
+    /// The line of the last keyword, if elements should stand behind it and none does.
+    awaited: Option<u64>,
 }
 
 impl Mesh {
@@ -393,6 +397,10 @@ impl Mesh {
         for (name, &count) in &self.unknown {
             let message = format!("elements of the type {} are left out", quoted(name.as_bytes()));
             say(RemarkCode::UnknownSection, message, count);
+        }
+        if self.awaited.is_some() {
+            let message = "the file ends where elements should stand behind *ELEMENT: it may be cut there";
+            say(RemarkCode::MissingEnd, message.to_owned(), 1);
         }
         if self.moved > 0 {
             let message = "instances move their parts; the parts are read as they stand".to_owned();

@@ -4,7 +4,7 @@ use crate::filtered_model::{mesh_of, model_of_facets};
 use crate::number_table::NumberTable;
 use crate::points_table::{is_model, points_of_path};
 use crate::readers::ReadOptions;
-use crate::{Format, Model, ModelParts, Remark, RemarkCode, Structure};
+use crate::{Format, Model, ModelParts, Remark, RemarkCode, Structure, TableForm};
 use coface_algebra::{Error, VertexId, memory};
 use coface_complexes::alpha::{AlphaComplex, PeriodicAlphaComplex, PeriodicBox};
 use coface_geometry::Positions;
@@ -103,6 +103,7 @@ impl AlphaReading {
             ))
             .with_cure("ask for their Vietoris-Rips filtration: coface persistence POINTS --rips"));
         }
+        table.require_points(TableForm::Points)?;
         require_memory(table.row_count(), dimension)?;
         let rows = || (0..table.row_count()).map(|row| table.row(row));
         let flat = rows().flat_map(|row| row[..dimension].iter().copied()).collect();
@@ -124,7 +125,7 @@ impl AlphaReading {
         if let Some(bound) = self.bound {
             complex = complex.up_to(bound);
         }
-        let remarks = hidden_points(complex.hidden()).into_iter().chain(table.left_out()).collect();
+        let remarks = hidden_points(complex.hidden()).into_iter().chain(table.remarks()).collect();
         Ok(AlphaPoints { positions, complex, remarks })
     }
 }
@@ -350,8 +351,8 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_an_empty_model() {
-        assert!(read("", AlphaReading::default()).unwrap().is_empty());
+    fn few_points_are_read() {
+        assert!(read("", AlphaReading::default()).unwrap_err().to_string().contains("no point"));
         assert_eq!(read("5 5 5\n", AlphaReading::default()).unwrap().vertex_count(), 1);
         assert_eq!(read("5\n7\n", AlphaReading::default()).unwrap().lines().len(), 1);
     }

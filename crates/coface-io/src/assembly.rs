@@ -28,6 +28,8 @@ pub(crate) struct Assembly {
     cells: Lists,
     groups: BTreeMap<(GroupKind, i64), Vec<u32>>,
     names: BTreeMap<(GroupKind, i64), String>,
+    /// Names of groups whose kind the file does not say.
+    names_of_numbers: BTreeMap<i64, String>,
     /// Whether a vertex is a corner of an element, once there are elements of higher order.
     is_corner: Vec<bool>,
     /// Whether a vertex lies inside an edge, face or cell of an element of higher order.
@@ -216,10 +218,20 @@ impl Assembly {
         self.groups.entry((kind, number)).or_default();
     }
 
+    /// The name of the groups of this number, of whatever kind they are.
+    pub(crate) fn name_groups(&mut self, number: i64, name: String) {
+        self.names_of_numbers.insert(number, name);
+    }
+
     /// The mesh. Vertices that only lie inside elements of higher order are left out.
     pub(crate) fn finish(mut self) -> Result<Model, Error> {
         let oddities = std::mem::take(&mut self.oddities);
         self.remarks.extend(oddities.remarks());
+        for key in self.groups.keys() {
+            if let Some(name) = self.names_of_numbers.get(&key.1) {
+                self.names.entry(*key).or_insert_with(|| name.clone());
+            }
+        }
         let renumbered = if self.reduced_count > 0 { self.drop_inner_vertices() } else { None };
         let (positions, partial_positions) = placed(self.dimension, self.coordinates)?;
         let mut model = Model {

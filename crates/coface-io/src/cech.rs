@@ -75,7 +75,7 @@ impl CechReading {
         }
         let complex = FilteredComplex::cech(&positions, radius, self.dimension.unwrap_or(DIMENSION))?;
         let remarks = skeleton_remark(self.dimension, complex.complex().dimension());
-        let remarks = remarks.into_iter().chain(table.left_out()).collect();
+        let remarks = remarks.into_iter().chain(table.remarks()).collect();
         Ok(CechPoints { positions, complex, radius, remarks })
     }
 }

@@ -13,7 +13,7 @@ use super::space_faces::SpaceFaces;
 use super::{CellData, Format, Model};
 use super::{Group, GroupKind};
 use crate::{ReferenceSystem, Remark, RemarkCode};
-use coface_algebra::{Error, ErrorKind, RaggedArray, UnionFind, VertexId};
+use coface_algebra::{Error, ErrorKind, RaggedArray, VertexId};
 use coface_geometry::Positions;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -91,6 +91,11 @@ pub(super) struct Drawing {
     /// The feature of the last polygon, and whether a feature has had several.
     feature_of_polygon: Option<i64>,
     has_many_polygons: bool,
+    /// The feature of which a shape other than a hole was drawn last, and whether one had several that are not all polygons.
+    shape_of: Option<(u32, bool)>,
+    has_many_shapes: bool,
+    /// Whether what comes next begins a feature of which the file says nothing.
+    is_geometry: bool,
     polygon_count: i64,
     /// The rings that the polygon has had.
     ring_count: i64,
@@ -145,7 +150,7 @@ impl Drawing {
     pub(super) fn begin_feature(&mut self, name: Option<String>) {
         self.begins_feature = true;
         self.empty_features += usize::from(self.is_described && self.drawn() == self.drawn_before);
-        self.is_described = false;
+        (self.is_described, self.is_geometry) = (false, false);
         self.name = name.filter(|name| !name.is_empty()).map(|name| {
             *self.number_of_name.entry(name).or_insert_with_key(|name| {
                 self.names.push(name.clone());
@@ -161,6 +166,28 @@ impl Drawing {
         self.descriptions.push(properties, id);
         self.is_described = true;
         self.drawn_before = self.drawn();
+    }
+
+    /// What comes next is a geometry of which the file says nothing else; one that draws nothing is not told.
+    pub(super) fn begin_geometry(&mut self) {
+        self.begin_feature(None);
+        self.is_geometry = true;
+    }
+
+    /// A shape of the feature is drawn: a polygon, or a line or point.
+    fn note_shape(&mut self, is_polygon: bool) {
+        if std::mem::take(&mut self.is_geometry) {
+            self.descriptions.push("", "");
+            (self.is_described, self.drawn_before) = (true, usize::MAX);
+        }
+        let feature = self.described();
+        if let Some((last, was_polygon)) = self.shape_of
+            && last == feature
+            && feature != NO_FEATURE
+        {
+            self.has_many_shapes |= !is_polygon || !was_polygon;
+        }
+        self.shape_of = Some((feature, is_polygon));
     }
 
     /// Features without a geometry are told, also where others have one.
@@ -213,6 +240,7 @@ impl Drawing {
     }
 
     fn push_point(&mut self, place: [f64; 3]) {
+        self.note_shape(false);
         self.points.push(Point { place, name: self.name, described: self.described() });
     }
 
@@ -350,6 +378,9 @@ impl Drawing {
                 if ring == 0 && feature >= 0 {
                     self.has_many_polygons |= self.feature_of_polygon == Some(feature);
                     self.feature_of_polygon = Some(feature);
+                }
+                if ring <= 0 {
+                    self.note_shape(ring == 0);
                 }
                 let (end, described) = (self.corners.len(), self.described());
                 let surface = if self.is_surface { self.surfaces.len() as u32 - 1 } else { NO_SURFACE };
@@ -527,11 +558,12 @@ impl Drawing {
                 ));
             }
         }
-        let features = FeatureTable::new(
-            self.descriptions,
-            self.lines.iter().map(|line| line.described).collect(),
-            self.points.iter().map(|point| point.described).collect(),
-        );
+        let of_lines = self.lines.iter().map(|line| line.described).collect();
+        let of_points = self.points.iter().map(|point| point.described).collect();
+        let features = match self.has_many_shapes {
+            true => FeatureTable::of_shapes(self.descriptions, of_lines, of_points),
+            false => FeatureTable::new(self.descriptions, of_lines, of_points),
+        };
         let model = Model {
             vertex_count: firsts.len(),
             positions: Positions::from_flat(dimension, coordinates)?,
@@ -703,74 +735,6 @@ impl Features {
     }
 }
 
-/// What a model draws as the geometries of well-known text or binary: the shapes of each stand together.
-///
-/// In space, faces are one surface where they are connected or in one group; without groups all of them are. A surface that is read has vertices of its
-/// own, so that faces with a vertex in common must not be of two.
-pub(super) struct Geometries {
-    pub(super) shapes: Vec<(Shape, Option<usize>)>,
-    /// The shape behind the last of each geometry.
-    ends: Vec<usize>,
-}
-
-impl Geometries {
-    pub(super) fn of(model: &Model, dimension: usize) -> Self {
-        let mut shapes = shapes(model);
-        let features = Features::new(model);
-        let surfaces = if dimension == 3 { surface_of_faces(model) } else { Vec::new() };
-        let surface = |shape: &Shape| match shape {
-            Shape::Face(face) => surfaces.get(*face).copied(),
-            _ => None,
-        };
-        // Faces follow each other.
-        let is_face = |(shape, _): &(Shape, Option<usize>)| matches!(shape, Shape::Face(_));
-        let first = shapes.iter().position(is_face).unwrap_or(shapes.len());
-        shapes[first..first + model.polygons.len()].sort_by_key(|(shape, _)| surface(shape));
-        let are_one = |(a, group): &(Shape, Option<usize>), (b, other): &(Shape, Option<usize>)| match (
-            surface(a),
-            surface(b),
-        ) {
-            (Some(a), Some(b)) => a == b,
-            _ => group == other && features.are_one(a, b),
-        };
-        let mut ends: Vec<usize> = Vec::new();
-        for geometry in shapes.chunk_by(are_one) {
-            ends.push(ends.last().copied().unwrap_or(0) + geometry.len());
-        }
-        Self { shapes, ends }
-    }
-
-    pub(super) fn iter(&self) -> impl Iterator<Item = &[(Shape, Option<usize>)]> {
-        let mut start = 0;
-        self.ends.iter().map(move |&end| &self.shapes[std::mem::replace(&mut start, end)..end])
-    }
-}
-
-/// The surface that each polygon of a mesh is of, numbered by their first ones: polygons with a vertex in common are of one, and those whose first
-/// group is the same.
-pub(super) fn surface_of_faces(model: &Model) -> Vec<u32> {
-    let names = names_of(model, GroupKind::Polygons);
-    let count = model.vertex_count;
-    // Vertices, groups, and one more for what is in none.
-    let mut partition = UnionFind::new(count + model.groups.len() + 1);
-    for (polygon, name) in model.polygons.iter().zip(&names) {
-        let group = (count + name.unwrap_or(model.groups.len())) as u32;
-        polygon.iter().for_each(|&vertex| {
-            partition.unite(group, vertex);
-        });
-    }
-    let classes = partition.class_numbers();
-    let mut number = vec![None; partition.class_count()];
-    let mut next = 0;
-    let surface = |polygon: &[u32]| {
-        *number[classes[polygon[0] as usize] as usize].get_or_insert_with(|| {
-            next += 1;
-            next - 1
-        })
-    };
-    model.polygons.iter().map(surface).collect()
-}
-
 /// The feature of each of the [`shapes()`] of a model, if the file says something of it.
 #[doc(hidden)]
 pub fn features_of_shapes(model: &Model, shapes: &[(Shape, Option<usize>)]) -> Vec<Option<usize>> {
@@ -786,7 +750,7 @@ pub fn features_of_shapes(model: &Model, shapes: &[(Shape, Option<usize>)]) -> V
 }
 
 /// The first group of a kind that each thing is in.
-fn names_of(model: &Model, kind: GroupKind) -> Vec<Option<usize>> {
+pub(super) fn names_of(model: &Model, kind: GroupKind) -> Vec<Option<usize>> {
     let mut names = vec![None; model.count_of(kind)];
     for (i, group) in model.groups.iter().enumerate().rev().filter(|(_, group)| group.kind == kind) {
         for &member in &group.members {
@@ -919,6 +883,30 @@ mod tests {
         square(&mut drawing, 0.);
         square(&mut drawing, 2.);
         assert!(drawing.finish().unwrap().data_named("feature", GroupKind::Lines).is_none());
+    }
+
+    #[test]
+    fn one_feature_of_lines_or_points_is_one_geometry() {
+        for text in [
+            "MULTILINESTRING ((5 5, 8 5), (0 0, 1 0, 1 1))\nLINESTRING (7 7, 8 8)\n",
+            "POINT (9 9)\nMULTIPOINT ((1 2), (3 4))\nLINESTRING (7 7, 8 8)\n",
+            "GEOMETRYCOLLECTION (LINESTRING (0 0, 1 1), POINT (5 5))\nPOINT (3 3)\n",
+            "MULTIPOLYGON (((0 0, 1 0, 0 1, 0 0)), ((5 5, 6 5, 5 6, 5 5)))\nMULTIPOINT ((0 0), (1 1))\n",
+        ] {
+            let model = crate::wkt::read(text.as_bytes()).unwrap();
+            model.check().unwrap();
+            let mut written = Vec::new();
+            crate::wkt::write(&model, &mut written).unwrap();
+            assert_eq!(String::from_utf8(written).unwrap(), text);
+            for format in [Format::WkbHex, Format::Wkb, Format::GeoJson] {
+                let mut bytes = Vec::new();
+                crate::write(&model, &mut bytes, format).unwrap();
+                let back = crate::read(&bytes[..], format).unwrap();
+                let mut written = Vec::new();
+                crate::wkt::write(&back, &mut written).unwrap();
+                assert_eq!(String::from_utf8(written).unwrap(), text, "{format:?}");
+            }
+        }
     }
 
     #[test]

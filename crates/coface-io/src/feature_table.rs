@@ -11,9 +11,8 @@ pub(crate) const NO_FEATURE: u32 = u32::MAX;
 /// The features of a map, each with its properties and its id as the file has them, and which lines and points are of
 /// which feature.
 ///
-/// GeoJSON, TopoJSON and CityJSON have features. The table is empty for other formats, and where no feature has
-/// properties or
-/// an id. Properties are kept as text, without the white space between their parts: numbers have all their digits and
+/// GeoJSON, TopoJSON and CityJSON have features, and geometries of WKT and WKB are such. The table is empty for other formats, and where no feature has
+/// properties or an id, several lines or points, or shapes of several kinds. Properties are kept as text, without the white space between their parts: numbers have all their digits and
 /// keys their order.
 ///
 /// # Examples
@@ -74,6 +73,11 @@ impl FeatureTable {
         if texts.text.is_empty() {
             return Self::default();
         }
+        Self(Arc::new(Table { texts, of_lines, of_points, of_polygons: Vec::new() }))
+    }
+
+    /// The same, kept where the features say nothing too: some have several shapes.
+    pub(crate) fn of_shapes(texts: FeatureTexts, of_lines: Vec<u32>, of_points: Vec<u32>) -> Self {
         Self(Arc::new(Table { texts, of_lines, of_points, of_polygons: Vec::new() }))
     }
 

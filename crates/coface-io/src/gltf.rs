@@ -41,9 +41,9 @@ pub(crate) use reading::read_in;
 
 #[cfg(feature = "gltf")]
 mod reading {
-    use crate::Model;
     use crate::files::Companions;
     use crate::scene::{LooseMesh, Placement, Scene};
+    use crate::{Model, Remark, RemarkCode};
     use base64::Engine;
     use coface_algebra::{Error, ErrorKind};
     use gltf::accessor::{DataType, Dimensions};
@@ -52,7 +52,6 @@ mod reading {
     use serde_json::Value;
     use std::collections::HashSet;
     use std::io::Read;
-    use std::ops::Range;
     use std::path::Path;
 
     /// Beyond so many, all primitives together may have `RATIO` numbers for each byte of the buffers: they may share them.
@@ -69,11 +68,10 @@ mod reading {
     pub(crate) fn read_in(mut input: impl Read, companions: Option<&Companions>) -> Result<Model, Error> {
         let mut bytes = Vec::new();
         input.read_to_end(&mut bytes)?;
-        check_accessors(&bytes)?;
-        let file = gltf::Gltf::from_slice(&bytes);
-        // The parser is stricter than a reader of shapes needs to be.
-        let repaired = if file.is_err() { repaired(&bytes)? } else { None };
-        let file = repaired.map_or(file, |repaired| gltf::Gltf::from_slice(&repaired)).map_err(|error| {
+        let (text, blob) = chunks(&bytes)?;
+        let text = essential(text)?;
+        check_accessors(&text)?;
+        let file = gltf::Gltf::from_slice(&text).map_err(|error| {
             let message: String =
                 error.to_string().chars().take(200).flat_map(char::escape_default).collect();
             Error::parse(format!("this is no sound glTF: {message}")).with_cure("export the file again")
@@ -82,7 +80,8 @@ mod reading {
         let mut buffers = Vec::new();
         for buffer in document.buffers() {
             buffers.push(match buffer.source() {
-                Source::Bin => file.blob.clone().unwrap_or_default(),
+                Source::Bin => blob.map(<[u8]>::to_vec).unwrap_or_default(),
+                Source::Uri(uri) if uri.starts_with(ZEROS) => zeros(uri)?,
                 Source::Uri(uri) => bytes_of(uri, companions)?,
             });
         }
@@ -106,33 +105,71 @@ mod reading {
                 }
             }
         }
-        scene.finish()
+        let mut model = scene.finish()?;
+        if document.meshes().next().is_none() {
+            let message = "the file has no mesh, so there is nothing to read";
+            model.remarks.push(Remark::new(RemarkCode::EmptyInput, message));
+        }
+        Ok(model)
     }
 
-    /// The bytes before the first chunk of a GLB, and those before its data.
+    /// The bytes before the first chunk of a GLB, and those before the data of a chunk.
     const HEADER: usize = 12;
     const CHUNK: usize = 8;
 
-    /// Where the JSON of a file stands: all of a `.gltf`, the first chunk of a GLB.
-    fn json_range(bytes: &[u8]) -> Option<Range<usize>> {
+    /// The JSON and the numbers of a file: all of a `.gltf`, or the first chunks of a GLB. What is behind these is left out.
+    fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Error> {
         if !bytes.starts_with(b"glTF") {
-            return Some(0..bytes.len());
+            return Ok((bytes, None));
         }
-        let start = HEADER + CHUNK;
-        let length = u32::from_le_bytes(bytes.get(HEADER..HEADER + 4)?.try_into().ok()?);
-        let end = start.checked_add(usize::try_from(length).ok()?)?;
-        Some(start..end).filter(|range| range.end <= bytes.len())
+        let cut = |what: &str| {
+            Error::parse(format!("the file ends in {what}"))
+                .at_byte(bytes.len() as u64)
+                .with_cure("it was cut short: export it again")
+        };
+        let number = |at: usize| -> Option<usize> {
+            let four = bytes.get(at..at + 4)?;
+            usize::try_from(u32::from_le_bytes(four.try_into().ok()?)).ok()
+        };
+        let (Some(version), Some(length)) = (number(4), number(8)) else {
+            return Err(cut("its header of 12 bytes"));
+        };
+        if version != 2 {
+            let message = format!("this is version {version} of the binary form of glTF; 2 is read");
+            return Err(Error::new(ErrorKind::UnsupportedFormat, message).with_cure("convert it to glTF 2.0"));
+        }
+        if length < HEADER + CHUNK {
+            let message = format!("the header says that the file has {length} bytes, which is too few");
+            return Err(Error::parse(message).at_byte(8).with_cure("export the file again"));
+        }
+        if length > bytes.len() {
+            return Err(cut(&format!("the middle: its header says {length} bytes")));
+        }
+        let chunk = |start: usize| -> Option<(&[u8], &[u8], usize)> {
+            let data = start.checked_add(CHUNK)?;
+            let end = data.checked_add(number(start)?)?;
+            let kind = bytes.get(start + 4..data)?;
+            Some((kind, bytes.get(data..end.min(length))?, end)).filter(|_| end <= length)
+        };
+        let Some((b"JSON", text, end)) = chunk(HEADER) else {
+            return Err(Error::parse("the first chunk is no JSON, or ends behind the file")
+                .at_byte(HEADER as u64)
+                .with_cure("export the file again"));
+        };
+        if end == length {
+            return Ok((text, None));
+        }
+        match chunk(end) {
+            Some((b"BIN\0", numbers, _)) => Ok((text, Some(numbers))),
+            Some(_) => Ok((text, None)),
+            None => Err(cut("its second chunk")),
+        }
     }
 
     /// Refuses primitives whose positions are an accessor that is not there: the parser takes it to be there before it looks. What is no JSON is
     /// left to the parser.
-    fn check_accessors(bytes: &[u8]) -> Result<(), Error> {
-        let text = json_range(bytes).map(|range| &bytes[range]);
-        let Some(root) =
-            text.and_then(|text| gltf::json::deserialize::from_slice::<gltf::json::Root>(text).ok())
-        else {
-            return Ok(());
-        };
+    fn check_accessors(text: &[u8]) -> Result<(), Error> {
+        let Ok(root) = gltf::json::deserialize::from_slice::<gltf::json::Root>(text) else { return Ok(()) };
         let count = root.accessors.len();
         let primitives = root.meshes.iter().flat_map(|mesh| &mesh.primitives);
         let mut accessors = primitives.flat_map(|primitive| primitive.attributes.values());
@@ -150,14 +187,31 @@ mod reading {
     const COMPRESSIONS: [&str; 3] =
         ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
 
-    /// The same file with what the parser misses and shapes do not need: an empty list of nodes in scenes that have none, bounds of positions; and without
-    /// the demand for extensions of materials, of textures and of whole numbers, and without attributes other than positions. `None` if nothing was to be done.
+    /// The URI of a buffer of so many zeros begins with this: no file has it.
+    const ZEROS: &str = "coface:zeros/";
+    const MOST_ZEROS: u64 = (FREE * 8) as u64;
+
+    fn zeros(uri: &str) -> Result<Vec<u8>, Error> {
+        let count: Option<usize> = uri.strip_prefix(ZEROS).and_then(|count| count.parse().ok());
+        match count {
+            Some(count) if count as u64 <= MOST_ZEROS => Ok(vec![0; count]),
+            _ => Err(Error::new(ErrorKind::TooLarge, "a mesh has far more numbers than its file")
+                .with_cure("export the file again, with its positions")),
+        }
+    }
+
+    /// What of the JSON says where meshes are, and nothing else: materials, animations, skins, `extras` and the like may be as they want. Lists of nodes that
+    /// scenes lack and bounds of positions are added, whole numbers that are written as fractions are whole, and an accessor without a view has one of zeros.
     ///
     /// # Errors
-    /// `UnsupportedFormat` for glTF 1.0, and for meshes that are compressed.
-    fn repaired(bytes: &[u8]) -> Result<Option<Vec<u8>>, Error> {
-        let Some(range) = json_range(bytes) else { return Ok(None) };
-        let Ok(mut root) = serde_json::from_slice::<Value>(&bytes[range.clone()]) else { return Ok(None) };
+    /// `Parse` for what is no JSON; `UnsupportedFormat` for glTF 1.0, and for meshes that are compressed.
+    fn essential(text: &[u8]) -> Result<Vec<u8>, Error> {
+        let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+        let mut root: Value = serde_json::from_slice(text.trim_ascii_end()).map_err(|error| {
+            let message: String =
+                error.to_string().chars().take(200).flat_map(char::escape_default).collect();
+            Error::parse(format!("this is no sound glTF: {message}")).with_cure("export the file again")
+        })?;
         let unsupported = |message: String, cure: &str| {
             Err(Error::new(ErrorKind::UnsupportedFormat, message).with_cure(cure))
         };
@@ -165,57 +219,143 @@ mod reading {
         if root.get("meshes").is_some_and(Value::is_object) {
             return unsupported("this is glTF 1.0, which is not read".to_owned(), "convert it to glTF 2.0");
         }
-        let mut is_changed = false;
+        let names = |list: &str| -> Vec<String> {
+            let names = root.get(list).and_then(Value::as_array).into_iter().flatten();
+            names.filter_map(Value::as_str).map(str::to_owned).collect()
+        };
+        if let Some(name) =
+            names("extensionsRequired").iter().find(|name| COMPRESSIONS.contains(&name.as_str()))
+        {
+            let message = format!("the meshes are compressed ({name}), which is not read");
+            return unsupported(message, "export the file without compression of meshes");
+        }
+        let is_compressed = names("extensionsUsed").iter().any(|name| COMPRESSIONS.contains(&name.as_str()));
+        keep(
+            &mut root,
+            &[
+                "asset",
+                "scene",
+                "scenes",
+                "nodes",
+                "meshes",
+                "accessors",
+                "bufferViews",
+                "buffers",
+                "extensionsRequired",
+            ],
+        );
+        whole_numbers(&mut root);
         if let Some(required) = root.get_mut("extensionsRequired").and_then(Value::as_array_mut) {
-            let compression =
-                required.iter().filter_map(Value::as_str).find(|name| COMPRESSIONS.contains(name));
-            if let Some(name) = compression {
-                let message = format!("the meshes are compressed ({name}), which is not read");
-                return unsupported(message, "export the file without compression of meshes");
-            }
             let is_of_paint = |name: &str| {
-                ["_material", "_texture", "_technique", "_lights"].iter().any(|word| name.contains(word))
+                ["_material", "_texture", "_technique", "_lights", "_animation"]
+                    .iter()
+                    .any(|word| name.contains(word))
             };
             // Coordinates that are whole numbers are read anyway.
             let is_known = |name: &str| is_of_paint(name) || name == "KHR_mesh_quantization";
-            let count = required.len();
             required.retain(|name| !name.as_str().is_some_and(is_known));
-            is_changed |= required.len() < count;
+        }
+        if let Some(asset) = root.get_mut("asset") {
+            keep(asset, &["version", "minVersion"]);
         }
         for scene in objects(&mut root, "scenes") {
-            scene.entry("nodes").or_insert_with(|| {
-                is_changed = true;
-                Value::Array(Vec::new())
-            });
+            scene.retain(|name, _| matches!(name.as_str(), "nodes" | "name"));
+            scene.entry("nodes").or_insert_with(|| Value::Array(Vec::new()));
         }
-        // Of the attributes only positions are read, and others may have any names.
+        for node in objects(&mut root, "nodes") {
+            let is_kept = |name: &str| {
+                matches!(name, "mesh" | "children" | "matrix" | "translation" | "rotation" | "scale" | "name")
+            };
+            node.retain(|name, _| is_kept(name));
+        }
+        let mut positions = HashSet::new();
         for mesh in objects(&mut root, "meshes") {
+            mesh.retain(|name, _| matches!(name.as_str(), "primitives" | "name"));
             let primitives = mesh.get_mut("primitives").and_then(Value::as_array_mut);
             for primitive in primitives.into_iter().flatten() {
-                if let Some(attributes) = primitive.get_mut("attributes").and_then(Value::as_object_mut) {
-                    let count = attributes.len();
-                    attributes.retain(|name, _| name == "POSITION");
-                    is_changed |= attributes.len() < count;
+                keep(primitive, &["attributes", "indices", "mode"]);
+                // Of the attributes only positions are read, and others may have any names.
+                if let Some(attributes) = primitive.get_mut("attributes") {
+                    keep(attributes, &["POSITION"]);
+                    positions.extend(attributes["POSITION"].as_u64());
                 }
             }
         }
-        let primitives =
-            root["meshes"].as_array().into_iter().flatten().filter_map(|mesh| mesh["primitives"].as_array());
-        let positions: HashSet<u64> = primitives
-            .flatten()
-            .filter_map(|primitive| primitive["attributes"]["POSITION"].as_u64())
-            .collect();
+        for list in ["bufferViews", "buffers"] {
+            for part in objects(&mut root, list) {
+                part.retain(|name, _| {
+                    matches!(name.as_str(), "buffer" | "byteOffset" | "byteLength" | "byteStride" | "uri")
+                });
+            }
+        }
+        let mut empty = Vec::new();
         for (number, accessor) in (0..).zip(objects(&mut root, "accessors")) {
+            accessor.retain(|name, _| !matches!(name.as_str(), "extras" | "extensions" | "name"));
             if positions.contains(&number) {
                 for bound in ["min", "max"] {
-                    accessor.entry(bound).or_insert_with(|| {
-                        is_changed = true;
-                        serde_json::json!([0.0, 0.0, 0.0])
-                    });
+                    accessor.entry(bound).or_insert_with(|| serde_json::json!([0.0, 0.0, 0.0]));
                 }
             }
+            if !accessor.contains_key("bufferView") && !accessor.contains_key("sparse") {
+                empty.push(number as usize);
+            }
         }
-        Ok(if is_changed { with_json(bytes, range, &root) } else { None })
+        if is_compressed && !empty.is_empty() {
+            let message = "a mesh has no positions in its buffers, as where meshes are compressed";
+            return unsupported(message.to_owned(), "export the file without compression of meshes");
+        }
+        for number in empty {
+            add_zeros(&mut root, number);
+        }
+        serde_json::to_vec(&root).map_err(|error| Error::parse(error.to_string()))
+    }
+
+    /// Gives an accessor a view of zeros.
+    fn add_zeros(root: &mut Value, number: usize) {
+        let accessor = &root["accessors"][number];
+        let size = match accessor["componentType"].as_u64() {
+            Some(5120 | 5121) => 1,
+            Some(5122 | 5123) => 2,
+            _ => 4,
+        };
+        let components = if accessor["type"] == "SCALAR" { 1 } else { 16 };
+        let count = accessor["count"].as_u64().unwrap_or(0).saturating_mul(size * components).max(1);
+        let mut push = |list: &str, item: Value| -> usize {
+            if !root[list].is_array() {
+                root[list] = Value::Array(Vec::new());
+            }
+            let Some(items) = root[list].as_array_mut() else { return 0 };
+            items.push(item);
+            items.len() - 1
+        };
+        let buffer =
+            push("buffers", serde_json::json!({ "byteLength": count, "uri": format!("{ZEROS}{count}") }));
+        let view = push("bufferViews", serde_json::json!({ "buffer": buffer, "byteLength": count }));
+        root["accessors"][number]["bufferView"] = view.into();
+    }
+
+    /// Keeps these members of an object.
+    fn keep(object: &mut Value, names: &[&str]) {
+        if let Some(object) = object.as_object_mut() {
+            object.retain(|name, _| names.contains(&name.as_str()));
+        }
+    }
+
+    /// Whole numbers as such: `1.0` is 1.
+    fn whole_numbers(value: &mut Value) {
+        match value {
+            Value::Number(number) => {
+                if let Some(real) = number.as_f64().filter(|_| number.is_f64())
+                    && real.fract() == 0.0
+                    && real.abs() < 9e15
+                {
+                    *value = (real as i64).into();
+                }
+            }
+            Value::Array(items) => items.iter_mut().for_each(whole_numbers),
+            Value::Object(members) => members.values_mut().for_each(whole_numbers),
+            _ => {}
+        }
     }
 
     /// The objects in a list of the root.
@@ -228,24 +368,6 @@ mod reading {
             .into_iter()
             .flatten()
             .filter_map(Value::as_object_mut)
-    }
-
-    /// The same file with other JSON in this place.
-    fn with_json(bytes: &[u8], Range { start, end }: Range<usize>, root: &Value) -> Option<Vec<u8>> {
-        let is_binary = bytes.starts_with(b"glTF");
-        let mut text = serde_json::to_vec(root).ok()?;
-        if !is_binary {
-            return Some(text);
-        }
-        text.resize(text.len().next_multiple_of(4), b' ');
-        let rest = &bytes[end..];
-        let length = u32::try_from(start + text.len() + rest.len()).ok()?;
-        let mut whole = bytes[..start].to_vec();
-        whole[8..12].copy_from_slice(&length.to_le_bytes());
-        whole[HEADER..HEADER + 4].copy_from_slice(&u32::try_from(text.len()).ok()?.to_le_bytes());
-        whole.extend_from_slice(&text);
-        whole.extend_from_slice(rest);
-        Some(whole)
     }
 
     fn place(
@@ -389,16 +511,8 @@ mod reading {
                     .flat_map(|bytes| bytes.chunks_exact(kind.size()).map(|bytes| value(kind, bytes)))
                     .collect()
             }
-            // All zeros, but for sparse values: no more than the other buffers have room for.
-            None => {
-                let most: usize = buffers.iter().map(Vec::len).sum();
-                if count > most {
-                    let message = "a mesh has no positions in its buffers, as where meshes are compressed";
-                    return Err(Error::new(ErrorKind::UnsupportedFormat, message)
-                        .with_cure("export the file without compression of meshes"));
-                }
-                vec![0.0; count * components]
-            }
+            // All zeros, but for sparse values.
+            None => vec![0.0; count * components],
         };
         if let Some(sparse) = accessor.sparse() {
             let (indices, replacing) = (sparse.indices(), sparse.values());
@@ -476,5 +590,65 @@ mod reading {
             (DataType::F32, &[a, b, c, d]) => f64::from(f32::from_le_bytes([a, b, c, d])),
             _ => f64::NAN,
         }
+    }
+}
+
+#[cfg(all(test, feature = "gltf"))]
+mod tests {
+    use super::read;
+
+    const TRIANGLE: &str = r#""buffers": [{"byteLength": 36}], "bufferViews": [{"buffer": 0, "byteLength": 36.0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0.0, "_HEAT": 7}, "extras": 3}]}],
+        "nodes": [{"mesh": 0, "camera": 9}], "scenes": [{"nodes": [0]}]"#;
+
+    fn binary(text: &str) -> Vec<u8> {
+        let mut text = text.as_bytes().to_vec();
+        text.resize(text.len().next_multiple_of(4), b' ');
+        let numbers: Vec<u8> =
+            [0f32, 0., 0., 1., 0., 0., 0., 1., 0.].iter().flat_map(|x| x.to_le_bytes()).collect();
+        let mut bytes = b"glTF\x02\0\0\0".to_vec();
+        bytes.extend((12 + 8 + text.len() as u32 + 8 + 36).to_le_bytes());
+        bytes.extend((text.len() as u32).to_le_bytes());
+        bytes.extend(b"JSON");
+        bytes.extend(text);
+        bytes.extend(36u32.to_le_bytes());
+        bytes.extend(b"BIN\0");
+        bytes.extend(numbers);
+        bytes
+    }
+
+    fn whole() -> Vec<u8> {
+        binary(&format!(
+            r#"{{"asset": {{"version": "2.0", "extras": []}}, "accessors": [{{"bufferView": 0, "componentType": 5126.0, "count": 3.0, "type": "VEC3"}}],
+            "animations": [{{"channels": [{{"sampler": 0, "target": {{"path": "pointer"}}}}], "samplers": []}}], {TRIANGLE}}}"#
+        ))
+    }
+
+    #[test]
+    fn what_is_no_mesh_may_be_as_it_wants() {
+        let model = read(&whole()[..]).unwrap();
+        assert_eq!((model.vertex_count(), model.polygons().len()), (3, 1));
+        let longer = [&whole()[..], b"more"].concat();
+        assert_eq!(read(&longer[..]).unwrap(), model);
+        let zeros = binary(&format!(
+            r#"{{"asset": {{"version": "2.0"}}, "accessors": [{{"componentType": 5126, "count": 3, "type": "VEC3"}}], {TRIANGLE}}}"#
+        ));
+        assert_eq!(read(&zeros[..]).unwrap().vertex_count(), 1, "all at the origin");
+        let nothing = r#"{"asset": {"version": "2.0"}, "nodes": [{"name": "lamp"}]}"#;
+        assert!(read(nothing.as_bytes()).unwrap().remarks()[0].message.contains("no mesh"));
+    }
+
+    #[test]
+    fn headers_that_lie_are_refused() {
+        let whole = whole();
+        for length in 0..whole.len() as u32 {
+            let mut bytes = whole.clone();
+            bytes[8..12].copy_from_slice(&length.to_le_bytes());
+            assert!(read(&bytes[..]).is_err(), "{length}");
+            assert!(read(&whole[..length as usize]).is_err(), "{length}");
+        }
+        let mut first = whole;
+        first[4] = 1;
+        assert!(read(&first[..]).unwrap_err().to_string().contains("version 1"));
     }
 }

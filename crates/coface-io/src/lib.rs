@@ -29,6 +29,7 @@ pub mod container;
 mod counted_stream;
 mod data;
 mod decimal;
+mod decimal_commas;
 mod detection;
 mod drawing;
 mod element_kind;
@@ -41,6 +42,7 @@ mod foreign;
 mod format;
 mod generated;
 pub mod geojson;
+mod geometries;
 pub mod gltf;
 mod graph;
 mod group;
@@ -107,6 +109,8 @@ pub use alpha::{AlphaCells, AlphaPoints, AlphaReading};
 pub use cech::{CechPoints, CechReading};
 pub use cells_not_balls::cells_not_balls;
 pub use data::CellData;
+#[doc(hidden)]
+pub use decimal_commas::with_decimal_points;
 #[doc(hidden)]
 pub use drawing::{Features, features_of_shapes};
 pub use drawing::{Shape, shapes};

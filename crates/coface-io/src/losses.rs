@@ -1,6 +1,7 @@
 //! What a format does not keep of a model, beside groups and data.
 
-use crate::drawing::{Shape, shapes, surface_of_faces, written_dimension};
+use crate::drawing::{Shape, shapes, written_dimension};
+use crate::geometries::surface_of_faces;
 use crate::{Format, GroupKind, Model, Remark, RemarkCode, Structure, obj, stl};
 use std::collections::HashSet;
 

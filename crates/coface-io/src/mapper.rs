@@ -123,7 +123,7 @@ impl MapperReading {
         };
         let own = NumberTable::from_rows(rows().map(|row| &row[..coordinates]));
         let mut found = self.placed(&own, values.as_deref())?;
-        found.remarks.splice(..0, table.left_out());
+        found.remarks.splice(..0, table.remarks());
         Ok(found)
     }
 

@@ -1,12 +1,13 @@
 //! Tables of numbers: points of any dimension, distances.
 
 use crate::counted_stream::{name_of, reading};
+use crate::decimal_commas::{whole_text, with_decimal_points};
 use crate::files::open_regular;
 use crate::scanner::Scanner;
 use crate::stream_start::plain_bytes;
 use crate::volume::{NPY_MAGIC, write_npy_header};
-use crate::word_columns::{WordColumns, entries, is_word};
-use crate::{Format, Remark, RemarkCode, VolumeStream};
+use crate::word_columns::{Header, WordColumns, entries, is_word};
+use crate::{Format, Remark, RemarkCode, TableForm, VolumeStream};
 use coface_algebra::Error;
 use std::io::{Read, Write};
 use std::path::Path;
@@ -31,6 +32,10 @@ pub struct NumberTable {
     lines: Vec<u64>,
     /// That columns of words were left out.
     left_out: Option<Remark>,
+    /// That commas are decimal commas.
+    commas: Option<Remark>,
+    /// Whether it was read from text, in which no row is no point.
+    is_text: bool,
 }
 
 impl NumberTable {
@@ -49,8 +54,8 @@ impl NumberTable {
     }
 
     /// The table of a stream: a NumPy array of one or two axes, or text in UTF-8 or UTF-16; either may be compressed. A row is a line of numbers with blanks, commas or semicolons between
-    /// them. Empty lines and lines that begin with `#` or `//` are passed over, and so are a first line of words and columns of words, of which
-    /// [`Self::left_out`] tells.
+    /// them. A comma in numbers that semicolons, tabs or quotes hold apart is a decimal comma, of which [`Self::remarks`] tells. Empty lines and lines that begin with `#`
+    /// or `//` are passed over, and so are a first line of words, with as many of them as there are columns, and columns of words, of which [`Self::left_out`] tells.
     ///
     /// # Errors
     /// As of [`Self::read_path`], without the name.
@@ -93,14 +98,18 @@ impl NumberTable {
             starts: (0..=rows).map(|row| row * columns).collect(),
             lines: Vec::new(),
             left_out: None,
+            commas: None,
+            is_text: false,
         })
     }
 
     fn of_text(input: impl Read) -> Result<Self, Error> {
-        let mut scanner = Scanner::new(input);
-        let mut table = Self { starts: vec![0], ..Self::default() };
-        let (mut has_names, mut columns) = (false, WordColumns::default());
-        let mut has_unnamed = false;
+        let text = whole_text(input)?;
+        let (text, commas) = with_decimal_points(&text)?;
+        let mut scanner = Scanner::new(&text[..]);
+        let mut table = Self { starts: vec![0], commas, is_text: true, ..Self::default() };
+        let mut columns = WordColumns::default();
+        let (mut header, mut has_unnamed) = (Header::default(), false);
         while let Some(line) = scanner.next_line()? {
             let begins_unnamed = matches!(line.first(), Some(b'\t' | b',' | b';'));
             let line = line.trim_ascii();
@@ -113,12 +122,14 @@ impl NumberTable {
             }
             if table.numbers.is_empty() {
                 // The first line of words has the names of the columns.
-                if words.iter().all(|word| is_word(word)) && !std::mem::replace(&mut has_names, true) {
+                if header.is_none() && words.iter().all(|word| is_word(word)) {
                     has_unnamed = begins_unnamed;
+                    header = Header::of(words.len() + usize::from(has_unnamed), scanner.line_number());
                     continue;
                 }
                 columns = WordColumns::of(&words);
             }
+            header.note_row(words.len());
             let numbers = columns.numbers(&words, "each entry of a table");
             let numbers = numbers.map_err(|error| {
                 let cure =
@@ -127,6 +138,7 @@ impl NumberTable {
             })?;
             table.push_row(&numbers, scanner.line_number());
         }
+        header.check()?;
         table.left_out = (columns.count() > 0).then(|| columns.remark(" of the table"));
         if has_unnamed && table.first_column_counts() {
             table.leave_out_first_column();
@@ -143,7 +155,8 @@ impl NumberTable {
 
     /// Leaves the first column out, which has no name and counts the rows, as tables of pandas have it.
     fn leave_out_first_column(&mut self) {
-        let mut kept = Self { starts: vec![0], ..Self::default() };
+        let mut kept =
+            Self { starts: vec![0], commas: self.commas.take(), is_text: self.is_text, ..Self::default() };
         for row in 0..self.row_count() {
             kept.push_row(&self.row(row)[1..], self.line(row).unwrap_or_default());
         }
@@ -168,6 +181,20 @@ impl NumberTable {
     /// ```
     pub fn left_out(&self) -> Option<Remark> {
         self.left_out.clone()
+    }
+
+    /// What was assumed and left out: [`Self::left_out`], and that commas were read as decimal commas.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::NumberTable;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let table = NumberTable::read(&b"0,5;1,25\n2;3,5\n"[..])?;
+    /// assert_eq!((table.row(0), table.remarks().len()), (&[0.5, 1.25][..], 1));
+    /// # Ok(()) }
+    /// ```
+    pub fn remarks(&self) -> Vec<Remark> {
+        self.left_out.iter().chain(&self.commas).cloned().collect()
     }
 
     /// The same table, which must not have had words.
@@ -220,6 +247,15 @@ impl NumberTable {
         self.numbers.extend_from_slice(numbers);
         self.starts.push(self.numbers.len());
         self.lines.push(line);
+    }
+
+    /// Refuses a text without rows, in which there is no point; of distances alone no row is one point, and arrays may be empty.
+    pub(crate) fn require_points(&self, form: TableForm) -> Result<(), Error> {
+        let is_one_point = matches!(form, TableForm::Lower | TableForm::Upper);
+        if self.row_count() > 0 || is_one_point || !self.is_text {
+            return Ok(());
+        }
+        Err(Error::invalid("there is no point").with_cure("give a row of numbers for each point"))
     }
 
     /// The points of a time series: the numbers of row i, of row i + delay, and so on, `dimension` rows in all, one after the other.
@@ -388,6 +424,16 @@ mod tests {
         for text in [",x,y\n0,5,6\n2,7,8\n", "n,x,y\n0,5,6\n1,7,8\n", "0,5,6\n1,7,8\n"] {
             assert_eq!(read(text).row(1).len(), 3, "{text}");
         }
+    }
+
+    #[test]
+    fn headers_name_all_columns() {
+        for text in ["x;y;z\n1;2\n", "t\n0,5\n1,5\n", "x y\n1 2 3\n4 5 6\n"] {
+            let error = NumberTable::read(text.as_bytes()).unwrap_err();
+            assert!(error.to_string().contains("the header has") && error.line() == Some(1), "{error}");
+        }
+        // Distances below the diagonal have rows of all lengths.
+        assert_eq!(NumberTable::read(&b"a b\n3\n5 4\n"[..]).unwrap().row_count(), 2);
     }
 
     #[test]

@@ -136,6 +136,7 @@ pub(crate) fn part(model: Model, entry: &str) -> Result<Model, Error> {
         old.iter().map(number).collect()
     };
     let (mut polygons, mut lines) = (RaggedArray::new(), RaggedArray::new());
+    let kept = [GroupKind::Polygons, GroupKind::Lines].map(|kind| (kind, of_kind(kind).to_vec()));
     for &polygon in of_kind(GroupKind::Polygons) {
         polygons.push(&taken(model.polygons().list(polygon as usize)));
     }
@@ -149,7 +150,18 @@ pub(crate) fn part(model: Model, entry: &str) -> Result<Model, Error> {
         flat[start..start + dimension].iter().copied()
     });
     let (positions, partial_positions) = crate::model::placed(dimension, coordinates.collect())?;
+    let places = |kind: GroupKind| -> Option<Vec<usize>> {
+        let members = match kind {
+            GroupKind::Vertices => &vertices,
+            kind => &kept.iter().find(|(own, _)| *own == kind)?.1,
+        };
+        Some(members.iter().map(|&member| member as usize).collect())
+    };
+    // With them, closed lines are the rings of polygons as before.
+    let data = model.data().iter().filter_map(|data| Some(data.taken_from(places(data.kind())?))).collect();
     let part = Model {
+        data,
+        reference: model.reference.clone(),
         vertex_count: vertices.len(),
         positions,
         partial_positions,
@@ -201,6 +213,13 @@ mod tests {
         assert_eq!((counts("1"), counts("4")), (counts("face"), counts("dust")));
         let error = part(model(), "rope").unwrap_err().to_string();
         assert!(error.contains("face, both, wire, dust"), "{error}");
+        // The rings of a drawing stay rings.
+        let text = r#"{"type": "FeatureCollection", "features": [
+            {"type": "Feature", "properties": {"name": "a"}, "geometry": {"type": "Polygon", "coordinates": [[[0,0],[1,0],[1,1],[0,0]]]}},
+            {"type": "Feature", "properties": {"name": "b"}, "geometry": {"type": "Polygon", "coordinates": [[[0,0],[9,0],[9,9],[0,0]], [[5,1],[6,1],[6,2],[5,1]]]}}]}"#;
+        let drawn = part(crate::geojson::read(text.as_bytes()).unwrap(), "b").unwrap();
+        let shapes: Vec<_> = crate::shapes(&drawn).into_iter().map(|(shape, _)| shape).collect();
+        assert_eq!(shapes, [crate::Shape::Rings(0..2)]);
         // An object comes before a group of its name.
         let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\ng a\nf 1 2 3\nf 1 3 2\ng\no a\nf 3 2 1\n";
         assert_eq!(part(crate::obj::read(text.as_bytes()).unwrap(), "a").unwrap().polygons().len(), 1);

@@ -1,9 +1,10 @@
 //! Points as text (`.xyz`, `.csv`, `.pts`): a point a line, its coordinates first.
 
+use crate::decimal_commas::{whole_text, with_decimal_points};
 use crate::numbers::Numbers;
 use crate::oddities::Oddities;
 use crate::scanner::{Scanner, quoted};
-use crate::word_columns::{WordColumns, entries, is_word};
+use crate::word_columns::{Header, WordColumns, entries, is_word};
 use crate::{CellData, GroupKind, Model};
 use coface_algebra::{Error, VertexId};
 use std::io::Read;
@@ -11,7 +12,8 @@ use std::io::Read;
 /// More columns than this are no points.
 const MOST_COLUMNS: usize = 256;
 
-/// Reads points: the numbers of a line are separated by blanks, commas or semicolons. A first line of words names the columns; those named
+/// Reads points: the numbers of a line are separated by blanks, commas or semicolons; a comma in numbers that semicolons, tabs or quotes hold apart is a decimal comma,
+/// and a remark says so. A first line of words names the columns; those named
 /// `x`, `y` and `z` are the coordinates, without such names the first three or, if there are only two, both. Other columns are data on the
 /// vertices, and columns of words are left out with a remark. A line with the count of the points and a line of words behind it, as files of
 /// atoms have, are passed over, and so are lines that begin with `#` or `//`.
@@ -31,7 +33,10 @@ const MOST_COLUMNS: usize = 256;
 /// # Ok(()) }
 /// ```
 pub fn read(input: impl Read) -> Result<Model, Error> {
-    let mut scanner = Scanner::new(input);
+    let text = whole_text(input)?;
+    let (text, commas) = with_decimal_points(&text)?;
+    let mut scanner = Scanner::new(&text[..]);
+    let mut header = Header::default();
     let mut names: Option<Vec<String>> = None;
     // The number of entries of a line, the columns of numbers, and those of words, which are left out.
     let (mut width, mut columns, mut of_words) = (0, Vec::new(), WordColumns::default());
@@ -60,7 +65,12 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
             if is_word(words[0]) && !has_numbers {
                 let lower = |word: &&[u8]| String::from_utf8_lossy(word).to_lowercase();
                 let unnamed = begins_unnamed.then(|| "index".to_owned());
-                names = Some(unnamed.into_iter().chain(words.iter().map(lower)).collect());
+                let found: Vec<String> = unnamed.into_iter().chain(words.iter().map(lower)).collect();
+                // Files of atoms have a comment behind their count.
+                if !has_count {
+                    header = Header::of(found.len(), scanner.line_number());
+                }
+                names = Some(found);
                 continue;
             }
         }
@@ -74,6 +84,8 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
             }
             columns = vec![Vec::new(); number_count];
         }
+        header.note_row(words.len());
+        header.check()?;
         if words.len() != width {
             let message = format!("a line has {} entries, and the first has {width}", words.len());
             return Err(scanner.error(message).with_cure("give each point as many numbers"));
@@ -98,6 +110,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
         (0..width).partition(|&column| of_words.has_words(column));
     let mut model =
         model(columns, &kept.into_iter().map(name_of).collect::<Vec<String>>(), count, &suspects)?;
+    model.remarks.extend(commas);
     if !left_out.is_empty() {
         let shown = left_out.iter().take(5).map(|&column| quoted(name_of(column).as_bytes()));
         let shown: Vec<String> = shown.collect();

@@ -96,9 +96,11 @@ impl RipsReading {
             (None, Some(form)) => (None, (form, None)),
             (None, None) => (None, TableForm::of(table)),
         };
-        let left_out = table.left_out();
+        let own = table.remarks();
         let table = delayed.as_ref().unwrap_or(table);
+        table.require_points(form)?;
         let distances = form.distances(table)?;
+        let evened = said.is_none().then(|| form.evened(table)).flatten();
         let columns = if table.row_count() == 0 { 0 } else { table.row(0).len() };
         let positions = match form {
             TableForm::Points if columns <= 3 => {
@@ -107,7 +109,7 @@ impl RipsReading {
             }
             _ => Positions::default(),
         };
-        Ok(RipsPoints { distances, positions, remarks: said.into_iter().chain(left_out).collect() })
+        Ok(RipsPoints { distances, positions, remarks: said.into_iter().chain(evened).chain(own).collect() })
     }
 
     /// The complex of points as a model, as [`ReadOptions::rips`] says.

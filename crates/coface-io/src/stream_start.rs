@@ -44,11 +44,40 @@ fn decoded_start(
     is_unpacked: bool,
 ) -> Result<Start<'_>, Error> {
     if !is_utf16(&start) {
-        return Ok((start, whole, rest, is_unpacked));
+        return Ok(with_line_feeds((start, whole, rest, is_unpacked)));
     }
     let mut rest = Utf8Of::new(&start.clone(), std::io::Cursor::new(start).chain(rest))?;
     let (start, whole) = start_of(&mut rest)?;
-    Ok((start, whole, Box::new(rest), true))
+    Ok(with_line_feeds((start, whole, Box::new(rest), true)))
+}
+
+/// The same with line feeds, if it is text whose lines end in carriage returns alone, as old programs write it.
+fn with_line_feeds((mut start, whole, rest, is_unpacked): Start<'_>) -> Start<'_> {
+    let is_text = start.iter().all(|&byte| byte >= b' ' || matches!(byte, b'\t' | b'\r' | 0x0c));
+    if !is_text || !start.contains(&b'\r') {
+        return (start, whole, rest, is_unpacked);
+    }
+    LineFeeds::<&[u8]>::replace(&mut start);
+    (start, whole, Box::new(LineFeeds { input: rest }), true)
+}
+
+/// A stream with line feeds for carriage returns.
+struct LineFeeds<R> {
+    input: R,
+}
+
+impl<R> LineFeeds<R> {
+    fn replace(bytes: &mut [u8]) {
+        bytes.iter_mut().filter(|byte| **byte == b'\r').for_each(|byte| *byte = b'\n');
+    }
+}
+
+impl<R: Read> Read for LineFeeds<R> {
+    fn read(&mut self, bytes: &mut [u8]) -> std::io::Result<usize> {
+        let count = self.input.read(bytes)?;
+        Self::replace(&mut bytes[..count]);
+        Ok(count)
+    }
 }
 
 /// The first bytes of a stream, and whether they are all of it.

@@ -48,7 +48,8 @@ impl TableForm {
     }
 
     /// The form that a table has by its looks: a square one with zeros on its diagonal that is symmetric and has no negative number holds
-    /// distances, and a remark says so; all others hold points.
+    /// distances, and a remark says so; all others hold points. What rounding leaves is no matter: the diagonal may be a millionth of the largest distance, and
+    /// two entries for one distance may differ by a billionth of it. Distances are the means of both then, and the remark says how much they differed.
     ///
     /// # Complexity
     /// Linear.
@@ -64,9 +65,41 @@ impl TableForm {
         if !is_square_of_distances(table) {
             return (Self::Points, None);
         }
-        let message = "the table is symmetric with zeros on its diagonal: its numbers were taken for distances; --distances points takes \
-                       its rows as points";
+        let mut message = "the table is symmetric with zeros on its diagonal: its numbers were taken for distances; --distances points takes \
+                           its rows as points"
+            .to_owned();
+        if let Some(evened) = Self::Square.evened(table) {
+            message = format!("{message}; {}", evened.message);
+        }
         (Self::Square, Some(Remark::new(RemarkCode::InputReading, message)))
+    }
+
+    /// What rounding left in a square table of distances and was evened out.
+    pub(crate) fn evened(self, table: &NumberTable) -> Option<Remark> {
+        let count = table.row_count();
+        if self != Self::Square || (0..count).any(|i| table.row(i).len() != count) {
+            return None;
+        }
+        let diagonal = (0..count).filter(|&i| table.row(i)[i] != 0.0).count();
+        let pairs = (0..count).flat_map(|i| (0..i).map(move |j| (i, j)));
+        let differences: Vec<f64> = pairs
+            .map(|(i, j)| (table.row(i)[j] - table.row(j)[i]).abs())
+            .filter(|difference| *difference > 0.0)
+            .collect();
+        let mut parts = Vec::new();
+        if diagonal > 0 {
+            parts.push(format!("{} on the diagonal became 0", counted(diagonal, "number")));
+        }
+        if !differences.is_empty() {
+            let most = differences.iter().copied().fold(0.0, f64::max);
+            let pairs = counted(differences.len(), "pair");
+            parts.push(format!(
+                "{pairs} of numbers for one distance, up to {most:e} apart, became their means"
+            ));
+        }
+        let message = parts.join(", and ");
+        (!parts.is_empty())
+            .then(|| Remark::new(RemarkCode::InputReading, message).at(diagonal + differences.len(), []))
     }
 
     /// The distances that a table holds, or those of its points. Points have the Euclidean distance.
@@ -167,6 +200,7 @@ fn of_lower(table: &NumberTable) -> Result<Distances, Error> {
 
 fn of_square(table: &NumberTable) -> Result<Distances, Error> {
     let count = table.row_count();
+    let largest = largest_of(table);
     let mut lower = Vec::new();
     for i in 0..count {
         let row = table.row(i);
@@ -180,7 +214,7 @@ fn of_square(table: &NumberTable) -> Result<Distances, Error> {
                 .with_cure("give as many numbers in each row as there are rows"),
             ));
         }
-        if row[i] != 0.0 {
+        if !is_nearly_zero(row[i], largest) {
             return Err(wrong(
                 Error::invalid(format!("the distance of point {i} to itself is {}, not 0", row[i]))
                     .with_cure("write zeros on the diagonal"),
@@ -188,13 +222,13 @@ fn of_square(table: &NumberTable) -> Result<Distances, Error> {
         }
         for (j, &one) in row.iter().enumerate().take(i) {
             let other = table.row(j)[i];
-            if one != other {
+            if !is_nearly(one, other, largest) {
                 return Err(wrong(
                     Error::invalid(format!("row {i} says that point {j} is at {one}, row {j} says {other}"))
                         .with_cure("write the same number in both places"),
                 ));
             }
-            lower.push(one);
+            lower.push(if one == other { one } else { f64::midpoint(one, other) });
         }
     }
     Distances::from_lower_triangle(count, lower)
@@ -227,12 +261,75 @@ fn of_list(table: &NumberTable) -> Result<Distances, Error> {
 
 fn is_square_of_distances(table: &NumberTable) -> bool {
     let count = table.row_count();
+    let largest = largest_of(table);
     count > 2
-        && (0..count).all(|i| table.row(i).len() == count && table.row(i)[i] == 0.0)
-        && (0..count).all(|i| (0..i).all(|j| table.row(i)[j] >= 0.0 && table.row(i)[j] == table.row(j)[i]))
+        && (0..count).all(|i| table.row(i).len() == count && is_nearly_zero(table.row(i)[i], largest))
+        && (0..count).all(|i| {
+            (0..i).all(|j| {
+                let (one, other) = (table.row(i)[j], table.row(j)[i]);
+                one >= 0.0 && other >= 0.0 && is_nearly(one, other, largest)
+            })
+        })
+}
+
+/// The largest finite number.
+fn largest_of(table: &NumberTable) -> f64 {
+    table.numbers().iter().copied().filter(|number| number.is_finite()).fold(0.0, f64::max)
+}
+
+/// Whether the distance of a point to itself is 0 but for rounding, as the root of a difference of squares leaves it.
+fn is_nearly_zero(number: f64, largest: f64) -> bool {
+    number == 0.0 || number.abs() <= 1e-6 * largest
+}
+
+/// Whether two numbers are one distance but for rounding.
+fn is_nearly(one: f64, other: f64, largest: f64) -> bool {
+    one == other || (one - other).abs() <= 1e-9 * largest
 }
 
 /// A number of things.
 fn counted(number: usize, singular: &str) -> String {
     if number == 1 { format!("1 {singular}") } else { format!("{number} {singular}s") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::TableForm;
+    use crate::{NumberTable, RipsReading};
+
+    #[test]
+    fn rounding_does_not_make_points_of_distances() {
+        let exact = NumberTable::from_rows([[0.0, 3.0, 5.0], [3.0, 0.0, 4.0], [5.0, 4.0, 0.0]]);
+        let rounded = NumberTable::from_rows([[1e-8, 3.0, 5.0], [3.0, 0.0, 4.0], [5.0 + 1e-12, 4.0, -1e-9]]);
+        let (form, said) = TableForm::of(&rounded);
+        assert_eq!(form, TableForm::Square);
+        let message = said.unwrap().message;
+        assert!(message.contains("2 numbers on the diagonal") && message.contains("1 pair"), "{message}");
+        for reading in
+            [RipsReading::default(), RipsReading { form: Some(TableForm::Square), ..Default::default() }]
+        {
+            let found = reading.distances(&rounded).unwrap();
+            assert_eq!(found.remarks().len(), 1);
+            let exact = reading.distances(&exact).unwrap();
+            assert_eq!(found.distances().enclosing_radius(), exact.distances().enclosing_radius());
+        }
+        for far in [
+            [[1e-3, 3.0, 5.0], [3.0, 0.0, 4.0], [5.0, 4.0, 0.0]],
+            [[0.0, 3.0, 5.0], [3.1, 0.0, 4.0], [5.0, 4.0, 0.0]],
+        ] {
+            let far = NumberTable::from_rows(far);
+            assert_eq!(TableForm::of(&far).0, TableForm::Points);
+            assert!(TableForm::Square.distances(&far).is_err());
+        }
+    }
+
+    #[test]
+    fn nothing_has_no_points() {
+        for text in ["", "x,y\n", "# none\n"] {
+            let table = NumberTable::read(text.as_bytes()).unwrap();
+            let error = RipsReading::default().distances(&table).unwrap_err();
+            assert!(error.to_string().contains("no point"), "{error}");
+            assert!(crate::AlphaReading::default().points(&table).is_err());
+        }
+    }
 }

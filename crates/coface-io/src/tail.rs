@@ -25,13 +25,15 @@ impl<R: Read> Tail<R> {
     pub(crate) fn remark(&self) -> Option<Remark> {
         let text = std::str::from_utf8(&self.end).ok()?;
         let mut lines = text.rsplit('\n');
-        let last = lines.next().filter(|line| !line.trim().is_empty())?;
+        let is_comment =
+            |line: &str| ["#", "//", "**", "%"].iter().any(|mark| line.trim_start().starts_with(mark));
+        let last = lines.next().filter(|line| !line.trim().is_empty() && !is_comment(line))?;
         // The first of the lines may not be whole.
         let before: Vec<&str> = lines.take(NEIGHBORS + 1).collect();
         let whole = before.split_last().map_or(&[][..], |(_, whole)| whole);
         let alike: Vec<&str> = whole.iter().copied().filter(|line| form(line) == form(last)).collect();
         let is_shorter = alike.len() >= LEAST && alike.iter().all(|line| line.trim_end().len() > last.len());
-        is_shorter.then(|| {
+        (is_shorter || lacks_words(last, whole)).then(|| {
             let shown: String = last.chars().take(60).collect();
             let message = format!(
                 "the last line, \"{}\", has no newline and is shorter than those before it: the file may be cut there",
@@ -40,6 +42,16 @@ impl<R: Read> Tail<R> {
             Remark::new(RemarkCode::MissingEnd, message)
         })
     }
+}
+
+/// Whether a line has fewer words than all lines of its keyword before it, which have the same number: a face that lost a corner.
+fn lacks_words(last: &str, before: &[&str]) -> bool {
+    let (keyword, words) = form(last);
+    let mut counts =
+        before.iter().map(|line| form(line)).filter(|(own, _)| *own == keyword).map(|(_, count)| count);
+    let Some(first) = counts.next().filter(|_| keyword.is_some()) else { return false };
+    let others: Vec<usize> = counts.collect();
+    words < first && others.len() + 1 >= LEAST && others.iter().all(|&count| count == first)
 }
 
 /// The keyword of a line, if it has one, and the number of its words.
@@ -78,6 +90,23 @@ mod tests {
         assert!(is_noticed(cut, Format::Obj), "f 11 12 1");
         assert!(!is_noticed(&format!("{cut}\n"), Format::Obj), "a shorter line with its newline");
         assert!(read_with(cut.as_bytes(), &ReadOptions::new().strict(true)).is_err());
+    }
+
+    #[test]
+    fn a_corner_lost_at_the_end_is_noticed() {
+        let vertices = (0..9).map(|i| format!("v {i} {} 0\n", i * i)).collect::<String>();
+        let whole = vertices + &"f 1 2 3 4\n".repeat(6);
+        assert!(!is_noticed(whole.trim_end(), Format::Obj));
+        assert!(is_noticed(&whole[..whole.len() - 3], Format::Obj), "f 1 2 3");
+        assert!(!is_noticed(&format!("{whole}f 1 2 3\n"), Format::Obj), "a triangle with its newline");
+        let nodes = (1..9).map(|i| format!("{i}, {i}., {}., 0.\n", i * i)).collect::<String>();
+        let abaqus = format!("*NODE\n{nodes}*ELEMENT, TYPE=S3\n1, 1, 2, 3\n");
+        assert!(!is_noticed(&format!("{abaqus}** the end"), Format::Abaqus), "a comment");
+        assert!(is_noticed(&format!("*NODE\n{nodes}*ELEMENT, TYPE=S3"), Format::Abaqus), "no element");
+        assert!(
+            is_noticed(&format!("{abaqus}*ELEMENT, TYPE=S4\n"), Format::Abaqus),
+            "no element behind others"
+        );
     }
 
     #[test]

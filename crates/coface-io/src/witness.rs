@@ -89,7 +89,7 @@ impl WitnessReading {
         let complex = FilteredComplex::witness(&points, &positions, self.rule, bound, dimension)?;
         let mut remarks: Vec<Remark> = skeleton_remark(self.dimension, complex.complex().dimension())
             .into_iter()
-            .chain(table.left_out())
+            .chain(table.remarks())
             .collect();
         if chosen.len() < self.landmarks {
             let message = format!(

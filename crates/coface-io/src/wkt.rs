@@ -13,7 +13,8 @@
 //! number of the geometry, where one has several polygons.
 
 use super::decimal::flush;
-use super::drawing::{Drawing, Geometries, Place, Shape, closed, push_list, push_place, written_dimension};
+use super::drawing::{Drawing, Place, Shape, closed, push_list, push_place, written_dimension};
+use super::geometries::Geometries;
 use super::scanner::{Scanner, parse_f64, quoted};
 use super::wkb;
 use super::wkt_table;
@@ -161,7 +162,7 @@ pub(super) fn read_flattened(input: impl Read, flatten: Option<f64>) -> Result<M
             continue;
         }
         seen = true;
-        reader.drawing.begin_feature(None);
+        reader.drawing.begin_geometry();
         if byte == b'0' {
             wkb::read_digits(&mut reader.scanner, &mut reader.drawing, reader.line)?;
         } else {

@@ -60,6 +60,48 @@ impl WordColumns {
     }
 }
 
+/// A first line of words: how many columns it names, and whether a row has as many entries.
+#[derive(Debug, Default)]
+pub(crate) struct Header {
+    /// The number of columns and the line.
+    names: Option<(usize, u64)>,
+    /// The entries of the first row.
+    first: Option<usize>,
+    fits: bool,
+}
+
+impl Header {
+    pub(crate) fn of(count: usize, line: u64) -> Self {
+        Self { names: Some((count, line)), ..Self::default() }
+    }
+
+    pub(crate) fn is_none(&self) -> bool {
+        self.names.is_none()
+    }
+
+    /// A row has so many entries.
+    pub(crate) fn note_row(&mut self, count: usize) {
+        self.first.get_or_insert(count);
+        self.fits |= self.names.is_none_or(|(names, _)| names == count);
+    }
+
+    /// Refuses a header that names other columns than there are.
+    ///
+    /// # Errors
+    /// `Parse` with its line.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        let (Some((names, line)), Some(first), false) = (self.names, self.first, self.fits) else {
+            return Ok(());
+        };
+        let columns = if names == 1 { "column" } else { "columns" };
+        let entries = if first == 1 { "entry" } else { "entries" };
+        let message = format!("the header has {names} {columns}, and the first row has {first} {entries}");
+        Err(Error::parse(message).at_line(line).with_cure(
+            "name all columns, begin the line with # if it is a title, and write decimal points or semicolons between numbers that have decimal commas",
+        ))
+    }
+}
+
 /// The entries of a line: between blanks, tabs, commas or semicolons, of which several are one. In double quotes these are part of an entry.
 pub(crate) fn entries(line: &[u8]) -> Vec<&[u8]> {
     let is_separator = |byte: &u8| matches!(byte, b' ' | b'\t' | b',' | b';' | b'\r');

@@ -6,7 +6,9 @@ use crate::model::Model;
 use crate::objects::to_python;
 use crate::target::warn_all;
 use crate::work::run;
-use coface::answers::{BufferCaps, BufferJoins, BufferOptions, MapResult, MapTask, RepairMethod};
+use coface::answers::{
+    BufferCaps, BufferJoins, BufferOptions, LineOptions, MapResult, MapTask, RepairMethod,
+};
 use pyo3::prelude::*;
 
 const METHODS: [(&str, RepairMethod); 2] =
@@ -86,8 +88,8 @@ pub(crate) fn map_task<'py>(
             Some(frame) => MapTask::Clip(frame),
             None => return Err(invalid(py, "clip has no box".to_owned(), "give four numbers")),
         },
-        "node" => MapTask::Node,
-        "polygonize" => MapTask::Polygonize,
+        "node" => MapTask::Node(LineOptions::new()),
+        "polygonize" => MapTask::Polygonize(LineOptions::new()),
         "simplify" => MapTask::Simplify(needed(length)?),
         "coverage" => MapTask::Coverage { gap_width: length },
         _ => {

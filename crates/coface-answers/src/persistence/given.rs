@@ -2,7 +2,7 @@
 
 use crate::answer::{Place, Remark, RemarkCode};
 use coface_algebra::Error;
-use coface_io::NumberTable;
+use coface_io::{NumberTable, with_decimal_points};
 use coface_topology::Barcode;
 use serde_json::Value;
 
@@ -137,8 +137,12 @@ impl GivenDiagram {
         if text.contains("persistence intervals in dim") {
             return Self::of_classes(name, of_ripser(text)?);
         }
+        let (text, commas) = with_decimal_points(text.as_bytes())?;
+        let text = std::str::from_utf8(&text).map_err(|_| no_diagram("the file is no text"))?;
         let (head, table) = table_of(text)?;
-        Self::of_rows(name, &table, head.as_ref())
+        let mut found = Self::of_rows(name, &table, head.as_ref())?;
+        found.remarks.extend(commas);
+        Ok(found)
     }
 
     fn of_classes(name: &str, classes: Classes) -> Result<Self, Error> {
@@ -172,8 +176,19 @@ impl GivenDiagram {
                 columns
             }
         };
+        let width = head.map_or(usize::MAX, |head| head.names.len());
         let class = |row: usize| {
             let numbers = table.row(row);
+            if numbers.len() > width {
+                let error = no_diagram(format!(
+                    "the row has {} numbers, and the header {width} columns",
+                    numbers.len()
+                ));
+                return Err(match table.line(row) {
+                    Some(line) => error.at_line(line),
+                    None => error,
+                });
+            }
             let at_line = |error: Error| match table.line(row) {
                 Some(line) => error.at_line(line),
                 None => error,

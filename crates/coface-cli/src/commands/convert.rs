@@ -44,7 +44,7 @@ pub(crate) struct Convert {
     #[arg(long, value_name = "component|boundary|RESULT.json")]
     color_by: Option<PathBuf>,
     /// Make a gluing table, or halfedge permutations, a facet list: the first barycentric subdivision, or the second where that is needed
-    #[arg(long)]
+    #[arg(long, visible_alias = "triangles")]
     triangulate: bool,
     /// Cut the ideal vertices of a triangulation of a 3-manifold off: the gluing table of the manifold with boundary that is left
     #[arg(long)]

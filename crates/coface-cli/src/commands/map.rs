@@ -1,7 +1,7 @@
 //! `coface map`: maps changed feature by feature.
 
 use super::arrange::{output_target, read_all};
-use crate::arguments::Common;
+use crate::arguments::{Common, length};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 use crate::progress::Progress;
@@ -9,7 +9,9 @@ use crate::remarks::{accept, say_remarks};
 use crate::target::{Target, write_seen};
 use clap::{Args, Subcommand, ValueEnum};
 use coface::answers::answer::{MapAnswer, MapCoverageAnswer, MapRepairAnswer};
-use coface::answers::{BufferCaps, BufferJoins, BufferOptions, MapResult, MapTask, RepairMethod, text};
+use coface::answers::{
+    BufferCaps, BufferJoins, BufferOptions, LineOptions, MapResult, MapTask, RepairMethod, text,
+};
 use coface::io::{Model, replace_file};
 use std::path::PathBuf;
 
@@ -84,6 +86,8 @@ struct Clip {
 struct Node {
     #[command(flatten)]
     inputs: Inputs,
+    #[command(flatten)]
+    nearness: Nearness,
 }
 
 /// The faces that lines and rings bound, cut where they meet: each is a polygon, with holes
@@ -91,6 +95,8 @@ struct Node {
 struct Polygonize {
     #[command(flatten)]
     inputs: Inputs,
+    #[command(flatten)]
+    nearness: Nearness,
 }
 
 /// Leave out vertices of borders and lines: common borders stay common, nothing crosses, vanishes or changes sides
@@ -111,6 +117,26 @@ struct Coverage {
     /// Gaps up to this width are faults, in the unit of the map [default: none is]
     #[arg(long, value_name = "W")]
     gap_width: Option<f64>,
+}
+
+/// How near lines must be to meet.
+#[derive(Args)]
+struct Nearness {
+    /// Round coordinates and cut again until all vertices are where their coordinates say
+    #[arg(long)]
+    snap: bool,
+    /// Put all vertices on the grid with this step, in the unit of the map: coordinates are multiples of R
+    #[arg(long, value_name = "R", allow_negative_numbers = true, value_parser = length)]
+    grid: Option<f64>,
+    /// Put vertices and lines together that are at most R apart, in the unit of the map
+    #[arg(long, value_name = "R", conflicts_with = "grid", allow_negative_numbers = true, value_parser = length)]
+    tolerance: Option<f64>,
+}
+
+impl Nearness {
+    fn options(&self) -> LineOptions {
+        LineOptions::new().snap(self.snap).grid(self.grid).tolerance(self.tolerance)
+    }
 }
 
 #[derive(Args)]
@@ -201,8 +227,8 @@ impl Task {
             Self::Repair(verb) => (&verb.inputs, MapTask::Repair(verb.method.method())),
             Self::Buffer(verb) => (&verb.inputs, MapTask::Buffer(verb.options())),
             Self::Clip(verb) => (&verb.inputs, MapTask::Clip(verb.frame)),
-            Self::Node(verb) => (&verb.inputs, MapTask::Node),
-            Self::Polygonize(verb) => (&verb.inputs, MapTask::Polygonize),
+            Self::Node(verb) => (&verb.inputs, MapTask::Node(verb.nearness.options())),
+            Self::Polygonize(verb) => (&verb.inputs, MapTask::Polygonize(verb.nearness.options())),
             Self::Simplify(verb) => (&verb.inputs, MapTask::Simplify(verb.tolerance)),
             Self::Coverage(verb) => (&verb.inputs, MapTask::Coverage { gap_width: verb.gap_width }),
         }

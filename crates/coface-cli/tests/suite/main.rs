@@ -51,6 +51,7 @@ mod shards;
 mod signatures;
 mod solid_files;
 mod strangers;
+mod stray_files;
 mod surfaces;
 mod three_manifolds;
 mod verbs;

@@ -779,7 +779,6 @@ fn pictures_are_drawn() {
 #[test]
 fn what_is_no_set_is_refused_with_the_place() {
     let folder = tempfile::tempdir().unwrap();
-    let svg = |inner: &str| format!("<svg xmlns='http://www.w3.org/2000/svg'>\n{inner}</svg>");
     for (name, text, message) in [
         ("bow.json", curves(2, &[&[[0., 0.], [2., 2.], [2., 0.], [0., 2.]]]), "(1, 1)"),
         ("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))".to_owned(), "(1, 1)"),
@@ -806,7 +805,6 @@ fn what_is_no_set_is_refused_with_the_place() {
         ("none.json", "{\"order\":2}".to_owned(), "curves"),
         ("both.json", "{\"plane\":true,\"curves\":[{\"points\":[[0,0],[1,0],[0,1]]}]}".to_owned(), "plane"),
         ("facets.json", "{\"facets\":[[0,1,2]]}".to_owned(), "facets"),
-        ("open.svg", svg("<path d='M0 0L1 0L1 1'/>"), "open path"),
         ("open.lines", "0,0,1,0\n1,0,1,1\n".to_owned(), "lines end at (0, 0)"),
         ("steep.obj", "v 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n".to_owned(), "height"),
     ] {

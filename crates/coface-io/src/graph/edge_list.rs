@@ -1,6 +1,7 @@
 //! Edge lists: a line an edge.
 
 use super::rows::{FORM, Rows, at};
+use crate::decimal_commas::{whole_text, with_decimal_points};
 use crate::scanner::{Scanner, parse_coordinate, quoted};
 use coface_algebra::Error;
 use std::borrow::Cow;
@@ -14,8 +15,11 @@ const VALUES: [&str; 7] = ["weight", "value", "distance", "length", "cost", "w",
 
 /// The edges of a text.
 pub(super) fn rows(input: impl Read) -> Result<Rows, Error> {
-    let mut scanner = Scanner::new(input);
+    let text = whole_text(input)?;
+    let (text, commas) = with_decimal_points(&text)?;
+    let mut scanner = Scanner::new(&text[..]);
     let mut rows = Rows::default();
+    rows.remarks.extend(commas);
     let mut columns = Columns::default();
     let mut section = None;
     let mut is_first = true;

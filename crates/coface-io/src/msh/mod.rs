@@ -1,4 +1,4 @@
-//! Gmsh MSH of the versions 2 and 4, text and binary.
+//! Gmsh MSH of the versions 2 and 4, text and binary; version 1, text, is read.
 //!
 //! Nodes have tags, any positive numbers; vertex i of the model is node i in the order of the file. Elements belong to
 //! physical groups, in version 2 by a tag of their own and in version 4 by the entity of the geometry that they lie on;

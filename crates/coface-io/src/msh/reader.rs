@@ -75,7 +75,8 @@ impl<R: Read> Reader<R> {
             self.miss_end(section);
             return Ok(());
         };
-        let name = end.strip_prefix(b"$End");
+        // Version 1 has capitals.
+        let name = end.strip_prefix(b"$End").or(end.strip_prefix(b"$END"));
         if name != Some(section) && name.is_some_and(|name| is_misspelled(name, section)) {
             let message = format!(
                 "the section ${} ends with {}, which is taken for its end",
@@ -186,6 +187,14 @@ impl<R: Read> Reader<R> {
                 return Err(self.values.scanner.error("the file ends inside the physical names"));
             };
             let text = String::from_utf8_lossy(line).into_owned();
+            // The first files of version 2 say no dimension.
+            if let Some((number, name)) = text.split_once('"')
+                && let (Ok(number), Some(name)) =
+                    (number.trim().parse::<i64>(), name.trim_end().strip_suffix('"'))
+            {
+                self.assembly.name_groups(number, name.to_owned());
+                continue;
+            }
             let mut words = text.trim().splitn(3, char::is_whitespace);
             let dimension = words.next().and_then(|word| word.parse::<i64>().ok());
             let number = words.next().and_then(|word| word.parse::<i64>().ok());

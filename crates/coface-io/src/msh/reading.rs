@@ -82,8 +82,14 @@ fn read_sections<R: Read>(reader: &mut Reader<R>) -> Result<(), Error> {
                     .with_cure("the file holds two meshes: split it"));
             }
             (b"PhysicalNames", _) => reader.read_names()?,
-            (b"NOD" | b"NOE", _) => {
-                return Err(reader.unsupported("this is version 1 of MSH; 2 and 4 are read"));
+            (b"NOD" | b"NOE", None) => {
+                has_nodes = true;
+                version_2::read_nodes(reader)?;
+                reader.nodes.finish().map_err(|fault| reader.values.located(fault))?;
+            }
+            (b"ELM", None) if has_nodes => {
+                has_elements = true;
+                version_2::read_elements_of_version_1(reader)?;
             }
             (b"Entities", Some(version)) if version.is_4() => version_4::read_entities(reader, version)?,
             (b"Nodes", Some(version)) => {

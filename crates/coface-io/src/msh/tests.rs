@@ -24,7 +24,7 @@ fn faults_are_placed() {
     }
     for (text, message) in [
         (NODES_2, "without the section $Elements"),
-        ("$NOD\n", "version 1"),
+        ("$NOD\n", "the count of nodes"),
         ("$MeshFormat\n3 0 8\n$EndMeshFormat\n", "version 3"),
         ("$MeshFormat\n4.1 1 8\n", "the file ends inside the number 1"),
         ("$Nodes\n1\n", "$MeshFormat is missing"),

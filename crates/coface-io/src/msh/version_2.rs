@@ -61,3 +61,30 @@ pub(super) fn read_elements<R: Read>(reader: &mut Reader<R>) -> Result<(), Error
     }
     Ok(())
 }
+
+/// Elements of version 1: number, type, physical group, entity, the number of nodes, and these.
+pub(super) fn read_elements_of_version_1<R: Read>(reader: &mut Reader<R>) -> Result<(), Error> {
+    const INT: NumberType = NumberType::Int32;
+    let count = reader.values.scanner.expect_u64("the count of elements")?;
+    reader.values.end_line()?;
+    for _ in 0..count {
+        let tag = reader.values.integer(INT, "the number of an element")?;
+        let number = reader.values.integer(INT, "the type of an element")?;
+        let element = reader.element_type(number)?;
+        let physical = reader.values.integer(INT, "the physical group of an element")?.saturating_abs();
+        reader.values.integer(INT, "the entity of an element")?;
+        let nodes = reader.values.integer(INT, "the number of the nodes of an element")?;
+        if usize::try_from(nodes) != Ok(element.node_count) {
+            let message =
+                format!("an element of type {number} has {nodes} nodes, not {}", element.node_count);
+            return Err(reader.values.error(message).with_cure("the file is damaged: write it again"));
+        }
+        reader.read_element(
+            element,
+            tag,
+            INT,
+            if physical == 0 { &[] } else { std::slice::from_ref(&physical) },
+        )?;
+    }
+    Ok(())
+}

@@ -239,7 +239,9 @@ fn parse_block(block: &Block) -> Piece {
             continue;
         }
         let (statement, next, lines) = statement(text, at);
-        if let Err(error) = read_statement(&statement, block.record, line, &mut piece) {
+        // Some programs end a file with zero bytes.
+        let is_nothing = statement.iter().all(|&byte| byte == 0);
+        if !is_nothing && let Err(error) = read_statement(&statement, block.record, line, &mut piece) {
             piece.fault = Some(error.at_line(line));
             break;
         }

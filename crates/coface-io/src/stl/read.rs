@@ -222,6 +222,10 @@ fn parse_block(block: &Block) -> Piece {
     piece
 }
 
+fn begins_with_solid(rest: &[u8]) -> bool {
+    rest.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
+}
+
 fn read_line(line: &[u8], piece: &mut Piece) -> Result<(), Error> {
     let line = line.trim_ascii();
     let length = line.iter().position(|&byte| is_blank(byte)).unwrap_or(line.len());
@@ -250,7 +254,8 @@ fn read_line(line: &[u8], piece: &mut Piece) -> Result<(), Error> {
             piece.state = State::Facet;
             return Ok(());
         }
-        State::Solid if is(b"solid") || is(b"endsolid") => {
+        // Some programs write the end in two words.
+        State::Solid if is(b"solid") || is(b"endsolid") || is(b"end") && begins_with_solid(rest) => {
             let name = is(b"solid").then(|| String::from_utf8_lossy(rest).trim().to_owned());
             piece.solids.push((piece.corners.len() / 3, name));
             return Ok(());

@@ -34,6 +34,20 @@ pub(super) enum Curves {
 }
 
 impl Subpath {
+    /// Whether it may have something inside where it is filled, once it is closed.
+    pub(super) fn may_fill(&self) -> bool {
+        let mut corners = self.corners.clone();
+        corners.dedup();
+        self.is_closed || !self.cubics.is_empty() || corners.len() > 2
+    }
+
+    /// Whether it comes back to where it began: by Z, or as a path whose last corner is its first. A polyline is a line.
+    pub(super) fn comes_back(&self, element: &str) -> bool {
+        let least = if self.cubics.is_empty() { 4 } else { 2 };
+        self.is_closed
+            || element == "path" && self.corners.len() >= least && self.corners.first() == self.corners.last()
+    }
+
     /// Extends a box, given by its lowest and its highest corner, so that it holds the subpath.
     pub(super) fn extend(&self, bounds: &mut [[f64; 2]; 2]) {
         let mut include = |axis: usize, x: f64| {
@@ -415,12 +429,4 @@ pub(super) struct FilledPath {
     /// Whether its first subpath is the frame of an unbounded set: what is written so by [`crate::yin`].
     pub(super) is_exterior: bool,
     pub(super) subpaths: Vec<Subpath>,
-}
-
-impl FilledPath {
-    pub(super) fn is_closed(&self) -> bool {
-        self.subpaths
-            .iter()
-            .all(|subpath| subpath.is_closed || subpath.corners.first() == subpath.corners.last())
-    }
 }

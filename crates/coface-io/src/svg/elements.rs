@@ -46,16 +46,6 @@ pub(super) fn is_definition(name: &str) -> bool {
     )
 }
 
-/// A property of an element: in its style, or as an attribute.
-pub(super) fn style_of<'a>(node: Node<'a, '_>, property: &str) -> Option<&'a str> {
-    let style = node.attribute("style").unwrap_or_default();
-    let declared = style.split(';').rev().find_map(|declaration| {
-        let (name, value) = declaration.split_once(':')?;
-        (name.trim() == property).then(|| value.trim())
-    });
-    declared.or_else(|| node.attribute(property).map(str::trim))
-}
-
 /// Draws an element if it is a shape.
 pub(super) fn draw(node: Node<'_, '_>, viewport: &Viewport, pen: &mut Pen) -> Result<(), String> {
     let length = |name: &str| {

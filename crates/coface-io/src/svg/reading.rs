@@ -2,7 +2,9 @@
 
 use super::curves::{Curves, FilledPath, Pen, Subpath};
 use super::elements::{self, FillRule};
+use super::style::{Property, Sheet, Style};
 use super::transformation::Transformation;
+use super::undone::{Frame, Undone};
 use super::viewport::{Extent, Viewport};
 use crate::drawing::{Drawing, Place};
 use crate::yin::{NO_BOUNDS, check_tolerance, default_tolerance, flattening_remark};
@@ -69,21 +71,21 @@ pub fn read_flattened(input: impl Read, tolerance: f64) -> Result<Model, Error> 
 
 pub(crate) fn read_with(input: impl Read, tolerance: Option<f64>) -> Result<Model, Error> {
     let text = text_of(input)?;
-    let (mut curve_count, mut length) = (0, tolerance);
-    if tolerance.is_none() {
-        let mut kept = Reader::new(Curves::Kept);
-        kept.read(&text)?;
-        curve_count = kept.curve_count;
-        length = Some(default_tolerance(kept.bounds));
-    }
-    let tolerance = length.expect("one of both has been stated");
+    let mut kept = Reader::new(Curves::Kept);
+    kept.read(&text)?;
+    let curve_count = if tolerance.is_none() { kept.curve_count } else { 0 };
+    let tolerance = tolerance.unwrap_or_else(|| default_tolerance(kept.bounds));
     let mut reader = Reader::new(Curves::Chords(tolerance));
+    reader.takes_outlines = kept.paths.is_empty();
+    drop(kept);
     reader.read(&text)?;
-    let Reader { drawing, fill_rules, passed_over, .. } = reader;
+    let Reader { drawing, fill_rules, passed_over, undone, outline_count, .. } = reader;
     let mut model = drawing.finish()?;
     if curve_count > 0 {
         model.remarks.push(flattening_remark(curve_count, tolerance));
     }
+    model.remarks.extend(outlines_remark(outline_count));
+    model.remarks.extend(undone.remark());
     if passed_over > 0 {
         let what = if passed_over == 1 { "element is" } else { "elements are" };
         let message = format!(
@@ -104,14 +106,23 @@ pub(super) struct ShapePaths {
     pub(super) outlines: Vec<FilledPath>,
     /// How many other elements are passed over.
     pub(super) passed_over: usize,
+    /// What is not done.
+    pub(super) undone: Undone,
+}
+
+/// That so many outlines are shapes.
+pub(super) fn outlines_remark(count: usize) -> Option<Remark> {
+    let what = if count == 1 { "closed outline is" } else { "closed outlines are" };
+    let message = format!("nothing is filled: {count} {what} taken for the boundary of filled shapes");
+    (count > 0).then(|| Remark::new(RemarkCode::DrawingAssumption, message).at(count, []))
 }
 
 /// The shapes of a drawing with their curves.
 pub(super) fn read_paths(input: impl Read) -> Result<ShapePaths, Error> {
     let mut reader = Reader::new(Curves::Kept);
     reader.read(&text_of(input)?)?;
-    let Reader { paths, outlines, passed_over, .. } = reader;
-    Ok(ShapePaths { filled: paths, outlines, passed_over })
+    let Reader { paths, outlines, passed_over, undone, .. } = reader;
+    Ok(ShapePaths { filled: paths, outlines, passed_over, undone })
 }
 
 /// The whole stream, which must be text.
@@ -166,6 +177,39 @@ fn shortened(text: &str) -> String {
 struct Painting {
     rule: FillRule,
     is_filled: bool,
+    /// Whether what is filled is not seen through.
+    is_opaque: bool,
+    is_visible: bool,
+}
+
+impl Painting {
+    /// That of an element in another.
+    fn within(self, style: &Style<'_>) -> Self {
+        let is_inherited = |value: &str| matches!(value, "inherit" | "unset");
+        let own = |property: Property| style.of(property).filter(|value| !is_inherited(value));
+        Self {
+            rule: match own(Property::FillRule) {
+                Some("evenodd") => FillRule::EvenOdd,
+                Some("nonzero" | "initial") => FillRule::Nonzero,
+                _ => self.rule,
+            },
+            is_filled: own(Property::Fill).map_or(self.is_filled, |paint| {
+                !paint.eq_ignore_ascii_case("none") && !paint.eq_ignore_ascii_case("transparent")
+            }),
+            is_opaque: own(Property::FillOpacity).map_or(self.is_opaque, |opacity| {
+                opacity.trim_end_matches('%').trim().parse().map_or(true, |opacity: f64| opacity > 0.0)
+            }),
+            is_visible: match own(Property::Visibility) {
+                Some("hidden" | "collapse") => false,
+                Some("visible" | "initial") => true,
+                _ => self.is_visible,
+            },
+        }
+    }
+
+    fn fills(self) -> bool {
+        self.is_filled && self.is_opaque
+    }
 }
 
 /// What holds around an element.
@@ -177,10 +221,16 @@ struct Around {
     depth: usize,
     /// Whether it is drawn by a `use`.
     is_copy: bool,
+    /// The innermost box that clips it.
+    frame: Option<usize>,
 }
 
-/// The elements that others can name.
-type Ids<'a, 'input> = HashMap<&'a str, Node<'a, 'input>>;
+/// What all elements have in common.
+struct Whole<'a, 'input> {
+    /// The elements that others can name.
+    ids: HashMap<&'a str, Node<'a, 'input>>,
+    sheet: Sheet,
+}
 
 /// The text of all copies together may be so many times as long as the file, and this long in any file: copies of copies can be many.
 const COPIES_OF_FILE: usize = 64;
@@ -201,6 +251,11 @@ struct Reader {
     /// The number of shapes with curves, and the box around all that is drawn, if curves are kept.
     curve_count: usize,
     bounds: [[f64; 2]; 2],
+    /// Whether nothing is filled and closed outlines are rings, and how many shapes are.
+    takes_outlines: bool,
+    outline_count: usize,
+    frames: Vec<Frame>,
+    undone: Undone,
 }
 
 impl Reader {
@@ -215,6 +270,10 @@ impl Reader {
             copies_left: 0,
             curve_count: 0,
             bounds: NO_BOUNDS,
+            takes_outlines: false,
+            outline_count: 0,
+            frames: Vec::new(),
+            undone: Undone::default(),
         }
     }
 
@@ -229,32 +288,41 @@ impl Reader {
                 format!("the outermost element is <{}>, not <svg>", shortened(root.tag_name().name()));
             return Err(Error::parse(message).at_line(line_of(root)).with_cure(CURE));
         }
-        let mut ids = Ids::new();
+        let mut ids = HashMap::new();
         for node in document.descendants() {
             if let Some(id) = node.attribute("id") {
                 ids.entry(id).or_insert(node);
             }
         }
+        let whole = Whole { ids, sheet: Sheet::of(&document) };
+        self.undone.rules = whole.sheet.unread;
+        let letters = whole.sheet.style(root).of(Property::FontSize);
         self.copies_left = FEW_COPIES.max(COPIES_OF_FILE * text.len());
         let around = Around {
             map: Transformation::IDENTITY,
-            painting: Painting { rule: FillRule::Nonzero, is_filled: true },
-            viewport: Viewport::of_root(root).map_err(|text| fault(root, &text))?,
+            painting: Painting {
+                rule: FillRule::Nonzero,
+                is_filled: true,
+                is_opaque: true,
+                is_visible: true,
+            },
+            viewport: Viewport::of_root(root, letters).map_err(|text| fault(root, &text))?,
             depth: 0,
             is_copy: false,
+            frame: None,
         };
-        self.element(root, &ids, &around, None)
+        self.element(root, &whole, &around, None)
     }
 
     /// Draws an element with all that is in it; `user` is the `use` that names it, if one does.
     fn element(
         &mut self,
         node: Node<'_, '_>,
-        ids: &Ids<'_, '_>,
+        whole: &Whole<'_, '_>,
         around: &Around,
         user: Option<Node<'_, '_>>,
     ) -> Result<(), Error> {
-        let Around { map, painting, viewport, depth, is_copy } = *around;
+        let Around { map, painting, viewport, depth, is_copy, frame } = *around;
         if depth > DEEPEST {
             let message = format!("elements are nested deeper than {DEEPEST}");
             return Err(Error::new(ErrorKind::TooLarge, message)
@@ -276,27 +344,24 @@ impl Reader {
         // A symbol is drawn where it is used.
         let is_symbol = name == "symbol" && user.is_some();
         let is_definition = elements::is_definition(name) && !is_symbol;
-        if is_definition || elements::style_of(node, "display") == Some("none") {
+        if is_definition {
             return Ok(());
         }
+        let style = whole.sheet.style(node);
+        if style.of(Property::Display) == Some("none") {
+            return Ok(());
+        }
+        let painting = painting.within(&style);
         if matches!(name, "text" | "image" | "foreignObject") {
-            self.passed_over += 1;
+            self.passed_over += usize::from(painting.is_visible);
             return Ok(());
         }
+        self.undone.note(&style, depth == 0);
         let fault = |text: String| fault(node, &text);
-        let viewport = viewport.within(node).map_err(fault)?;
+        let viewport = viewport.within(style.of(Property::FontSize));
         let map = match node.attribute("transform") {
             None => map,
             Some(text) => map.after(&Transformation::parse(text).map_err(fault)?),
-        };
-        let rule = match elements::style_of(node, "fill-rule") {
-            Some("evenodd") => FillRule::EvenOdd,
-            Some("nonzero") => FillRule::Nonzero,
-            _ => painting.rule,
-        };
-        let is_filled = match elements::style_of(node, "fill") {
-            None | Some("inherit") => painting.is_filled,
-            Some(paint) => paint != "none",
         };
         let mut pen = Pen::new(map, self.curves);
         match elements::draw(node, &viewport, &mut pen) {
@@ -310,6 +375,15 @@ impl Reader {
         if !pen.subpaths.iter().all(is_finite) {
             return Err(fault("a transformed coordinate is not finite".to_owned()));
         }
+        if !painting.is_visible {
+            pen.subpaths.clear();
+        }
+        let is_clipped = |subpath: &Subpath| {
+            subpath.corners.iter().any(|&corner| !Frame::holds(&self.frames, frame, corner))
+        };
+        self.undone.beyond += usize::from(pen.subpaths.iter().any(is_clipped));
+        // A line has no inside.
+        let is_filled = painting.fills() && name != "line" && pen.subpaths.iter().any(Subpath::may_fill);
         if self.curves == Curves::Kept {
             self.curve_count += usize::from(pen.subpaths.iter().any(|subpath| !subpath.cubics.is_empty()));
             pen.subpaths.iter().for_each(|subpath| subpath.extend(&mut self.bounds));
@@ -319,7 +393,7 @@ impl Reader {
                 line: line_of(node),
                 element: shortened(name),
                 name: node.attribute("id").filter(|id| !id.is_empty()).map(str::to_owned),
-                rule: rule.inside(),
+                rule: painting.rule.inside(),
                 is_exterior: node.attribute("data-unbounded") == Some("true"),
                 subpaths: pen.subpaths,
             };
@@ -330,29 +404,35 @@ impl Reader {
             }
         } else if !pen.subpaths.is_empty() {
             self.drawing.begin_feature(node.attribute("id").map(str::to_owned));
-            self.subpaths(&pen.subpaths, rule, node).map_err(|error| error.at_line(line_of(node)))?;
+            self.subpaths(&pen.subpaths, painting.rule, is_filled, node)
+                .map_err(|error| error.at_line(line_of(node)))?;
             self.drawing.begin_feature(None);
         }
-        let painting = Painting { rule, is_filled };
-        let mut within = Around { map, painting, viewport, depth: depth + 1, is_copy };
+        let mut within = Around { map, painting, viewport, depth: depth + 1, is_copy, frame };
         if name == "use" {
-            return self.used(node, ids, &within);
+            return self.used(node, whole, &within);
         }
         if is_symbol || name == "svg" && depth > 0 {
-            let Some((inner, viewport)) = viewport.inner(node, user).map_err(fault)? else { return Ok(()) };
-            (within.map, within.viewport) = (map.after(&inner), viewport);
+            let Some(inner) = viewport.inner(node, user).map_err(fault)? else { return Ok(()) };
+            (within.map, within.viewport) = (map.after(&inner.map), inner.viewport);
+            let is_open = matches!(style.of(Property::Overflow), Some("visible" | "auto"));
+            let clip = inner.clip.filter(|_| !is_open).and_then(|clip| Frame::new(&map, clip, frame));
+            if let Some(clip) = clip {
+                within.frame = Some(self.frames.len());
+                self.frames.push(clip);
+            }
         }
         for child in node.children().filter(Node::is_element) {
-            self.element(child, ids, &within, None)?;
+            self.element(child, whole, &within, None)?;
         }
         Ok(())
     }
 
     /// Draws what an element names where that stands.
-    fn used(&mut self, node: Node<'_, '_>, ids: &Ids<'_, '_>, around: &Around) -> Result<(), Error> {
+    fn used(&mut self, node: Node<'_, '_>, whole: &Whole<'_, '_>, around: &Around) -> Result<(), Error> {
         let fault = |text: String| fault(node, &text);
         let link = node.attributes().find(|attribute| attribute.name() == "href");
-        let target = link.and_then(|link| ids.get(link.value().trim().strip_prefix('#')?)).copied();
+        let target = link.and_then(|link| whole.ids.get(link.value().trim().strip_prefix('#')?)).copied();
         // What contains itself is nothing.
         let target = target.filter(|target| node.ancestors().all(|around| around != *target));
         let Some(target) = target else {
@@ -364,21 +444,29 @@ impl Reader {
         let [e, f] = [at("x", Extent::Width), at("y", Extent::Height)];
         let moved = Transformation { e: e.map_err(fault)?, f: f.map_err(fault)?, ..Transformation::IDENTITY };
         let within = Around { map: around.map.after(&moved), is_copy: true, ..*around };
-        self.element(target, ids, &within, Some(node))
+        self.element(target, whole, &within, Some(node))
     }
 
-    /// The closed subpaths are rings of one polygon, the others lines.
-    fn subpaths(&mut self, subpaths: &[Subpath], rule: FillRule, node: Node<'_, '_>) -> Result<(), Error> {
-        let name = || format!("a part of <{}> in line {}", node.tag_name().name(), line_of(node));
-        // A path that comes back to its first point is closed, whether it says so or not; a polyline is a line.
-        let is_path = node.tag_name().name() == "path";
-        let is_ring = |subpath: &Subpath| {
-            subpath.is_closed
-                || is_path && subpath.corners.len() > 3 && subpath.corners.first() == subpath.corners.last()
+    /// What is filled is the rings of one polygon, and so is what comes back where nothing is filled; all else is lines.
+    fn subpaths(
+        &mut self,
+        subpaths: &[Subpath],
+        rule: FillRule,
+        is_filled: bool,
+        node: Node<'_, '_>,
+    ) -> Result<(), Error> {
+        let element = node.tag_name().name();
+        let name = || format!("a part of <{element}> in line {}", line_of(node));
+        let is_outline = self.takes_outlines;
+        let is_ring = |subpath: &Subpath| match is_filled {
+            true => subpath.may_fill(),
+            false => is_outline && subpath.comes_back(element),
         };
+        self.outline_count += usize::from(subpaths.iter().any(|subpath| !is_filled && is_ring(subpath)));
         self.drawing.begin_path();
         for subpath in subpaths.iter().filter(|subpath| is_ring(subpath)) {
-            for &[x, y] in subpath.corners.iter().chain(subpath.corners.first()) {
+            let first = subpath.corners.first().filter(|_| subpath.is_closed);
+            for &[x, y] in subpath.corners.iter().chain(first) {
                 self.drawing.corner(Place { x, y, z: None });
             }
             if self.drawing.end_ring(name) {
@@ -389,7 +477,8 @@ impl Reader {
             }
         }
         for subpath in subpaths.iter().filter(|subpath| !is_ring(subpath)) {
-            for &[x, y] in &subpath.corners {
+            let first = subpath.corners.first().filter(|_| subpath.is_closed);
+            for &[x, y] in subpath.corners.iter().chain(first) {
                 self.drawing.corner(Place { x, y, z: None });
             }
             if self.drawing.end_line(name) {

@@ -60,7 +60,7 @@ fn commands_are_read_absolute_and_relative() {
 fn lines_names_and_rules_are_read() {
     let model = parsed(
         "<defs><path d='M0 0h1'/></defs><text>no</text><g fill-rule='evenodd'><path id='p' d='M0 0h9v9zM1 1h1v1z M5 5h1'/>\
-         <path style='fill: red; fill-rule: nonzero' d='M0 0h9v9z'/></g><polyline points='0 0 1 0 1 1 0 0'/>\
+         <path style='fill: red; fill-rule: nonzero' d='M0 0h9v9z'/></g><polyline fill='none' points='0 0 1 0 1 1 0 0'/>\
          <g display='none'><line x2='7'/></g>",
     );
     assert_eq!(column(&model, "polygon"), [0, 0, -1, 1, -1]);
@@ -289,4 +289,112 @@ fn copies_of_copies_end() {
     assert_eq!((area(&of_itself), of_itself.remarks()[0].count), (1.0, 1));
     let of_each_other = "<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g>";
     assert_eq!(read(svg(of_each_other).as_bytes()).unwrap_err().kind(), ErrorKind::TooLarge);
+}
+
+/// The rule of each line, -1 for one that is no ring.
+fn rules(inner: &str) -> Vec<i64> {
+    let model = parsed(inner);
+    match model.data_named("fill_rule", GroupKind::Lines) {
+        Some(_) => column(&model, "fill_rule"),
+        None => vec![-1; model.lines().len()],
+    }
+}
+
+#[test]
+fn what_is_filled_is_rings() {
+    const SQUARE: &str = "<rect x='2' y='2' width='3' height='3'/>";
+    for (inner, expected) in [
+        ("<rect width='9' height='9' fill='none'/>", vec![-1, 0]),
+        ("<rect width='9' height='9' style='fill: none'/>", vec![-1, 0]),
+        ("<rect width='9' height='9' style='fill: none !important; fill: red'/>", vec![-1, 0]),
+        ("<rect width='9' height='9' fill='transparent'/>", vec![-1, 0]),
+        (
+            "<g fill='none'><rect width='9' height='9'/><rect width='1' height='1' fill='red'/></g>",
+            vec![-1, 0, 0],
+        ),
+        ("<g fill-opacity='0'><rect width='9' height='9'/></g>", vec![-1, 0]),
+        ("<rect width='9' height='9' visibility='hidden'/>", vec![0]),
+        (
+            "<g visibility='hidden'><rect width='9' height='9'/><rect visibility='visible' width='1' height='1'/></g>",
+            vec![0, 0],
+        ),
+        ("<rect width='9' height='9' style='display:none'/>", vec![0]),
+        ("<path d='M0 0h4v4'/>", vec![0, 0]),
+        ("<polyline points='0 0 4 0 4 3'/>", vec![0, 0]),
+        ("<path fill='none' d='M0 0h4v4z'/>", vec![-1, 0]),
+        ("<path d='M0 0h4'/><line x2='5'/>", vec![-1, -1, 0]),
+        ("<style>.a{fill:none}</style><rect class='x a' width='9' height='9' fill='red'/>", vec![-1, 0]),
+        (
+            "<style>/* .a{fill:none} */ rect{fill:none} .b{fill:red}</style><rect class='b' width='9' height='9'/>",
+            vec![0, -1],
+        ),
+        (
+            "<style>rect.b{fill-rule:evenodd} rect{fill-rule:nonzero}</style><rect class='b' width='9' height='9'/>",
+            vec![1, 0],
+        ),
+        (
+            "<style>#i{fill:red} .a{fill:none}</style><rect id='i' class='a' width='9' height='9'/>",
+            vec![0, 0],
+        ),
+        ("<style>#i{fill:none}</style><rect id='i' style='fill:red' width='9' height='9'/>", vec![0, 0]),
+        (
+            "<style>.a{fill:none!important}</style><rect class='a' style='fill:red' width='9' height='9'/>",
+            vec![-1, 0],
+        ),
+        (
+            "<style>g .a, .q > .b{fill:none} .q>.c{fill:none}</style><g><g class='q'><rect class='a' width='9' height='9'/>\
+          <rect class='b' width='8' height='8'/></g><rect class='c' width='7' height='7'/></g>",
+            vec![-1, -1, 0, 0],
+        ),
+        ("<style>.a{fill:none} .a{fill:red}</style><rect class='a' width='9' height='9'/>", vec![0, 0]),
+        ("<style>.h{display:none}</style><rect class='h' width='9' height='9'/>", vec![0]),
+        ("<style>@media print{rect{display:none}} rect:hover{fill:none}</style>", vec![0]),
+    ] {
+        assert_eq!(rules(&format!("{inner}{SQUARE}")), expected, "{inner}");
+    }
+    // Where nothing is filled, closed outlines are.
+    let strokes = "<g fill='none'><rect width='9' height='9'/><path d='M0 0h4v4'/><polyline points='0 0 1 0 1 1 0 0'/></g>";
+    assert_eq!(rules(strokes), [0, -1, -1]);
+    assert_eq!(parsed(strokes).remarks()[0].code, RemarkCode::DrawingAssumption);
+}
+
+#[test]
+fn what_is_not_done_has_one_remark() {
+    let said = |inner: &str| {
+        let model = parsed(&format!("{inner}<rect width='1' height='1'/>"));
+        let remarks: Vec<_> =
+            model.remarks().iter().map(|remark| (remark.count, remark.message.clone())).collect();
+        remarks
+    };
+    for (inner, count, word) in [
+        (
+            "<clipPath id='c'><rect width='2' height='9'/></clipPath><rect width='5' height='5' clip-path='url(#c)'/>",
+            1,
+            "1 clip-path",
+        ),
+        (
+            "<g mask='url(#m)'><rect width='5' height='5'/></g><g clip-path='url(#c)'/>",
+            2,
+            "1 clip-path, 1 mask",
+        ),
+        ("<svg width='4' height='4'><rect width='8' height='8'/></svg>", 1, "goes beyond the box"),
+        ("<rect width='4' height='4' style='transform: scale(2)'/>", 1, "in its style"),
+        (
+            "<style>rect:nth-child(2){fill:none} [x]{fill:none} @media screen{rect{fill:none}}</style>",
+            3,
+            "3 rules",
+        ),
+        ("<style>@import url(other.css); @font-face{font-family:a}</style>", 1, "1 rule"),
+    ] {
+        let said = said(inner);
+        assert_eq!((said.len(), said[0].0), (1, count), "{inner}: {said:?}");
+        assert!(said[0].1.contains(word), "{said:?}");
+    }
+    for whole in [
+        "<svg width='8' height='8'><rect width='8' height='8'/></svg>",
+        "<svg width='4' height='4' overflow='visible'><rect width='8' height='8'/></svg>",
+        "<g clip-path='none'><rect width='8' height='8'/></g>",
+    ] {
+        assert!(said(whole).is_empty(), "{whole}");
+    }
 }

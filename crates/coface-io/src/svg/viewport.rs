@@ -1,6 +1,5 @@
 //! Lengths with units, and the boxes that percentages are of.
 
-use super::elements::style_of;
 use super::transformation::Transformation;
 use roxmltree::Node;
 
@@ -26,9 +25,9 @@ pub(super) struct Viewport {
 const LETTER: f64 = 16.0;
 
 impl Viewport {
-    /// That of the outermost element.
-    pub(super) fn of_root(root: Node<'_, '_>) -> Result<Self, String> {
-        let plain = Self { size: None, letter: LETTER }.within(root)?;
+    /// That of the outermost element, of letters of this size.
+    pub(super) fn of_root(root: Node<'_, '_>, letters: Option<&str>) -> Result<Self, String> {
+        let plain = Self { size: None, letter: LETTER }.within(letters);
         let size = match view_box(root)? {
             Some([_, _, width, height]) => Some([width, height]),
             None => {
@@ -41,14 +40,14 @@ impl Viewport {
     }
 
     /// The same with the size of letters that an element says.
-    pub(super) fn within(self, node: Node<'_, '_>) -> Result<Self, String> {
-        let Some(text) = style_of(node, "font-size") else { return Ok(self) };
+    pub(super) fn within(self, letters: Option<&str>) -> Self {
+        let Some(text) = letters else { return self };
         // Of the letters around it; words such as `medium` or `larger` change nothing here.
         let letter = match text.strip_suffix('%') {
             Some(percent) => percent.trim().parse().ok().map(|percent: f64| percent / 100.0 * self.letter),
             None => self.parsed(text, Extent::Width),
         };
-        Ok(Self { letter: letter.filter(|letter| *letter > 0.0).unwrap_or(self.letter), ..self })
+        Self { letter: letter.filter(|letter| *letter > 0.0).unwrap_or(self.letter), ..self }
     }
 
     /// The length in an attribute, in the unit of the user. Absent attributes and `auto` are `None`.
@@ -101,14 +100,14 @@ impl Viewport {
         Some(number * scale).filter(|length| length.is_finite())
     }
 
-    /// An `svg` or a `symbol` inside: the map of its coordinates to those around it, and its own box. `None` if it has no extent and draws nothing.
+    /// An `svg` or a `symbol` inside. `None` if it has no extent and draws nothing.
     ///
     /// Width and height are those of the element that uses it, if it says some.
     pub(super) fn inner(
         self,
         node: Node<'_, '_>,
         user: Option<Node<'_, '_>>,
-    ) -> Result<Option<(Transformation, Self)>, String> {
+    ) -> Result<Option<Inner>, String> {
         let side = |name: &str, of: Extent| -> Result<Option<f64>, String> {
             let of_user = user.map_or(Ok(None), |user| self.length(user, name, of))?;
             of_user.map_or_else(|| self.length(node, name, of), |length| Ok(Some(length)))
@@ -127,14 +126,15 @@ impl Viewport {
             // Without a size nothing is scaled.
             _ => {
                 let size = view_box(node)?.map(|[_, _, width, height]| [width, height]);
-                return Ok(Some((moved, Self { size, ..self })));
+                return Ok(Some(Inner { map: moved, viewport: Self { size, ..self }, clip: None }));
             }
         };
+        let clip = Some([corner, [corner[0] + size[0], corner[1] + size[1]]]);
         if size.iter().any(|side| *side <= 0.0) {
             return Ok(None);
         }
         let Some([left, top, width, height]) = view_box(node)? else {
-            return Ok(Some((moved, Self { size: Some(size), ..self })));
+            return Ok(Some(Inner { map: moved, viewport: Self { size: Some(size), ..self }, clip }));
         };
         if width <= 0.0 || height <= 0.0 {
             return Ok(None);
@@ -165,8 +165,18 @@ impl Viewport {
             f: corner[1] + free[1] - scale[1] * top,
             ..Transformation::IDENTITY
         };
-        Ok(Some((map, Self { size: Some([width, height]), ..self })))
+        Ok(Some(Inner { map, viewport: Self { size: Some([width, height]), ..self }, clip }))
     }
+}
+
+/// What an `svg` or a `symbol` is inside of another drawing.
+pub(super) struct Inner {
+    /// From its coordinates to those around it.
+    pub(super) map: Transformation,
+    /// Its own box.
+    pub(super) viewport: Viewport,
+    /// The lower and the upper corner of what is seen of it, in the coordinates around it.
+    pub(super) clip: Option<[[f64; 2]; 2]>,
 }
 
 /// The left and the upper end of a box, its width and its height.

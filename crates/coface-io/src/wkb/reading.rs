@@ -207,6 +207,11 @@ impl<R: Read> Reader<'_, R> {
             let system = ReferenceSystem::from_srid(srid);
             self.drawing.set_reference(system).map_err(|fault| self.located(fault))?;
         }
+        // A file that is one collection has a feature for each of its parts.
+        let has_features = depth == 0 && kind.number == COLLECTION && matches!(start, Site::Byte(0));
+        if depth == 0 && matches!(start, Site::Byte(_)) && !has_features {
+            self.drawing.begin_geometry();
+        }
         match kind.number {
             POINT => {
                 if let Some(place) = self.place(kind)? {
@@ -247,11 +252,10 @@ impl<R: Read> Reader<'_, R> {
                 if is_surface {
                     self.drawing.begin_surface();
                 }
-                let has_features = depth == 0 && kind.number == COLLECTION && matches!(start, Site::Byte(0));
                 for _ in 0..self.number()? {
                     let is_big = self.is_big;
                     if has_features {
-                        self.drawing.begin_feature(None);
+                        self.drawing.begin_geometry();
                     }
                     self.geometry(depth + 1)?;
                     self.is_big = is_big;

@@ -1,7 +1,8 @@
 //! From a model to bytes or digits.
 
 use super::{COLLECTION, HAS_SRID, HAS_Z, LINE, MULTI, POINT, POLYGON, POLYHEDRAL_SURFACE};
-use crate::drawing::{Geometries, Shape, closed, written_dimension};
+use crate::drawing::{Shape, closed, written_dimension};
+use crate::geometries::Geometries;
 use crate::{Model, ReferenceSystem};
 use coface_algebra::{Error, ErrorKind};
 use std::io::Write;

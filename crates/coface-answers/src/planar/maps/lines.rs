@@ -5,6 +5,7 @@ use super::super::drawing::{NO_RING, PlanarDrawing, Region};
 use super::super::heights::Heights;
 use super::layer::{Geometry, MapLayer, Point, Rings};
 use super::result::{Change, blank};
+use super::task::LineOptions;
 use crate::answer::{MapAnswer, PolygonizeAnswer, Remark, RemarkCode};
 use crate::text;
 use coface_algebra::{EdgeId, Error, VertexId};
@@ -21,7 +22,7 @@ struct CutLines {
 }
 
 impl CutLines {
-    fn new(layer: &MapLayer) -> Result<Self, Error> {
+    fn new(layer: &MapLayer, options: &LineOptions) -> Result<Self, Error> {
         let mut drawing = PlanarDrawing { names: vec!["map".to_owned()], ..PlanarDrawing::default() };
         let (mut flat, mut ends) = (Vec::new(), BTreeSet::new());
         for feature in &layer.features {
@@ -53,7 +54,9 @@ impl CutLines {
         if drawing.heights.iter().all(|height| height.is_nan()) {
             drawing.heights.clear();
         }
-        let arranged = DrawingArrangement::new(drawing, &ArrangementRequest::default())?;
+        let LineOptions { snap, grid, tolerance } = *options;
+        let request = ArrangementRequest { snap, grid, tolerance, ..ArrangementRequest::default() };
+        let arranged = DrawingArrangement::new(drawing, &request)?;
         let arrangement = arranged.arrangement();
         let positions = match Heights::new(&arranged.drawing) {
             Some(heights) => {
@@ -69,6 +72,16 @@ impl CutLines {
         };
         let points = (0..positions.len()).map(point).collect();
         Ok(Self { arranged, points, ends })
+    }
+
+    /// What moved so that rounded coordinates are valid, and what was put together within a tolerance or put on a grid.
+    fn remarks(&self, options: &LineOptions) -> Vec<Remark> {
+        let mut remarks: Vec<Remark> = self.arranged.remark_of_movement().into_iter().collect();
+        if let Some(tolerance) = options.tolerance {
+            let message = format!("vertices and lines up to {tolerance} apart were put together");
+            remarks.push(Remark::new(RemarkCode::FeaturesJoined, message));
+        }
+        remarks
     }
 
     /// Whether lines end or meet at a vertex.
@@ -129,21 +142,20 @@ impl CutLines {
 }
 
 /// The pieces of all lines and rings between the points where they end or meet, each a feature; what several run along once.
-pub(super) fn noded(layer: &MapLayer) -> Result<Change, Error> {
-    let cut = CutLines::new(layer)?;
+pub(super) fn noded(layer: &MapLayer, options: &LineOptions) -> Result<Change, Error> {
+    let cut = CutLines::new(layer, options)?;
     let line = |piece: Vec<u32>| {
         let line = piece.into_iter().map(|vertex| cut.points[vertex as usize]).collect();
         (None, Geometry { lines: vec![line], ..Geometry::default() })
     };
-    let mut answer =
-        MapAnswer { remarks: cut.arranged.remark_of_movement().into_iter().collect(), ..blank() };
+    let mut answer = MapAnswer { remarks: cut.remarks(options), ..blank() };
     answer.remarks.extend(remark_of_points(layer));
     Ok(Change { geometries: cut.pieces().into_iter().map(line).collect(), keeps_heights: true, answer })
 }
 
 /// The bounded faces, each a feature.
-pub(super) fn polygonized(layer: &MapLayer) -> Result<Change, Error> {
-    let cut = CutLines::new(layer)?;
+pub(super) fn polygonized(layer: &MapLayer, options: &LineOptions) -> Result<Change, Error> {
+    let cut = CutLines::new(layer, options)?;
     let arrangement = cut.arranged.arrangement();
     let [rings, polygons] = arrangement.face_polygons();
     let face = |own: &[u32]| {
@@ -157,11 +169,7 @@ pub(super) fn polygonized(layer: &MapLayer) -> Result<Change, Error> {
         (0..arrangement.edge_count()).filter(|&edge| arrangement.is_bridge(EdgeId::new(edge))).count();
     let dangles = cut.arranged.dangling_edge_count();
     let left_out = PolygonizeAnswer { dangles, cut_edges: bridges - dangles };
-    let mut answer = MapAnswer {
-        left_out: Some(left_out),
-        remarks: cut.arranged.remark_of_movement().into_iter().collect(),
-        ..blank()
-    };
+    let mut answer = MapAnswer { left_out: Some(left_out), remarks: cut.remarks(options), ..blank() };
     if bridges > 0 {
         let message = format!(
             "{} left out, which bound no face: dangles: {dangles}, cut edges: {}",

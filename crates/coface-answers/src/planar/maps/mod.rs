@@ -24,4 +24,4 @@ mod task;
 mod tests;
 
 pub use result::MapResult;
-pub use task::{BufferCaps, BufferJoins, BufferOptions, MapTask, RepairMethod};
+pub use task::{BufferCaps, BufferJoins, BufferOptions, LineOptions, MapTask, RepairMethod};

@@ -94,8 +94,8 @@ impl MapResult {
             MapTask::Repair(method) => repaired_map(&layer, *method, true)?.1,
             MapTask::Buffer(options) => buffered(&layer, options)?,
             MapTask::Clip(frame) => clipped(&layer, *frame)?,
-            MapTask::Node => noded(&layer)?,
-            MapTask::Polygonize => polygonized(&layer)?,
+            MapTask::Node(options) => noded(&layer, options)?,
+            MapTask::Polygonize(options) => polygonized(&layer, options)?,
             MapTask::Simplify(tolerance) => simplified(&layer, *tolerance)?,
             MapTask::Coverage { gap_width } => examined(&layer, *gap_width)?,
         };
@@ -149,7 +149,7 @@ impl MapResult {
     /// use coface_answers::{MapResult, MapTask};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let cross = coface_io::read(&b"LINESTRING (0 0, 2 2)\nLINESTRING (0 2, 2 0)"[..], coface_io::Format::Wkt)?;
-    /// assert_eq!(MapResult::new([("cross", &cross)], &MapTask::Node)?.model().lines().len(), 4);
+    /// assert_eq!(MapResult::new([("cross", &cross)], &MapTask::Node(Default::default()))?.model().lines().len(), 4);
     /// # Ok(()) }
     /// ```
     pub fn model(&self) -> &Model {

@@ -18,9 +18,9 @@ pub enum MapTask {
     /// What is in a box: least x, least y, greatest x, greatest y.
     Clip([f64; 4]),
     /// Lines and rings cut where they meet.
-    Node,
+    Node(LineOptions),
     /// The faces that lines and rings bound.
-    Polygonize,
+    Polygonize(LineOptions),
     /// Fewer vertices: no border moves farther than this, and what touches, contains or lies beside what stays so.
     Simplify(f64),
     /// Gaps and overlaps of a coverage, and the sides of polygons that do not fit those of their neighbors. Gaps that are at most so wide
@@ -36,18 +36,73 @@ impl MapTask {
     ///
     /// # Examples
     /// ```
-    /// assert_eq!(coface_answers::MapTask::Node.name(), "node");
+    /// assert_eq!(coface_answers::MapTask::Node(Default::default()).name(), "node");
     /// ```
     pub fn name(&self) -> &'static str {
         match self {
             Self::Repair(_) => "repair",
             Self::Buffer(_) => "buffer",
             Self::Clip(_) => "clip",
-            Self::Node => "node",
-            Self::Polygonize => "polygonize",
+            Self::Node(_) => "node",
+            Self::Polygonize(_) => "polygonize",
             Self::Simplify(_) => "simplify",
             Self::Coverage { .. } => "coverage",
         }
+    }
+}
+
+/// How near lines that are cut must be to meet: exactly, unless something else is said.
+///
+/// # Examples
+/// ```
+/// use coface_answers::LineOptions;
+/// assert_eq!(LineOptions::new(), LineOptions::default());
+/// assert_ne!(LineOptions::new().tolerance(Some(0.1)), LineOptions::new().grid(Some(0.1)));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LineOptions {
+    pub(super) snap: bool,
+    pub(super) grid: Option<f64>,
+    pub(super) tolerance: Option<f64>,
+}
+
+impl LineOptions {
+    /// Lines meet where they do exactly.
+    ///
+    /// # Examples
+    /// See [`LineOptions`].
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Whether coordinates are rounded and lines cut again until all vertices are where their coordinates say.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::LineOptions;
+    /// assert_ne!(LineOptions::new().snap(true), LineOptions::new());
+    /// ```
+    pub fn snap(mut self, snap: bool) -> Self {
+        self.snap = snap;
+        self
+    }
+
+    /// The step of a grid that all vertices are put on, in the unit of the map.
+    ///
+    /// # Examples
+    /// See [`LineOptions`].
+    pub fn grid(mut self, step: Option<f64>) -> Self {
+        self.grid = step;
+        self
+    }
+
+    /// Vertices and lines that are at most so far apart become one, in the unit of the map.
+    ///
+    /// # Examples
+    /// See [`LineOptions`].
+    pub fn tolerance(mut self, tolerance: Option<f64>) -> Self {
+        self.tolerance = tolerance;
+        self
     }
 }
 

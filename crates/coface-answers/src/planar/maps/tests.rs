@@ -1,6 +1,6 @@
 //! Tests of what is done to maps.
 
-use super::{BufferCaps, BufferJoins, BufferOptions, MapResult, MapTask, RepairMethod};
+use super::{BufferCaps, BufferJoins, BufferOptions, LineOptions, MapResult, MapTask, RepairMethod};
 use crate::answer::MapAnswer;
 use crate::{ArrangementRequest, DrawingArrangement, PlanarDrawing, RegionSource, Report};
 use coface_io::{Format, Model, Shape, shapes};
@@ -170,10 +170,10 @@ fn boxes_clip_polygons_lines_and_points() {
 #[test]
 fn lines_are_cut_and_faces_found() {
     let lines = read("LINESTRING (0 0, 4 0, 4 4, 0 4, 0 0)\nLINESTRING (-1 2, 5 2)\nLINESTRING (2 2, 2 3)");
-    let (noded, model) = after(&lines, &MapTask::Node);
+    let (noded, model) = after(&lines, &MapTask::Node(LineOptions::new()));
     assert_eq!((noded.counts.lines, noded.length), (7, 16.0 + 6.0 + 1.0));
-    assert_eq!(after(&model, &MapTask::Node).0.counts, noded.counts);
-    let (faces, polygons) = after(&lines, &MapTask::Polygonize);
+    assert_eq!(after(&model, &MapTask::Node(LineOptions::new())).0.counts, noded.counts);
+    let (faces, polygons) = after(&lines, &MapTask::Polygonize(LineOptions::new()));
     let left_out = faces.left_out.unwrap();
     assert_eq!((faces.counts.polygons, faces.measure, left_out.dangles, left_out.cut_edges), (2, 16.0, 3, 0));
     assert!(is_valid(&polygons));
@@ -244,8 +244,8 @@ fn requests_of_no_meaning_are_refused() {
         MapTask::Buffer(BufferOptions::new(1.0)),
         MapTask::Repair(RepairMethod::Linework),
         MapTask::Clip([0.0, 0.0, 1.0, 1.0]),
-        MapTask::Node,
-        MapTask::Polygonize,
+        MapTask::Node(LineOptions::new()),
+        MapTask::Polygonize(LineOptions::new()),
         MapTask::Simplify(1.0),
         MapTask::Coverage { gap_width: None },
     ] {
@@ -332,7 +332,7 @@ proptest! {
     ) {
         let lines: Vec<String> = rings.iter().map(|ring| format!("LINESTRING {}", ring_text(ring))).collect();
         let model = read(&lines.join("\n"));
-        let noded = after(&model, &MapTask::Node).1;
+        let noded = after(&model, &MapTask::Node(LineOptions::new())).1;
         let tolerance = f64::from(tolerance) / 10.0;
         let (answer, simpler) = after(&noded, &MapTask::Simplify(tolerance));
         let found = answer.simplification.unwrap();
@@ -407,4 +407,20 @@ fn cells_are_features() {
     let (answer, repaired) = after(&cells, &MapTask::Repair(RepairMethod::Structure));
     assert_eq!((answer.counts.features, answer.counts.holes, answer.measure), (2, 1, 36.0));
     assert!(is_valid(&repaired));
+}
+
+#[test]
+fn lines_that_nearly_meet_bound_faces_within_a_tolerance() {
+    // The third side ends short of the first.
+    let lines = read("MULTILINESTRING ((0 0, 4 0), (4 0, 0 3), (0 3, 0 0.0000001))\n");
+    let faces = |options: LineOptions| after(&lines, &MapTask::Polygonize(options)).0;
+    assert_eq!(faces(LineOptions::new()).counts.polygons, 0);
+    for options in [LineOptions::new().tolerance(Some(0.001)), LineOptions::new().grid(Some(0.5))] {
+        let answer = faces(options);
+        assert_eq!((answer.counts.polygons, answer.measure), (1, 6.0), "{options:?}");
+    }
+    let noded = after(&lines, &MapTask::Node(LineOptions::new().tolerance(Some(0.001)))).0;
+    assert!(noded.remarks.iter().any(|remark| remark.message.contains("0.001")), "{:?}", noded.remarks);
+    let wrong = MapResult::new([("lines", &lines)], &MapTask::Node(LineOptions::new().grid(Some(-1.0))));
+    assert!(wrong.is_err());
 }

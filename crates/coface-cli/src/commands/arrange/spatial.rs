@@ -37,7 +37,7 @@ pub(crate) struct SpaceOptions {
     #[arg(long)]
     merge_coplanar: bool,
     /// Cut faces into triangles
-    #[arg(long, conflicts_with = "polygons")]
+    #[arg(long, visible_alias = "triangulate", conflicts_with = "polygons")]
     triangles: bool,
     /// Keep faces polygons; those with holes are cut where the format has none [default, but for STL and where all inputs are triangles]
     #[arg(long)]
