@@ -33,8 +33,9 @@ CASES = [
     # Volumes where surfaces are meant.
     *(
         Case(f"coface.{name}(box)", "give boundary=True", (f"coface.{name}(box, boundary=True)",))
-        for name in ("as_surface", "cover", "cocycles", "harmonic", "classify", "cut")
+        for name in ("as_surface", "cocycles", "harmonic", "classify", "cut")
     ),
+    Case("coface.cover(box, radius=1)", "give boundary=True", ("coface.cover(box, boundary=True, radius=1)",)),
     Case("coface.Surface(box)", "boundary=True", ("coface.Surface(box, boundary=True)",)),
     Case("box.surface()", "boundary=True", ("box.surface(boundary=True)",)),
     # Surfaces that are none.

@@ -1602,6 +1602,8 @@ export interface PartsAnswer {
 export interface PersistenceAnswer {
   /** The Betti numbers of the whole complex over the field, of points those at the threshold. */
   betti: number[];
+  /** The numbers of edges before and after their collapse, if they were collapsed; cells of pairs are among those that are left. */
+  collapsed?: [number, number] | null;
   /** The pairs of all degrees. */
   diagram: PersistencePairAnswer[];
   /** The characteristic of the field of coefficients. */
@@ -1610,6 +1612,13 @@ export interface PersistenceAnswer {
   file: string;
   /** The function on the vertices, the file of the values, `vietoris-rips`, `flag complex`, `zigzag`, or `voxels, v-construction` or `voxels, t-construction` of an image. */
   function: string;
+  /**
+   * The part whose classes are followed in the whole, if there is one: they are born in the part, and die when they bound in the whole. `betti` has the ranks of
+   * its homology in that of the whole.
+   */
+  image_of?: string | null;
+  /** The part that homology is taken relative to, if there is one. */
+  relative_to?: string | null;
   /** What was assumed or left out. */
   remarks: Remark[];
   /**

@@ -112,13 +112,13 @@ fn decimal_commas_are_read_with_a_remark() {
     // A certificate is of the numbers that the checker reads.
     let asked = ["persistence", "comma.csv", "--rips", "--certificate", "c.json"];
     let result = coface_in(folder, &asked);
-    assert!(result.code() != 0 || coface_in(folder, &["check", "c.json", "comma.csv"]).code() == 0);
+    assert!(result.status != 0 || coface_in(folder, &["check", "c.json", "comma.csv"]).status == 0);
     write(folder, "short.csv", "t\n0,5\n1,5\n");
     let refused = coface_in(folder, &["persistence", "short.csv", "--rips"]);
     assert!(
-        refused.code() != 0 && refused.stderr().contains("the header has 1 column"),
+        refused.status != 0 && refused.stderr.contains("the header has 1 column"),
         "{}",
-        refused.stderr()
+        refused.stderr
     );
 }
 
@@ -155,7 +155,7 @@ fn rounded_distances_are_distances() {
     write(folder, "empty.csv", "");
     for option in ["--rips", "--alpha"] {
         let refused = coface_in(folder, &["persistence", "empty.csv", option]);
-        assert!(refused.code() != 0 && refused.stderr().contains("no point"), "{}", refused.stderr());
+        assert!(refused.status != 0 && refused.stderr.contains("no point"), "{}", refused.stderr);
     }
 }
 
