@@ -76,7 +76,7 @@ pub(crate) fn check(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
                     claims.prove(format!("this group has {}", count(elements, "element", "elements")));
                     match finite_name(&simplified, elements) {
                         Some(found) if *said == json!(found) => {
-                            claims.prove(format!("this group is {found}"))
+                            claims.prove(format!("this group is {found}"));
                         }
                         Some(found)
                             if !found.starts_with(OF_ORDER)

@@ -17,13 +17,16 @@ pub(crate) fn follow(logs: &Value, links: &BTreeMap<u32, Vec<Vec<u32>>>) -> Resu
     for (log, (vertex, link)) in logs.iter().zip(links) {
         let fault = |message: String| Fault::new(STEP, format!("the link of vertex {vertex}: {message}"));
         let mut facets = Facets::default();
-        link.iter().for_each(|facet| facets.insert(sorted(facet)));
+        link.iter().for_each(|facet| facets.insert(&sorted(facet)));
         if let Some(apex) = optional(log, "apex") {
             let apex = index(apex, "an apex", STEP)?;
             if facets.0.contains_key(&apex) {
                 return Err(fault(format!("the apex {apex} is a vertex of it")));
             }
-            facets.rim().into_iter().for_each(|ridge| facets.insert(sorted(&[&ridge[..], &[apex]].concat())));
+            facets
+                .rim()
+                .into_iter()
+                .for_each(|ridge| facets.insert(&sorted(&[&ridge[..], &[apex]].concat())));
         }
         let size = link[0].len();
         for (number, one) in list(field(log, "moves", STEP)?, "\"moves\"", STEP)?.iter().enumerate() {
@@ -61,9 +64,9 @@ fn sorted(vertices: &[u32]) -> Vec<u32> {
 struct Facets(BTreeMap<u32, BTreeSet<Vec<u32>>>);
 
 impl Facets {
-    fn insert(&mut self, facet: Vec<u32>) {
-        for &vertex in &facet {
-            self.0.entry(vertex).or_default().insert(facet.clone());
+    fn insert(&mut self, facet: &[u32]) {
+        for &vertex in facet {
+            self.0.entry(vertex).or_default().insert(facet.to_owned());
         }
     }
 
@@ -115,7 +118,7 @@ impl Facets {
             && self.around(added).is_empty();
         if is_move {
             joins(removed, added).iter().for_each(|facet| self.remove(facet));
-            joins(added, removed).into_iter().for_each(|facet| self.insert(facet));
+            joins(added, removed).iter().for_each(|facet| self.insert(facet));
         }
         is_move
     }

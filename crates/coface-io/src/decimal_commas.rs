@@ -54,11 +54,13 @@ pub fn with_decimal_points(text: &[u8]) -> Result<(Cow<'_, [u8]>, Option<Remark>
         match text[at] {
             b'"' => is_quoted = !is_quoted,
             b'\n' => is_quoted = false,
-            b',' if at > 0 && is_digit(at - 1) && is_digit(at + 1) => {
-                if is_quoted || found.decimal.is_some() {
-                    changed[at] = b'.';
-                    count += 1;
-                }
+            b',' if (is_quoted || found.decimal.is_some())
+                && at > 0
+                && is_digit(at - 1)
+                && is_digit(at + 1) =>
+            {
+                changed[at] = b'.';
+                count += 1;
             }
             _ => {}
         }

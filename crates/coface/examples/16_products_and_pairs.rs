@@ -9,20 +9,20 @@ use coface::complexes::known_spaces::{
 use coface::topology::{CochainAlgebra, LongExactSequence, cup_product_table, intersection_form};
 use coface::{CellId, Coefficients, Error, SimplicialComplex};
 
-fn algebra(complex: SimplicialComplex) -> Result<CochainAlgebra, Error> {
+fn algebra(complex: &SimplicialComplex) -> Result<CochainAlgebra, Error> {
     CochainAlgebra::new(complex.freeze().to_delta()?)
 }
 
 fn main() -> Result<(), Error> {
     // The torus: two classes of degree 1 whose product is the generator of degree 2, up to sign; a square is zero, since products of degree 1
     // are antisymmetric.
-    let torus = cup_product_table(&algebra(cyclic_torus(2)?)?, 1, 1, Coefficients::Integers)?;
+    let torus = cup_product_table(&algebra(&cyclic_torus(2)?)?, 1, 1, Coefficients::Integers)?;
     let value = |i: usize, j: usize| torus.values()[i][j][0].clone();
     assert_eq!((value(0, 0), value(1, 1), value(0, 1).abs()), (Integer::ZERO, Integer::ZERO, Integer::ONE));
     assert_eq!(value(0, 1), -value(1, 0));
 
     // Over the field of two elements a Klein bottle has the Betti numbers of the torus, but a class whose square is not zero.
-    let bottle = cup_product_table(&algebra(small_klein_bottle()?)?, 1, 1, Coefficients::Modulo(2))?;
+    let bottle = cup_product_table(&algebra(&small_klein_bottle()?)?, 1, 1, Coefficients::Modulo(2))?;
     let squares = (0..2).map(|i| bottle.values()[i][i][0] != Integer::ZERO);
     assert_eq!(bottle.first().len(), 2);
     assert!(squares.into_iter().any(|is_one| is_one));
@@ -31,7 +31,7 @@ fn main() -> Result<(), Error> {
     // One is definite, the other is not: the signatures are 2 or -2, and 0.
     let plane = complex_projective_plane()?;
     let signature = |sign| -> Result<i64, Error> {
-        let form = intersection_form(&algebra(oriented_sum(&plane, &plane, sign)?)?)?;
+        let form = intersection_form(&algebra(&oriented_sum(&plane, &plane, sign)?)?)?;
         assert_eq!((form.rank(), form.determinant().abs()), (2, Integer::ONE));
         Ok(form.as_symmetric().expect("the dimension is 4").signature())
     };

@@ -28,7 +28,8 @@ fn main() -> Result<(), coface::Error> {
     assert_eq!(model.incident("VV".parse()?)?.list(1), [0, 2, 3]);
 
     // Signs: each face is oriented by its first edge. The two do not agree on the common edge until one of them is turned.
-    let oriented = oriented_boundary(&model.edge_boundaries()?, &model.facets(2)?.into_owned())?;
+    let corners = model.facets(2)?;
+    let oriented = oriented_boundary(&model.edge_boundaries()?, &corners)?;
     assert_eq!(oriented.coherence()?.is_coherent(), Some(false));
     let coherent = oriented.coherent()?;
     assert_eq!(coherent.coherence()?.is_coherent(), Some(true));

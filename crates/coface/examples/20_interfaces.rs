@@ -34,7 +34,7 @@ fn main() -> Result<(), coface::Error> {
     let square = Curve::polyline(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]])?;
     let sets = [YinSet::new(&[square.translated([1.0, 1.0])])?, YinSet::new(&[square])?];
     let options = InterfaceOptions::new(Order::LINEAR);
-    assert!(InterfaceGraph::of_sets_with(&sets, &options.clone().overlaps(Overlaps::Refused)).is_err());
+    assert!(InterfaceGraph::of_sets_with(&sets, &options.overlaps(Overlaps::Refused)).is_err());
     let last = InterfaceGraph::of_sets_with(&sets, &options.overlaps(Overlaps::ToTheLast))?;
     assert_eq!((last.phase_area(0)?, last.phase_area(1)?), (3.0, 4.0));
     // A phase is a Yin set again.

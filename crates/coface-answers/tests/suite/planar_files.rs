@@ -6,7 +6,7 @@ use coface_algebra::RaggedArray;
 use coface_answers::{Kind, Report};
 use coface_arrange::planar::PlanarRegions;
 use coface_io as io;
-use coface_io::{Format, GroupKind, Model};
+use coface_io::{CellData, Format, GroupKind, Model};
 use std::path::PathBuf;
 
 fn data_folder(test: &str) -> Option<PathBuf> {
@@ -88,7 +88,9 @@ fn maps_are_what_the_manifest_says() {
             let back = io::read_unknown(&out[..]).unwrap();
             assert_eq!(back.format(), Some(format));
             assert_eq!((back.lines(), back.positions()), (model.lines(), model.positions()), "{name}");
-            assert_eq!(back.data(), model.data(), "{name}");
+            // Rows of WKT have no names: features of several polygons are told by their numbers.
+            let own: Vec<&CellData> = back.data().iter().filter(|data| data.name() != "feature").collect();
+            assert_eq!(own, model.data().iter().collect::<Vec<_>>(), "{name}");
             assert!(format == Format::Wkt || back == model, "{name}");
         }
         let report = Report::of(model).unwrap();

@@ -115,11 +115,7 @@ fn decimal_commas_are_read_with_a_remark() {
     assert!(result.status != 0 || coface_in(folder, &["check", "c.json", "comma.csv"]).status == 0);
     write(folder, "short.csv", "t\n0,5\n1,5\n");
     let refused = coface_in(folder, &["persistence", "short.csv", "--rips"]);
-    assert!(
-        refused.status != 0 && refused.stderr.contains("the header has 1 column"),
-        "{}",
-        refused.stderr
-    );
+    assert!(refused.status != 0 && refused.stderr.contains("the header has 1 column"), "{}", refused.stderr);
 }
 
 #[test]

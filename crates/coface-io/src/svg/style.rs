@@ -41,11 +41,12 @@ impl Property {
     /// In a style or a sheet.
     fn of_style(name: &str) -> Option<Self> {
         let name = name.to_ascii_lowercase();
-        Self::of_attribute(&name).or_else(|| match name.as_str() {
+        let of_geometry = match name.as_str() {
             "transform" | "translate" | "rotate" | "scale" | "d" | "x" | "y" | "cx" | "cy" | "r" | "rx"
             | "ry" | "width" | "height" => Some(Self::Geometry),
             _ => None,
-        })
+        };
+        Self::of_attribute(&name).or(of_geometry)
     }
 }
 

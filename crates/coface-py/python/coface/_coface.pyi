@@ -365,6 +365,29 @@ class Cocycles:
 
     Made by :meth:`Surface.cocycles`.
     """
+    def certificate(self, path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]], *, progress: _Progress = ...) -> str:
+        """A proof of this answer, which :func:`coface.check` verifies without any code of what computed it.
+
+        Parameters
+        ----------
+        path
+            Where the input of the answer is written, which the certificate is about: ``.json``, ``.off`` or ``.obj``; ``.txt`` for points, ``.npy`` for an
+            image, ``.wkt`` for a drawing. An answer of several inputs takes a path for each. A file that is there already must hold just that.
+        progress
+            As for :func:`homology`.
+
+        Returns
+        -------
+        str
+            JSON, to be kept beside the file. The checker has accepted it already.
+
+        Raises
+        ------
+        InvalidInputError
+            For an answer that does not know its input, such as one that was pickled; for options that no certificate proves; for a path where
+            something else is. :func:`coface.certificate` asks of files.
+        """
+        ...
     def _repr_html_(self) -> str: ...
     def plot(self, **options: Any) -> Any:
         """Draw this with matplotlib: :func:`plot` with the same options."""
@@ -714,6 +737,29 @@ class Congruence:
 
     Made by :func:`congruence`.
     """
+    def certificate(self, path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]], *, progress: _Progress = ...) -> str:
+        """A proof of this answer, which :func:`coface.check` verifies without any code of what computed it.
+
+        Parameters
+        ----------
+        path
+            Where the input of the answer is written, which the certificate is about: ``.json``, ``.off`` or ``.obj``; ``.txt`` for points, ``.npy`` for an
+            image, ``.wkt`` for a drawing. An answer of several inputs takes a path for each. A file that is there already must hold just that.
+        progress
+            As for :func:`homology`.
+
+        Returns
+        -------
+        str
+            JSON, to be kept beside the file. The checker has accepted it already.
+
+        Raises
+        ------
+        InvalidInputError
+            For an answer that does not know its input, such as one that was pickled; for options that no certificate proves; for a path where
+            something else is. :func:`coface.certificate` asks of files.
+        """
+        ...
     def _repr_html_(self) -> str: ...
     def plot(self, **options: Any) -> Any:
         """Draw this with matplotlib: :func:`plot` with the same options."""
@@ -794,6 +840,29 @@ class Cover:
 
     Made by :meth:`Surface.cover`.
     """
+    def certificate(self, path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]], *, progress: _Progress = ...) -> str:
+        """A proof of this answer, which :func:`coface.check` verifies without any code of what computed it.
+
+        Parameters
+        ----------
+        path
+            Where the input of the answer is written, which the certificate is about: ``.json``, ``.off`` or ``.obj``; ``.txt`` for points, ``.npy`` for an
+            image, ``.wkt`` for a drawing. An answer of several inputs takes a path for each. A file that is there already must hold just that.
+        progress
+            As for :func:`homology`.
+
+        Returns
+        -------
+        str
+            JSON, to be kept beside the file. The checker has accepted it already.
+
+        Raises
+        ------
+        InvalidInputError
+            For an answer that does not know its input, such as one that was pickled; for options that no certificate proves; for a path where
+            something else is. :func:`coface.certificate` asks of files.
+        """
+        ...
     def _repr_html_(self) -> str: ...
     def plot(self, **options: Any) -> Any:
         """Draw this with matplotlib: :func:`plot` with the same options."""
@@ -1081,6 +1150,29 @@ class Domain:
 
     Made by :meth:`Surface.cut`.
     """
+    def certificate(self, path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]], *, progress: _Progress = ...) -> str:
+        """A proof of this answer, which :func:`coface.check` verifies without any code of what computed it.
+
+        Parameters
+        ----------
+        path
+            Where the input of the answer is written, which the certificate is about: ``.json``, ``.off`` or ``.obj``; ``.txt`` for points, ``.npy`` for an
+            image, ``.wkt`` for a drawing. An answer of several inputs takes a path for each. A file that is there already must hold just that.
+        progress
+            As for :func:`homology`.
+
+        Returns
+        -------
+        str
+            JSON, to be kept beside the file. The checker has accepted it already.
+
+        Raises
+        ------
+        InvalidInputError
+            For an answer that does not know its input, such as one that was pickled; for options that no certificate proves; for a path where
+            something else is. :func:`coface.certificate` asks of files.
+        """
+        ...
     def _repr_html_(self) -> str: ...
     def plot(self, **options: Any) -> Any:
         """Draw this with matplotlib: :func:`plot` with the same options."""
@@ -1135,6 +1227,29 @@ class FundamentalGroup:
 
     Words are lists of letters: 1, 2, .. for generators and -1, -2, .. for their inverses.
     """
+    def certificate(self, path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]], *, progress: _Progress = ...) -> str:
+        """A proof of this answer, which :func:`coface.check` verifies without any code of what computed it.
+
+        Parameters
+        ----------
+        path
+            Where the input of the answer is written, which the certificate is about: ``.json``, ``.off`` or ``.obj``; ``.txt`` for points, ``.npy`` for an
+            image, ``.wkt`` for a drawing. An answer of several inputs takes a path for each. A file that is there already must hold just that.
+        progress
+            As for :func:`homology`.
+
+        Returns
+        -------
+        str
+            JSON, to be kept beside the file. The checker has accepted it already.
+
+        Raises
+        ------
+        InvalidInputError
+            For an answer that does not know its input, such as one that was pickled; for options that no certificate proves; for a path where
+            something else is. :func:`coface.certificate` asks of files.
+        """
+        ...
     def _repr_html_(self) -> str: ...
     def plot(self, **options: Any) -> Any:
         """Draw this with matplotlib: :func:`plot` with the same options."""
@@ -1333,6 +1448,29 @@ class Homology:
 
     Made by :meth:`ChainComplex.homology`. ``homology[k]`` is the group of degree k.
     """
+    def certificate(self, path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]], *, progress: _Progress = ...) -> str:
+        """A proof of this answer, which :func:`coface.check` verifies without any code of what computed it.
+
+        Parameters
+        ----------
+        path
+            Where the input of the answer is written, which the certificate is about: ``.json``, ``.off`` or ``.obj``; ``.txt`` for points, ``.npy`` for an
+            image, ``.wkt`` for a drawing. An answer of several inputs takes a path for each. A file that is there already must hold just that.
+        progress
+            As for :func:`homology`.
+
+        Returns
+        -------
+        str
+            JSON, to be kept beside the file. The checker has accepted it already.
+
+        Raises
+        ------
+        InvalidInputError
+            For an answer that does not know its input, such as one that was pickled; for options that no certificate proves; for a path where
+            something else is. :func:`coface.certificate` asks of files.
+        """
+        ...
     def _repr_html_(self) -> str: ...
     def plot(self, **options: Any) -> Any:
         """Draw this with matplotlib: :func:`plot` with the same options."""
@@ -2541,6 +2679,29 @@ class Persistence:
 
     Made by :func:`persistence`.
     """
+    def certificate(self, path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]], *, progress: _Progress = ...) -> str:
+        """A proof of this answer, which :func:`coface.check` verifies without any code of what computed it.
+
+        Parameters
+        ----------
+        path
+            Where the input of the answer is written, which the certificate is about: ``.json``, ``.off`` or ``.obj``; ``.txt`` for points, ``.npy`` for an
+            image, ``.wkt`` for a drawing. An answer of several inputs takes a path for each. A file that is there already must hold just that.
+        progress
+            As for :func:`homology`.
+
+        Returns
+        -------
+        str
+            JSON, to be kept beside the file. The checker has accepted it already.
+
+        Raises
+        ------
+        InvalidInputError
+            For an answer that does not know its input, such as one that was pickled; for options that no certificate proves; for a path where
+            something else is. :func:`coface.certificate` asks of files.
+        """
+        ...
     def _repr_html_(self) -> str: ...
     def plot(self, **options: Any) -> Any:
         """Draw this with matplotlib: :func:`plot` with the same options."""
@@ -2803,6 +2964,29 @@ class PlanarArrangement:
 
     Made by :func:`arrange`.
     """
+    def certificate(self, path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]], *, progress: _Progress = ...) -> str:
+        """A proof of this answer, which :func:`coface.check` verifies without any code of what computed it.
+
+        Parameters
+        ----------
+        path
+            Where the input of the answer is written, which the certificate is about: ``.json``, ``.off`` or ``.obj``; ``.txt`` for points, ``.npy`` for an
+            image, ``.wkt`` for a drawing. An answer of several inputs takes a path for each. A file that is there already must hold just that.
+        progress
+            As for :func:`homology`.
+
+        Returns
+        -------
+        str
+            JSON, to be kept beside the file. The checker has accepted it already.
+
+        Raises
+        ------
+        InvalidInputError
+            For an answer that does not know its input, such as one that was pickled; for options that no certificate proves; for a path where
+            something else is. :func:`coface.certificate` asks of files.
+        """
+        ...
     def _repr_html_(self) -> str: ...
     def plot(self, **options: Any) -> Any:
         """Draw this with matplotlib: :func:`plot` with the same options."""
@@ -2956,6 +3140,29 @@ class PlanarBoolean:
 
     Made by :func:`boolean`.
     """
+    def certificate(self, path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]], *, progress: _Progress = ...) -> str:
+        """A proof of this answer, which :func:`coface.check` verifies without any code of what computed it.
+
+        Parameters
+        ----------
+        path
+            Where the input of the answer is written, which the certificate is about: ``.json``, ``.off`` or ``.obj``; ``.txt`` for points, ``.npy`` for an
+            image, ``.wkt`` for a drawing. An answer of several inputs takes a path for each. A file that is there already must hold just that.
+        progress
+            As for :func:`homology`.
+
+        Returns
+        -------
+        str
+            JSON, to be kept beside the file. The checker has accepted it already.
+
+        Raises
+        ------
+        InvalidInputError
+            For an answer that does not know its input, such as one that was pickled; for options that no certificate proves; for a path where
+            something else is. :func:`coface.certificate` asks of files.
+        """
+        ...
     def _repr_html_(self) -> str: ...
     def plot(self, **options: Any) -> Any:
         """Draw this with matplotlib: :func:`plot` with the same options."""
@@ -3074,6 +3281,29 @@ class Report:
 
     Made by :meth:`Model.report`. A notion that does not apply is ``None``.
     """
+    def certificate(self, path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]], *, progress: _Progress = ...) -> str:
+        """A proof of this answer, which :func:`coface.check` verifies without any code of what computed it.
+
+        Parameters
+        ----------
+        path
+            Where the input of the answer is written, which the certificate is about: ``.json``, ``.off`` or ``.obj``; ``.txt`` for points, ``.npy`` for an
+            image, ``.wkt`` for a drawing. An answer of several inputs takes a path for each. A file that is there already must hold just that.
+        progress
+            As for :func:`homology`.
+
+        Returns
+        -------
+        str
+            JSON, to be kept beside the file. The checker has accepted it already.
+
+        Raises
+        ------
+        InvalidInputError
+            For an answer that does not know its input, such as one that was pickled; for options that no certificate proves; for a path where
+            something else is. :func:`coface.certificate` asks of files.
+        """
+        ...
     def _repr_html_(self) -> str: ...
     @property
     def kind(self) -> str:
@@ -3377,6 +3607,29 @@ class SolidBoolean:
 
     Made by :func:`boolean`.
     """
+    def certificate(self, path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]], *, progress: _Progress = ...) -> str:
+        """A proof of this answer, which :func:`coface.check` verifies without any code of what computed it.
+
+        Parameters
+        ----------
+        path
+            Where the input of the answer is written, which the certificate is about: ``.json``, ``.off`` or ``.obj``; ``.txt`` for points, ``.npy`` for an
+            image, ``.wkt`` for a drawing. An answer of several inputs takes a path for each. A file that is there already must hold just that.
+        progress
+            As for :func:`homology`.
+
+        Returns
+        -------
+        str
+            JSON, to be kept beside the file. The checker has accepted it already.
+
+        Raises
+        ------
+        InvalidInputError
+            For an answer that does not know its input, such as one that was pickled; for options that no certificate proves; for a path where
+            something else is. :func:`coface.certificate` asks of files.
+        """
+        ...
     def _repr_html_(self) -> str: ...
     def plot(self, **options: Any) -> Any:
         """Draw this with matplotlib: :func:`plot` with the same options."""
@@ -3482,6 +3735,29 @@ class SpatialArrangement:
 
     Made by :func:`arrange`.
     """
+    def certificate(self, path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]], *, progress: _Progress = ...) -> str:
+        """A proof of this answer, which :func:`coface.check` verifies without any code of what computed it.
+
+        Parameters
+        ----------
+        path
+            Where the input of the answer is written, which the certificate is about: ``.json``, ``.off`` or ``.obj``; ``.txt`` for points, ``.npy`` for an
+            image, ``.wkt`` for a drawing. An answer of several inputs takes a path for each. A file that is there already must hold just that.
+        progress
+            As for :func:`homology`.
+
+        Returns
+        -------
+        str
+            JSON, to be kept beside the file. The checker has accepted it already.
+
+        Raises
+        ------
+        InvalidInputError
+            For an answer that does not know its input, such as one that was pickled; for options that no certificate proves; for a path where
+            something else is. :func:`coface.certificate` asks of files.
+        """
+        ...
     def _repr_html_(self) -> str: ...
     def plot(self, **options: Any) -> Any:
         """Draw this with matplotlib: :func:`plot` with the same options."""

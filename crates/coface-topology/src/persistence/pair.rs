@@ -235,12 +235,12 @@ mod tests {
 
     /// A complex, values that rise by steps on cofaces, and a part.
     fn case(
-        facets: Vec<Vec<u32>>,
+        facets: &[Vec<u32>],
         steps: &[u8],
         chosen: &[bool],
     ) -> (ChainComplex, Vec<Vec<f64>>, Vec<Vec<CellId>>) {
         let complex =
-            FrozenComplex::from_facets(&RaggedArray::from_lists(&facets)).unwrap().chain_complex().unwrap();
+            FrozenComplex::from_facets(&RaggedArray::from_lists(facets)).unwrap().chain_complex().unwrap();
         let mut step = steps.iter().cycle();
         let mut values: Vec<Vec<f64>> = Vec::new();
         let mut is_chosen = chosen.iter().cycle();
@@ -289,8 +289,8 @@ mod tests {
             chosen in prop::collection::vec(prop::bool::weighted(0.35), 1..40),
             p in prop::sample::select(vec![2_i64, 3, 5]),
         ) {
-            let facets = facets.into_iter().map(|facet| facet.into_iter().collect()).collect();
-            let (complex, values, part) = case(facets, &steps, &chosen);
+            let facets: Vec<Vec<u32>> = facets.into_iter().map(|facet| facet.into_iter().collect()).collect();
+            let (complex, values, part) = case(&facets, &steps, &chosen);
             let filtration = Filtration::new(&complex, values.clone()).unwrap();
             let field = Coefficients::Modulo(p as u64);
             let relative = relative_persistence(&complex, &filtration, &part, field).unwrap();
@@ -326,7 +326,7 @@ mod tests {
     #[test]
     fn nothing_and_everything() {
         let facets = vec![vec![0, 1, 2], vec![2, 3]];
-        let (complex, values, _) = case(facets, &[1, 0, 2], &[false]);
+        let (complex, values, _) = case(&facets, &[1, 0, 2], &[false]);
         let filtration = Filtration::new(&complex, values).unwrap();
         let field = Coefficients::Modulo(2);
         let whole = persistence(&complex, &filtration, field).unwrap();
@@ -348,7 +348,7 @@ mod tests {
     #[test]
     fn values_that_fall() {
         // A path of three vertices, and its ends: they are joined when the middle enters.
-        let (path, _, _) = case(vec![vec![0, 1], vec![1, 2]], &[0], &[false]);
+        let (path, _, _) = case(&[vec![0, 1], vec![1, 2]], &[0], &[false]);
         let filtration = Filtration::upper_star(&path, &[3.0, 1.0, 2.0]).unwrap();
         let ends = [vec![CellId::new(0), CellId::new(2)]];
         let diagram = image_persistence(&path, &filtration, &ends, Coefficients::Modulo(2)).unwrap();

@@ -97,15 +97,18 @@ pub(in crate::spatial) fn flat_faces(polygons: &SpatialPolygons, tolerance: f64)
     first_of
 }
 
+/// An input, and the number of a surface that it states.
+type InputSurface = (u32, u32);
+
 /// The surfaces of inputs whose triangles look the same way, with all corners within a distance from the plane through the middle
 /// of their triangles, by area.
 fn flat_surfaces(
     polygons: &SpatialPolygons,
     corners: &[Option<[u32; 3]>],
     tolerance: f64,
-) -> BTreeSet<(u32, u32)> {
+) -> BTreeSet<InputSurface> {
     let points = polygons.positions().as_flat().as_chunks::<3>().0;
-    let mut triangles: Vec<((u32, u32), [[f64; 3]; 3])> = (0..)
+    let mut triangles: Vec<(InputSurface, [[f64; 3]; 3])> = (0..)
         .zip(corners)
         .filter_map(|(polygon, own)| {
             let surface = polygons.surface_of(polygon)?;
