@@ -325,7 +325,10 @@ fn vtk_xml_kind(start: &[u8]) -> Option<&[u8]> {
 
 /// Whether this is text: no control bytes but white space.
 fn is_text(start: &[u8]) -> bool {
-    start.iter().all(|&byte| byte >= b' ' || byte.is_ascii_whitespace() || byte == 0x0b)
+    // Some programs write the end of a text of C too.
+    let end = start.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1);
+    (end > 0 || start.is_empty())
+        && start[..end].iter().all(|&byte| byte >= b' ' || byte.is_ascii_whitespace() || byte == 0x0b)
 }
 
 /// The first line that is neither empty nor a comment.

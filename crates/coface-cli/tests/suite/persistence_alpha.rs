@@ -116,7 +116,8 @@ fn degenerate_points_are_points() {
         assert_eq!(run.status, 0, "{table}: {}", run.stderr);
         (classes(&run.json()), run.stderr.contains("in no simplex"))
     };
-    assert_eq!(ask(""), (vec![], false));
+    let nothing = coface_reading(&["persistence", "-", "--alpha"], b"");
+    assert!(nothing.fails_with(1).contains("there is no point"), "{}", nothing.stderr);
     assert_eq!(ask("1 2 3\n"), (vec![(0, 0.0, None)], false));
     assert_eq!(ask("1 2 3\n1 2 3\n1 2 3\n"), (vec![(0, 0.0, None)], true));
     let on_a_line = vec![(0, 0.0, None), (0, 0.0, Some(0.75)), (0, 0.0, Some(0.75))];

@@ -118,8 +118,8 @@ fn a_series_by_delays() {
 
 #[test]
 fn nothing_and_one_point() {
-    let empty = coface_reading(&["persistence", "-", "--rips", "--json"], b"").json();
-    assert_eq!((&empty["diagram"], &empty["betti"]), (&json!([]), &json!([0, 0])));
+    let empty = coface_reading(&["persistence", "-", "--rips", "--json"], b"");
+    assert!(empty.fails_with(1).contains("there is no point"), "{}", empty.stderr);
     let one = coface_reading(&["persistence", "-", "--rips", "--json"], b"1 2 3\n").json();
     assert_eq!(one["betti"], json!([1, 0]));
     // Points that are equal are joined at once.

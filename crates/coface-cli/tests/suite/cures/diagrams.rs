@@ -47,11 +47,18 @@ pub(super) const CASES: &[Case] = &[
     Case::new("commands/persistence.rs", "--relative and --image-of are for functions on vertices")
         .files(&[("image.pgm", "P2\n2 2\n9\n1 2\n3 4\n")])
         .refused("coface persistence image.pgm --relative boundary")
-        .cured(&[&["coface persistence image.pgm --relative boundary --function y"]]),
+        .cured(&[
+            &["coface persistence image.pgm --relative boundary --function y"],
+            &["coface persistence image.pgm --image-of boundary --function y"],
+        ]),
     Case::new("commands/persistence.rs", "leave --collapse out")
-        .files(POINTS)
+        .files(&[("points.csv", "0,0\n1,0\n0,1\n"), ("edges.txt", "0 1 1\n1 2 2\n0 2 3\n")])
         .refused("coface persistence points.csv --alpha --collapse")
-        .cured(&[&["coface persistence points.csv --alpha"], &["coface persistence points.csv --rips --collapse"]]),
+        .cured(&[
+            &["coface persistence points.csv --alpha"],
+            &["coface persistence points.csv --rips --collapse"],
+            &["coface persistence edges.txt --flag --collapse"],
+        ]),
     Case::new("render/mod.rs", "draw it with --diagram")
         .files(LINE)
         .before(&["coface persistence model.off -o a.json"])
