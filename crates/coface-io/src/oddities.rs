@@ -68,7 +68,7 @@ impl Oddity {
 }
 
 /// So many places of each oddity are kept, to tell those of a part of the file.
-const KEPT_PLACES: usize = 1 << 16;
+const KEPT_PLACES: usize = 1 << 10;
 
 /// The oddities of a file so far, with the first places of each.
 #[derive(Clone, Debug, Default)]

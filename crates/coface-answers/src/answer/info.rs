@@ -248,6 +248,7 @@ pub struct ProblemAnswer {
     /// For each of the cells the top cells that meet there; empty when that says nothing.
     pub top_cells: Vec<Vec<u32>>,
     /// The first places as points, of two or three rounded coordinates each; empty where the cells are the places.
+    #[serde(default)]
     pub points: Vec<Vec<f64>>,
 }
 
