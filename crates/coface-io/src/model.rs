@@ -574,17 +574,10 @@ impl Model {
             groups,
             data,
             structure,
-            refinement: _,
-            exact: _,
-            exact_segments: _,
-            stated: _,
-            oddities: _,
-            features: _,
-            reference: _,
             remarks,
             is_pseudomanifold,
-            unread: _,
             frame,
+            ..
         } = self;
         ModelParts {
             format,

@@ -1987,7 +1987,7 @@ export interface ProblemAnswer {
   /** One sentence that says how many places have it and what it means. */
   message: string;
   /** The first places as points, of two or three rounded coordinates each; empty where the cells are the places. */
-  points: number[][];
+  points?: number[][];
   /** For each of the cells the top cells that meet there; empty when that says nothing. */
   top_cells: number[][];
 }
