@@ -3,7 +3,7 @@
 use crate::words::Word;
 
 /// Larger tables of exponents are not looked at.
-const MOST_EXPONENTS: usize = 1 << 22;
+const MOST_EXPONENTS: usize = 1 << 18;
 
 /// The rank and the torsion of an abelianized group, factors that divide the next, from the exponents of the generators in its relators. `None` for
 /// tables or numbers that are too large.
@@ -31,7 +31,8 @@ pub(crate) fn abelianized((generators, relators): &(usize, Vec<Word>)) -> Option
         let pivot_row = rows[i].clone();
         let pivot = pivot_row[j];
         let mut is_alone = true;
-        for (_, row) in rows.iter_mut().enumerate().filter(|(other, row)| *other != i && row[j] != 0) {
+        let others = rows.iter_mut().enumerate().filter(|(other, row)| *other != i && row[j] != 0);
+        for (_, row) in others {
             let times = row[j] / pivot;
             for (x, y) in row.iter_mut().zip(&pivot_row) {
                 *x = x.checked_sub(times.checked_mul(*y)?)?;

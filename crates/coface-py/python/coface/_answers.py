@@ -7,19 +7,11 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-Found = TypeVar("Found", bound="FactsAnswer | ListAnswer")
+Found = TypeVar("Found", bound="_Shown")
 
 
-class FactsAnswer(dict[str, Any]):
-    """An answer as a dictionary of facts.
-
-    Examples
-    --------
-    >>> import coface
-    >>> form = coface.intersection_form(coface.generate("torus"))
-    >>> type(form).from_dict(form.to_dict()) == form, "rank" in form._repr_html_()
-    (True, True)
-    """
+class _Shown:
+    """What dictionaries and lists of facts have in common."""
 
     def _repr_html_(self) -> str:
         return html_of(self)
@@ -37,14 +29,26 @@ class FactsAnswer(dict[str, Any]):
         """The answer that ``to_dict()`` wrote."""
         return read_facts(cls, facts)
 
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, dict) and same(dict(self), dict(other))
-
     def __ne__(self, other: object) -> bool:
         return not self == other
 
 
-class ListAnswer(list[Any]):
+class FactsAnswer(_Shown, dict[str, Any]):
+    """An answer as a dictionary of facts.
+
+    Examples
+    --------
+    >>> import coface
+    >>> form = coface.intersection_form(coface.generate("torus"))
+    >>> type(form).from_dict(form.to_dict()) == form, "rank" in form._repr_html_()
+    (True, True)
+    """
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, dict) and same(dict(self), dict(other))
+
+
+class ListAnswer(_Shown, list[Any]):
     """An answer as a list of facts: a dictionary for each part, or a pair.
 
     Examples
@@ -55,27 +59,8 @@ class ListAnswer(list[Any]):
     (True, True)
     """
 
-    def _repr_html_(self) -> str:
-        return html_of(self)
-
-    def plot(self, **options: Any) -> Any:
-        """Draw this with matplotlib: :func:`plot` with the same options."""
-        return plotted(self, options)
-
-    def to_dict(self) -> dict[str, Any]:
-        """The facts as JSON, arrays among them; ``from_dict`` reads it."""
-        return written_facts(self)
-
-    @classmethod
-    def from_dict(cls: type[Found], facts: Mapping[str, Any]) -> Found:
-        """The answer that ``to_dict()`` wrote."""
-        return read_facts(cls, facts)
-
     def __eq__(self, other: object) -> bool:
         return isinstance(other, list) and same(list(self), list(other))
-
-    def __ne__(self, other: object) -> bool:
-        return not self == other
 
 
 def is_facts(x: Any) -> bool:
@@ -99,7 +84,9 @@ def read_facts(cls: type[Found], facts: Mapping[str, Any]) -> Found:
 
     if not isinstance(facts, Mapping) or facts.get("answer") != cls.__name__:
         raise_invalid(f"this is no dictionary of a {cls.__name__}", "give what to_dict() gave")
-    return cls(read_back(facts["facts"]))
+    make: Any = cls
+    found: Found = make(read_back(facts["facts"]))
+    return found
 
 
 def same(a: Any, b: Any) -> bool:
