@@ -13,7 +13,7 @@ use coface::algebra::Integer;
 use coface::algebra::chains::ChainComplex as Chains;
 use coface::answers::{
     DiagramCurveKind, DiagramFormat, DiagramImageRequest, FoundImage, FoundRips, GivenDiagram, GreyImage,
-    ImageRequest, write_diagram,
+    ImageCells, ImageRequest, write_diagram,
 };
 use coface::complexes::cubical::CubicalVolume;
 use coface::io::{ReadOptions, VolumeReading};
@@ -60,7 +60,11 @@ pub(crate) enum Diagram {
         image: bool,
     },
     Points(FoundRips),
-    Image(FoundImage),
+    Image {
+        found: FoundImage,
+        /// The cubes, if they were to be kept for cycles.
+        cells: Option<Arc<ImageCells>>,
+    },
 }
 
 /// A class: degree, birth and death.
@@ -220,6 +224,8 @@ pub(crate) fn _vineyard<'py>(
 ///     A prime field: ``"f2"``, ``"f3"``, ...
 /// least : float
 ///     Classes that live no longer than this are left out.
+/// cycles : bool
+///     Whether the cubes are kept, for cycles.
 /// progress : bool or callable, optional
 ///     ``True`` shows a bar; a function is called with (stage, done, total).
 ///
@@ -228,7 +234,7 @@ pub(crate) fn _vineyard<'py>(
 /// Persistence
 ///     The diagram.
 #[pyfunction]
-#[pyo3(signature = (values, *, construction="t", superlevel=false, periodic=Vec::new(), mask=None, coefficients=None, least=0.0, progress=None), text_signature = "(values, *, construction='t', superlevel=False, periodic=(), mask=None, coefficients='f2', least=0.0, progress=False)")]
+#[pyo3(signature = (values, *, construction="t", superlevel=false, periodic=Vec::new(), mask=None, coefficients=None, least=0.0, cycles=false, progress=None), text_signature = "(values, *, construction='t', superlevel=False, periodic=(), mask=None, coefficients='f2', least=0.0, cycles=False, progress=False)")]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn cubical(
     py: Python<'_>,
@@ -239,6 +245,7 @@ pub(crate) fn cubical(
     mask: Option<PyReadonlyArrayDyn<'_, bool>>,
     coefficients: Option<&Bound<'_, PyAny>>,
     least: f64,
+    cycles: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Persistence> {
     let image = match values.extract::<PyReadonlyArrayDyn<'_, f32>>() {
@@ -269,12 +276,14 @@ pub(crate) fn cubical(
         };
         *is_periodic = true;
     }
-    let found = run(py, progress, || {
+    let (found, cells) = run(py, progress, || {
         let request =
             ImageRequest::new().coefficients(field).construction(construction).superlevel(superlevel);
-        request.periodic(reading).min_persistence(least).found("image", image)
+        let request = request.periodic(reading).min_persistence(least);
+        let cells = cycles.then(|| request.cells("image", image.clone())).transpose()?.map(Arc::new);
+        Ok((request.found("image", image)?, cells))
     })?;
-    Ok(Persistence { diagram: Diagram::Image(found) })
+    Ok(Persistence { diagram: Diagram::Image { found, cells } })
 }
 
 fn not_contiguous(py: Python<'_>) -> PyErr {
@@ -310,7 +319,7 @@ impl Persistence {
         match &self.diagram {
             Diagram::Complex { diagram, .. } => diagram.degree_count(),
             Diagram::Points(found) => found.diagram().degree_count(),
-            Diagram::Image(found) => found.diagram().degree_count(),
+            Diagram::Image { found, .. } => found.diagram().degree_count(),
         }
     }
 
@@ -322,7 +331,7 @@ impl Persistence {
             Diagram::Points(found) => {
                 found.pairs().iter().map(|pair| (pair.degree(), pair.birth(), pair.death())).collect()
             }
-            Diagram::Image(found) => {
+            Diagram::Image { found, .. } => {
                 let pairs = found.diagram().pairs().iter();
                 pairs.map(|pair| (pair.degree(), pair.birth(), pair.death())).collect()
             }
@@ -404,7 +413,27 @@ impl Persistence {
                 let naming = Arc::new(Naming::of(naming));
                 Ok(Stored { prime: found.diagram().prime(), naming, complex, filtration, least })
             }
-            Diagram::Image(_) => Err(no_complex(py)),
+            Diagram::Image { found, cells: Some(cells) } => {
+                let (complex, filtration) = run(py, progress, || cells.complex())?;
+                let of_degree = |degree| (0..complex.cell_count(degree)).map(move |cell| (degree, cell));
+                let named = (0..complex.degree_count()).flat_map(of_degree);
+                let named =
+                    named.map(|(degree, cell)| ((degree, cell), cells.cell(degree, CellId::new(cell)).0));
+                let naming = Arc::new(Naming::of(Names::Given(Arc::new(named.collect()))));
+                let least = found.min_persistence();
+                Ok(Stored {
+                    prime: found.diagram().prime(),
+                    naming,
+                    complex: Arc::new(complex),
+                    filtration: Arc::new(filtration),
+                    least,
+                })
+            }
+            Diagram::Image { cells: None, .. } => Err(invalid(
+                py,
+                "the cubes of the image were not kept".to_owned(),
+                "ask coface.cubical(x, cycles=True)",
+            )),
         }
     }
 
@@ -417,7 +446,7 @@ impl Persistence {
                 "simplices of points have no numbers".to_owned(),
                 "ask .simplices(degree) for their points",
             )),
-            Diagram::Image(_) => Err(no_cells(py)),
+            Diagram::Image { .. } => Err(no_cells(py)),
         }
     }
 }
@@ -435,14 +464,6 @@ struct Stored {
 /// A cycle, the chain that it bounds, and a cocycle.
 type ProvedClass = (Chain, Option<Chain>, Chain);
 
-fn no_complex(py: Python<'_>) -> PyErr {
-    invalid(
-        py,
-        "cycles are known of the diagrams of complexes and of points".to_owned(),
-        "ask coface.persistence(x, values), or coface.rips(points) or coface.alpha(points) where there are points",
-    )
-}
-
 fn no_cells(py: Python<'_>) -> PyErr {
     invalid(
         py,
@@ -459,7 +480,7 @@ impl Persistence {
         match &self.diagram {
             Diagram::Complex { diagram, .. } => diagram.prime(),
             Diagram::Points(found) => found.diagram().prime(),
-            Diagram::Image(found) => found.diagram().prime(),
+            Diagram::Image { found, .. } => found.diagram().prime(),
         }
     }
 
@@ -467,7 +488,7 @@ impl Persistence {
     #[getter]
     fn threshold(&self) -> Option<f64> {
         match &self.diagram {
-            Diagram::Complex { .. } | Diagram::Image(_) => None,
+            Diagram::Complex { .. } | Diagram::Image { .. } => None,
             Diagram::Points(found) => Some(found.diagram().threshold()),
         }
     }
@@ -476,7 +497,7 @@ impl Persistence {
     #[getter]
     fn vertex_names<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyTuple>>> {
         match &self.diagram {
-            Diagram::Complex { .. } | Diagram::Image(_) => Ok(None),
+            Diagram::Complex { .. } | Diagram::Image { .. } => Ok(None),
             Diagram::Points(found) => found.vertex_names().map(|names| PyTuple::new(py, names)).transpose(),
         }
     }
@@ -487,7 +508,7 @@ impl Persistence {
         match &self.diagram {
             Diagram::Complex { diagram, .. } => diagram.is_falling(),
             Diagram::Points(_) => false,
-            Diagram::Image(found) => found.diagram().is_falling(),
+            Diagram::Image { found, .. } => found.diagram().is_falling(),
         }
     }
 
@@ -499,7 +520,7 @@ impl Persistence {
             match &self.diagram {
                 Diagram::Complex { diagram, .. } => diagram.betti_numbers(),
                 Diagram::Points(found) => found.diagram().betti_numbers(),
-                Diagram::Image(found) => found.diagram().betti_numbers(),
+                Diagram::Image { found, .. } => found.diagram().betti_numbers(),
             },
         )
     }
@@ -744,7 +765,7 @@ impl Persistence {
                     .map(|pair| (points(pair.birth_simplex()), pair.death_simplex().map(points)))
                     .collect()
             }
-            Diagram::Image(_) => return Err(no_cells(py)),
+            Diagram::Image { .. } => return Err(no_cells(py)),
         })
     }
 
@@ -764,7 +785,7 @@ impl Persistence {
         py: Python<'py>,
         #[pyo3(from_py_with = whole)] degree: usize,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let Diagram::Image(found) = &self.diagram else {
+        let Diagram::Image { found, .. } = &self.diagram else {
             return Err(invalid(py, "the diagram is not of an image".to_owned(), "ask .simplices(degree)"));
         };
         let axes = found.diagram().shape().len();
@@ -828,7 +849,15 @@ impl Persistence {
             naming: Arc::clone(naming),
             is_cochain,
         };
-        let found: Vec<_> = found.iter().filter(|class| class.pair().degree() == degree).collect();
+        let mut found: Vec<_> = found.iter().filter(|class| class.pair().degree() == degree).collect();
+        if let Diagram::Image { cells: Some(cells), .. } = &self.diagram {
+            // Classes of an image are sorted by voxels, not by cells.
+            let moment = |degree, cell| cells.cell(degree, cell).1;
+            found.sort_by_cached_key(|class| {
+                let pair = class.pair();
+                (moment(degree, pair.birth_cell()), pair.death_cell().map(|cell| moment(degree + 1, cell)))
+            });
+        }
         let rows = self.classes().into_iter().filter(|class| class.0 == degree).map(|row| (row.1, row.2));
         if !rows.eq(found.iter().map(|class| (class.pair().birth(), class.pair().death()))) {
             let message = "the cycles are not those of the rows of the diagram".to_owned();
@@ -903,7 +932,9 @@ impl Persistence {
                 image: *image,
             },
             Diagram::Points(found) => Diagram::Points(found.longer_than(length)),
-            Diagram::Image(found) => Diagram::Image(found.longer_than(length)),
+            Diagram::Image { found, cells } => {
+                Diagram::Image { found: found.longer_than(length), cells: cells.clone() }
+            }
         };
         Self { diagram }
     }
@@ -937,7 +968,7 @@ impl Persistence {
             match &self.diagram {
                 Diagram::Complex { diagram, .. } => write_diagram(diagram, &mut bytes, format)?,
                 Diagram::Points(found) => found.write(&mut bytes, format)?,
-                Diagram::Image(found) => found.write(&mut bytes, format)?,
+                Diagram::Image { found, .. } => found.write(&mut bytes, format)?,
             }
             Ok(bytes)
         })?;
@@ -966,7 +997,7 @@ impl Persistence {
     fn collapsed(&self) -> Option<(usize, usize)> {
         match &self.diagram {
             Diagram::Points(found) => found.collapsed(),
-            Diagram::Complex { .. } | Diagram::Image(_) => None,
+            Diagram::Complex { .. } | Diagram::Image { .. } => None,
         }
     }
 

@@ -4,7 +4,7 @@ use super::diagram::{DiagramFormat, Line, write_lines};
 use crate::answer::{PersistenceAnswer, PersistencePairAnswer};
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::cubical::CubicalVolume;
-use coface_io::{Remark, VolumeReading, VolumeStream};
+use coface_io::{Remark, VolumeReading, VolumeStream, VoxelFrame};
 use coface_topology::{Coefficients, ImageConstruction, ImageDiagram, ImageFiltration, ImagePair};
 use std::io::Write;
 
@@ -23,10 +23,12 @@ use std::io::Write;
 /// ```
 #[derive(Clone, Debug)]
 pub struct GreyImage {
-    axes: Axes,
-    filtration: ImageFiltration,
+    pub(super) axes: Axes,
+    pub(super) filtration: ImageFiltration,
     /// Whether a mask has left voxels out.
     is_cut: bool,
+    /// Where the file places voxels.
+    pub(super) frame: Option<VoxelFrame>,
 }
 
 /// How the axes of an image are numbered.
@@ -46,8 +48,26 @@ impl Axes {
         list
     }
 
+    /// The number of voxels along each axis.
+    pub(super) fn shape(&self) -> &[usize] {
+        &self.shape
+    }
+
+    pub(super) fn voxel_count(&self) -> usize {
+        self.shape.iter().product()
+    }
+
+    /// The number of the voxel at this place along each axis.
+    pub(super) fn number(&self, voxel: &[u32]) -> usize {
+        let along = |number: usize, axis: usize| number * self.shape[axis] + voxel[axis] as usize;
+        match self.is_first_fastest {
+            true => (0..voxel.len()).rev().fold(0, along),
+            false => (0..voxel.len()).fold(0, along),
+        }
+    }
+
     /// The place of a voxel along each axis.
-    fn voxel(&self, number: usize) -> Vec<u32> {
+    pub(super) fn voxel(&self, number: usize) -> Vec<u32> {
         let mut rest = number;
         let mut voxel = vec![0; self.shape.len()];
         let place = |axis: usize| if self.is_first_fastest { axis } else { self.shape.len() - 1 - axis };
@@ -73,7 +93,7 @@ impl GreyImage {
     /// ```
     pub fn new(shape: &[usize], numbers: impl IntoIterator<Item = f64>) -> Result<Self, Error> {
         let axes = Axes { shape: shape.to_vec(), is_first_fastest: false };
-        Ok(Self { axes, filtration: ImageFiltration::new(shape, numbers)?, is_cut: false })
+        Ok(Self { axes, filtration: ImageFiltration::new(shape, numbers)?, is_cut: false, frame: None })
     }
 
     /// The image in a volume file, with the axes of the file. Gives remarks too.
@@ -87,9 +107,10 @@ impl GreyImage {
         let shape: Vec<usize> = stream.shape().iter().map(|&length| length as usize).collect();
         let is_first_fastest = shape.len() > 1 && stream.fastest_axis() == 0;
         let axes = Axes { shape: shape.clone(), is_first_fastest };
+        let frame = stream.frame();
         let (numbers, remarks) = stream.numbers()?;
         let filtration = ImageFiltration::new(&axes.turned(shape), numbers)?;
-        Ok((Self { axes, filtration, is_cut: false }, remarks))
+        Ok((Self { axes, filtration, is_cut: false, frame }, remarks))
     }
 
     /// The number of voxels along each axis.
@@ -125,9 +146,9 @@ impl GreyImage {
             .with_cure("give a mask of the shape of the image"));
         }
         let count: usize = shape.iter().product();
-        let axes = self.axes;
-        let filtration = self.filtration.mask((0..count).map(|voxel| mask.is_set(&axes.voxel(voxel))))?;
-        Ok(Self { axes, filtration, is_cut: true })
+        let Self { axes, filtration, frame, .. } = self;
+        let filtration = filtration.mask((0..count).map(|voxel| mask.is_set(&axes.voxel(voxel))))?;
+        Ok(Self { axes, filtration, is_cut: true, frame })
     }
 }
 
@@ -146,11 +167,11 @@ impl GreyImage {
 /// ```
 #[derive(Clone, Debug)]
 pub struct ImageRequest {
-    coefficients: Coefficients,
-    construction: ImageConstruction,
-    is_superlevel: bool,
+    pub(super) coefficients: Coefficients,
+    pub(super) construction: ImageConstruction,
+    pub(super) is_superlevel: bool,
     periodic: VolumeReading,
-    min_persistence: f64,
+    pub(super) min_persistence: f64,
 }
 
 impl Default for ImageRequest {
@@ -264,34 +285,14 @@ impl ImageRequest {
     /// # Examples
     /// See [`ImageRequest`].
     pub fn found(&self, name: &str, image: GreyImage) -> Result<FoundImage, Error> {
-        let GreyImage { axes, filtration, is_cut } = image;
+        let GreyImage { axes, filtration, is_cut, .. } = image;
         let mut has_periodic = false;
         let find = || {
-            let is_periodic = self.periodic.periodic_axes(axes.shape.len())?;
-            let mut along = axes.shape.iter().zip(&is_periodic);
-            if let Some(axis) = along.position(|(&length, &is_periodic)| is_periodic && length == 1) {
-                return Err(Error::new(
-                    ErrorKind::Shape,
-                    format!("axis {axis} is periodic and has a single voxel, which would meet itself"),
-                )
-                .with_cure("leave it out of --periodic"));
-            }
+            let (filtration, is_periodic) = self.filtration(&axes, filtration)?;
             has_periodic = is_periodic.contains(&true);
-            let filtration = filtration
-                .construction(self.construction)
-                .superlevel(self.is_superlevel)
-                .periodic(&axes.turned(is_periodic))?;
-            if let Some(place) = filtration.voxel_born_at_infinity() {
-                let from = if self.is_superlevel { "inf" } else { "-inf" };
-                return Err(Error::invalid(format!(
-                    "voxel {:?} is at {from}, so classes would be born at infinity",
-                    axes.voxel(place)
-                ))
-                .with_cure("write a finite number there, or NaN if the voxel is outside"));
-            }
             Ok(filtration.persistence(self.coefficients)?.longer_than(self.min_persistence))
         };
-        let diagram = find().map_err(|error| error.in_file(name))?;
+        let diagram = find().map_err(|error: Error| error.in_file(name))?;
         Ok(FoundImage {
             name: name.to_owned(),
             construction: self.construction,
@@ -301,6 +302,36 @@ impl ImageRequest {
             is_periodic: has_periodic,
             min_persistence: self.min_persistence.max(0.0),
         })
+    }
+
+    /// The image as it grows, and which of its axes are periodic.
+    pub(super) fn filtration(
+        &self,
+        axes: &Axes,
+        filtration: ImageFiltration,
+    ) -> Result<(ImageFiltration, Vec<bool>), Error> {
+        let is_periodic = self.periodic.periodic_axes(axes.shape.len())?;
+        let mut along = axes.shape.iter().zip(&is_periodic);
+        if let Some(axis) = along.position(|(&length, &is_periodic)| is_periodic && length == 1) {
+            return Err(Error::new(
+                ErrorKind::Shape,
+                format!("axis {axis} is periodic and has a single voxel, which would meet itself"),
+            )
+            .with_cure("leave it out of --periodic"));
+        }
+        let filtration = filtration
+            .construction(self.construction)
+            .superlevel(self.is_superlevel)
+            .periodic(&axes.turned(is_periodic.clone()))?;
+        if let Some(place) = filtration.voxel_born_at_infinity() {
+            let from = if self.is_superlevel { "inf" } else { "-inf" };
+            return Err(Error::invalid(format!(
+                "voxel {:?} is at {from}, so classes would be born at infinity",
+                axes.voxel(place)
+            ))
+            .with_cure("write a finite number there, or NaN if the voxel is outside"));
+        }
+        Ok((filtration, is_periodic))
     }
 }
 
@@ -330,6 +361,20 @@ impl FoundImage {
     /// ```
     pub fn diagram(&self) -> &ImageDiagram {
         &self.diagram
+    }
+
+    /// Pairs whose persistence is not greater were left out.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{GreyImage, ImageRequest};
+    /// let found = ImageRequest::new().found("row", GreyImage::new(&[2], [0.0, 5.0])?)?;
+    /// assert_eq!(found.longer_than(4.0).min_persistence(), 4.0);
+    /// # Ok(()) }
+    /// ```
+    pub fn min_persistence(&self) -> f64 {
+        self.min_persistence
     }
 
     /// The same without the pairs whose persistence is not greater.

@@ -4,7 +4,8 @@
 //! * [`FoundDiagram`] has the diagram and makes the [`PersistenceAnswer`].
 //! * A [`RipsRequest`] asks for that of points or distances, or of the flag complex of a graph; [`FoundRips`] has the diagram.
 //! * A [`PointFiltration`] has the simplices and the values of a complex that points make, such as their alpha complex, for a [`PersistenceRequest`].
-//! * An [`ImageRequest`] asks for that of a [`GreyImage`], whose numbers are those of an array or a volume file; [`FoundImage`] has the diagram.
+//! * An [`ImageRequest`] asks for that of a [`GreyImage`], whose numbers are those of an array or a volume file; [`FoundImage`] has the diagram, and [`ImageCells`]
+//!   finds the cycles of its classes.
 //! * A [`GivenZigzag`] is a complex that gains and loses simplices, for [`PersistenceRequest::zigzag`].
 //! * A [`VineyardRequest`] asks for the paths of points of a diagram while the function moves; [`write_vines`] writes them as a table.
 //! * A [`GivenDiagram`] is one that was written before. A [`DiagramDistanceRequest`] asks how far two are from each other, a [`DiagramCurvesRequest`]
@@ -20,6 +21,7 @@ mod filtered;
 mod given;
 mod image;
 mod image_certificate;
+mod image_cycles;
 mod points;
 mod points_certificate;
 mod vineyard;
@@ -31,6 +33,7 @@ pub use distance::{DiagramDistanceRequest, DiagramMetric};
 pub use filtered::PointFiltration;
 pub use given::GivenDiagram;
 pub use image::{FoundImage, GreyImage, ImageRequest};
+pub use image_cycles::{FoundImageCycles, ImageCells};
 pub use points::{FoundRips, RipsRequest};
 pub use vineyard::{VineyardRequest, write_vines};
 pub use zigzag::GivenZigzag;

@@ -10,6 +10,7 @@ mod fundamental_groups;
 mod geometry;
 mod gluings;
 mod harmonic;
+mod image_cycles;
 mod lar;
 mod planar_drawings;
 mod planar_files;

@@ -20,8 +20,8 @@ use coface::algebra::escaped;
 use coface::answers::answer::{PersistenceAnswer, PersistencePairAnswer};
 use coface::answers::text;
 use coface::answers::{
-    DiagramFormat, FoundDiagram, FoundRips, Growth, PersistenceRequest, PointFiltration, Producer,
-    RelativeTo, VineyardRequest, write_diagram, write_kinds,
+    DiagramFormat, FoundRips, Growth, ImageCells, PersistenceRequest, PointFiltration, Producer, RelativeTo,
+    VineyardRequest, write_diagram, write_kinds,
 };
 use coface::geometry::Positions;
 use coface::io::{Format, Model, write_path};
@@ -90,7 +90,7 @@ pub(crate) struct Persistence {
     /// Only pairs whose persistence is greater than R; a negative R keeps all, of other complexes than those of --rips and --flag
     #[arg(long, value_name = "R", default_value = "0", allow_negative_numbers = true, value_parser = length)]
     min_persistence: f64,
-    /// Cycles of the classes, the chains that they bound at their deaths, and cocycles, over the field, of models, points and graphs; written to OUT if given, as .json, or as a picture
+    /// Cycles of the classes, the chains that they bound at their deaths, and cocycles, over the field, of models, points, graphs and images; written to OUT if given, as .json, or as a picture
     /// in .vtk, .obj and other mesh formats, with groups of triangles and cells. Made shorter
     /// by boundaries of cells that are there at the birth; the shortest ones are not promised
     #[arg(long, value_name = "OUT", num_args = 0..=1)]
@@ -211,12 +211,17 @@ impl Persistence {
             );
         }
         if self.is_of_values(common) {
-            let found =
-                self.image.found(&source, common, self.coefficients, self.min_persistence, &progress)?;
-            if let Some(found) = found {
-                self.refuse_cycles()?;
+            let question =
+                self.image.question(&source, common, self.coefficients, self.min_persistence, &progress)?;
+            if let Some((name, image, request)) = question {
+                let cells = self.cycles.is_some().then(|| request.cells(&name, image.clone())).transpose()?;
+                let found = request.found(&name, image)?;
                 self.save_certificate(&progress, |inputs| found.certificate(inputs))?;
-                return self.give(common, output.as_ref(), progress, &found.answer(), |bytes, format| {
+                let answer = match &cells {
+                    Some(cells) => self.answer_with_cycles(cells, &progress)?,
+                    None => found.answer(),
+                };
+                return self.give(common, output.as_ref(), progress, &answer, |bytes, format| {
                     found.write(bytes, format)
                 });
             }
@@ -333,7 +338,7 @@ impl Persistence {
         let found = request.cycles(self.cycles.is_some()).found_in(name, producer, mesh)?;
         if let Some(Some(place)) = &self.cycles {
             progress.stage(format!("writing {}", place.display()));
-            save_cycles(place, &found)?;
+            save_cycles(place, &found.answer(), || found.cycles_model())?;
         }
         self.save_certificate(&progress, |inputs| match of_points {
             true => found.certificate_of_points(inputs),
@@ -383,15 +388,18 @@ impl Persistence {
         }))
     }
 
-    /// Cells of images are not listed.
-    fn refuse_cycles(&self) -> Result<(), Failure> {
-        if self.cycles.is_none() {
-            return Ok(());
+    /// The classes of an image with their cycles, which are written where that is asked for.
+    fn answer_with_cycles(
+        &self,
+        cells: &ImageCells,
+        progress: &Progress,
+    ) -> Result<PersistenceAnswer, Failure> {
+        let found = cells.found()?;
+        if let Some(Some(place)) = &self.cycles {
+            progress.stage(format!("writing {}", place.display()));
+            save_cycles(place, &found.answer(), || found.cycles_model())?;
         }
-        Err(Failure::new(format!(
-            "{}: --cycles is for functions on complexes and for points, not for persistence of the values of a volume; leave --cycles out",
-            input::name(&self.input)
-        )))
+        Ok(found.answer())
     }
 
     /// Whether a volume grows by its own values: nothing says that it is a model of voxels.
@@ -551,11 +559,15 @@ fn interval(pair: &PersistencePairAnswer, kind: &str) -> String {
 }
 
 /// Writes cycles as JSON, or as a picture in the format that the name tells.
-fn save_cycles(place: &Path, found: &FoundDiagram<'_>) -> Result<(), Failure> {
+fn save_cycles(
+    place: &Path,
+    answer: &PersistenceAnswer,
+    picture: impl FnOnce() -> Result<Model, coface::Error>,
+) -> Result<(), Failure> {
     if matches!(Format::from_path(place), None | Some(Format::Json)) {
-        return write_json(place, &found.answer());
+        return write_json(place, answer);
     }
-    Ok(write_path(&found.cycles_model()?, place, None)?)
+    Ok(write_path(&picture()?, place, None)?)
 }
 
 /// A cell by the names or numbers of its vertices.

@@ -228,7 +228,15 @@ impl<'r> VolumeStream<'r> {
     }
 
     /// Where voxels are, if the header says it and there are three axes.
-    pub(crate) fn frame(&self) -> Option<VoxelFrame> {
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{Format, VolumeStream};
+    /// let text = b"NRRD0004\ntype: double\ndimension: 3\nsizes: 1 1 1\nspacings: 2 2 2\nencoding: ascii\n\n1";
+    /// assert!(VolumeStream::new(&text[..], Format::Nrrd)?.frame().is_some());
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn frame(&self) -> Option<VoxelFrame> {
         self.header.frame.filter(|_| self.header.shape.len() == 3)
     }
 

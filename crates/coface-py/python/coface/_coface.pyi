@@ -5386,7 +5386,7 @@ def rips(table: Any, *, form: str | None = None, dimension: int = ..., threshold
         The diagram.
     """
     ...
-def cubical(values: NDArray[Any], *, construction: str = "t", superlevel: bool = False, periodic: Sequence[int] = ..., mask: NDArray[np.bool_] | None = None, coefficients: str | int = ..., least: float = 0.0, progress: _Progress = ...) -> Persistence:
+def cubical(values: NDArray[Any], *, construction: str = "t", superlevel: bool = False, periodic: Sequence[int] = ..., mask: NDArray[np.bool_] | None = None, coefficients: str | int = ..., least: float = 0.0, cycles: bool = False, progress: _Progress = ...) -> Persistence:
     """Persistent homology of the sublevel or superlevel sets of an image.
 
     Parameters

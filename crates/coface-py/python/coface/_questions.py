@@ -1856,6 +1856,7 @@ def cubical(
     mask: Any = None,
     coefficients: str | int = "f2",
     least: float = 0.0,
+    cycles: bool = False,
     progress: Any = False,
 ) -> Persistence:
     """Persistent homology of an image as its sublevel sets grow, or its superlevel sets.
@@ -1878,6 +1879,9 @@ def cubical(
         A prime field: ``"f2"``, ``"f3"``, ...
     least
         Classes that live no longer than this are left out; those that die at once always are.
+    cycles
+        Whether the cubes are kept, so that ``cycles(degree)`` of the answer gives cycles, the chains that they bound and cocycles. The cells of these are lists of
+        vertices: in the T-construction those of ``coface.volume`` of the voxels that enter, in the V-construction voxels, numbered along the last axis first.
     progress
         As for :func:`homology`.
 
@@ -1899,6 +1903,12 @@ def cubical(
     >>> coface.cubical([0, 5, 1, 2], superlevel=True).diagram(0)
     array([[  5., -inf],
            [  2.,   1.]])
+
+    The loop of four edges around the high pixel:
+
+    >>> ((rim, filling, _),) = coface.cubical([[1, 2, 1], [2, 9, 2], [1, 2, 1]], cycles=True).cycles(1)
+    >>> len(rim.cells), len(filling.cells)
+    (4, 1)
     """
     if isinstance(x, (str, os.PathLike)):
         values = _coface._values_of_volume(x)
@@ -1933,6 +1943,7 @@ def cubical(
         mask=mask,
         coefficients=coefficients,
         least=least,
+        cycles=cycles,
         progress=progress,
     )
     return found

@@ -9,7 +9,7 @@ use std::sync::OnceLock;
 
 /// The value at which each cell of a complex enters; no face enters after a coface.
 ///
-/// Values are finite. They rise along the filtration, but for an [upper star](Self::upper_star), where they fall.
+/// Values are finite. They rise along the filtration, but for an [upper star](Self::upper_star) and where they are [said to fall](Self::falling_in_order).
 ///
 /// # Examples
 /// A path 0 - 1 - 2 with heights 0, 2, 1 at its vertices: both edges enter with the vertex in the middle.
@@ -103,7 +103,45 @@ impl Filtration {
         values: Vec<Vec<f64>>,
         order: Vec<Vec<u32>>,
     ) -> Result<Self, Error> {
-        let mut filtration = Self::new(complex, values)?;
+        Self::new(complex, values)?.with_order(order)
+    }
+
+    /// The same with values that fall: superlevel sets grow, and no face has a lower value than a coface.
+    ///
+    /// # Errors
+    /// As of [`Self::in_order`], with a list for each degree by falling values.
+    ///
+    /// # Complexity
+    /// As of [`Self::new`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::SparseMatrix;
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_topology::Filtration;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let segment = ChainComplex::new(vec![SparseMatrix::from_entries(2, 1, [(0, 0, -1), (1, 0, 1)])?])?;
+    /// let values = || vec![vec![1.0, 2.0], vec![0.5]];
+    /// assert!(Filtration::falling_in_order(&segment, values(), vec![vec![1, 0], vec![0]])?.is_falling());
+    /// assert!(Filtration::falling_in_order(&segment, values(), vec![vec![0, 1], vec![0]]).is_err());
+    /// # Ok(()) }
+    /// ```
+    pub fn falling_in_order(
+        complex: &ChainComplex,
+        mut values: Vec<Vec<f64>>,
+        order: Vec<Vec<u32>>,
+    ) -> Result<Self, Error> {
+        check_shape(complex, &values)?;
+        for (degree, values) in values.iter_mut().enumerate() {
+            check_finite(degree, values)?;
+        }
+        let filtration = Self::of_values(values, true);
+        filtration.check(complex)?;
+        filtration.with_order(order)
+    }
+
+    fn with_order(self, order: Vec<Vec<u32>>) -> Result<Self, Error> {
+        let mut filtration = self;
         let mut is_there = Vec::new();
         for (degree, values) in filtration.values.iter().enumerate() {
             let cells = order.get(degree).map_or(&[][..], Vec::as_slice);
@@ -114,10 +152,13 @@ impl Filtration {
             };
             let is_right = cells.len() == values.len()
                 && cells.iter().all(is_new)
-                && cells.is_sorted_by(|&a, &b| values[a as usize] <= values[b as usize]);
+                && cells.is_sorted_by(|&a, &b| {
+                    filtration.order(values[a as usize], values[b as usize]) != Ordering::Greater
+                });
             if !is_right {
+                let direction = if filtration.is_falling { "falling" } else { "rising" };
                 return Err(Error::invalid(format!(
-                    "the order of degree {degree} is not one of its cells by rising values"
+                    "the order of degree {degree} is not one of its cells by {direction} values"
                 ))
                 .with_cure("list each cell once, in the order of the values"));
             }
@@ -281,7 +322,7 @@ impl Filtration {
         self.values.get(degree).map_or(&[], Vec::as_slice)
     }
 
-    /// Whether cells enter from high values to low ones: so it is for an upper star.
+    /// Whether cells enter from high values to low ones, as for an upper star.
     ///
     /// # Examples
     /// ```

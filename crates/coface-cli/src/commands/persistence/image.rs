@@ -6,7 +6,7 @@ use crate::input::{self, Source};
 use crate::progress::Progress;
 use crate::remarks;
 use clap::Args;
-use coface::answers::{FoundImage, GreyImage, ImageRequest};
+use coface::answers::{GreyImage, ImageRequest};
 use coface::io::{self, Structure, VolumeStream};
 use coface::topology::{Coefficients, ImageConstruction};
 use std::path::{Path, PathBuf};
@@ -40,15 +40,15 @@ impl ImageArguments {
         given.into_iter().find(|&(_, is_given)| is_given).map(|(name, _)| name)
     }
 
-    /// The diagram, if the input is a volume.
-    pub(super) fn found(
+    /// The image with its name and the question, if the input is a volume.
+    pub(super) fn question(
         &self,
         source: &Source<'_>,
         common: &Common,
         coefficients: Coefficients,
         min_persistence: f64,
         progress: &Progress,
-    ) -> Result<Option<FoundImage>, Failure> {
+    ) -> Result<Option<(String, GreyImage, ImageRequest)>, Failure> {
         let Some((name, stream)) = stream(source, common)? else { return Ok(None) };
         progress.stage(format!("reading {name}"));
         let (mut image, said) = GreyImage::read(stream).map_err(|error| error.in_file(name.clone()))?;
@@ -69,7 +69,7 @@ impl ImageArguments {
             .superlevel(self.superlevel)
             .periodic(common.voxels.reading())
             .min_persistence(min_persistence);
-        Ok(Some(request.found(&name, image)?))
+        Ok(Some((name, image, request)))
     }
 }
 

@@ -363,6 +363,41 @@ impl ImageFiltration {
         Ok(ImageDiagram { prime, is_falling: self.is_superlevel, shape: self.shape.clone(), pairs })
     }
 
+    /// The value of a voxel.
+    ///
+    /// # Panics
+    /// If there is no voxel of this number.
+    ///
+    /// # Examples
+    /// See [`Self::entrance`].
+    pub fn value(&self, voxel: usize) -> f64 {
+        self.numbers.at(voxel)
+    }
+
+    /// The voxels in the order in which they enter; those that never do are left out. Of voxels with one value those of lower numbers come first in the
+    /// V-construction, and last in the T-construction.
+    ///
+    /// # Complexity
+    /// That of sorting them.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::{ImageConstruction, ImageFiltration};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let image = ImageFiltration::new(&[4], [3.0, 1.0, f64::NAN, 1.0])?;
+    /// assert_eq!(image.value(0), 3.0);
+    /// assert_eq!(image.entrance(), [3, 1, 0]);
+    /// assert_eq!(image.construction(ImageConstruction::Vertices).entrance(), [1, 3, 0]);
+    /// # Ok(()) }
+    /// ```
+    pub fn entrance(&self) -> Vec<u32> {
+        let mut voxels = self.numbers.order(self.is_superlevel != self.is_dual());
+        if self.is_dual() {
+            voxels.reverse();
+        }
+        voxels
+    }
+
     /// The number of the first voxel at infinity where values come from, which has no persistence.
     ///
     /// # Examples

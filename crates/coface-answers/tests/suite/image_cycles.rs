@@ -1,0 +1,101 @@
+//! Cycles of images against the diagram without them, and against the boundary.
+
+use coface_algebra::CellId;
+use coface_answers::{GreyImage, ImageRequest};
+use coface_io::VolumeReading;
+use coface_topology::{Coefficients, ImageConstruction};
+use proptest::prelude::*;
+
+#[derive(Clone, Debug)]
+struct Case {
+    shape: Vec<usize>,
+    numbers: Vec<f64>,
+    is_periodic: Vec<bool>,
+    is_v: bool,
+    is_superlevel: bool,
+    prime: u64,
+}
+
+fn cases() -> impl Strategy<Value = Case> {
+    let shape = prop_oneof![
+        prop::collection::vec(1..6_usize, 1..=2),
+        prop::collection::vec(1..4_usize, 3),
+        Just(vec![2, 2, 3, 2]),
+    ];
+    let rest = |shape: Vec<usize>| {
+        let count = shape.iter().product::<usize>();
+        let number = prop_oneof![8 => (-3..4_i32).prop_map(f64::from), 1 => Just(f64::NAN)];
+        let periodic = prop::collection::vec(any::<bool>(), shape.len());
+        let numbers = prop::collection::vec(number, count);
+        (Just(shape), numbers, periodic, any::<bool>(), any::<bool>(), prop_oneof![Just(2_u64), Just(3)])
+    };
+    shape.prop_flat_map(rest).prop_map(|(shape, numbers, periodic, is_v, is_superlevel, prime)| {
+        // An axis of one or two voxels that meets itself is another matter.
+        let is_periodic = shape.iter().zip(periodic).map(|(&length, wanted)| wanted && length > 2).collect();
+        Case { shape, numbers, is_periodic, is_v, is_superlevel, prime }
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn classes_are_the_same_and_cycles_are_born_and_die_when_they_say(case in cases()) {
+        let image = GreyImage::new(&case.shape, case.numbers.iter().copied()).unwrap();
+        let mut reading = VolumeReading::default();
+        reading.periodic[..case.shape.len()].copy_from_slice(&case.is_periodic);
+        let construction =
+            if case.is_v { ImageConstruction::Vertices } else { ImageConstruction::TopCells };
+        let request = ImageRequest::new()
+            .coefficients(Coefficients::Modulo(case.prime))
+            .construction(construction)
+            .superlevel(case.is_superlevel)
+            .periodic(reading);
+        let plain = request.found("image", image.clone()).unwrap().answer();
+        let cells = request.cells("image", image).unwrap();
+        let (complex, filtration) = cells.complex().unwrap();
+        let found = cells.found().unwrap();
+        let told = found.answer();
+        let classes = |answer: &coface_answers::answer::PersistenceAnswer| -> Vec<_> {
+            let row = |pair: &coface_answers::answer::PersistencePairAnswer| {
+                (pair.degree, pair.birth, pair.death, pair.birth_cell.clone(), pair.death_cell.clone())
+            };
+            answer.diagram.iter().map(row).collect()
+        };
+        prop_assert_eq!(classes(&plain), classes(&told));
+        let rank = |degree: usize, cell: CellId| cells.cell(degree, cell).1;
+        let p = case.prime as i64;
+        let is_zero = |x: &coface_algebra::Integer| x.to_i64().unwrap() % p == 0;
+        for class in found.found().cycles().unwrap() {
+            let (pair, cycle) = (class.pair(), class.cycle());
+            prop_assert!(complex.boundary(cycle).unwrap().terms().iter().all(|(_, x)| is_zero(x)));
+            let latest = cycle.terms().iter().map(|&(cell, _)| rank(pair.degree(), cell)).max().unwrap();
+            let values = filtration.values(pair.degree());
+            let born = cycle.terms().iter().find(|&&(cell, _)| rank(pair.degree(), cell) == latest).unwrap().0;
+            prop_assert_eq!(values[born.index()], pair.birth());
+            let Some(filling) = class.bounding_chain() else {
+                prop_assert!(pair.death().is_none());
+                continue;
+            };
+            let rest = complex.boundary(filling).unwrap().minus(cycle).unwrap();
+            prop_assert!(rest.terms().iter().all(|(_, x)| is_zero(x)));
+        }
+    }
+}
+
+/// A ring around a hole whose pixels lie in the order of the file that runs first along its first axis.
+#[test]
+fn a_file_whose_first_axis_runs_fastest_keeps_its_axes() {
+    use coface_io::{Format, VolumeStream};
+    let header = "NRRD0004\ntype: double\ndimension: 3\nsizes: 3 3 1\nspacings: 2 3 5\nencoding: ascii\n\n";
+    let text = format!("{header}1 1 1 1 9 1 1 1 1");
+    let read = || GreyImage::read(VolumeStream::new(text.as_bytes(), Format::Nrrd).unwrap()).unwrap().0;
+    let cells = ImageRequest::new().cells("ring", read()).unwrap();
+    let model = cells.found().unwrap().cycles_model().unwrap();
+    let flat = model.positions().as_flat();
+    let high = [0, 1, 2].map(|axis| flat.iter().skip(axis).step_by(3).copied().fold(0.0, f64::max));
+    assert_eq!(high, [6.0, 9.0, 5.0], "three voxels of 2 x 3 x 5");
+    let cells = ImageRequest::new().construction(ImageConstruction::Vertices).cells("ring", read()).unwrap();
+    let positions = cells.producer().positions().as_flat();
+    assert_eq!(&positions[..3], [1.0, 1.5, 2.5], "the center of the first voxel");
+}
