@@ -60,9 +60,9 @@ pub use matrix_blocks::{BlockedMatrix, MatrixBlocks};
 pub use parts::RegionSource;
 pub use persistence::{
     CurveValues, DiagramCurveKind, DiagramCurvesRequest, DiagramDistanceRequest, DiagramFormat,
-    DiagramImageRequest, DiagramMetric, FoundDiagram, FoundImage, FoundImageCycles, FoundRips, GivenDiagram,
-    GivenZigzag, GreyImage, Growth, ImageCells, ImageRequest, PersistenceRequest, PointFiltration,
-    RipsRequest, VertexFunction, VineyardRequest, write_diagram, write_kinds, write_vines,
+    DiagramImageRequest, DiagramMetric, Directions, EulerRequest, FoundDiagram, FoundImage, FoundImageCycles,
+    FoundRips, GivenDiagram, GivenZigzag, GreyImage, Growth, ImageCells, ImageRequest, PersistenceRequest,
+    PointFiltration, RipsRequest, VertexFunction, VineyardRequest, write_diagram, write_kinds, write_vines,
 };
 pub use planar::{
     ArrangementMethod, ArrangementRequest, BooleanRequest, BufferCaps, BufferJoins, BufferOptions,

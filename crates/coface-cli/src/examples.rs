@@ -36,6 +36,16 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
     ),
     ("diagram", "coface diagram distance a.json b.json", "how far two diagrams are from each other"),
     ("diagram", "coface diagram landscape a.json -o landscape.csv", "landscapes as columns of a table"),
+    (
+        "euler",
+        "coface euler scan.nii -o curve.csv",
+        "the Euler characteristic of the voxels up to each grey value",
+    ),
+    (
+        "euler",
+        "coface euler tooth.ply --directions 64 --normalize -o tooth.npy",
+        "the Euler characteristic transform: a row of numbers for each direction",
+    ),
     ("pi1", "coface pi1 poincare.json --simplify", "few generators and short relators"),
     ("loops", "coface loops torus.off --shortest -o loops.json", "the shortest generators at a vertex"),
     (

@@ -53,11 +53,12 @@ pub use hodge::{
     HarmonicCochain, HodgeDecomposition, HodgeSpace, MetricComplex, harmonic_basis, laplacian_matrix,
 };
 pub use persistence::{
-    Barcode, BarcodeMatching, ExtendedKind, ExtendedPair, Filtration, ImageConstruction, ImageDiagram,
-    ImageFiltration, ImagePair, PersistenceDiagram, PersistencePair, PersistenceSurface, PersistentCycle,
-    RipsCochain, RipsDiagram, RipsFiltration, RipsPair, RipsSize, Vine, VinePoint, ZigzagFiltration,
-    ZigzagPair, ZigzagStep, euler_characteristic_curve, extended_persistence, image_persistence, persistence,
-    persistent_cycles, relative_persistence, torsion_primes, vineyard,
+    Barcode, BarcodeMatching, EulerCurve, EulerTransform, ExtendedKind, ExtendedPair, Filtration,
+    ImageConstruction, ImageDiagram, ImageFiltration, ImagePair, PersistenceDiagram, PersistencePair,
+    PersistenceSurface, PersistentCycle, RipsCochain, RipsDiagram, RipsFiltration, RipsPair, RipsSize, Vine,
+    VinePoint, ZigzagFiltration, ZigzagPair, ZigzagStep, euler_characteristic_curve, even_directions,
+    extended_persistence, image_persistence, persistence, persistent_cycles, relative_persistence,
+    torsion_primes, vineyard,
 };
 
 mod curves;

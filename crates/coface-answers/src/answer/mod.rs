@@ -19,6 +19,7 @@ mod cut;
 mod diagram;
 mod dissolve;
 mod edit;
+mod euler;
 mod generate;
 mod groups;
 mod halfedges;
@@ -88,6 +89,7 @@ pub use convert::{
 pub use diagram::{
     DegreeDistance, DiagramCurve, DiagramCurvesAnswer, DiagramDistanceAnswer, DiagramImageAnswer,
 };
+pub use euler::EulerAnswer;
 pub use generate::GenerateAnswer;
 pub use handles::{
     FilledHandle, FilledHandlesAnswer, HandleAnswer, HandleCounts, HandlesAnswer, LeftHandle, LoopKind,

@@ -231,7 +231,6 @@ impl DiagramCurvesRequest {
                 None => Ok(values.clone()),
             },
             &CurveValues::Even { count, range } => {
-                require_values(count)?;
                 let ranges = barcodes.filter_map(Barcode::finite_range);
                 let whole = ranges.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
                 let Some([low, high]) = range.or(whole) else {
@@ -239,15 +238,7 @@ impl DiagramCurvesRequest {
                         Error::invalid("the diagram has no finite birth or death").with_cure(GIVE_RANGE)
                     );
                 };
-                if !(low <= high && (high - low).is_finite()) {
-                    return Err(Error::invalid(format!("{low} to {high} is no range of values"))
-                        .with_cure("give two finite numbers, the lesser one first"));
-                }
-                let last = count.saturating_sub(1).max(1) as f64;
-                let value = |place: usize| {
-                    if place as f64 == last { high } else { low + (high - low) * (place as f64 / last) }
-                };
-                Ok((0..count).map(value).collect())
+                even_values(count, [low, high])
             }
         }
     }
@@ -256,7 +247,21 @@ impl DiagramCurvesRequest {
 const GIVE_RANGE: &str = "give the range of values (--range A B)";
 const OF_POINTS: &str = "the diagram is of points and has only the degrees that were asked for: the curve is not the Euler characteristic of all simplices";
 
-fn require_values(count: usize) -> Result<(), Error> {
+/// So many values evenly from the first one to the last one.
+pub(super) fn even_values(count: usize, [low, high]: [f64; 2]) -> Result<Vec<f64>, Error> {
+    require_values(count)?;
+    if !(low <= high && (high - low).is_finite()) {
+        return Err(Error::invalid(format!("{low} to {high} is no range of values"))
+            .with_cure("give two finite numbers, the lesser one first"));
+    }
+    let last = count.saturating_sub(1).max(1) as f64;
+    let value = |place: usize| {
+        if place as f64 == last { high } else { low + (high - low) * (place as f64 / last) }
+    };
+    Ok((0..count).map(value).collect())
+}
+
+pub(super) fn require_values(count: usize) -> Result<(), Error> {
     if count <= MOST_VALUES {
         return Ok(());
     }

@@ -10,12 +10,14 @@
 //! * A [`VineyardRequest`] asks for the paths of points of a diagram while the function moves; [`write_vines`] writes them as a table.
 //! * A [`GivenDiagram`] is one that was written before. A [`DiagramDistanceRequest`] asks how far two are from each other, a [`DiagramCurvesRequest`]
 //!   and a [`DiagramImageRequest`] for curves and images.
+//! * An [`EulerRequest`] asks for Euler characteristics of what has entered, without homology, also along [`Directions`].
 //! * [`write_diagram`] writes a diagram as the text that other programs read, [`write_kinds`] one whose pairs have kinds as a table.
 
 mod certificate;
 mod curves;
 mod diagram;
 mod distance;
+mod euler;
 mod extended;
 mod filtered;
 mod given;
@@ -30,6 +32,7 @@ mod zigzag;
 pub use curves::{CurveValues, DiagramCurveKind, DiagramCurvesRequest, DiagramImageRequest};
 pub use diagram::{DiagramFormat, write_diagram, write_kinds};
 pub use distance::{DiagramDistanceRequest, DiagramMetric};
+pub use euler::{Directions, EulerRequest};
 pub use filtered::PointFiltration;
 pub use given::GivenDiagram;
 pub use image::{FoundImage, GreyImage, ImageRequest};

@@ -99,18 +99,18 @@ struct One {
 
 /// At which values curves are given.
 #[derive(Args)]
-struct Values {
+pub(super) struct Values {
     /// At N values, evenly
     #[arg(long, value_name = "N")]
     samples: Option<usize>,
-    /// From the value A to the value B [default: from the least to the greatest of all births and deaths]
+    /// From the value A to the value B [default: from the least to the greatest at which something changes]
     #[arg(long, value_names = ["A", "B"], num_args = 2, allow_negative_numbers = true, value_parser = finite)]
     range: Option<Vec<f64>>,
 }
 
 impl Values {
     /// What is asked for; `None` where the command line says nothing.
-    fn asked(&self) -> Option<CurveValues> {
+    pub(super) fn asked(&self) -> Option<CurveValues> {
         let range = self.range.as_deref().and_then(|range| range.try_into().ok());
         let is_given = self.samples.is_some() || range.is_some();
         is_given.then(|| CurveValues::Even { count: self.samples.unwrap_or(100), range })
@@ -189,7 +189,7 @@ fn number(text: &str) -> Result<f64, String> {
     text.parse().ok().filter(|number: &f64| !number.is_nan()).ok_or_else(|| "not a number".to_owned())
 }
 
-fn finite(text: &str) -> Result<f64, String> {
+pub(super) fn finite(text: &str) -> Result<f64, String> {
     number(text).ok().filter(|number| number.is_finite()).ok_or_else(|| "not a finite number".to_owned())
 }
 
@@ -306,7 +306,7 @@ fn give_curves(
 }
 
 /// How many values the page for people lists.
-const LISTED: usize = 20;
+pub(super) const LISTED: usize = 20;
 
 fn curves_page(answer: &DiagramCurvesAnswer) -> String {
     let mut page = format!("  {} of {}\n\n", answer.kind, escaped(&answer.file));
@@ -380,14 +380,14 @@ fn image_page(answer: &DiagramImageAnswer) -> String {
 
 /// The form of the file of curves and images.
 #[derive(Clone, Copy)]
-enum TableOutput {
+pub(super) enum TableOutput {
     Csv,
     Npy,
     Json,
 }
 
 /// The form that -o asks for.
-fn table_output(common: &Common) -> Result<Option<TableOutput>, Failure> {
+pub(super) fn table_output(common: &Common) -> Result<Option<TableOutput>, Failure> {
     let Some(path) = &common.output else { return Ok(None) };
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or("");
     match extension.to_ascii_lowercase().as_str() {
@@ -402,7 +402,7 @@ fn table_output(common: &Common) -> Result<Option<TableOutput>, Failure> {
 }
 
 /// Gives curves or an image as the command line asks.
-fn give_table(
+pub(super) fn give_table(
     common: &Common,
     output: Option<TableOutput>,
     answer: &impl Serialize,

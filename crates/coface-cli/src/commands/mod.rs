@@ -15,6 +15,7 @@ pub(crate) mod cut;
 pub(crate) mod cycles;
 pub(crate) mod diagram;
 pub(crate) mod edit;
+pub(crate) mod euler;
 pub(crate) mod generate;
 pub(crate) mod homology;
 pub(crate) mod homotopic;

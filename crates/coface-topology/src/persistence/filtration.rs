@@ -447,6 +447,11 @@ impl Filtration {
         Self { values, is_falling: self.is_falling, entrances }
     }
 
+    /// How many degrees have values.
+    pub(super) fn degree_count(&self) -> usize {
+        self.values.len()
+    }
+
     fn of_values(values: Vec<Vec<f64>>, is_falling: bool) -> Self {
         let entrances = values.iter().map(|_| OnceLock::new()).collect();
         Self { values, is_falling, entrances }

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 /// What is asked of images.
 #[derive(Args)]
-pub(super) struct ImageArguments {
+pub(crate) struct ImageArguments {
     /// Of an image, what voxels are: vertices (v, the V-construction) or top cells (t, the T-construction) [default: t]
     #[arg(long, value_name = "V|T", help_heading = "Images", value_parser = construction)]
     construction: Option<ImageConstruction>,
@@ -31,7 +31,7 @@ fn construction(name: &str) -> Result<ImageConstruction, String> {
 
 impl ImageArguments {
     /// The option that is given, if one is.
-    pub(super) fn given(&self) -> Option<&'static str> {
+    pub(crate) fn given(&self) -> Option<&'static str> {
         let given = [
             ("--construction", self.construction.is_some()),
             ("--superlevel", self.superlevel),
@@ -41,7 +41,7 @@ impl ImageArguments {
     }
 
     /// The image with its name and the question, if the input is a volume.
-    pub(super) fn question(
+    pub(crate) fn question(
         &self,
         source: &Source<'_>,
         common: &Common,

@@ -340,14 +340,7 @@ impl ImageFiltration {
     /// See [`ImageFiltration`].
     pub fn persistence(&self, coefficients: Coefficients) -> Result<ImageDiagram, Error> {
         let prime = prime(coefficients)?;
-        if let Some(place) = self.voxel_born_at_infinity() {
-            return Err(Error::invalid(format!(
-                "voxel {:?} is at {}, so classes would be born at infinity",
-                self.voxel(place),
-                self.numbers.at(place)
-            ))
-            .with_cure("write a finite number there, or NaN if the voxel is outside"));
-        }
+        self.require_births()?;
         let shape = &self.shape;
         memory::require(self.bytes(), || format!("persistence of an image of shape {shape:?}"))?;
         let gradient = self.gradient();
@@ -411,6 +404,51 @@ impl ImageFiltration {
     pub fn voxel_born_at_infinity(&self) -> Option<usize> {
         let first = if self.is_superlevel { f64::INFINITY } else { f64::NEG_INFINITY };
         (0..self.numbers.len()).find(|&place| self.numbers.at(place) == first)
+    }
+
+    /// That no voxel is at infinity where values come from.
+    pub(super) fn require_births(&self) -> Result<(), Error> {
+        let Some(place) = self.voxel_born_at_infinity() else { return Ok(()) };
+        Err(Error::invalid(format!(
+            "voxel {:?} is at {}, so classes would be born at infinity",
+            self.voxel(place),
+            self.numbers.at(place)
+        ))
+        .with_cure("write a finite number there, or NaN if the voxel is outside"))
+    }
+
+    pub(super) fn shape(&self) -> &[usize] {
+        &self.shape
+    }
+
+    pub(super) fn voxel_count(&self) -> usize {
+        self.numbers.len()
+    }
+
+    pub(super) fn is_falling(&self) -> bool {
+        self.is_superlevel
+    }
+
+    pub(super) fn is_periodic_along(&self, axis: usize) -> bool {
+        self.is_periodic[axis]
+    }
+
+    pub(super) fn are_top_cells(&self) -> bool {
+        self.is_dual()
+    }
+
+    /// Whether a voxel ever enters.
+    pub(super) fn has_entrance(&self, voxel: usize) -> bool {
+        self.numbers.at(voxel).is_finite()
+    }
+
+    /// Whether a voxel enters before another one; one of those with the same value always does.
+    pub(super) fn comes_before(&self, voxel: usize, other: usize) -> bool {
+        let (a, b) = (self.numbers.at(voxel), self.numbers.at(other));
+        if a == b {
+            return voxel < other;
+        }
+        (a < b) != self.is_superlevel
     }
 
     /// The place of a voxel along each axis.

@@ -15,6 +15,7 @@
 //!   with clearing; a matched cell in a column is replaced by the rest of the boundary of its partner as soon as it leads the column.
 
 mod diagram;
+mod euler;
 mod filtration;
 mod forest;
 mod gradient;
