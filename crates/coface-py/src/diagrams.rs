@@ -88,11 +88,7 @@ pub(crate) fn curves<'py>(
 ) -> PyResult<Curves<'py>> {
     let mut request = DiagramCurvesRequest::new(kind).degree(degree).end(end);
     if let Some(at) = at {
-        let is_count = at.is_instance_of::<pyo3::types::PyInt>();
-        request = request.values(match is_count {
-            true => CurveValues::Even { count: whole(at)?, range: None },
-            false => CurveValues::Given(arrays::finite(at, "at")?),
-        });
+        request = request.values(values_at(at)?);
     }
     let answer = run(py, None, || request.answer(diagram))?;
     for remark in &answer.remarks {
@@ -101,6 +97,14 @@ pub(crate) fn curves<'py>(
     let shape = [answer.curves.len(), answer.values.len()];
     let numbers: Vec<f64> = answer.curves.iter().flat_map(|curve| curve.numbers.iter().copied()).collect();
     Ok((PyArray1::from_vec(py, answer.values), PyArray1::from_vec(py, numbers).reshape(shape)?))
+}
+
+/// Values, or their number.
+pub(crate) fn values_at(at: &Bound<'_, PyAny>) -> PyResult<CurveValues> {
+    Ok(match at.is_instance_of::<pyo3::types::PyInt>() {
+        true => CurveValues::Even { count: whole(at)?, range: None },
+        false => CurveValues::Given(arrays::finite(at, "at")?),
+    })
 }
 
 /// A persistence image.

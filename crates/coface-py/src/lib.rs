@@ -18,6 +18,7 @@ mod cures;
 mod diagrams;
 mod dissolve;
 mod errors;
+mod euler;
 mod figures;
 mod generate;
 mod given;
@@ -109,6 +110,9 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(pairs::_extended_persistence, module)?)?;
     module.add_function(wrap_pyfunction!(pairs::_cells_of_part, module)?)?;
     module.add_function(wrap_pyfunction!(persistence::_vineyard, module)?)?;
+    module.add_function(wrap_pyfunction!(euler::_euler_curve, module)?)?;
+    module.add_function(wrap_pyfunction!(euler::_euler_curve_of_image, module)?)?;
+    module.add_function(wrap_pyfunction!(euler::_euler_transform, module)?)?;
     module.add_function(wrap_pyfunction!(zigzags::_zigzag, module)?)?;
     module.add_function(wrap_pyfunction!(diagrams::_diagram_distance, module)?)?;
     module.add_function(wrap_pyfunction!(points::alpha, module)?)?;

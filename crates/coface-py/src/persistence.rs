@@ -71,7 +71,7 @@ pub(crate) enum Diagram {
 type Class = (usize, f64, Option<f64>);
 
 /// The filtration that values make: of vertices, or of all cells.
-fn filtration(
+pub(crate) fn filtration(
     complex: &ChainComplex,
     vertex_values: Option<Vec<f64>>,
     cell_values: Option<Vec<Vec<f64>>>,
@@ -248,6 +248,26 @@ pub(crate) fn cubical(
     cycles: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Persistence> {
+    let image = grey_image(py, values, mask)?;
+    let field = coefficients.map_or(Ok(Coefficients::Modulo(2)), ring)?;
+    let construction = construction.parse().or_raise(py)?;
+    let reading = periodic_reading(py, &image, periodic)?;
+    let (found, cells) = run(py, progress, || {
+        let request =
+            ImageRequest::new().coefficients(field).construction(construction).superlevel(superlevel);
+        let request = request.periodic(reading).min_persistence(least);
+        let cells = cycles.then(|| request.cells("image", image.clone())).transpose()?.map(Arc::new);
+        Ok((request.found("image", image)?, cells))
+    })?;
+    Ok(Persistence { diagram: Diagram::Image { found, cells } })
+}
+
+/// An array as an image, with the voxels that are inside.
+pub(crate) fn grey_image(
+    py: Python<'_>,
+    values: &Bound<'_, PyAny>,
+    mask: Option<PyReadonlyArrayDyn<'_, bool>>,
+) -> PyResult<GreyImage> {
     let image = match values.extract::<PyReadonlyArrayDyn<'_, f32>>() {
         Ok(single) => {
             let numbers = single.as_slice().map_err(|_| not_contiguous(py))?;
@@ -266,8 +286,15 @@ pub(crate) fn cubical(
         let volume = CubicalVolume::new(&shape, &vec![false; shape.len()], |_| inside.next() == Some(&true));
         image = volume.and_then(|volume| image.mask(&volume)).or_raise(py)?;
     }
-    let field = coefficients.map_or(Ok(Coefficients::Modulo(2)), ring)?;
-    let construction = construction.parse().or_raise(py)?;
+    Ok(image)
+}
+
+/// The axes of an image that are periodic.
+pub(crate) fn periodic_reading(
+    py: Python<'_>,
+    image: &GreyImage,
+    periodic: Vec<usize>,
+) -> PyResult<VolumeReading> {
     let mut reading = VolumeReading::default();
     for axis in periodic {
         let Some(is_periodic) = reading.periodic.get_mut(axis) else {
@@ -276,14 +303,7 @@ pub(crate) fn cubical(
         };
         *is_periodic = true;
     }
-    let (found, cells) = run(py, progress, || {
-        let request =
-            ImageRequest::new().coefficients(field).construction(construction).superlevel(superlevel);
-        let request = request.periodic(reading).min_persistence(least);
-        let cells = cycles.then(|| request.cells("image", image.clone())).transpose()?.map(Arc::new);
-        Ok((request.found("image", image)?, cells))
-    })?;
-    Ok(Persistence { diagram: Diagram::Image { found, cells } })
+    Ok(reading)
 }
 
 fn not_contiguous(py: Python<'_>) -> PyErr {

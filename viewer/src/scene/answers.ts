@@ -733,6 +733,32 @@ export interface EditRecord {
   kept_vertex?: number | null;
 }
 
+/** The Euler characteristic of what has entered, as a function of the value, and along directions. */
+export interface EulerAnswer {
+  /** The middle of the box of the vertices, from which heights are measured; `null` if they are measured from the origin. */
+  center?: number[] | null;
+  /** The Euler characteristic of the whole. */
+  characteristic: number;
+  /** For each direction, or once, a number for each value. */
+  curves: number[][];
+  /** The directions, each as long as a unit; `null` if cells enter by one function. */
+  directions?: number[][] | null;
+  /** The name of the input. */
+  file: string;
+  /** What cells enter by: a coordinate, a file of values, `voxels, t-construction`, or `height along directions`. */
+  function: string;
+  /** The greatest distance of a vertex from the center, in units of which heights are measured; `null` if they are in the unit of the positions. */
+  radius?: number | null;
+  /** What was assumed or left out. */
+  remarks: Remark[];
+  /** Whether the curves are the integrals of what the characteristic is above its mean over the range of the values. */
+  smooth: boolean;
+  /** `lower` if values rise, `upper` if they fall. */
+  star: string;
+  /** The values at which the curves are given. */
+  values: number[];
+}
+
 /** An input that cannot be served. */
 export interface FailedInput {
   /** The message: place, fault and cure. */

@@ -4,9 +4,10 @@ use super::curves::{CurveValues, even_values, require_values};
 use super::{GreyImage, Growth, ImageRequest, PersistenceRequest};
 use crate::Producer;
 use crate::answer::{EulerAnswer, Remark};
+use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, VertexId};
 use coface_io::NumberTable;
-use coface_topology::{EulerCurve, EulerTransform, even_directions};
+use coface_topology::{EulerCurve, EulerTransform, Filtration, even_directions};
 
 /// Directions along which heights are measured.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,7 +95,7 @@ impl EulerRequest {
     }
 
     /// At which values curves are given. [`CurveValues::Ends`] are the steps of one curve; curves of directions are given at 100 values then. A range is by
-    /// default that of the steps, or of directions that of all heights that there can be.
+    /// default that of all values at which something enters, or of directions that of all heights that there can be.
     ///
     /// # Examples
     /// See [`Self::directions`].
@@ -147,13 +148,38 @@ impl EulerRequest {
         }
         if self.is_normalized {
             return Err(Error::invalid("heights are normalized along directions only")
-                .with_cure("ask for directions too (--directions N), or leave --normalize out"));
+                .with_cure("ask for directions too, or for heights as they are"));
         }
         let complex = producer.chain_complex()?;
         let request = PersistenceRequest::new().growth(self.growth.clone());
-        let (function, star, filtration) = request.filtration(name, producer, &complex)?;
-        let curve = EulerCurve::of_filtration(&filtration);
-        self.of_one(name, function, star.unwrap_or("lower"), &curve).map_err(|error| error.in_file(name))
+        let (function, _, filtration) = request.filtration(name, producer, &complex)?;
+        self.answer_of_filtration(name, &function, &filtration)
+    }
+
+    /// Computes the curve of a filtration, of a model and by a function with these names.
+    ///
+    /// # Errors
+    /// Those about values of [`Self::answer`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_answers::EulerRequest;
+    /// use coface_topology::Filtration;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let filtration = Filtration::lower_star(&ChainComplex::of_points(2), &[3.0, 5.0])?;
+    /// let answer = EulerRequest::new().answer_of_filtration("points", "x", &filtration)?;
+    /// assert_eq!((&answer.values[..], answer.characteristic), (&[3.0, 5.0][..], 2));
+    /// # Ok(()) }
+    /// ```
+    pub fn answer_of_filtration(
+        &self,
+        name: &str,
+        function: &str,
+        filtration: &Filtration,
+    ) -> Result<EulerAnswer, Error> {
+        let curve = EulerCurve::of_filtration(filtration);
+        self.of_one(name, function.to_owned(), &curve).map_err(|error| error.in_file(name))
     }
 
     /// Computes the curve of an image with this name, counted voxel by voxel.
@@ -184,42 +210,31 @@ impl EulerRequest {
                 return Err(Error::invalid(
                     "directions are for models, and the grey values of an image have none",
                 )
-                .with_cure(
-                    "choose the voxels of a model (--threshold T), or leave --directions and --normalize out",
-                ));
+                .with_cure("ask for the model of some voxels, or for the curve of the values"));
             }
             let GreyImage { axes, filtration, .. } = image;
             let (filtration, _) = request.filtration(&axes, filtration)?;
             let curve = filtration.euler_curve()?;
-            let star = if curve.is_falling() { "upper" } else { "lower" };
-            self.of_one(name, format!("voxels, {}-construction", request.construction), star, &curve)
+            self.of_one(name, format!("voxels, {}-construction", request.construction), &curve)
         };
         find().map_err(|error| error.in_file(name))
     }
 
     /// The answer of one curve.
-    fn of_one(
-        &self,
-        name: &str,
-        function: String,
-        star: &str,
-        curve: &EulerCurve,
-    ) -> Result<EulerAnswer, Error> {
-        let steps = curve.steps().iter().map(|step| step.0);
-        let whole = steps.clone().reduce(f64::min).zip(steps.clone().reduce(f64::max));
+    fn of_one(&self, name: &str, function: String, curve: &EulerCurve) -> Result<EulerAnswer, Error> {
         let values = match &self.values {
             CurveValues::Ends => {
-                let mut values: Vec<f64> = steps.collect();
+                let mut values: Vec<f64> = curve.steps().iter().map(|step| step.0).collect();
                 values.sort_by(f64::total_cmp);
                 values
             }
-            values => values_of(values, whole.map(|(low, high)| [low, high]))?,
+            values => values_of(values, curve.range())?,
         };
         let numbers = self.numbers(curve, &values);
         Ok(EulerAnswer {
             file: name.to_owned(),
             function,
-            star: star.to_owned(),
+            star: if curve.is_falling() { "upper" } else { "lower" }.to_owned(),
             characteristic: curve.last(),
             directions: None,
             center: None,
@@ -258,11 +273,37 @@ impl EulerRequest {
         let complex = producer.chain_complex()?;
         let vertices =
             (0..complex.cell_count(0)).map(|vertex| producer.cell_vertices(0, CellId::new(vertex))[0]);
-        let mut flat: Vec<f64> = vertices
+        let flat = vertices
             .flat_map(|vertex| positions.point(VertexId::new(vertex as usize)).iter().copied())
             .collect();
-        let normal = self.is_normalized.then(|| normalize(&mut flat, dimension)).transpose()?;
-        let transform = EulerTransform::new(&complex, &flat, dimension)?;
+        self.answer_of_positions(name, &complex, flat, dimension)
+    }
+
+    /// Computes the curves along the directions, of a complex with a row of so many coordinates for each cell of degree 0.
+    ///
+    /// # Errors
+    /// Those of [`EulerTransform`], and those about values of [`Self::answer`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::chains::ChainComplex;
+    /// use coface_answers::{Directions, EulerRequest};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let request = EulerRequest::new().directions(Some(Directions::Given(vec![vec![2.0]])));
+    /// let answer = request.answer_of_positions("points", &ChainComplex::of_points(2), vec![1.0, 4.0], 1)?;
+    /// assert_eq!((answer.values[0], answer.values[99], answer.curves[0][99]), (-4.0, 4.0, 2.0));
+    /// # Ok(()) }
+    /// ```
+    pub fn answer_of_positions(
+        &self,
+        name: &str,
+        complex: &ChainComplex,
+        mut flat: Vec<f64>,
+        dimension: usize,
+    ) -> Result<EulerAnswer, Error> {
+        let normal =
+            (self.is_normalized && dimension > 0).then(|| normalize(&mut flat, dimension)).transpose()?;
+        let transform = EulerTransform::new(complex, &flat, dimension)?;
         let directions = match &self.directions {
             Some(Directions::Given(directions)) => directions.clone(),
             Some(Directions::Even(count)) => {

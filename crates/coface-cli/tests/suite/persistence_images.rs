@@ -141,3 +141,89 @@ fn a_voxel_at_infinity_is_named_by_the_axes_of_the_file() {
     let wrong = coface_in(folder.path(), &["persistence", "a.nrrd", "--coefficients", "f4"]);
     assert!(wrong.fails_with(2).contains("no prime field of 4 elements; give a prime field: f2"));
 }
+
+#[test]
+fn classes_have_cycles_on_the_cells_of_voxels() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    let ring = [1.0, 1.0, 1.0, 1.0, 9.0, 1.0, 1.0, 1.0, 1.0];
+    std::fs::write(place.join("ring.nrrd"), nrrd(&[3, 3], &ring)).unwrap();
+    let run = coface_in(place, &["persistence", "ring.nrrd", "--cycles", "cycles.obj", "--json"]);
+    let answer = run.json();
+    let rim = &answer["diagram"][1];
+    assert_eq!(
+        (&rim["birth"], &rim["death"], &rim["death_cell"]),
+        (&json!(1.0), &json!(9.0), &json!([1, 1]))
+    );
+    assert_eq!(rim["cycle"].as_array().unwrap().len(), 4);
+    assert_eq!(rim["bounding_chain"].as_array().unwrap().len(), 1);
+    assert_eq!(answer["torsion_primes"], json!([]));
+    // The picture is a file as any other: the group of the loop is one closed line.
+    let group = coface_in(place, &["info", "cycles.obj#H1_0_from_1_to_9", "--json"]).json();
+    assert_eq!(group["homology"]["betti"], json!([1, 1]), "{group}");
+    // Voxels as vertices: the ring goes through eight of them.
+    let answer =
+        coface_in(place, &["persistence", "ring.nrrd", "--cycles", "--construction", "v", "--json"]).json();
+    assert_eq!(answer["diagram"][1]["cycle"].as_array().unwrap().len(), 8);
+    // Without cycles the classes are the same.
+    let plain = coface_in(place, &["persistence", "ring.nrrd", "--construction", "v", "--json"]).json();
+    for (a, b) in plain["diagram"].as_array().unwrap().iter().zip(answer["diagram"].as_array().unwrap()) {
+        for key in ["degree", "birth", "death", "birth_cell", "death_cell"] {
+            assert_eq!(a[key], b[key]);
+        }
+    }
+}
+
+#[test]
+fn euler_curves_of_images_are_those_of_their_diagrams() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    std::fs::write(place.join("a.nrrd"), nrrd(&[4, 3], &CORNERS)).unwrap();
+    for options in
+        [&[][..], &["--construction", "v"], &["--superlevel"], &["--construction", "v", "--superlevel"]]
+    {
+        let of_diagram = [&["persistence", "a.nrrd", "-o", "d.json", "-q"], options].concat();
+        assert_eq!(coface_in(place, &of_diagram).status, 0);
+        let range = ["--samples", "21", "--range", "-1", "9", "--json"];
+        let expected = coface_in(place, &[&["diagram", "euler", "d.json"], &range[..]].concat()).json();
+        let counted = coface_in(place, &[&["euler", "a.nrrd"], &range[..], options].concat()).json();
+        assert_eq!(counted["curves"][0], expected["curves"][0]["numbers"], "{options:?}");
+    }
+}
+
+#[test]
+fn euler_transforms_are_tables() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    std::fs::write(place.join("square.off"), "OFF\n4 1 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n4 0 1 2 3\n").unwrap();
+    let run = coface_in(place, &["euler", "square.off", "--directions", "5", "--normalize", "-o", "ect.csv"]);
+    assert_eq!((run.status, &run.stdout[..]), (0, ""), "{}", run.stderr);
+    let table = std::fs::read_to_string(place.join("ect.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!((rows.len(), rows[0].len(), &rows[0][..4]), (6, 103, &["x", "y", "z", "-1"][..]));
+    assert!(rows[1..].iter().all(|row| row[102] == "1"));
+    // The same directions from a file, whose rows are not as long as a unit.
+    let doubled: String = rows[1..]
+        .iter()
+        .map(|row| {
+            row[..3]
+                .iter()
+                .map(|x| (2.0 * x.parse::<f64>().unwrap()).to_string())
+                .collect::<Vec<_>>()
+                .join(" ")
+                + "\n"
+        })
+        .collect();
+    std::fs::write(place.join("directions.txt"), doubled).unwrap();
+    let again =
+        coface_in(place, &["euler", "square.off", "--directions", "directions.txt", "--normalize", "--json"])
+            .json();
+    let numbers =
+        |row: &Vec<&str>| json!(row[3..].iter().map(|x| x.parse::<f64>().unwrap()).collect::<Vec<_>>());
+    assert_eq!(again["curves"], json!(rows[1..].iter().map(numbers).collect::<Vec<_>>()));
+    let smooth = coface_in(place, &["euler", "square.off", "--directions", "4", "--smooth", "--json"]).json();
+    assert_eq!(smooth["curves"][0][99], json!(0.0));
+    let none =
+        coface_in(place, &["euler", "square.off", "--directions", "directions.txt", "--function", "x"]);
+    assert_eq!(none.status, 2);
+}

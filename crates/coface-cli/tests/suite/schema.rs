@@ -125,6 +125,10 @@ fn several_reports_and_files_are_typed() {
     let image =
         coface(&["diagram", "image", diagram, "--births", "0", "1", "--persistences", "0", "1", "--json"]);
     assert_typed("diagram image", &image.json());
+    assert_typed(
+        "euler",
+        &coface(&["euler", argument(&mesh), "--directions", "3", "--normalize", "--json"]).json(),
+    );
     let page = folder.path().join("page.html");
     assert_typed("view", &coface(&["view", argument(&mesh), "-o", argument(&page), "--json"]).json());
     let shards = folder.path().join("shards");

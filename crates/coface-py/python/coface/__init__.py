@@ -97,6 +97,7 @@ from coface._interfaces import interface
 from coface._mapper import mapper
 from coface._models import as_chain_complex, as_complex, as_model, as_surface
 from coface._models import geo_interface as _geo_interface
+from coface._euler import euler_curve, euler_transform
 from coface._questions import (
     alpha,
     alpha_complex,
@@ -253,6 +254,8 @@ __all__ = [
     "decompose",
     "dissolve",
     "entries",
+    "euler_curve",
+    "euler_transform",
     "extended_persistence",
     "extruded",
     "families",

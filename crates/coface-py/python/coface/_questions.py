@@ -1846,6 +1846,34 @@ def alpha_complex(
     return _coface.alpha_complex(table, weighted=weights is not None, bound=bound, radii=radii, periods=periods)
 
 
+def image_of(x: Any, mask: Any) -> tuple[NDArray[Any], NDArray[np.bool_] | None]:
+    """The values of an image, contiguous, and which voxels are inside."""
+    if isinstance(x, (str, os.PathLike)):
+        values = _coface._values_of_volume(x)
+        if values is None:
+            raise_invalid(f"{os.fspath(x)!r} is no volume", "give an array, or a file of the format .npy, NRRD, NIfTI, MetaImage, PGM or PNG")
+        x = values
+    if isinstance(x, np.ma.MaskedArray):
+        # What is masked is outside.
+        inside = ~np.ma.getmaskarray(x)
+        given = None if mask is None else np.asarray(plain(mask))
+        mask = inside if given is None else inside & (given != 0) if given.shape == inside.shape else given
+        x = np.ma.getdata(x)
+    x = np.asarray(plain(x))
+    if x.dtype != np.float32:
+        x = numbers(x, "x")
+        # Made here: the answer need not copy it to remember it.
+        x.flags.writeable = False
+    if x.ndim == 0:
+        raise_invalid("an array without axes has no voxels", "give an array with one to four axes")
+    if mask is not None:
+        mask = np.asarray(plain(mask))
+        if mask.dtype.kind not in "biuf":
+            raise_invalid(f"a mask of {mask.dtype} has no truth values", "give truth values")
+        mask = np.ascontiguousarray(mask != 0)
+    return np.ascontiguousarray(x), mask
+
+
 @in_words
 def cubical(
     x: Any,
@@ -1906,37 +1934,15 @@ def cubical(
 
     The loop of four edges around the high pixel:
 
-    >>> ((rim, filling, _),) = coface.cubical([[1, 2, 1], [2, 9, 2], [1, 2, 1]], cycles=True).cycles(1)
+    >>> ((rim, filling, _),) = coface.cubical([[1, 1, 1], [1, 9, 1], [1, 1, 1]], cycles=True).cycles(1)
     >>> len(rim.cells), len(filling.cells)
     (4, 1)
     """
-    if isinstance(x, (str, os.PathLike)):
-        values = _coface._values_of_volume(x)
-        if values is None:
-            raise_invalid(f"{os.fspath(x)!r} is no volume", "give an array, or a file of the format .npy, NRRD, NIfTI, MetaImage, PGM or PNG")
-        x = values
-    if isinstance(x, np.ma.MaskedArray):
-        # What is masked is outside.
-        inside = ~np.ma.getmaskarray(x)
-        given = None if mask is None else np.asarray(plain(mask))
-        mask = inside if given is None else inside & (given != 0) if given.shape == inside.shape else given
-        x = np.ma.getdata(x)
-    x = np.asarray(plain(x))
-    if x.dtype != np.float32:
-        x = numbers(x, "x")
-        # Made here: the answer need not copy it to remember it.
-        x.flags.writeable = False
-    if x.ndim == 0:
-        raise_invalid("an array without axes has no voxels", "give an array with one to four axes")
-    if mask is not None:
-        mask = np.asarray(plain(mask))
-        if mask.dtype.kind not in "biuf":
-            raise_invalid(f"a mask of {mask.dtype} has no truth values", "give truth values")
-        mask = np.ascontiguousarray(mask != 0)
+    x, mask = image_of(x, mask)
     _, _, axes = voxel_rule(periodic=periodic)
     found: Persistence = asked(
         "cubical",
-        np.ascontiguousarray(x),
+        x,
         construction=construction,
         superlevel=superlevel,
         periodic=axes,

@@ -29,10 +29,18 @@ pub(super) const CASES: &[Case] = &[
         .files(TWO)
         .refused("coface diagram distance a.csv b.csv --order 2")
         .cured(&[&["coface diagram distance a.csv b.csv --order 2 --metric wasserstein"]]),
-    Case::new("commands/persistence.rs", "leave --cycles out")
+    Case::new("persistence/euler.rs", "give a model with positions, or leave --directions out")
+        .files(&[("facets.json", "[[0,1]]")])
+        .refused("coface euler facets.json --directions 8")
+        .cured(&[&["coface euler facets.json"]]),
+    Case::new("persistence/euler.rs", "give the range of values (--range A B)")
+        .files(&[("image.nrrd", "NRRD0004\ntype: double\ndimension: 1\nsizes: 2\nencoding: ascii\n\nnan nan\n")])
+        .refused("coface euler image.nrrd --samples 3")
+        .cured(&[&["coface euler image.nrrd --samples 3 --range 0 1"]]),
+    Case::new("commands/euler.rs", "without a function and without a choice of voxels")
         .files(&[("image.pgm", "P2\n2 2\n9\n1 2\n3 4\n")])
-        .refused("coface persistence image.pgm --cycles")
-        .cured(&[&["coface persistence image.pgm"]]),
+        .refused("coface euler image.pgm --construction v --threshold 2")
+        .cured(&[&["coface euler image.pgm --construction v"]]),
     Case::new("commands/persistence.rs", "--upper-star is for functions on vertices")
         .files(&[("image.pgm", "P2\n2 2\n9\n1 2\n3 4\n")])
         .refused("coface persistence image.pgm --upper-star")

@@ -26,6 +26,8 @@ use crate::persistence::Filtration;
 pub struct EulerCurve {
     /// The values, in the order of entrance, each with the characteristic from there on.
     steps: Vec<(f64, i64)>,
+    /// The least and the greatest value at which something enters.
+    range: Option<[f64; 2]>,
     is_falling: bool,
 }
 
@@ -56,9 +58,11 @@ impl EulerCurve {
         is_falling: bool,
     ) -> Self {
         let mut steps: Vec<(f64, i64)> = Vec::new();
-        let mut now = 0;
+        let (mut now, mut range) = (0, None);
         for (value, change) in changes {
             now += change;
+            let [low, high] = range.unwrap_or([value; 2]);
+            range = Some([value.min(low), value.max(high)]);
             match steps.last_mut() {
                 Some(last) if last.0 == value => last.1 = now,
                 // A step of height 0 is none.
@@ -69,7 +73,7 @@ impl EulerCurve {
             }
         }
         drop_even(&mut steps);
-        Self { steps, is_falling }
+        Self { steps, range, is_falling }
     }
 
     /// The first value at which something enters, and those at which the characteristic changes, in the order of entrance, each with the characteristic from
@@ -79,6 +83,20 @@ impl EulerCurve {
     /// See [`EulerCurve`].
     pub fn steps(&self) -> &[(f64, i64)] {
         &self.steps
+    }
+
+    /// The least and the greatest value at which something enters; `None` if nothing does.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::ImageFiltration;
+    /// // A row of equal pixels that grows at one end.
+    /// let curve = ImageFiltration::new(&[3], [0.0, 1.0, 2.0])?.euler_curve()?;
+    /// assert_eq!((curve.steps(), curve.range()), (&[(0.0, 1)][..], Some([0.0, 2.0])));
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn range(&self) -> Option<[f64; 2]> {
+        self.range
     }
 
     /// Whether cells enter from high values to low ones.
