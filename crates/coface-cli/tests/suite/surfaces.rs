@@ -847,3 +847,23 @@ fn quadrangles_under_other_names_are_isomorphic() {
     let answer = coface(&["isomorphic", argument(&cube), argument(&open), "--json"]).json();
     assert_eq!((&answer["isomorphic"], &answer["difference"]), (&json!(false), &json!("6 and 5 polygons")));
 }
+
+/// Seams run through vertices that the cut has added, which lie between those of the model.
+#[test]
+fn canonical_seams_are_drawn_over_the_model_that_was_asked() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    let run = |arguments: &[&str]| {
+        let run = crate::program::coface_in(place, arguments);
+        assert_eq!(run.status, 0, "{}", run.stderr);
+        run
+    };
+    run(&["generate", "genus", "-o", "two.obj"]);
+    run(&["cut", "two.obj", "--canonical", "-o", "disk.ply"]);
+    let answer = run(&["cut", "two.obj", "--canonical", "--json"]);
+    std::fs::write(place.join("cut.json"), &answer.stdout).unwrap();
+    assert!(!answer.json()["refinement"]["vertices"].as_array().unwrap().is_empty());
+    run(&["view", "two.obj", "--with", "cut.json", "-o", "page.html"]);
+    run(&["render", "two.obj", "--with", "cut.json", "-o", "picture.svg"]);
+    assert!(std::fs::read_to_string(place.join("page.html")).unwrap().contains("handle 4 of component 1"));
+}

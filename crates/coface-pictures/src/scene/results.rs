@@ -5,10 +5,11 @@ use super::cover::cover_pane;
 use super::domain::domain_panes;
 use super::forest::{NestedCurve, forest_pane};
 use super::persistence::diagram_pane;
-use super::shown::{Curve, Number, Shown, Walk};
+use super::shown::{AddedVertex, Curve, Number, Shown, Walk};
 use super::{Layer, Scene};
-use coface_algebra::Error;
+use coface_algebra::{Error, RaggedArray};
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// Polygons of more sides may have lines anywhere across them.
 const MOST_SIDES: usize = 64;
@@ -50,6 +51,8 @@ impl Scene {
         simplex_sets(result, &mut layers);
         layers.extend(self.harmonic_layers(result));
         layers.extend(self.real_layers(result));
+        let added = self.added_vertices(result);
+        layers.iter_mut().for_each(|layer| self.place_added(layer, &added));
         let vertex_count = self.positions.len();
         let other_model = |what: String| {
             Err(Error::invalid(format!("{what} in {name}"))
@@ -100,6 +103,41 @@ impl Scene {
             ));
         }
         Ok(())
+    }
+
+    /// Where the vertices lie that a cut has added to the model; none if it names vertices that the model does not have.
+    fn added_vertices(&self, result: &Shown) -> BTreeMap<u32, [f64; 3]> {
+        let place = |added: &AddedVertex| {
+            let mut point = [0.0; 3];
+            for (place, &vertex) in added.of.0.iter().enumerate() {
+                let weight = added.weights.list().get(place)?.0;
+                let of = self.positions.get(self.numbering.of(vertex) as usize)?;
+                point.iter_mut().zip(of).for_each(|(sum, x)| *sum += weight * x);
+            }
+            Some((added.vertex.0, point))
+        };
+        let added = result.refinement.iter().flat_map(|refinement| refinement.vertices.list());
+        added.map(place).collect::<Option<_>>().unwrap_or_default()
+    }
+
+    /// Gives a layer with lines through vertices that were added positions of its own.
+    fn place_added(&self, layer: &mut Layer, added: &BTreeMap<u32, [f64; 3]>) {
+        let is_added = layer.lines.items().iter().any(|vertex| added.contains_key(vertex));
+        if !is_added || layer.positions.is_some() {
+            return;
+        }
+        let place = |vertex: &u32| match added.get(vertex) {
+            Some(point) => Some(*point),
+            None => self.positions.get(self.numbering.of(*vertex) as usize).copied(),
+        };
+        let Some(positions) = layer.lines.items().iter().map(place).collect::<Option<Vec<_>>>() else {
+            return;
+        };
+        let mut next = 0..;
+        let numbered = |line: &[u32]| next.by_ref().take(line.len()).collect::<Vec<u32>>();
+        let lines: Vec<Vec<u32>> = layer.lines.iter().map(numbered).collect();
+        layer.lines = RaggedArray::from_lists(lines);
+        layer.positions = Some(positions);
     }
 
     /// The first edge of layers or of a chain that runs from one vertex of a mesh to another and is no edge of it, with its name. Over points

@@ -17,6 +17,8 @@ keyed! {
             /// Whether they are of cohomology.
             cohomology: Truth,
             components: Entries<Component>,
+            /// The vertices that a cut has added to the model.
+            refinement: Option<Refinement>,
             /// The edges of a tree-cotree decomposition.
             roles: Option<Roles>,
             trees: Option<Roles>,
@@ -75,6 +77,22 @@ keyed! {
     struct Component {
         needed: {}
         may: { seams: Entries<Seam>, loops: Entries<Walk>, }
+    }
+}
+
+keyed! {
+    /// What a canonical cut has added to a surface.
+    struct Refinement {
+        needed: {}
+        may: { vertices: Entries<AddedVertex>, }
+    }
+}
+
+keyed! {
+    /// A vertex in the middle of others, by weights.
+    struct AddedVertex {
+        needed: { vertex: Vertex, of: Vertices, }
+        may: { weights: Entries<Number>, }
     }
 }
 
