@@ -7,6 +7,7 @@
 //! each rule and why it proves the claim. Certificates of other kinds are handed to [`coface_check_congruence`].
 
 mod alpha;
+mod extended;
 mod image;
 mod pairs;
 mod points;
@@ -86,6 +87,9 @@ fn diagram(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     let listed = listed.map(Value::to_string);
     let complex = Complex::read(listed.as_ref().map_or(inputs[0], |text| text.as_bytes()))?;
     let (answer, proof) = (field(whole, "answer", "answer")?, field(whole, "proof", "proof")?);
+    if optional(answer, "star").and_then(Value::as_str) == Some("extended") {
+        return extended::check(whole, &complex, inputs[0]);
+    }
     let prime = index(field(answer, "field", "answer")?, "\"field\"", "answer")?;
     if !coface_check::is_prime(prime) {
         return Err(Fault::new("answer", format!("{prime} is not prime")));

@@ -24,22 +24,12 @@ pub(crate) fn values(
         None if values.len() == complex.counts().len() => {
             return Ok((values, None));
         }
-        Some(Some("lower")) if values.len() == 1 => f64::max,
+        Some(Some("lower" | "extended")) if values.len() == 1 => f64::max,
         Some(Some("upper")) if values.len() == 1 => f64::min,
         _ => return Err(Fault::new(step, "not the values that the star of the answer needs")),
     };
-    // A vertex has a name, by which cells have it.
-    let name = |vertex: usize| complex.vertices(0, vertex).map(|name| name[0]);
-    let names: Option<Vec<u32>> = (0..complex.counts()[0]).map(name).collect();
-    let names = names.ok_or_else(|| Fault::new(step, "the cells have no vertices"))?;
-    for (k, &count) in complex.counts().iter().enumerate().skip(1) {
-        let of_cell = |cell: usize| -> Option<f64> {
-            let place = |vertex: &u32| names.binary_search(vertex).ok().map(|place| values[0][place]);
-            complex.vertices(k, cell)?.iter().map(place).reduce(|a, b| Some(star(a?, b?)))?
-        };
-        let own: Option<Vec<f64>> = (0..count).map(of_cell).collect();
-        values.push(own.ok_or_else(|| Fault::new(step, "a cell has a vertex that is none"))?);
-    }
+    let names = names(complex)?;
+    let values = of_cells(complex, &values[0], star)?;
     let function = field(answer, "function", step)?.as_str().unwrap_or_default();
     let expected: Vec<f64> = match (["x", "y", "z"].iter().position(|axis| *axis == function), function) {
         (Some(axis), _) => {
@@ -56,4 +46,30 @@ pub(crate) fn values(
         true => Ok((values, Some(format!("the values of the vertices are {function}")))),
         false => Err(Fault::new(step, format!("the values of the vertices are not {function}"))),
     }
+}
+
+/// A vertex has a name, by which cells have it.
+fn names(complex: &Complex) -> Result<Vec<u32>, Fault> {
+    let name = |vertex: usize| complex.vertices(0, vertex).map(|name| name[0]);
+    let names: Option<Vec<u32>> = (0..complex.counts()[0]).map(name).collect();
+    names.ok_or_else(|| Fault::new("values", "the cells have no vertices"))
+}
+
+/// The greatest or the least of the values of the vertices of each cell.
+pub(crate) fn of_cells(
+    complex: &Complex,
+    of_vertices: &[f64],
+    star: fn(f64, f64) -> f64,
+) -> Result<Vec<Vec<f64>>, Fault> {
+    let names = names(complex)?;
+    let mut values = vec![of_vertices.to_vec()];
+    for (k, &count) in complex.counts().iter().enumerate().skip(1) {
+        let of_cell = |cell: usize| -> Option<f64> {
+            let place = |vertex: &u32| names.binary_search(vertex).ok().map(|place| of_vertices[place]);
+            complex.vertices(k, cell)?.iter().map(place).reduce(|a, b| Some(star(a?, b?)))?
+        };
+        let own: Option<Vec<f64>> = (0..count).map(of_cell).collect();
+        values.push(own.ok_or_else(|| Fault::new("values", "a cell has a vertex that is none"))?);
+    }
+    Ok(values)
 }

@@ -92,7 +92,8 @@ pub(crate) fn _certificate(
 
 /// The certificate of a persistence diagram of a complex in a file, as text.
 #[pyfunction]
-#[pyo3(signature = (path, coefficients, function, upper_star, min_persistence, progress=None))]
+#[pyo3(signature = (path, coefficients, function, upper_star, min_persistence, extended=false, progress=None))]
+#[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn _persistence_certificate(
     py: Python<'_>,
     path: PathBuf,
@@ -100,6 +101,7 @@ pub(crate) fn _persistence_certificate(
     function: Option<Function>,
     upper_star: bool,
     min_persistence: f64,
+    extended: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<String> {
     let coefficients = ring(coefficients)?;
@@ -129,7 +131,11 @@ pub(crate) fn _persistence_certificate(
             .coefficients(coefficients)
             .growth(growth)
             .min_persistence(min_persistence);
-        request.found(&name, &producer)?.certificate(&[(&name, &bytes)])
+        let inputs: [(&str, &[u8]); 1] = [(&name, &bytes)];
+        match extended {
+            true => request.extended_certificate(&name, &producer, &inputs),
+            false => request.found(&name, &producer)?.certificate(&inputs),
+        }
     })
 }
 

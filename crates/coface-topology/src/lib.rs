@@ -57,8 +57,8 @@ pub use persistence::{
     ImageConstruction, ImageDiagram, ImageFiltration, ImagePair, PersistenceDiagram, PersistencePair,
     PersistenceSurface, PersistentCycle, RipsCochain, RipsDiagram, RipsFiltration, RipsPair, RipsSize, Vine,
     VinePoint, ZigzagFiltration, ZigzagPair, ZigzagStep, euler_characteristic_curve, even_directions,
-    extended_persistence, image_persistence, persistence, persistent_cycles, relative_persistence,
-    torsion_primes, vineyard,
+    extended_filtration, extended_persistence, image_persistence, persistence, persistent_cycles,
+    relative_persistence, torsion_primes, vineyard,
 };
 
 mod curves;

@@ -12,33 +12,33 @@ use serde::Serialize;
 
 /// A certificate of a diagram, as `docs/certificates.md` describes it.
 #[derive(Serialize)]
-struct Certificate<'a> {
-    coface_certificate: u64,
-    coface: &'static str,
-    kind: &'static str,
-    inputs: Vec<Input>,
-    min_persistence: f64,
+pub(super) struct Certificate<'a> {
+    pub(super) coface_certificate: u64,
+    pub(super) coface: &'static str,
+    pub(super) kind: &'static str,
+    pub(super) inputs: Vec<Input>,
+    pub(super) min_persistence: f64,
     /// Of points, the simplices that no other one has as a face.
     #[serde(skip_serializing_if = "Option::is_none")]
-    facets: Option<Vec<Vec<u32>>>,
+    pub(super) facets: Option<Vec<Vec<u32>>>,
     /// How the file has the points, where the checker finds the simplices and values.
     #[serde(skip_serializing_if = "Option::is_none")]
-    layout: Option<&'static str>,
+    pub(super) layout: Option<&'static str>,
     /// The highest degree of the answer, where the complex has others above.
     #[serde(skip_serializing_if = "Option::is_none")]
-    most_degree: Option<usize>,
-    answer: &'a PersistenceAnswer,
-    proof: Proof,
+    pub(super) most_degree: Option<usize>,
+    pub(super) answer: &'a PersistenceAnswer,
+    pub(super) proof: Proof,
 }
 
 #[derive(Serialize)]
-struct Proof {
+pub(super) struct Proof {
     /// The values of the vertices, or without a star of all cells, by degree.
-    values: Vec<Vec<f64>>,
+    pub(super) values: Vec<Vec<f64>>,
     /// For each degree the cells in the order in which they enter.
-    order: Vec<Vec<u32>>,
+    pub(super) order: Vec<Vec<u32>>,
     /// For each degree from 1 on the chains that end classes, and the cycles of those that stay, with cells in the order in which they enter.
-    chains: Vec<Vec<Vec<(Number, u32)>>>,
+    pub(super) chains: Vec<Vec<Vec<(Number, u32)>>>,
 }
 
 impl FoundDiagram<'_> {
@@ -210,7 +210,7 @@ fn facets(producer: &Producer) -> Option<Vec<Vec<u32>>> {
 }
 
 /// The complex of the checker with the numbers of the library.
-fn renumbered(read: &coface_check::Complex, places: &[Vec<u32>]) -> Result<ChainComplex, Error> {
+pub(super) fn renumbered(read: &coface_check::Complex, places: &[Vec<u32>]) -> Result<ChainComplex, Error> {
     if let [points] = places {
         return Ok(ChainComplex::of_points(points.len()));
     }

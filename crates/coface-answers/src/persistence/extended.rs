@@ -1,11 +1,13 @@
 //! Extended persistence of a function on a model.
 
+use super::certificate::{Certificate, Proof, chains, entering, renumbered};
 use super::{Growth, PersistenceRequest, VertexFunction};
 use crate::Producer;
 use crate::answer::{PersistenceAnswer, PersistencePairAnswer};
+use crate::homology::certificate::{Input, checked, refused};
 use coface_algebra::Error;
 use coface_algebra::progress::stage;
-use coface_topology::{Coefficients, ExtendedKind, ExtendedPair, extended_persistence};
+use coface_topology::{Coefficients, ExtendedKind, ExtendedPair, extended_filtration, extended_persistence};
 
 impl PersistenceRequest {
     /// Finds the extended persistence of a function on the vertices of a model with this name: pairs have a kind, and all classes die.
@@ -86,6 +88,69 @@ impl PersistenceRequest {
             vertex_names: None,
             remarks: Vec::new(),
         })
+    }
+}
+
+impl PersistenceRequest {
+    /// A certificate of [`Self::extended`], from the name and the bytes of the file that the model was read from: chains of the cone that prove it, which
+    /// [`coface_check_persistence::check`] follows without any code of this library, as `docs/certificates.md` says. It has been checked.
+    ///
+    /// # Errors
+    /// Those of [`Self::extended`]; [`coface_algebra::ErrorKind::UnsupportedFormat`] if the checker does not read the file as this library does: it reads facet
+    /// lists, and plain OFF and OBJ.
+    ///
+    /// # Complexity
+    /// That of the cycles of all pairs of the cone, also of those of persistence 0.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{PersistenceRequest, Producer};
+    /// let input = &b"[[0,1],[1,2],[2,0]]"[..];
+    /// let circle = Producer::of(coface_io::read(input, coface_io::Format::Json)?)?;
+    /// let certificate = PersistenceRequest::new().extended_certificate("circle", &circle, &[("circle", input)])?;
+    /// let verdict = coface_check_persistence::check(certificate.as_bytes(), &[input]).expect("the proof holds");
+    /// assert_eq!(verdict.proved()[1], "Betti numbers over F_2 = [1, 1]");
+    /// # Ok(()) }
+    /// ```
+    pub fn extended_certificate(
+        &self,
+        name: &str,
+        producer: &Producer,
+        inputs: &[(&str, &[u8])],
+    ) -> Result<String, Error> {
+        let [(_, bytes)] = inputs else {
+            return Err(Error::invalid("a certificate of persistence is of one input"));
+        };
+        let answer = self.extended(name, producer)?;
+        let read = coface_check::Complex::read(bytes).map_err(|fault| refused(&fault.to_string()))?;
+        let complex = producer.chain_complex()?;
+        let places = producer.places_on(&read, &complex.f_vector())?;
+        let Growth::Lower(function) = &self.growth else { return Err(refused("there is no function")) };
+        let function = function.clone().unwrap_or_else(|| VertexFunction::of_positions(producer.positions()));
+        let mut values = vec![0.0; complex.cell_count(0)];
+        let given = function.values(producer, complex.cell_count(0))?;
+        places[0].iter().zip(given).for_each(|(&place, value)| values[place as usize] = value);
+        // Cells have the numbers of the checker from here on.
+        let own: Vec<Vec<u32>> = places.iter().map(|places| (0..places.len() as u32).collect()).collect();
+        let complex = renumbered(&read, &own)?;
+        let (cone, filtration) = extended_filtration(&complex, &values)?;
+        let order: Vec<Vec<u32>> =
+            (0..cone.degree_count()).map(|degree| entering(&filtration, degree)).collect();
+        let chains = chains(&cone, &filtration, answer.field, &order, |_, cell| cell.to_u32())?;
+        let certificate = Certificate {
+            coface_certificate: coface_check::VERSION,
+            coface: env!("CARGO_PKG_VERSION"),
+            kind: "persistence",
+            inputs: Input::list(inputs),
+            min_persistence: self.min_persistence,
+            facets: None,
+            layout: None,
+            most_degree: None,
+            answer: &answer,
+            proof: Proof { values: vec![values], order, chains },
+        };
+        checked(&certificate, inputs).map_err(|fault| refused(&fault.to_string()))
     }
 }
 

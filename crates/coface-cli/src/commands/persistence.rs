@@ -64,7 +64,7 @@ pub(crate) struct Persistence {
     upper_star: bool,
     /// Extended persistence: behind the sublevel sets the homology relative to growing superlevel sets, where all classes die. Pairs have a "kind": ordinary,
     /// relative, extended+ (dead no lower than born), or extended- (dead lower than born). Classes of the whole model are all listed
-    #[arg(long, conflicts_with_all = ["values", "upper_star", "cycles", "certificate"])]
+    #[arg(long, conflicts_with_all = ["values", "upper_star", "cycles"])]
     extended: bool,
     /// Zigzag persistence: the input has lines "i 0 1" where a simplex enters a complex and "d 0 1" where it leaves, as fzz reads them, with times as "i 0 1 @ 2.5" or
     /// the numbers of the lines; or JSON: `[["i",[0,1],2.5],..]`, or `{"simplices":[[0,1],..],"times":[[enters,leaves,..],..]}` as Dionysus has them. Pairs have a
@@ -254,6 +254,9 @@ impl Persistence {
         let request = self.request(growth).relative(relative).image_of(image_of);
         if self.extended {
             let answer = request.extended(&name, &producer)?;
+            self.save_certificate(&progress, |inputs| {
+                request.extended_certificate(&name, &producer, inputs)
+            })?;
             return self.give(common, output.as_ref(), progress, &answer, |bytes, format| {
                 write_table(&answer, bytes, format)
             });

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
-use crate::program::{coface, coface_in, coface_reading};
+use crate::program::{argument, coface, coface_in, coface_reading};
 use serde_json::{Value, json};
 
 fn pairs(object: &Value) -> Vec<Value> {
@@ -84,4 +84,57 @@ fn what_has_no_kinds_is_refused() {
     coface(&["persistence", "a.json", "--extended", "--upper-star"]).fails_with(2);
     let edge = coface_reading(&["persistence", "-", "--extended", "--json"], b"[[3]]").json();
     assert_eq!(pairs(&edge), [json!(["extended+", 0, 3.0, 3.0])]);
+}
+
+/// The checker makes the cone over the complex by itself.
+#[test]
+fn extended_classes_are_proved() {
+    use crate::certificates::{BAND, PLANE, lie_about};
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let (input, certificate) = (path("in.json"), path("in.cert"));
+    for (text, options) in [
+        (PLANE, &["--coefficients", "3"][..]),
+        (BAND, &["--min-persistence", "1"]),
+        ("[[0,1],[1,2],[2,0],[3]]", &[]),
+        ("[[0,1,2],[1,2,3]]", &["--min-persistence", "-1"]),
+    ] {
+        std::fs::write(&input, text).unwrap();
+        let words = [
+            "persistence",
+            argument(&input),
+            "--extended",
+            "--certificate",
+            argument(&certificate),
+            "--json",
+        ];
+        let answer = coface(&[&words[..], options].concat()).json();
+        let verdict = coface(&["check", argument(&certificate), argument(&input), "--json"]).json();
+        assert_eq!(verdict["unchecked"], serde_json::json!([]), "{verdict}");
+        let proved = verdict["proved"].as_array().unwrap();
+        assert_eq!(proved[0], "the values of the vertices are vertex number");
+        let extended = answer["diagram"].as_array().unwrap().iter();
+        let extended = extended.filter(|pair| pair["kind"].as_str().unwrap().starts_with("extended")).count();
+        let betti: u64 = answer["betti"].as_array().unwrap().iter().map(|x| x.as_u64().unwrap()).sum();
+        assert_eq!(extended as u64, betti);
+        lie_about(&certificate, &[&input]);
+    }
+    // A surface with positions, by its height.
+    let surface = path("torus.off");
+    assert_eq!(coface(&["generate", "torus", "-o", argument(&surface)]).status, 0);
+    let run = coface(&[
+        "persistence",
+        argument(&surface),
+        "--extended",
+        "--function",
+        "x",
+        "--certificate",
+        argument(&certificate),
+        "-q",
+    ]);
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    let verdict = coface(&["check", argument(&certificate), argument(&surface), "--json"]).json();
+    assert_eq!(verdict["proved"][0], "the values of the vertices are x");
+    // What belongs to another file is refused.
+    assert_eq!(coface(&["check", argument(&certificate), argument(&input)]).status, 1);
 }

@@ -35,6 +35,7 @@ def certificate(
     generators: bool = False,
     function: str | Sequence[float] | None = None,
     upper_star: bool = False,
+    extended: bool = False,
     min_persistence: float = 0.0,
     points: Literal["rips", "alpha", "cech", "image"] | None = None,
     dimension: int = 1,
@@ -76,9 +77,9 @@ def certificate(
         persistence the field of two elements.
     relative
         ``"boundary"``, or the file of a part that is divided out.
-    function, upper_star, min_persistence
+    function, upper_star, extended, min_persistence
         Of persistence: ``"x"``, ``"y"`` or ``"z"``, or a number for each vertex, by default the last coordinate; whether cells enter from high values
-        to low ones; pairs whose persistence is not greater are left out.
+        to low ones; whether it is :func:`extended_persistence`; pairs whose persistence is not greater are left out.
     points, dimension, threshold
         Of persistence of points, in rows of numbers as text, or of the vertices of OFF and OBJ: the complex that they make, the highest degree (not of ``"alpha"``), and the largest value. Of
         ``"rips"``, and of ``"image"``, the voxels of a .npy or .pgm file as cubes (from high values with `upper_star`), all is proved from the file, and of ``"alpha"`` without a threshold; of ``"cech"`` that the simplices and values are those of the points is not.
@@ -114,6 +115,8 @@ def certificate(
     >>> coface.generate("torus").write("torus.off")
     >>> coface.check(coface.certificate("torus.off", "persistence"))["proved"][:2]
     ['the values of the vertices are z', 'Betti numbers over F_2 = [1, 2, 1]']
+    >>> coface.check(coface.certificate("torus.off", "persistence", extended=True))["proved"][1]
+    'Betti numbers over F_2 = [1, 2, 1]'
     >>> coface.check(coface.certificate("plane.json", "homotopic", walks=[[0, 1, 3, 0], [0, 1, 2, 0]]))["proved"][2]
     'of 2 walks, numbered from 0, those that can be contracted are [0]'
     """
@@ -140,7 +143,9 @@ def certificate(
         field = "f2" if coefficients is None else coefficients
         if points is not None:
             return _coface._points_certificate(path, points, field, dimension, threshold, upper_star, min_persistence, progress)
-        return _coface._persistence_certificate(path, field, function, upper_star, min_persistence, progress)
+        if extended and upper_star:
+            raise _coface.InvalidInputError("extended persistence has sublevel sets and superlevel sets; leave upper_star out")
+        return _coface._persistence_certificate(path, field, function, upper_star, min_persistence, extended, progress)
     return _coface._certificate(path, of, "z" if coefficients is None else coefficients, cohomology, reduced, relative, generators, progress)
 
 

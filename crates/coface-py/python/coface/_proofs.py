@@ -144,6 +144,8 @@ def _congruence(arguments: Any, options: dict[str, Any]) -> tuple[str, list[Any]
 
 def _points(kind: str, asker: Callable[..., Any], **takes: str) -> _Question:
     def question(arguments: Any, options: dict[str, Any]) -> tuple[str, list[Any], dict[str, Any]]:
+        # Whether cells are kept makes no other answer.
+        options.pop("cycles", None)
         if options.pop("form", None) is not None:
             _refuse("persistence of distances")
         if kind == "alpha" and not options.pop("radii"):

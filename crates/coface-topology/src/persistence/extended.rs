@@ -133,24 +133,7 @@ pub fn extended_persistence(
     if counts.iter().all(|&count| count == 0) {
         return Ok(Vec::new());
     }
-    let steps = stage("making the cone", 0);
-    let mut values: Vec<f64> = lower.values(0).to_vec();
-    values.sort_by(f64::total_cmp);
-    values.dedup();
-    let cone = cone(complex)?;
-    let rank = |value: f64| values.partition_point(|&other| other < value) as f64;
-    let last = values.len() as f64;
-    let ranks = (0..cone.degree_count()).map(|degree| {
-        let own: &[f64] = if degree < counts.len() { lower.values(degree) } else { &[] };
-        let over: Vec<f64> = match degree.checked_sub(1) {
-            Some(below) => upper.values(below).iter().map(|&value| 2.0 * last - rank(value)).collect(),
-            // The apex is there from the beginning.
-            None => vec![-1.0],
-        };
-        own.iter().map(|&value| rank(value)).chain(over).collect()
-    });
-    let filtration = Filtration::new(&cone, ranks.collect())?;
-    drop(steps);
+    let (cone, filtration) = extended_filtration(complex, vertex_values)?;
     let whole = persistence(&cone, &filtration, coefficients)?;
     let place = |degree: usize, cell: CellId| -> (bool, usize, CellId) {
         let own = counts.get(degree).copied().unwrap_or(0);
@@ -188,6 +171,54 @@ pub fn extended_persistence(
         by_kind.then(a.birth.total_cmp(&b.birth)).then(a.death.total_cmp(&b.death))
     });
     Ok(pairs)
+}
+
+/// The cone over a complex, with the filtration whose persistence is the [extended persistence](extended_persistence) of a function on the vertices: in each
+/// degree the cells of the complex, then the cones over those of the degree below; in degree 0 the apex behind the vertices. Values are steps: ranks of values
+/// while sublevel sets grow, and steps that come later while superlevel sets grow. The apex comes first.
+///
+/// # Errors
+/// Those of [`extended_persistence`].
+///
+/// # Complexity
+/// That of sorting the values; linear in the entries of the boundary matrices.
+///
+/// # Examples
+/// ```
+/// use coface_algebra::chains::ChainComplex;
+/// use coface_topology::extended_filtration;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let (cone, filtration) = extended_filtration(&ChainComplex::of_points(2), &[5.0, 7.0])?;
+/// assert_eq!(cone.f_vector(), [3, 2]);
+/// assert_eq!((filtration.values(0), filtration.values(1)), (&[0.0, 1.0, -1.0][..], &[4.0, 3.0][..]));
+/// # Ok(()) }
+/// ```
+pub fn extended_filtration(
+    complex: &ChainComplex,
+    vertex_values: &[f64],
+) -> Result<(ChainComplex, Filtration), Error> {
+    let lower = Filtration::lower_star(complex, vertex_values)?;
+    let upper = Filtration::upper_star(complex, vertex_values)?;
+    let counts = complex.f_vector();
+    let steps = stage("making the cone", 0);
+    let mut values: Vec<f64> = lower.values(0).to_vec();
+    values.sort_by(f64::total_cmp);
+    values.dedup();
+    let cone = cone(complex)?;
+    let rank = |value: f64| values.partition_point(|&other| other < value) as f64;
+    let last = values.len() as f64;
+    let ranks = (0..cone.degree_count()).map(|degree| {
+        let own: &[f64] = if degree < counts.len() { lower.values(degree) } else { &[] };
+        let over: Vec<f64> = match degree.checked_sub(1) {
+            Some(below) => upper.values(below).iter().map(|&value| 2.0 * last - rank(value)).collect(),
+            // The apex is there from the beginning.
+            None => vec![-1.0],
+        };
+        own.iter().map(|&value| rank(value)).chain(over).collect()
+    });
+    let filtration = Filtration::new(&cone, ranks.collect())?;
+    drop(steps);
+    Ok((cone, filtration))
 }
 
 /// The cone over a complex: in each degree its cells, then the cones over those of the degree below; in degree 0 the apex behind the vertices.

@@ -44,7 +44,7 @@ pub use barcode::{Barcode, BarcodeMatching, PersistenceSurface, euler_characteri
 pub use cycles::{PersistentCycle, persistent_cycles};
 pub use diagram::{PersistenceDiagram, PersistencePair};
 pub use euler::{EulerCurve, EulerTransform, even_directions};
-pub use extended::{ExtendedKind, ExtendedPair, extended_persistence};
+pub use extended::{ExtendedKind, ExtendedPair, extended_filtration, extended_persistence};
 pub use filtration::Filtration;
 pub use image::{ImageConstruction, ImageDiagram, ImageFiltration, ImagePair};
 pub use pair::{image_persistence, relative_persistence};
