@@ -1,5 +1,6 @@
 //! Extended persistence: the classes of the cone over a complex.
 
+use crate::cone::{below, made};
 use crate::pairs;
 use crate::values::{of_cells, values};
 use crate::{Cells, PAIR_KEYS, shown};
@@ -9,10 +10,9 @@ use serde_json::Value;
 
 const KNOWN: [&str; 5] = ["file", "field", "star", "diagram", "betti"];
 
-/// The cells of the cone in each degree: those of the complex, then the cones over those of the degree below; in degree 0 the apex.
+/// A complex and when its cells enter sublevel sets, and superlevel sets.
 struct Cone<'a> {
     complex: &'a Complex,
-    /// When cells enter sublevel sets, and superlevel sets.
     lower: &'a [Vec<f64>],
     upper: &'a [Vec<f64>],
 }
@@ -27,43 +27,6 @@ struct Owner {
 }
 
 impl Cone<'_> {
-    fn own(&self, degree: usize) -> usize {
-        self.complex.counts().get(degree).copied().unwrap_or(0)
-    }
-
-    fn degree_count(&self) -> usize {
-        self.complex.counts().len() + 1
-    }
-
-    /// The boundary of the cone over a cell is the cell less the cone over its boundary.
-    fn made(&self) -> Result<Complex, Fault> {
-        let over = |degree: usize| degree.checked_sub(1).map_or(1, |below| self.own(below));
-        let counts = (0..self.degree_count()).map(|degree| self.own(degree) + over(degree)).collect();
-        let mut columns = Vec::new();
-        for degree in 1..self.degree_count() {
-            let below = self.own(degree - 1);
-            let mut of_degree: Vec<Vec<(u32, i64)>> =
-                (0..self.own(degree)).map(|cell| self.complex.boundary(degree, cell).to_vec()).collect();
-            for cell in 0..below {
-                let mut column = vec![(cell as u32, 1)];
-                match degree {
-                    1 => column.push((below as u32, -1)),
-                    _ => {
-                        let faces = self.complex.boundary(degree - 1, cell);
-                        if degree == 2 && faces.iter().map(|face| i128::from(face.1)).sum::<i128>() != 0 {
-                            return Err(Fault::new("cone", format!("the ends of edge {cell} do not cancel")));
-                        }
-                        column
-                            .extend(faces.iter().map(|(face, incidence)| (below as u32 + face, -incidence)));
-                    }
-                }
-                of_degree.push(column);
-            }
-            columns.push(of_degree);
-        }
-        Ok(Complex::of_columns(counts, columns))
-    }
-
     /// The steps at which cells enter: sublevel sets first, from the lowest value up, and then superlevel sets, from the highest value down; the apex before all.
     fn steps(&self) -> Vec<Vec<f64>> {
         let mut known: Vec<f64> = self.lower[0].clone();
@@ -79,16 +42,12 @@ impl Cone<'_> {
             };
             own.chain(over).collect()
         };
-        (0..self.degree_count()).map(of_degree).collect()
+        (0..=self.complex.counts().len()).map(of_degree).collect()
     }
 
     /// What a cell of the cone comes from; `None` for the apex.
     fn owner(&self, degree: usize, cell: u32) -> Option<Owner> {
-        let own = self.own(degree) as u32;
-        let (is_over, degree, cell) = match cell.checked_sub(own) {
-            None => (false, degree, cell),
-            Some(over) => (true, degree.checked_sub(1)?, over),
-        };
+        let (is_over, degree, cell) = below(self.complex, degree, cell)?;
         let values = if is_over { self.upper } else { self.lower };
         Some(Owner { is_over, degree, cell, value: values[degree][cell as usize] })
     }
@@ -110,7 +69,7 @@ pub(crate) fn check(whole: &Value, complex: &Complex, input: &[u8]) -> Result<Ve
     let (lower, of_function) = values(complex, answer, field(proof, "values", "values")?, input)?;
     let upper = of_cells(complex, &lower[0], f64::min)?;
     let cone = Cone { complex, lower: &lower, upper: &upper };
-    let made = cone.made()?;
+    let made = made(complex)?;
     let orders = pairs::orders(&made, &cone.steps(), field(proof, "order", "order")?, false)?;
     let found = pairs::pairs(&made, &orders, field(proof, "chains", "chains")?, prime.into())?;
     let least = field(whole, "min_persistence", "answer")?.as_f64();

@@ -7,12 +7,14 @@
 //! each rule and why it proves the claim. Certificates of other kinds are handed to [`coface_check_congruence`].
 
 mod alpha;
+mod cone;
 mod extended;
 mod image;
 mod pairs;
 mod points;
 mod rips;
 mod values;
+mod zigzag;
 
 pub use image::Image;
 
@@ -68,6 +70,7 @@ pub fn check_opened(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
         "persistence" => diagram(whole, inputs),
         "rips" => rips::check(whole, inputs),
         "image" => image::check(whole, inputs),
+        "zigzag" => zigzag::check(whole, inputs[0]),
         _ => coface_check_congruence::check_opened(whole, inputs),
     }
 }

@@ -9,10 +9,10 @@ use coface::Error;
 use coface::algebra::ErrorKind;
 use coface::answers::{
     ArrangementRequest, BooleanRequest, CocyclesRequest, CongruenceRequest, CutRequest, DrawingArrangement,
-    GivenWalks, GreyImage, GroupsRequest, Growth, HomologyRequest, ImageRequest, ModelCongruence,
-    PersistenceRequest, PlanarDrawing, PointFiltration, Producer, RegionBoolean, RegionSource, RelativeTo,
-    Report, ReportRequest, RipsRequest, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest,
-    SurfaceLoops, SurfaceModel, VertexFunction, are_planar,
+    GivenWalks, GivenZigzag, GreyImage, GroupsRequest, Growth, HomologyRequest, ImageRequest,
+    ModelCongruence, PersistenceRequest, PlanarDrawing, PointFiltration, Producer, RegionBoolean,
+    RegionSource, RelativeTo, Report, ReportRequest, RipsRequest, SceneArrangement, SolidBoolean,
+    SolidRequest, SpatialRequest, SurfaceLoops, SurfaceModel, VertexFunction, are_planar,
 };
 use coface::arrange::congruence::ClassRule;
 use coface::io::{
@@ -136,6 +136,26 @@ pub(crate) fn _persistence_certificate(
             true => request.extended_certificate(&name, &producer, &inputs),
             false => request.found(&name, &producer)?.certificate(&inputs),
         }
+    })
+}
+
+/// The certificate of the persistence of a zigzag in a file, as text.
+#[pyfunction]
+#[pyo3(signature = (path, coefficients, min_persistence, progress=None))]
+pub(crate) fn _zigzag_certificate(
+    py: Python<'_>,
+    path: PathBuf,
+    coefficients: &Bound<'_, PyAny>,
+    min_persistence: f64,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<String> {
+    let coefficients = ring(coefficients)?;
+    run(py, progress, || {
+        let name = path.display().to_string();
+        let bytes = content(&path)?;
+        let zigzag = GivenZigzag::read(&name, &bytes)?;
+        let request = PersistenceRequest::new().coefficients(coefficients).min_persistence(min_persistence);
+        request.zigzag_certificate(&zigzag, &[(&name, &bytes)])
     })
 }
 

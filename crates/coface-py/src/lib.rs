@@ -81,6 +81,7 @@ fn _coface(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<pi1::FundamentalGroup>()?;
     module.add_function(wrap_pyfunction!(certificates::_certificate, module)?)?;
     module.add_function(wrap_pyfunction!(certificates::_persistence_certificate, module)?)?;
+    module.add_function(wrap_pyfunction!(certificates::_zigzag_certificate, module)?)?;
     module.add_function(wrap_pyfunction!(certificates::_points_certificate, module)?)?;
     module.add_function(wrap_pyfunction!(certificates::_surface_certificate, module)?)?;
     module.add_function(wrap_pyfunction!(certificates::_walks_certificate, module)?)?;

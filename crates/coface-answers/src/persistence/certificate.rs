@@ -33,7 +33,8 @@ pub(super) struct Certificate<'a> {
 
 #[derive(Serialize)]
 pub(super) struct Proof {
-    /// The values of the vertices, or without a star of all cells, by degree.
+    /// The values of the vertices, or without a star of all cells, by degree; none of a zigzag.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) values: Vec<Vec<f64>>,
     /// For each degree the cells in the order in which they enter.
     pub(super) order: Vec<Vec<u32>>,

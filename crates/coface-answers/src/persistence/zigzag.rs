@@ -1,7 +1,9 @@
 //! Zigzag persistence of files of steps, and of simplices with the times at which they are there.
 
 use super::PersistenceRequest;
+use super::certificate::{Certificate, Proof, chains, entering};
 use crate::answer::{PersistenceAnswer, PersistencePairAnswer};
+use crate::homology::certificate::{Input, checked, refused};
 use coface_algebra::progress::stage;
 use coface_algebra::{Error, VertexId};
 use coface_complexes::simplicial::Simplex;
@@ -349,6 +351,53 @@ impl PersistenceRequest {
             vertex_names: None,
             remarks: Vec::new(),
         })
+    }
+}
+
+impl PersistenceRequest {
+    /// A certificate of [`Self::zigzag`], from the name and the bytes of the file that the zigzag was read from: chains of the cone that prove it, which
+    /// [`coface_check_persistence::check`] follows without any code of this library, as `docs/certificates.md` says. It has been checked.
+    ///
+    /// # Errors
+    /// Those of [`Self::zigzag`]; [`coface_algebra::ErrorKind::UnsupportedFormat`] if the checker does not read the file as this library does.
+    ///
+    /// # Complexity
+    /// That of the cycles of all pairs of the cone.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_answers::{GivenZigzag, PersistenceRequest};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let input = &b"i 0\ni 1\ni 0 1\nd 0 1\n"[..];
+    /// let zigzag = GivenZigzag::read("edge.txt", input)?;
+    /// let certificate = PersistenceRequest::new().zigzag_certificate(&zigzag, &[("edge.txt", input)])?;
+    /// let verdict = coface_check_persistence::check(certificate.as_bytes(), &[input]).expect("the proof holds");
+    /// assert_eq!(verdict.proved()[1], "Betti numbers over F_2 at the end = [2, 0]");
+    /// # Ok(()) }
+    /// ```
+    pub fn zigzag_certificate(
+        &self,
+        zigzag: &GivenZigzag,
+        inputs: &[(&str, &[u8])],
+    ) -> Result<String, Error> {
+        let answer = self.zigzag(zigzag)?;
+        let (cone, filtration) = zigzag.filtration.cone_filtration()?;
+        let order: Vec<Vec<u32>> =
+            (0..cone.degree_count()).map(|degree| entering(&filtration, degree)).collect();
+        let chains = chains(&cone, &filtration, answer.field, &order, |_, cell| cell.to_u32())?;
+        let certificate = Certificate {
+            coface_certificate: coface_check::VERSION,
+            coface: env!("CARGO_PKG_VERSION"),
+            kind: "zigzag",
+            inputs: Input::list(inputs),
+            min_persistence: self.min_persistence,
+            facets: None,
+            layout: None,
+            most_degree: None,
+            answer: &answer,
+            proof: Proof { values: Vec::new(), order, chains },
+        };
+        checked(&certificate, inputs).map_err(|fault| refused(&fault.to_string()))
     }
 }
 

@@ -69,7 +69,7 @@ pub(crate) struct Persistence {
     /// Zigzag persistence: the input has lines "i 0 1" where a simplex enters a complex and "d 0 1" where it leaves, as fzz reads them, with times as "i 0 1 @ 2.5" or
     /// the numbers of the lines; or JSON: `[["i",[0,1],2.5],..]`, or `{"simplices":[[0,1],..],"times":[[enters,leaves,..],..]}` as Dionysus has them. Pairs have a
     /// "kind", such as closed-open: whether the class is there at the time of its birth, and at that of its death
-    #[arg(long, conflicts_with_all = ["function", "values", "upper_star", "extended", "cycles", "certificate"])]
+    #[arg(long, conflicts_with_all = ["function", "values", "upper_star", "extended", "cycles"])]
     zigzag: bool,
     /// The paths of the points of the diagram while the first function becomes the second one, and so on, each vertex along a line. -o writes them as .json, or
     /// as .csv with lines vine,degree,parameter,birth,death; the JSON has "functions", and "vines", a list of {"degree","points"} with points `[parameter,birth,death]`
@@ -174,7 +174,9 @@ impl Persistence {
         let progress = Progress::start(common.quiet);
         if self.zigzag {
             let zigzag = zigzag::given(&self.input, common, &self.image)?;
-            let answer = self.request(Growth::Lower(None)).zigzag(&zigzag)?;
+            let request = self.request(Growth::Lower(None));
+            let answer = request.zigzag(&zigzag)?;
+            self.save_certificate(&progress, |inputs| request.zigzag_certificate(&zigzag, inputs))?;
             return self.give(common, output.as_ref(), progress, &answer, |bytes, format| {
                 write_table(&answer, bytes, format)
             });

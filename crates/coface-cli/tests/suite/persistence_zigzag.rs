@@ -217,3 +217,39 @@ fn curves_count_classes_between_their_open_ends() {
     let found = coface_in(folder.path(), &["diagram", "euler", "z.json", "--json"]).json();
     assert_eq!(found["curves"][0]["numbers"], json!([1.0, 1.0, 2.0, 2.0, 1.0, 1.0, 1.0, 2.0, 1.0]));
 }
+
+/// The checker reads the steps and makes the cone by itself.
+#[test]
+fn classes_of_zigzags_are_proved() {
+    use crate::certificates::lie_about;
+    use crate::program::{argument, coface};
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let certificate = path("zigzag.cert");
+    let circle = "i 0\ni 1\ni 2\ni 0 1\ni 1 2\ni 0 2\n";
+    let filled = format!("{circle}i 0 1 2\nd 0 1 2\nd 0 2 # opened\ni 2 0\ni 0 1 2\n");
+    let timed = "i 0 @ 0.5\ni 1 @ 0.5\ni 0 1 @ 0.5\nd 0 1 @ 0.5\nd 1 @ 2\ni 1 @ 3.25\n";
+    let steps = r#"[["i",[0],0],["i",[3],1.5],["d",[0],2],["i",[7],2]]"#;
+    let stays = r#"{"simplices":[[0],[1],[0,1],[2]],"times":[[0],[1,8],[2,5,6,7],[3,3,4,null]]}"#;
+    for (name, text, options) in [
+        ("circle.txt", circle, &[][..]),
+        ("filled.txt", &filled, &["--coefficients", "3"]),
+        ("timed.txt", timed, &["--min-persistence", "-1"]),
+        ("steps.json", steps, &[]),
+        ("stays.json", stays, &["--min-persistence", "0.5"]),
+    ] {
+        let input = path(name);
+        std::fs::write(&input, text).unwrap();
+        let words =
+            ["persistence", argument(&input), "--zigzag", "--certificate", argument(&certificate), "-q"];
+        let run = coface(&[&words[..], options].concat());
+        assert_eq!(run.status, 0, "{name}: {}", run.stderr);
+        let verdict = coface(&["check", argument(&certificate), argument(&input), "--json"]).json();
+        assert_eq!(verdict["unchecked"], serde_json::json!([]), "{verdict}");
+        lie_about(&certificate, &[&input]);
+    }
+    // Nothing is proved of another zigzag.
+    let other = path("other.txt");
+    std::fs::write(&other, "i 0\n").unwrap();
+    assert_eq!(coface(&["check", argument(&certificate), argument(&other)]).status, 1);
+}

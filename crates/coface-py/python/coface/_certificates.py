@@ -36,6 +36,7 @@ def certificate(
     function: str | Sequence[float] | None = None,
     upper_star: bool = False,
     extended: bool = False,
+    zigzag: bool = False,
     min_persistence: float = 0.0,
     points: Literal["rips", "alpha", "cech", "image"] | None = None,
     dimension: int = 1,
@@ -77,9 +78,9 @@ def certificate(
         persistence the field of two elements.
     relative
         ``"boundary"``, or the file of a part that is divided out.
-    function, upper_star, extended, min_persistence
+    function, upper_star, extended, zigzag, min_persistence
         Of persistence: ``"x"``, ``"y"`` or ``"z"``, or a number for each vertex, by default the last coordinate; whether cells enter from high values
-        to low ones; whether it is :func:`extended_persistence`; pairs whose persistence is not greater are left out.
+        to low ones; whether it is :func:`extended_persistence`; whether the file has the steps of a :func:`zigzag`; pairs whose persistence is not greater are left out.
     points, dimension, threshold
         Of persistence of points, in rows of numbers as text, or of the vertices of OFF and OBJ: the complex that they make, the highest degree (not of ``"alpha"``), and the largest value. Of
         ``"rips"``, and of ``"image"``, the voxels of a .npy or .pgm file as cubes (from high values with `upper_star`), all is proved from the file, and of ``"alpha"`` without a threshold; of ``"cech"`` that the simplices and values are those of the points is not.
@@ -143,6 +144,10 @@ def certificate(
         field = "f2" if coefficients is None else coefficients
         if points is not None:
             return _coface._points_certificate(path, points, field, dimension, threshold, upper_star, min_persistence, progress)
+        if zigzag:
+            if extended or upper_star or function is not None or points is not None:
+                raise _coface.InvalidInputError("a zigzag has its steps; leave the function, points, extended and upper_star out")
+            return _coface._zigzag_certificate(path, field, min_persistence, progress)
         if extended and upper_star:
             raise _coface.InvalidInputError("extended persistence has sublevel sets and superlevel sets; leave upper_star out")
         return _coface._persistence_certificate(path, field, function, upper_star, min_persistence, extended, progress)

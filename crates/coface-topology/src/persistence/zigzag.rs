@@ -289,24 +289,12 @@ impl ZigzagFiltration {
     /// ```
     pub fn persistence(&self, coefficients: Coefficients) -> Result<Vec<ZigzagPair>, Error> {
         let steps = stage("making the cone", 0);
-        let Cells { all, boundaries, .. } = &self.cells;
+        let all = &self.cells.all;
         if all.is_empty() {
             super::reduction::prime(coefficients)?;
             return Ok(Vec::new());
         }
-        let matrices = boundaries.iter().enumerate().skip(1).map(|(degree, columns)| {
-            let entries = columns
-                .iter()
-                .enumerate()
-                .flat_map(|(cell, faces)| faces.iter().map(move |&(face, sign)| (face, cell, sign)));
-            SparseMatrix::from_entries(all[degree - 1].len(), columns.len(), entries)
-        });
-        let complex = match all.len() {
-            1 => ChainComplex::of_points(all[0].len()),
-            _ => ChainComplex::new(matrices.collect::<Result<_, Error>>()?)?,
-        };
-        let cone = cone(&complex)?;
-        let filtration = Filtration::new(&cone, self.entrances(all))?;
+        let (cone, filtration) = self.cone_filtration()?;
         drop(steps);
         let whole = persistence(&cone, &filtration, coefficients)?;
         let cell = |degree: usize, cell: CellId| {
@@ -342,6 +330,51 @@ impl ZigzagFiltration {
         }
         pairs.sort_by_key(|pair| (pair.degree, pair.birth_step, pair.death_step.unwrap_or(usize::MAX)));
         Ok(pairs)
+    }
+
+    /// The cone over the complex of all stays of simplices, with a filtration whose pairs are those of the zigzag: the cells of each degree in the order of their
+    /// entrance, then the cones over those of the degree below, in degree 0 the apex. A cell enters at its step, counted from 0. Of n steps the cone over a cell that
+    /// leaves at step s enters at 2 n - s, and one over a cell that stays at n; the apex comes first.
+    ///
+    /// # Errors
+    /// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if there is no step.
+    ///
+    /// # Complexity
+    /// Linear in the cells and their faces.
+    ///
+    /// # References
+    /// T. K. Dey, T. Hou, *Fast computation of zigzag persistence* (2022).
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_complexes::simplicial::Simplex;
+    /// use coface_topology::{ZigzagFiltration, ZigzagStep};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let steps = [ZigzagStep::insertion(Simplex::from([0]), 1.0), ZigzagStep::deletion(Simplex::from([0]), 2.0)];
+    /// let (cone, filtration) = ZigzagFiltration::new(steps)?.cone_filtration()?;
+    /// assert_eq!(cone.f_vector(), [2, 1]);
+    /// assert_eq!((filtration.values(0), filtration.values(1)), (&[0.0, -1.0][..], &[3.0][..]));
+    /// # Ok(()) }
+    /// ```
+    pub fn cone_filtration(&self) -> Result<(ChainComplex, Filtration), Error> {
+        let Cells { all, boundaries, .. } = &self.cells;
+        if all.is_empty() {
+            return Err(Error::invalid("the zigzag has no step").with_cure("give steps"));
+        }
+        let matrices = boundaries.iter().enumerate().skip(1).map(|(degree, columns)| {
+            let entries = columns
+                .iter()
+                .enumerate()
+                .flat_map(|(cell, faces)| faces.iter().map(move |&(face, sign)| (face, cell, sign)));
+            SparseMatrix::from_entries(all[degree - 1].len(), columns.len(), entries)
+        });
+        let complex = match all.len() {
+            1 => ChainComplex::of_points(all[0].len()),
+            _ => ChainComplex::new(matrices.collect::<Result<_, Error>>()?)?,
+        };
+        let cone = cone(&complex)?;
+        let filtration = Filtration::new(&cone, self.entrances(all))?;
+        Ok((cone, filtration))
     }
 
     /// When the cells of the cone enter: those of the complex at their steps, then the cones, over what stays first, then over what leaves last.
