@@ -81,7 +81,7 @@ def test_cycles_of_functions() -> None:
     ((cycle, bounding_chain, cocycle),) = circle.cycles(1)
     assert bounding_chain is None and cycle.coefficients.tolist() == [1, 1, 1]
     assert cocycle.cells.tolist() == [2] or len(cocycle) == 1
-    with pytest.raises(coface.InvalidInputError, match="diagrams of complexes and of points"):
+    with pytest.raises(coface.InvalidInputError, match="the cubes of the image were not kept"):
         coface.cubical(np.zeros((2, 2))).cycles(0)
 
 

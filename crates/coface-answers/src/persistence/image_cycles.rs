@@ -21,7 +21,8 @@ const NEVER: u32 = u32::MAX;
 /// V-construction voxels are the vertices: they are numbered along the last axis first, and have their positions in the middle of the voxels.
 ///
 /// # Examples
-/// A ring of eight dark pixels around a bright one: a loop from 1 to 9, of the four sides of the pixel in the middle.
+/// A ring of eight dark pixels around a bright one: a loop from 1 to 9. It goes through a side of the dark pixel that comes last, and around this one and the
+/// bright one.
 /// ```
 /// use coface_answers::{GreyImage, ImageRequest};
 /// # fn main() -> Result<(), coface_algebra::Error> {
@@ -31,8 +32,8 @@ const NEVER: u32 = u32::MAX;
 /// let rim = &answer.diagram[1];
 /// assert_eq!((rim.degree, rim.birth, rim.death), (1, 1.0, Some(9.0)));
 /// assert_eq!(rim.death_cell.as_deref(), Some(&[1, 1][..]));
-/// assert_eq!(rim.cycle.as_ref().map(Vec::len), Some(4));
-/// assert_eq!(rim.bounding_chain.as_ref().map(Vec::len), Some(1));
+/// assert_eq!(rim.cycle.as_ref().map(Vec::len), Some(6));
+/// assert_eq!(rim.bounding_chain.as_ref().map(Vec::len), Some(2));
 /// # Ok(()) }
 /// ```
 #[derive(Debug)]

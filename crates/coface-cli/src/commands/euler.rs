@@ -106,12 +106,7 @@ impl Euler {
         let answer = match image {
             Some((name, image, of_image)) => request.answer_of_image(&name, &of_image, image)?,
             None => {
-                if let Some(option) = self.image.given() {
-                    return Err(Failure::new(format!(
-                        "{}: {option} is for the values of a volume; give a volume (.npy, NRRD, NIfTI, MetaImage, PGM, PNG) without a function and without a choice of voxels",
-                        input::name(&self.input)
-                    )));
-                }
+                self.image.refuse(&self.input)?;
                 let (name, producer) =
                     input::identify(source.model(common.reading(), &progress)?, &progress)?;
                 request.growth(self.growth()?).answer(&name, &producer)?
@@ -150,7 +145,7 @@ fn page(answer: &EulerAnswer) -> String {
     let of_what = if answer.smooth { "smooth Euler characteristics" } else { "Euler characteristics" };
     if let Some(directions) = &answer.directions {
         fact("directions", directions.len().to_string(), "a curve for each");
-        fact("heights", range(&answer.values), "all numbers with -o or --json");
+        fact("heights", range(&answer.values), "all with -o or --json");
     }
     let mut page = text::facts(&format!("{of_what} of {}", escaped(&answer.file)), &facts);
     if answer.directions.is_none() {
@@ -161,7 +156,7 @@ fn page(answer: &EulerAnswer) -> String {
             let _ = writeln!(page, "    at {value}: {number}");
         }
         if step > 1 {
-            let _ = writeln!(page, "    {}; all numbers with -o or --json", range(&answer.values));
+            let _ = writeln!(page, "    {}; all with -o or --json", range(&answer.values));
         }
     }
     page

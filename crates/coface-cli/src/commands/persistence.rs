@@ -229,12 +229,7 @@ impl Persistence {
             }
         }
         self.refuse_values(&source, common)?;
-        if let Some(option) = self.image.given() {
-            return Err(Failure::new(format!(
-                "{}: {option} is for the values of a volume; give a volume (.npy, NRRD, NIfTI, MetaImage, PGM, PNG) without a function and without a choice of voxels",
-                input::name(&self.input)
-            )));
-        }
+        self.image.refuse(&self.input)?;
         let loaded = source.model(common.reading(), &progress)?;
         let relative = part(&self.relative, &loaded.model, &progress)?;
         let image_of = part(&self.image_of, &loaded.model, &progress)?;

@@ -155,8 +155,9 @@ fn classes_have_cycles_on_the_cells_of_voxels() {
         (&rim["birth"], &rim["death"], &rim["death_cell"]),
         (&json!(1.0), &json!(9.0), &json!([1, 1]))
     );
-    assert_eq!(rim["cycle"].as_array().unwrap().len(), 4);
-    assert_eq!(rim["bounding_chain"].as_array().unwrap().len(), 1);
+    // Through a side of the pixel that comes last and closes the ring, around this one and the one in the middle.
+    assert_eq!(rim["cycle"].as_array().unwrap().len(), 6);
+    assert_eq!(rim["bounding_chain"].as_array().unwrap().len(), 2);
     assert_eq!(answer["torsion_primes"], json!([]));
     // The picture is a file as any other: the group of the loop is one closed line.
     let group = coface_in(place, &["info", "cycles.obj#H1_0_from_1_to_9", "--json"]).json();
@@ -226,4 +227,11 @@ fn euler_transforms_are_tables() {
     let none =
         coface_in(place, &["euler", "square.off", "--directions", "directions.txt", "--function", "x"]);
     assert_eq!(none.status, 2);
+    // What is about images is refused for models.
+    let none = coface_in(place, &["euler", "square.off", "--superlevel"]);
+    assert!(
+        none.status == 1 && none.stderr.contains("--superlevel is for the values of a volume"),
+        "{}",
+        none.stderr
+    );
 }

@@ -1932,11 +1932,11 @@ def cubical(
     array([[  5., -inf],
            [  2.,   1.]])
 
-    The loop of four edges around the high pixel:
+    A loop around the high pixel, through the side of a pixel that comes last and closes it:
 
     >>> ((rim, filling, _),) = coface.cubical([[1, 1, 1], [1, 9, 1], [1, 1, 1]], cycles=True).cycles(1)
     >>> len(rim.cells), len(filling.cells)
-    (4, 1)
+    (6, 2)
     """
     x, mask = image_of(x, mask)
     _, _, axes = voxel_rule(periodic=periodic)

@@ -40,6 +40,17 @@ impl ImageArguments {
         given.into_iter().find(|&(_, is_given)| is_given).map(|(name, _)| name)
     }
 
+    /// Refuses these options for an input that is no image.
+    pub(crate) fn refuse(&self, input: &Path) -> Result<(), Failure> {
+        match self.given() {
+            None => Ok(()),
+            Some(option) => Err(Failure::new(format!(
+                "{}: {option} is for the values of a volume; give a volume (.npy, NRRD, NIfTI, MetaImage, PGM, PNG) without a function and without a choice of voxels",
+                input::name(input)
+            ))),
+        }
+    }
+
     /// The image with its name and the question, if the input is a volume.
     pub(crate) fn question(
         &self,

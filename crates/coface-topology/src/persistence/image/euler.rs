@@ -55,7 +55,7 @@ impl ImageFiltration {
         let axes = shape.len();
         let are_faces = self.are_top_cells();
         let cells = near_cells(axes, are_faces);
-        let row = shape[axes - 1];
+        let row = shape[axes - 1].max(1);
         let mut changes = vec![0_i16; self.voxel_count()];
         changes.par_chunks_mut(row).enumerate().for_each(|(number, changes)| {
             // The places along all axes but the last one.
