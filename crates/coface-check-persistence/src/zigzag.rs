@@ -52,7 +52,7 @@ fn steps(input: &[u8]) -> Result<Vec<Step>, Fault> {
             return stays(&value);
         }
         for step in list(&value, "the steps", "input")? {
-            match &list(step, "a step", "input")?[..] {
+            match list(step, "a step", "input")? {
                 [word, simplex] => add(text(word, "a step", "input")?, vertices(simplex)?, None)?,
                 [word, simplex, time] => {
                     let time = time.as_f64().ok_or_else(|| fault("a time is no number"))?;

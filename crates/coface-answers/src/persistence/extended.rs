@@ -5,8 +5,8 @@ use super::{Growth, PersistenceRequest, VertexFunction};
 use crate::Producer;
 use crate::answer::{PersistenceAnswer, PersistencePairAnswer};
 use crate::homology::certificate::{Input, checked, refused};
-use coface_algebra::Error;
 use coface_algebra::progress::stage;
+use coface_algebra::{CellId, Error};
 use coface_topology::{Coefficients, ExtendedKind, ExtendedPair, extended_filtration, extended_persistence};
 
 impl PersistenceRequest {
@@ -125,19 +125,33 @@ impl PersistenceRequest {
         let answer = self.extended(name, producer)?;
         let read = coface_check::Complex::read(bytes).map_err(|fault| refused(&fault.to_string()))?;
         let complex = producer.chain_complex()?;
-        let places = producer.places_on(&read, &complex.f_vector())?;
+        let places = producer.places_on(&read, complex.f_vector())?;
         let Growth::Lower(function) = &self.growth else { return Err(refused("there is no function")) };
         let function = function.clone().unwrap_or_else(|| VertexFunction::of_positions(producer.positions()));
-        let mut values = vec![0.0; complex.cell_count(0)];
-        let given = function.values(producer, complex.cell_count(0))?;
-        places[0].iter().zip(given).for_each(|(&place, value)| values[place as usize] = value);
-        // Cells have the numbers of the checker from here on.
-        let own: Vec<Vec<u32>> = places.iter().map(|places| (0..places.len() as u32).collect()).collect();
-        let complex = renumbered(&read, &own)?;
-        let (cone, filtration) = extended_filtration(&complex, &values)?;
+        let own = function.values(producer, complex.cell_count(0))?;
+        let mut values = vec![0.0; own.len()];
+        places[0].iter().zip(&own).for_each(|(&place, &value)| values[place as usize] = value);
+        // Cells of one value enter in the order of the library, on which the pairs depend.
+        let complex = renumbered(&read, &places)?;
+        let (cone, filtration) = extended_filtration(&complex, &own)?;
+        let counts = complex.f_vector();
+        let place = |degree: usize, cell: CellId| -> u32 {
+            let own = counts.get(degree).copied().unwrap_or(0);
+            match cell.index().checked_sub(own) {
+                None => places[degree][cell.index()],
+                Some(over) => {
+                    let below = degree.checked_sub(1).map_or(0, |below| places[below][over]);
+                    own as u32 + below
+                }
+            }
+        };
         let order: Vec<Vec<u32>> =
             (0..cone.degree_count()).map(|degree| entering(&filtration, degree)).collect();
-        let chains = chains(&cone, &filtration, answer.field, &order, |_, cell| cell.to_u32())?;
+        let chains = chains(&cone, &filtration, answer.field, &order, place)?;
+        let placed = |(degree, order): (usize, Vec<u32>)| {
+            order.into_iter().map(|cell| place(degree, CellId::new(cell as usize))).collect()
+        };
+        let order = order.into_iter().enumerate().map(placed).collect();
         let certificate = Certificate {
             coface_certificate: coface_check::VERSION,
             coface: env!("CARGO_PKG_VERSION"),

@@ -161,8 +161,9 @@ pub(crate) fn lie_about(certificate: &Path, inputs: &[&Path]) {
     // Another bound between the same pairs, another tolerance with the same classes, or another threshold with the same simplices is another true claim, and another path may leave the same
     // pieces; other walks are another question.
     let other_claims = ["/min_persistence", "/answer/tolerance", "/answer/threshold"];
-    let has_points =
-        ["rips", "image"].contains(&honest["kind"].as_str().unwrap()) || !honest["facets"].is_null();
+    let has_points = ["rips", "image", "zigzag"].contains(&honest["kind"].as_str().unwrap())
+        || !honest["facets"].is_null()
+        || honest["answer"]["star"] == "extended";
     all.retain(|place| {
         // The same pairs over another field are another true claim too.
         (!has_points || place != "/answer/field")

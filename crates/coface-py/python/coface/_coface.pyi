@@ -5408,6 +5408,8 @@ def cubical(values: NDArray[Any], *, construction: str = "t", superlevel: bool =
         A prime field: ``"f2"``, ``"f3"``, ...
     least : float
         Classes that live no longer than this are left out.
+    cycles : bool
+        Whether the cubes are kept, for cycles.
     progress : bool or callable, optional
         ``True`` shows a bar; a function is called with (stage, done, total).
 
