@@ -26,6 +26,7 @@ mod graph;
 mod grids;
 mod homology;
 mod homology_facts;
+mod images;
 mod incidence;
 mod json;
 mod maps;
