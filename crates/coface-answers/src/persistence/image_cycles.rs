@@ -258,7 +258,7 @@ impl ImageCells {
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let row = GreyImage::new(&[3], [0.0, f64::NAN, 1.0])?;
     /// let (complex, filtration) = ImageRequest::new().cells("row", row)?.complex()?;
-    /// assert_eq!((complex.f_vector(), filtration.values(1)), (vec![4, 2], &[0.0, 1.0][..]));
+    /// assert_eq!((complex.f_vector(), filtration.values(1)), (&[4, 2][..], &[0.0, 1.0][..]));
     /// # Ok(()) }
     /// ```
     pub fn complex(&self) -> Result<(ChainComplex, Filtration), Error> {
