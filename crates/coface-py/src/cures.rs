@@ -1,7 +1,7 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 52] = [
+const PHRASES: [(&str, &str); 53] = [
     ("by ChainComplex::of_points", "by coface.ChainComplex.of_points(n)"),
     ("ask with HomologyRequest::certified(true)", "ask with generators=True"),
     (
@@ -14,6 +14,7 @@ const PHRASES: [(&str, &str); 52] = [
     ("coface persistence POINTS --rips", "coface.rips(points)"),
     ("leave out --radii, or --weighted", "leave out radii, or weights"),
     ("give the range of values (--range A B)", "give values: at=array"),
+    ("give a table with a row for each direction: --directions FILE", "give directions=array, with a row for each"),
     ("(--births A B --persistences A B)", "(births=(a, b), persistences=(a, b))"),
     (
         "give a diagram that coface persistence INPUT -o DIAGRAM.json writes, or a table of births and deaths",

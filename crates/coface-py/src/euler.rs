@@ -99,7 +99,10 @@ pub(crate) fn _euler_transform<'py>(
 ) -> PyResult<Transform<'py>> {
     let complex = complex.get();
     let directions = match directions.extract::<PyReadonlyArray2<'py, f64>>() {
-        Ok(rows) => Directions::Given(rows.as_array().rows().into_iter().map(|row| row.to_vec()).collect()),
+        Ok(rows) => Directions::Given {
+            place: "directions".to_owned(),
+            rows: rows.as_array().rows().into_iter().map(|row| row.to_vec()).collect(),
+        },
         Err(_) => Directions::Even(whole(directions)?),
     };
     let request = request(at, smooth)?.directions(Some(directions)).normalized(normalize);

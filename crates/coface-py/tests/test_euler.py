@@ -49,6 +49,8 @@ def test_what_cannot_be_is_refused() -> None:
         lambda: coface.euler_transform([[0, 1]]),
         lambda: coface.euler_transform(torus, 0),
         lambda: coface.euler_transform(torus, [[0.0, 0.0, 0.0]]),
+        lambda: coface.euler_transform(torus, np.zeros((0, 3))),
+        lambda: coface.euler_transform(torus, [[1.0, 0.0]]),
     ):
         with pytest.raises(coface.Error):
             wrong()

@@ -13,22 +13,22 @@ use serde::Serialize;
 /// A certificate of a diagram, as `docs/certificates.md` describes it.
 #[derive(Serialize)]
 pub(super) struct Certificate<'a> {
-    pub(super) coface_certificate: u64,
-    pub(super) coface: &'static str,
-    pub(super) kind: &'static str,
-    pub(super) inputs: Vec<Input>,
-    pub(super) min_persistence: f64,
+    coface_certificate: u64,
+    coface: &'static str,
+    kind: &'static str,
+    inputs: Vec<Input>,
+    min_persistence: f64,
     /// Of points, the simplices that no other one has as a face.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) facets: Option<Vec<Vec<u32>>>,
+    facets: Option<Vec<Vec<u32>>>,
     /// How the file has the points, where the checker finds the simplices and values.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) layout: Option<&'static str>,
+    layout: Option<&'static str>,
     /// The highest degree of the answer, where the complex has others above.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) most_degree: Option<usize>,
-    pub(super) answer: &'a PersistenceAnswer,
-    pub(super) proof: Proof,
+    most_degree: Option<usize>,
+    answer: &'a PersistenceAnswer,
+    proof: Proof,
 }
 
 #[derive(Serialize)]
@@ -40,6 +40,30 @@ pub(super) struct Proof {
     pub(super) order: Vec<Vec<u32>>,
     /// For each degree from 1 on the chains that end classes, and the cycles of those that stay, with cells in the order in which they enter.
     pub(super) chains: Vec<Vec<Vec<(Number, u32)>>>,
+}
+
+impl<'a> Certificate<'a> {
+    /// A certificate of an answer about a file, whose cells the checker reads from it.
+    pub(super) fn new(
+        kind: &'static str,
+        inputs: &[(&str, &[u8])],
+        min_persistence: f64,
+        answer: &'a PersistenceAnswer,
+        proof: Proof,
+    ) -> Self {
+        Self {
+            coface_certificate: coface_check::VERSION,
+            coface: env!("CARGO_PKG_VERSION"),
+            kind,
+            inputs: Input::list(inputs),
+            min_persistence,
+            facets: None,
+            layout: None,
+            most_degree: None,
+            answer,
+            proof,
+        }
+    }
 }
 
 impl FoundDiagram<'_> {
@@ -133,18 +157,9 @@ impl FoundDiagram<'_> {
         let order = order.into_iter().zip(&places);
         let order =
             order.map(|(order, own)| order.into_iter().map(|cell| own[cell as usize]).collect()).collect();
-        let mut certificate = Certificate {
-            coface_certificate: coface_check::VERSION,
-            coface: env!("CARGO_PKG_VERSION"),
-            kind: "persistence",
-            inputs: Input::list(inputs),
-            min_persistence: self.min_persistence,
-            facets,
-            layout: None,
-            most_degree: self.most_degree,
-            answer: &answer,
-            proof: Proof { values, order, chains },
-        };
+        let proof = Proof { values, order, chains };
+        let certificate = Certificate::new("persistence", inputs, self.min_persistence, &answer, proof);
+        let mut certificate = Certificate { facets, most_degree: self.most_degree, ..certificate };
         if certificate.facets.is_some() && self.function.starts_with("squared radii") {
             // Where the checker does not find the alpha complex, such as one that ends at a value, it is listed alone.
             for layout in ["points", "vertices"] {

@@ -3,7 +3,7 @@
 use super::curves::{CurveValues, even_values, require_values};
 use super::{GreyImage, Growth, ImageRequest, PersistenceRequest};
 use crate::Producer;
-use crate::answer::{EulerAnswer, Remark};
+use crate::answer::EulerAnswer;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, VertexId};
 use coface_io::NumberTable;
@@ -16,7 +16,12 @@ pub enum Directions {
     /// So many that are spread evenly, as [`even_directions`] gives them.
     Even(usize),
     /// These, which need not be as long as a unit.
-    Given(Vec<Vec<f64>>),
+    Given {
+        /// Where they come from.
+        place: String,
+        /// A row of coordinates for each.
+        rows: Vec<Vec<f64>>,
+    },
 }
 
 /// Asks for the Euler characteristic of what has entered at each value, or along each of some directions: its Euler characteristic transform.
@@ -220,6 +225,39 @@ impl EulerRequest {
         find().map_err(|error| error.in_file(name))
     }
 
+    /// The directions, as long as a unit.
+    fn units(&self, transform: &EulerTransform<'_>, dimension: usize) -> Result<Vec<Vec<f64>>, Error> {
+        match &self.directions {
+            None => Ok(Vec::new()),
+            Some(Directions::Even(count)) => {
+                require_values(*count)?;
+                if dimension > 3 {
+                    return Err(Error::invalid(format!(
+                        "no directions are spread evenly in dimension {dimension}"
+                    ))
+                    .with_cure("give a table with a row for each direction: --directions FILE"));
+                }
+                even_directions(dimension, *count)
+            }
+            Some(Directions::Given { place, rows }) if rows.is_empty() => {
+                Err(Error::invalid("there are no directions here")
+                    .with_cure("write a row of numbers for each direction")
+                    .in_file(place))
+            }
+            Some(Directions::Given { place, rows }) => {
+                let unit = |(number, row): (usize, &Vec<f64>)| {
+                    transform.unit(row).map_err(|error| {
+                        let message = format!("row {}: {}", number + 1, error.message());
+                        Error::new(error.kind(), message)
+                            .with_cure(error.cure().unwrap_or_default())
+                            .in_file(place)
+                    })
+                };
+                rows.iter().enumerate().map(unit).collect()
+            }
+        }
+    }
+
     /// The answer of one curve.
     fn of_one(&self, name: &str, function: String, curve: &EulerCurve) -> Result<EulerAnswer, Error> {
         let values = match &self.values {
@@ -289,7 +327,8 @@ impl EulerRequest {
     /// use coface_algebra::chains::ChainComplex;
     /// use coface_answers::{Directions, EulerRequest};
     /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let request = EulerRequest::new().directions(Some(Directions::Given(vec![vec![2.0]])));
+    /// let twice = Directions::Given { place: "twice".to_owned(), rows: vec![vec![2.0]] };
+    /// let request = EulerRequest::new().directions(Some(twice));
     /// let answer = request.answer_of_positions("points", &ChainComplex::of_points(2), vec![1.0, 4.0], 1)?;
     /// assert_eq!((answer.values[0], answer.values[99], answer.curves[0][99]), (-4.0, 4.0, 2.0));
     /// # Ok(()) }
@@ -304,16 +343,7 @@ impl EulerRequest {
         let normal =
             (self.is_normalized && dimension > 0).then(|| normalize(&mut flat, dimension)).transpose()?;
         let transform = EulerTransform::new(complex, &flat, dimension)?;
-        let directions = match &self.directions {
-            Some(Directions::Given(directions)) => directions.clone(),
-            Some(Directions::Even(count)) => {
-                require_values(*count)?;
-                even_directions(dimension, *count)?
-            }
-            None => Vec::new(),
-        };
-        let directions =
-            directions.iter().map(|direction| transform.unit(direction)).collect::<Result<Vec<_>, _>>()?;
+        let directions = self.units(&transform, dimension)?;
         let even = CurveValues::Even { count: SAMPLES, range: None };
         let asked = if self.values == CurveValues::Ends { &even } else { &self.values };
         let whole = if self.is_normalized { [-1.0, 1.0] } else { transform.range() };
@@ -332,7 +362,7 @@ impl EulerRequest {
             smooth: self.is_smooth,
             values,
             curves,
-            remarks: Vec::<Remark>::new(),
+            remarks: Vec::new(),
         })
     }
 }

@@ -4,7 +4,7 @@ use super::certificate::{Certificate, Proof, chains, entering, renumbered};
 use super::{Growth, PersistenceRequest, VertexFunction};
 use crate::Producer;
 use crate::answer::{PersistenceAnswer, PersistencePairAnswer};
-use crate::homology::certificate::{Input, checked, refused};
+use crate::homology::certificate::{checked, refused};
 use coface_algebra::progress::stage;
 use coface_algebra::{CellId, Error};
 use coface_topology::{Coefficients, ExtendedKind, ExtendedPair, extended_filtration, extended_persistence};
@@ -152,18 +152,8 @@ impl PersistenceRequest {
             order.into_iter().map(|cell| place(degree, CellId::new(cell as usize))).collect()
         };
         let order = order.into_iter().enumerate().map(placed).collect();
-        let certificate = Certificate {
-            coface_certificate: coface_check::VERSION,
-            coface: env!("CARGO_PKG_VERSION"),
-            kind: "persistence",
-            inputs: Input::list(inputs),
-            min_persistence: self.min_persistence,
-            facets: None,
-            layout: None,
-            most_degree: None,
-            answer: &answer,
-            proof: Proof { values: vec![values], order, chains },
-        };
+        let proof = Proof { values: vec![values], order, chains };
+        let certificate = Certificate::new("persistence", inputs, self.min_persistence, &answer, proof);
         checked(&certificate, inputs).map_err(|fault| refused(&fault.to_string()))
     }
 }

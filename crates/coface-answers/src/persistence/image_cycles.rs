@@ -10,7 +10,7 @@ use coface_algebra::{CellId, Error};
 use coface_complexes::cubical::CubicalVolume;
 use coface_geometry::Positions;
 use coface_io::{Model, ModelParts, Structure, VoxelFrame};
-use coface_topology::{Filtration, ImageConstruction};
+use coface_topology::{Filtration, ImageConstruction, ImageFiltration};
 
 /// The rank of a voxel that never enters.
 const NEVER: u32 = u32::MAX;
@@ -48,7 +48,7 @@ pub struct ImageCells {
     kept: Option<Vec<Vec<CellId>>>,
     /// The rank of each voxel among those that enter, `NEVER` for the others.
     ranks: Vec<u32>,
-    numbers: Vec<f64>,
+    filtration: ImageFiltration,
 }
 
 impl ImageRequest {
@@ -67,9 +67,7 @@ impl ImageRequest {
         let make = || {
             let (filtration, is_periodic) = self.filtration(&axes, filtration)?;
             let _steps = stage("making cubes", 0);
-            let count = axes.voxel_count();
-            let numbers: Vec<f64> = (0..count).map(|voxel| filtration.value(voxel)).collect();
-            let mut ranks = vec![NEVER; count];
+            let mut ranks = vec![NEVER; axes.voxel_count()];
             (0..).zip(filtration.entrance()).for_each(|(rank, voxel)| ranks[voxel as usize] = rank);
             let shape: Vec<u32> = axes.shape().iter().map(|&length| length as u32).collect();
             let are_vertices = self.construction == ImageConstruction::Vertices;
@@ -88,9 +86,9 @@ impl ImageRequest {
             let around = Around { shape: &shape, is_periodic: &is_periodic, are_vertices };
             let entering = entering(&volume, &axes, &ranks, &around)?;
             let producer = placed(volume, frame, are_vertices)?;
-            Ok((numbers, ranks, entering, producer))
+            Ok((filtration, ranks, entering, producer))
         };
-        let (numbers, ranks, entering, producer) = make().map_err(|error: Error| error.in_file(name))?;
+        let (filtration, ranks, entering, producer) = make().map_err(|error: Error| error.in_file(name))?;
         let is_whole = entering.iter().flatten().all(|&voxel| voxel != NEVER);
         let kept = (!is_whole).then(|| {
             let enter = |voxels: &Vec<u32>| {
@@ -100,7 +98,7 @@ impl ImageRequest {
             entering.iter().map(enter).collect()
         });
         let (name, request) = (name.to_owned(), self.clone());
-        Ok(ImageCells { name, request, axes, producer, entering, kept, ranks, numbers })
+        Ok(ImageCells { name, request, axes, producer, entering, kept, ranks, filtration })
     }
 }
 
@@ -267,7 +265,7 @@ impl ImageCells {
             Some(kept) => complex.subcomplex(kept)?,
             None => complex,
         };
-        let filtration = self.filtration(&complex)?;
+        let filtration = self.filtration_of(&complex)?;
         Ok((complex, filtration))
     }
 
@@ -292,11 +290,11 @@ impl ImageCells {
     }
 
     /// The cells that enter, by their voxels, and of one voxel by their numbers.
-    fn filtration(&self, complex: &ChainComplex) -> Result<Filtration, Error> {
+    fn filtration_of(&self, complex: &ChainComplex) -> Result<Filtration, Error> {
         let degrees = self.entering.iter().take(complex.degree_count());
         let voxels: Vec<Vec<u32>> =
             degrees.map(|voxels| voxels.iter().copied().filter(|&voxel| voxel != NEVER).collect()).collect();
-        let value = |&voxel: &u32| self.numbers[voxel as usize];
+        let value = |&voxel: &u32| self.filtration.value(voxel as usize);
         let values = voxels.iter().map(|voxels| voxels.iter().map(value).collect()).collect();
         let sorted = |voxels: &Vec<u32>| {
             let mut order: Vec<u32> = (0..voxels.len() as u32).collect();

@@ -3,7 +3,7 @@
 use super::PersistenceRequest;
 use super::certificate::{Certificate, Proof, chains, entering};
 use crate::answer::{PersistenceAnswer, PersistencePairAnswer};
-use crate::homology::certificate::{Input, checked, refused};
+use crate::homology::certificate::{checked, refused};
 use coface_algebra::progress::stage;
 use coface_algebra::{Error, VertexId};
 use coface_complexes::simplicial::Simplex;
@@ -385,18 +385,8 @@ impl PersistenceRequest {
         let order: Vec<Vec<u32>> =
             (0..cone.degree_count()).map(|degree| entering(&filtration, degree)).collect();
         let chains = chains(&cone, &filtration, answer.field, &order, |_, cell| cell.to_u32())?;
-        let certificate = Certificate {
-            coface_certificate: coface_check::VERSION,
-            coface: env!("CARGO_PKG_VERSION"),
-            kind: "zigzag",
-            inputs: Input::list(inputs),
-            min_persistence: self.min_persistence,
-            facets: None,
-            layout: None,
-            most_degree: None,
-            answer: &answer,
-            proof: Proof { values: Vec::new(), order, chains },
-        };
+        let proof = Proof { values: Vec::new(), order, chains };
+        let certificate = Certificate::new("zigzag", inputs, self.min_persistence, &answer, proof);
         checked(&certificate, inputs).map_err(|fault| refused(&fault.to_string()))
     }
 }

@@ -1,18 +1,21 @@
 //! `coface euler`: Euler characteristics of what has entered, and along directions.
 
 use super::diagram::{LISTED, Values, give_table, table_output};
-use super::persistence::image::ImageArguments;
+use super::persistence::image::{ImageArguments, refuse_upper_star, stream};
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::filtration::{read_function, read_values};
 use crate::input::{self, Source};
+use crate::output::is_json;
 use crate::progress::Progress;
+use crate::remarks;
 use clap::Args;
 use coface::algebra::escaped;
-use coface::answers::answer::EulerAnswer;
+use coface::answers::answer::{EulerAnswer, Remark, RemarkCode};
 use coface::answers::{Directions, EulerRequest, Growth, text};
 use coface::io::NumberTable;
 use coface::topology::Coefficients;
+use serde::Deserialize;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -38,7 +41,7 @@ pub(crate) struct Euler {
     /// Grow by superlevel sets, from high values to low ones: each cell enters with its lowest vertex
     #[arg(long, conflicts_with = "directions")]
     upper_star: bool,
-    /// A curve for each of N directions, spread evenly on the circle or the sphere, or of the directions in a table with a row for each
+    /// A curve for each of N directions, spread evenly on the circle or the sphere, or of the directions in a file: a table with a row for each, or JSON, such as what this verb writes
     #[arg(long, value_name = "N|FILE", value_parser = directions)]
     directions: Option<DirectionsGiven>,
     /// Along directions, measure heights from the middle of the box of the vertices, in units of the greatest distance from there, so that all lie from -1 to 1
@@ -70,11 +73,29 @@ fn directions(text: &str) -> Result<DirectionsGiven, String> {
     }
 }
 
+/// What a JSON file of directions has: the answer of this verb, or a bare list.
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum Rows {
+    Answer { directions: Vec<Vec<f64>> },
+    Bare(Vec<Vec<f64>>),
+}
+
+/// The directions in a table of numbers, or in JSON.
 fn read_directions(path: &Path) -> Result<Directions, Failure> {
-    let name = input::name(path);
-    let bytes = std::fs::read(path).map_err(|error| coface::Error::from(error).in_file(name.clone()))?;
-    let table = NumberTable::read(&bytes[..]).map_err(|error| error.in_file(name))?;
-    Ok(Directions::Given((0..table.row_count()).map(|row| table.row(row).to_vec()).collect()))
+    let place = input::name(path);
+    let bytes = std::fs::read(path).map_err(|error| coface::Error::from(error).in_file(place.clone()))?;
+    if is_json(path) {
+        let rows = serde_json::from_slice(&bytes).map_err(|_| {
+            let fault = coface::Error::invalid("there are no directions here");
+            fault.with_cure("write [[x,y,z],..], a list of numbers for each direction").in_file(place.clone())
+        })?;
+        let (Rows::Answer { directions: rows } | Rows::Bare(rows)) = rows;
+        return Ok(Directions::Given { place, rows });
+    }
+    let table = NumberTable::read(&bytes[..]).map_err(|error| error.in_file(place.clone()))?;
+    let rows = (0..table.row_count()).map(|row| table.row(row).to_vec()).collect();
+    Ok(Directions::Given { place, rows })
 }
 
 impl Euler {
@@ -92,11 +113,15 @@ impl Euler {
         };
         let progress = Progress::start(common.quiet);
         let source = Source::of(&self.input)?;
-        let is_of_model = directions.is_some()
-            || self.function.is_some()
-            || self.values_of_cells.is_some()
-            || self.upper_star
-            || common.voxels.rule_given().is_some();
+        let has_function = self.function.is_some() || self.values_of_cells.is_some();
+        let is_of_values = !has_function && common.voxels.rule_given().is_none();
+        let is_of_model = directions.is_some() || !is_of_values;
+        if self.upper_star && is_of_values {
+            refuse_upper_star(&source, common)?;
+        }
+        if directions.is_some() && is_of_values {
+            say_what_is_set(&source, common)?;
+        }
         request = request.directions(directions);
         let field = Coefficients::Modulo(2);
         let image = match is_of_model {
@@ -123,6 +148,22 @@ impl Euler {
         let function = self.function.as_deref().map(read_function).transpose()?;
         Ok(if self.upper_star { Growth::Upper(function) } else { Growth::Lower(function) })
     }
+}
+
+/// Says which voxels of an image are the model along directions, unless it has but one value that is not 0.
+fn say_what_is_set(source: &Source<'_>, common: &Common) -> Result<(), Failure> {
+    let Some((name, volume)) = stream(source, common)? else { return Ok(()) };
+    let (numbers, _) = volume.numbers().map_err(|error| error.in_file(name.clone()))?;
+    let mut set = numbers.into_iter().filter(|&number| number != 0.0);
+    let first = set.next();
+    if set.all(|number| Some(number) == first) {
+        return Ok(());
+    }
+    let message = "along directions the voxels that are not 0 are a model; choose others with --threshold T";
+    let said = [Remark::new(RemarkCode::InputReading, message)];
+    common.reading().accept(&said).map_err(|error| error.in_file(name.clone()))?;
+    remarks::take(&name, &said);
+    Ok(())
 }
 
 fn page(answer: &EulerAnswer) -> String {

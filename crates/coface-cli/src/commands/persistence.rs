@@ -336,15 +336,16 @@ impl Persistence {
             common.points.refuse("persistence with a certificate")?;
         }
         let found = request.cycles(self.cycles.is_some()).found_in(name, producer, mesh)?;
+        let answer = found.answer();
         if let Some(Some(place)) = &self.cycles {
             progress.stage(format!("writing {}", place.display()));
-            save_cycles(place, &found.answer(), || found.cycles_model())?;
+            save_cycles(place, &answer, || found.cycles_model())?;
         }
         self.save_certificate(&progress, |inputs| match of_points {
             true => found.certificate_of_points(inputs),
             false => found.certificate(inputs),
         })?;
-        self.give(common, output, progress, &found.answer(), |bytes, format| {
+        self.give(common, output, progress, &answer, |bytes, format| {
             write_diagram(found.diagram(), bytes, format)
         })
     }
@@ -378,14 +379,12 @@ impl Persistence {
                 "{name}: --relative and --image-of are for functions on vertices, and the values of a volume are those of voxels; say the function on the voxels that are set: --function x"
             )));
         }
-        Err(Failure::new(match self.upper_star {
-            true => format!(
-                "{name}: --upper-star is for functions on vertices, and the values of a volume are those of voxels; grow by superlevel sets of the values with --superlevel, or say the function on the voxels that are set: --function x"
-            ),
-            false => format!(
-                "{name}: --extended is for functions on vertices, and the values of a volume are those of voxels; say the function on the voxels that are set: --function x"
-            ),
-        }))
+        if self.upper_star {
+            return image::refuse_upper_star(source, common);
+        }
+        Err(Failure::new(format!(
+            "{name}: --extended is for functions on vertices, and the values of a volume are those of voxels; say the function on the voxels that are set: --function x"
+        )))
     }
 
     /// The classes of an image with their cycles, which are written where that is asked for.
@@ -395,11 +394,12 @@ impl Persistence {
         progress: &Progress,
     ) -> Result<PersistenceAnswer, Failure> {
         let found = cells.found()?;
+        let answer = found.answer();
         if let Some(Some(place)) = &self.cycles {
             progress.stage(format!("writing {}", place.display()));
-            save_cycles(place, &found.answer(), || found.cycles_model())?;
+            save_cycles(place, &answer, || found.cycles_model())?;
         }
-        Ok(found.answer())
+        Ok(answer)
     }
 
     /// Whether a volume grows by its own values: nothing says that it is a model of voxels.

@@ -234,4 +234,60 @@ fn euler_transforms_are_tables() {
         "{}",
         none.stderr
     );
+    // The answer has directions, which are taken again.
+    let of_json = ["euler", "square.off", "--directions", "ect.json", "--normalize", "--json"];
+    assert_eq!(
+        coface_in(place, &["euler", "square.off", "--directions", "5", "--normalize", "-o", "ect.json"])
+            .status,
+        0
+    );
+    assert_eq!(coface_in(place, &of_json).json()["curves"], again["curves"]);
+}
+
+/// What is no direction is told with its row, and nothing is answered about no directions.
+#[test]
+fn directions_that_are_none_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    std::fs::write(place.join("edge.off"), "OFF\n2 1 0\n0 0 0\n2 0 0\n2 0 1\n").unwrap();
+    for (name, text, message) in [
+        ("words.txt", "a b c\n", "words.txt: there are no directions here"),
+        ("empty.txt", "", "empty.txt: there are no directions here"),
+        ("short.txt", "1 0 0\n1 0 0\n", ""),
+        ("flat.txt", "1 0\n", "flat.txt: row 1: a direction has 2 coordinates, and positions have 3"),
+        ("zero.txt", "1 0 0\n0 0 0\n", "zero.txt: row 2: [0.0, 0.0, 0.0] is no direction"),
+        ("nan.txt", "nan 0 0\n", "nan.txt: row 1: [NaN, 0.0, 0.0] is no direction"),
+        ("none.json", "[]", "none.json: there are no directions here"),
+        ("diagram.json", "{\"diagram\":[]}", "diagram.json: there are no directions here"),
+    ] {
+        std::fs::write(place.join(name), text).unwrap();
+        let run = coface_in(place, &["euler", "edge.off", "--directions", name]);
+        assert_eq!(run.status, i32::from(!message.is_empty()), "{name}: {}", run.stderr);
+        assert!(run.stderr.contains(message), "{name}: {}", run.stderr);
+    }
+}
+
+/// The values of a volume are no function on vertices, and along directions it is the model of the voxels that are set.
+#[test]
+fn values_of_voxels_are_not_mistaken_for_heights() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    std::fs::write(place.join("a.nrrd"), nrrd(&[4, 3], &CORNERS)).unwrap();
+    std::fs::write(place.join("set.nrrd"), nrrd(&[2, 1], &[0.0, 5.0])).unwrap();
+    for verb in ["euler", "persistence"] {
+        let run = coface_in(place, &[verb, "a.nrrd", "--upper-star"]);
+        assert!(run.status == 1 && run.stderr.contains("with --superlevel"), "{}", run.stderr);
+        assert_eq!(coface_in(place, &[verb, "a.nrrd", "--upper-star", "--function", "x"]).status, 0);
+    }
+    let run = coface_in(place, &["euler", "a.nrrd", "--directions", "4", "--json"]);
+    assert!(run.stderr.contains("the voxels that are not 0 are a model"), "{}", run.stderr);
+    assert_eq!(run.json()["remarks"][0]["code"], json!("input-reading"));
+    assert_eq!(coface_in(place, &["euler", "a.nrrd", "--directions", "4", "--strict"]).status, 1);
+    for clear in [
+        &["euler", "set.nrrd", "--directions", "4"][..],
+        &["euler", "a.nrrd", "--directions", "4", "--threshold", "2"],
+    ] {
+        let run = coface_in(place, clear);
+        assert_eq!((run.status, &run.stderr[..]), (0, ""));
+    }
 }

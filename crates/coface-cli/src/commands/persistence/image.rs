@@ -84,6 +84,14 @@ impl ImageArguments {
     }
 }
 
+/// Refuses superlevel sets of a function for a volume whose values nothing chooses from: its values are not those of vertices.
+pub(crate) fn refuse_upper_star(source: &Source<'_>, common: &Common) -> Result<(), Failure> {
+    let Some((name, _)) = stream(source, common)? else { return Ok(()) };
+    Err(Failure::new(format!(
+        "{name}: --upper-star is for functions on vertices, and the values of a volume are those of voxels; grow by superlevel sets of the values with --superlevel, or say the function on the voxels that are set: --function x"
+    )))
+}
+
 /// The voxels of a volume file; `None` for any other input.
 pub(crate) fn stream<'s>(
     source: &'s Source<'_>,

@@ -37,6 +37,14 @@ pub(super) const CASES: &[Case] = &[
         .files(&[("image.nrrd", "NRRD0004\ntype: double\ndimension: 1\nsizes: 2\nencoding: ascii\n\nnan nan\n")])
         .refused("coface euler image.nrrd --samples 3")
         .cured(&[&["coface euler image.nrrd --samples 3 --range 0 1"]]),
+    Case::new("commands/euler.rs", "choose others with --threshold T")
+        .files(&[("image.pgm", "P2\n2 2\n9\n1 2\n3 4\n")])
+        .answered("coface euler image.pgm --directions 3")
+        .cured(&[&["coface euler image.pgm --directions 3 --threshold 2"]]),
+    Case::new("persistence/euler.rs", "give a table with a row for each direction: --directions FILE")
+        .files(&[("four.off", "4OFF\n2 0 1\n0 0 0 0\n1 0 0 0\n2 0 1\n"), ("rows.txt", "1 0 0 0\n")])
+        .refused("coface euler four.off --directions 8")
+        .cured(&[&["coface euler four.off --directions rows.txt"]]),
     Case::new("commands/euler.rs", "all with -o or --json")
         .files(&[("model.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")])
         .answered("coface euler model.off --directions 3")
@@ -45,7 +53,7 @@ pub(super) const CASES: &[Case] = &[
         .files(&[("model.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")])
         .answered("coface euler model.off --function x --samples 50")
         .cured(&[&["coface euler model.off --function x --samples 50 --json"]]),
-    Case::new("commands/persistence.rs", "--upper-star is for functions on vertices")
+    Case::new("persistence/image.rs", "--upper-star is for functions on vertices")
         .files(&[("image.pgm", "P2\n2 2\n9\n1 2\n3 4\n")])
         .refused("coface persistence image.pgm --upper-star")
         .cured(&[

@@ -152,7 +152,7 @@ impl<'a> EulerTransform<'a> {
     pub fn unit(&self, direction: &[f64]) -> Result<Vec<f64>, Error> {
         if direction.len() != self.dimension {
             return Err(Error::invalid(format!(
-                "the direction {direction:?} has {} coordinates, and positions have {}",
+                "a direction has {} coordinates, and positions have {}",
                 direction.len(),
                 self.dimension
             ))

@@ -1,17 +1,11 @@
 //! Euler characteristic curves of images.
 
 use super::filtration::ImageFiltration;
+use super::gradient::{NEVER, OUTSIDE, lower_star};
 use crate::persistence::EulerCurve;
-use coface_algebra::Error;
-use coface_algebra::memory;
 use coface_algebra::progress::stage;
+use coface_algebra::{Error, memory};
 use rayon::prelude::*;
-
-/// A cell at a voxel: the steps from the voxel to the others that it has to do with.
-struct NearCell {
-    sign: i8,
-    others: Vec<[i8; 4]>,
-}
 
 impl ImageFiltration {
     /// The Euler characteristic of the sublevel sets, or superlevel sets, at each value, counted cell by cell: no homology is needed.
@@ -21,7 +15,7 @@ impl ImageFiltration {
     /// [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) where the free memory would not do.
     ///
     /// # Complexity
-    /// That of sorting the voxels, and at most $3^n 2^n$ comparisons a voxel of n axes, in parallel.
+    /// That of sorting the voxels, and $3^n$ comparisons a voxel of n axes, in parallel.
     ///
     /// # References
     /// T. Heiss, H. Wagner, *Streaming algorithm for Euler characteristic curves of multidimensional images* (2017).
@@ -37,105 +31,33 @@ impl ImageFiltration {
     /// ```
     pub fn euler_curve(&self) -> Result<EulerCurve, Error> {
         self.require_births()?;
-        let voxels = self.voxel_count() as u64;
-        memory::require(voxels.saturating_mul(40), || {
-            format!("the Euler characteristics of an image with {voxels} voxels")
-        })?;
-        let order = self.entrance();
+        // A change for each vertex, beside the ranks.
+        let bytes = self.vertex_count().saturating_mul(2).saturating_add(self.bytes_of_ranks());
+        memory::require(bytes, || "the Euler characteristics of the image".to_owned())?;
+        let (grid, ranks, vertices) = self.ranked();
         let _steps = stage("counting cells", 0);
-        let changes = self.changes();
-        let curve =
-            order.iter().map(|&voxel| (self.value(voxel as usize), i64::from(changes[voxel as usize])));
-        Ok(EulerCurve::of_changes(curve, self.is_falling()))
-    }
-
-    /// By how much the characteristic changes when a voxel enters: cells that it is the first or the last one of.
-    fn changes(&self) -> Vec<i16> {
-        let shape = self.shape();
-        let axes = shape.len();
-        let are_faces = self.are_top_cells();
-        let cells = near_cells(axes, are_faces);
-        let row = shape[axes - 1].max(1);
-        let mut changes = vec![0_i16; self.voxel_count()];
-        changes.par_chunks_mut(row).enumerate().for_each(|(number, changes)| {
-            // The places along all axes but the last one.
-            let mut place = vec![0; axes];
-            let mut rest = number;
-            for axis in (0..axes - 1).rev() {
-                place[axis] = rest % shape[axis];
-                rest /= shape[axis];
+        let codes = &grid.codes;
+        // In the T-construction a cell of the grid stands for one of the other degree: see the words of this section.
+        let own = if self.is_dual() { grid.axes() } else { 0 };
+        let is_odd =
+            (0..codes.count()).map(|code| u128::from((own + codes.degree(code as u8)) % 2 == 1) << code);
+        let odd = is_odd.fold(0, |mask, bit| mask | bit);
+        let change = |vertex: usize| match ranks[vertex] {
+            OUTSIDE | NEVER => 0,
+            _ => {
+                let owned = lower_star(&grid, &ranks, vertex);
+                owned.count_ones() as i16 - 2 * (owned & odd).count_ones() as i16
             }
-            for (along, change) in changes.iter_mut().enumerate() {
-                place[axes - 1] = along;
-                let voxel = number * row + along;
-                if self.has_entrance(voxel) {
-                    *change = cells
-                        .iter()
-                        .filter(|cell| self.is_owner(voxel, &place, cell, are_faces))
-                        .map(|cell| i16::from(cell.sign))
-                        .sum();
-                }
-            }
-        });
-        changes
-    }
-
-    /// Whether a voxel is the first one around a cell, or the last one of its corners, all of which enter.
-    fn is_owner(&self, voxel: usize, place: &[usize], cell: &NearCell, are_faces: bool) -> bool {
-        cell.others.iter().all(|step| {
-            match self.neighbor(place, step).filter(|&other| self.has_entrance(other)) {
-                // A face on the rim belongs to the voxel beside it, and a cube beyond the rim is none.
-                None => are_faces,
-                Some(other) => self.comes_before(voxel, other) == are_faces,
-            }
+        };
+        let changes: Vec<i16> = (0..ranks.len()).into_par_iter().map(change).collect();
+        let of_rank = |&vertex: &u32| {
+            let vertex = vertex as usize;
+            (self.value(grid.voxel_of_vertex(vertex)), i64::from(changes[vertex]))
+        };
+        // What is first by rank enters last in the T-construction.
+        Ok(match self.is_dual() {
+            true => EulerCurve::of_changes(vertices.iter().rev().map(of_rank), self.is_falling()),
+            false => EulerCurve::of_changes(vertices.iter().map(of_rank), self.is_falling()),
         })
     }
-
-    /// The number of the voxel that lies one step from a place, in each direction that is not 0; `None` outside.
-    fn neighbor(&self, place: &[usize], step: &[i8; 4]) -> Option<usize> {
-        let mut number = 0;
-        for (axis, (&at, &length)) in place.iter().zip(self.shape()).enumerate() {
-            let to = match step[axis] {
-                0 => at,
-                1 if at + 1 < length => at + 1,
-                -1 if at > 0 => at - 1,
-                side if self.is_periodic_along(axis) => {
-                    if side > 0 {
-                        0
-                    } else {
-                        length - 1
-                    }
-                }
-                _ => return None,
-            };
-            number = number * length + to;
-        }
-        Some(number)
-    }
-}
-
-/// The cells at a voxel: faces, each between the voxels on its sides, or cubes at a vertex, each with its other corners.
-fn near_cells(axes: usize, are_faces: bool) -> Vec<NearCell> {
-    let cell = |index: usize| {
-        let mut digits = [0_i8; 4];
-        let mut rest = index;
-        for digit in digits.iter_mut().take(axes) {
-            *digit = [0, 1, -1][rest % 3];
-            rest /= 3;
-        }
-        let extents: Vec<usize> = (0..axes).filter(|&axis| digits[axis] != 0).collect();
-        let degree = if are_faces { axes - extents.len() } else { extents.len() };
-        let other = |choice: usize| {
-            let mut step = [0; 4];
-            for (bit, &axis) in extents.iter().enumerate() {
-                if choice >> bit & 1 == 1 {
-                    step[axis] = digits[axis];
-                }
-            }
-            step
-        };
-        let others = (1..1 << extents.len()).map(other).collect();
-        NearCell { sign: if degree % 2 == 0 { 1 } else { -1 }, others }
-    };
-    (0..3_usize.pow(axes as u32)).map(cell).collect()
 }

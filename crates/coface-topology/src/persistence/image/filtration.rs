@@ -304,14 +304,24 @@ impl ImageFiltration {
     /// # Ok(()) }
     /// ```
     pub fn bytes(&self) -> u64 {
-        let (shape, is_periodic) = self.long_axes();
-        let vertices = Grid::vertex_count_of(&shape, &is_periodic).unwrap_or(usize::MAX) as u64;
-        // Ranks, a forest and what became of cells; the order of vertices, and what is held while it is made.
+        // A forest and what became of cells.
+        let (axes, vertices) = (self.long_axes().0.len(), self.vertex_count());
+        vertices.saturating_mul(4 + (1 << axes)).saturating_add(self.bytes_of_ranks())
+    }
+
+    /// About how much memory ranks of vertices take: ranks, the order of vertices, and what is held while it is made.
+    pub(super) fn bytes_of_ranks(&self) -> u64 {
         let sorting = match self.numbers {
             Numbers::Single(_) => 16,
             Numbers::Double(_) => 24,
         };
-        vertices.saturating_mul(8 + (1 << shape.len())).saturating_add(sorting * self.numbers.len() as u64)
+        self.vertex_count().saturating_mul(4).saturating_add(sorting * self.numbers.len() as u64)
+    }
+
+    /// The number of vertices of the grid.
+    pub(super) fn vertex_count(&self) -> u64 {
+        let (shape, is_periodic) = self.long_axes();
+        Grid::vertex_count_of(&shape, &is_periodic).unwrap_or(usize::MAX) as u64
     }
 
     /// The axes that are longer than 1, or the first one if none is.
@@ -406,6 +416,11 @@ impl ImageFiltration {
         (0..self.numbers.len()).find(|&place| self.numbers.at(place) == first)
     }
 
+    /// Whether superlevel sets grow.
+    pub(super) fn is_falling(&self) -> bool {
+        self.is_superlevel
+    }
+
     /// That no voxel is at infinity where values come from.
     pub(super) fn require_births(&self) -> Result<(), Error> {
         let Some(place) = self.voxel_born_at_infinity() else { return Ok(()) };
@@ -415,40 +430,6 @@ impl ImageFiltration {
             self.numbers.at(place)
         ))
         .with_cure("write a finite number there, or NaN if the voxel is outside"))
-    }
-
-    pub(super) fn shape(&self) -> &[usize] {
-        &self.shape
-    }
-
-    pub(super) fn voxel_count(&self) -> usize {
-        self.numbers.len()
-    }
-
-    pub(super) fn is_falling(&self) -> bool {
-        self.is_superlevel
-    }
-
-    pub(super) fn is_periodic_along(&self, axis: usize) -> bool {
-        self.is_periodic[axis]
-    }
-
-    pub(super) fn are_top_cells(&self) -> bool {
-        self.is_dual()
-    }
-
-    /// Whether a voxel ever enters.
-    pub(super) fn has_entrance(&self, voxel: usize) -> bool {
-        self.numbers.at(voxel).is_finite()
-    }
-
-    /// Whether a voxel enters before another one; one of those with the same value always does.
-    pub(super) fn comes_before(&self, voxel: usize, other: usize) -> bool {
-        let (a, b) = (self.numbers.at(voxel), self.numbers.at(other));
-        if a == b {
-            return voxel < other;
-        }
-        (a < b) != self.is_superlevel
     }
 
     /// The place of a voxel along each axis.
@@ -468,11 +449,17 @@ impl ImageFiltration {
         voxel
     }
 
-    fn is_dual(&self) -> bool {
+    pub(super) fn is_dual(&self) -> bool {
         self.construction == ImageConstruction::TopCells
     }
 
     fn gradient(&self) -> Gradient {
+        let (grid, ranks, vertices) = self.ranked();
+        Gradient::new(grid, ranks, vertices)
+    }
+
+    /// The grid, the rank of each of its vertices, and the vertices by rank.
+    pub(super) fn ranked(&self) -> (Grid, Vec<u32>, Vec<u32>) {
         let (shape, is_periodic) = self.long_axes();
         let grid = Grid::new(&shape, &is_periodic);
         let _steps = stage("sorting voxels", 0);
@@ -483,7 +470,7 @@ impl ImageFiltration {
             ranks[place] = rank as u32 + 1;
             *vertex = place as u32;
         }
-        Gradient::new(grid, ranks, vertices)
+        (grid, ranks, vertices)
     }
 
     /// The classes as those of the image, off the diagonal.

@@ -141,21 +141,28 @@ fn starts_of_runs(cells: &[Cell], runs: usize) -> Vec<u32> {
     starts
 }
 
-/// Matches the cells of a lower star; adds those that are left to a list.
-fn match_star(grid: &Grid, ranks: &[u32], vertex: usize, fates: &[AtomicU8], critical: &mut Vec<Cell>) {
+/// The cells that a vertex owns, a bit for each code.
+pub(super) fn lower_star(grid: &Grid, ranks: &[u32], vertex: usize) -> u128 {
     let (codes, star, rank) = (&grid.codes, grid.star(vertex), ranks[vertex]);
     let mut lower = 0u128;
     for code in 1..codes.count() {
         let is_lower = ranks[Grid::opposite(star, vertex, code as Code)] < rank;
         lower |= u128::from(is_lower) << code;
     }
-    let mut left = 1u128;
+    let mut owned = 1u128;
     if lower != 0 {
         for code in 1..codes.count() {
             let corners = codes.corners(code);
-            left |= u128::from(lower & corners == corners) << code;
+            owned |= u128::from(lower & corners == corners) << code;
         }
     }
+    owned
+}
+
+/// Matches the cells of a lower star; adds those that are left to a list.
+fn match_star(grid: &Grid, ranks: &[u32], vertex: usize, fates: &[AtomicU8], critical: &mut Vec<Cell>) {
+    let (codes, star, rank) = (&grid.codes, grid.star(vertex), ranks[vertex]);
+    let mut left = lower_star(grid, ranks, vertex);
     let set = |code: u32, byte: u8| {
         fates[grid.place(star, vertex, code as Code)].store(byte, Ordering::Relaxed);
     };
