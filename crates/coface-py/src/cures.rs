@@ -14,7 +14,10 @@ const PHRASES: [(&str, &str); 53] = [
     ("coface persistence POINTS --rips", "coface.rips(points)"),
     ("leave out --radii, or --weighted", "leave out radii, or weights"),
     ("give the range of values (--range A B)", "give values: at=array"),
-    ("give a table with a row for each direction: --directions FILE", "give directions=array, with a row for each"),
+    (
+        "give a table with a row for each direction: --directions FILE",
+        "give directions=array, with a row for each",
+    ),
     ("(--births A B --persistences A B)", "(births=(a, b), persistences=(a, b))"),
     (
         "give a diagram that coface persistence INPUT -o DIAGRAM.json writes, or a table of births and deaths",

@@ -9,7 +9,7 @@ use coface_algebra::progress::stage;
 use coface_algebra::{CellId, Error};
 use coface_complexes::cubical::CubicalVolume;
 use coface_geometry::Positions;
-use coface_io::{Model, ModelParts, Structure, VoxelFrame};
+use coface_io::{ModelParts, Structure, VoxelFrame};
 use coface_topology::{Filtration, ImageConstruction, ImageFiltration};
 
 /// The rank of a voxel that never enters.
@@ -69,23 +69,11 @@ impl ImageRequest {
             let _steps = stage("making cubes", 0);
             let mut ranks = vec![NEVER; axes.voxel_count()];
             (0..).zip(filtration.entrance()).for_each(|(rank, voxel)| ranks[voxel as usize] = rank);
-            let shape: Vec<u32> = axes.shape().iter().map(|&length| length as u32).collect();
             let are_vertices = self.construction == ImageConstruction::Vertices;
-            let volume = match are_vertices {
-                false => {
-                    CubicalVolume::new(&shape, &is_periodic, |voxel| ranks[axes.number(voxel)] != NEVER)?
-                }
-                true => {
-                    let cubes = shape.iter().zip(&is_periodic);
-                    let cubes: Vec<u32> = cubes
-                        .map(|(&length, &periodic)| if periodic { length } else { (length - 1).max(1) })
-                        .collect();
-                    CubicalVolume::full(&cubes, &is_periodic)?
-                }
-            };
-            let around = Around { shape: &shape, is_periodic: &is_periodic, are_vertices };
+            let around = Around::new(axes.shape(), is_periodic, are_vertices);
+            let volume = around.volume(|voxel| ranks[axes.number(voxel)] != NEVER)?;
             let entering = entering(&volume, &axes, &ranks, &around)?;
-            let producer = placed(volume, frame, are_vertices)?;
+            let producer = around.placed(volume, frame)?;
             Ok((filtration, ranks, entering, producer))
         };
         let (filtration, ranks, entering, producer) = make().map_err(|error: Error| error.in_file(name))?;
@@ -103,13 +91,62 @@ impl ImageRequest {
 }
 
 /// The voxels that a cell has to do with: those that it is a face of, or those that are its corners.
-struct Around<'a> {
-    shape: &'a [u32],
-    is_periodic: &'a [bool],
+struct Around {
+    shape: Vec<u32>,
+    is_periodic: Vec<bool>,
     are_vertices: bool,
+    /// The axes along which cells extend: of corners those with more than one voxel, or a single one.
+    axes: Vec<usize>,
 }
 
-impl Around<'_> {
+impl Around {
+    fn new(shape: &[usize], is_periodic: Vec<bool>, are_vertices: bool) -> Self {
+        let is_long = |&axis: &usize| !are_vertices || shape[axis] != 1;
+        let mut axes: Vec<usize> = (0..shape.len()).filter(is_long).collect();
+        if axes.is_empty() {
+            axes.push(0);
+        }
+        let shape = shape.iter().map(|&length| length as u32).collect();
+        Self { shape, is_periodic, are_vertices, axes }
+    }
+
+    /// The volume that has the cells: of the voxels that enter, or of all cubes between voxels.
+    fn volume(&self, enters: impl FnMut(&[u32]) -> bool) -> Result<CubicalVolume, Error> {
+        if !self.are_vertices {
+            return CubicalVolume::new(&self.shape, &self.is_periodic, enters);
+        }
+        let is_periodic: Vec<bool> = self.axes.iter().map(|&axis| self.is_periodic[axis]).collect();
+        let lengths = self.axes.iter().map(|&axis| self.shape[axis]).zip(&is_periodic);
+        let cubes: Vec<u32> = lengths
+            .map(|(length, &periodic)| if periodic { length } else { length.saturating_sub(1).max(1) })
+            .collect();
+        CubicalVolume::full(&cubes, &is_periodic)
+    }
+
+    /// The volume with the positions of its vertices: of voxels, if they are the vertices, their centers.
+    fn placed(&self, volume: CubicalVolume, frame: Option<VoxelFrame>) -> Result<Producer, Error> {
+        let structure = Some(Structure::Volume(volume));
+        if !self.are_vertices {
+            return Producer::of(ModelParts { structure, frame, ..ModelParts::default() }.into_model());
+        }
+        let mut producer = Producer::of(ModelParts { structure, ..ModelParts::default() }.into_model())?;
+        let dimension = self.shape.len();
+        if producer.positions.dimension() > 0 && dimension <= 3 {
+            let mut centers = Vec::with_capacity(producer.positions.len() * dimension);
+            for corner in producer.positions.as_flat().chunks_exact(self.axes.len()) {
+                let first = centers.len();
+                centers.resize(first + dimension, 0.5);
+                self.axes.iter().zip(corner).for_each(|(axis, x)| centers[first + axis] += x);
+            }
+            let centers = Positions::from_flat(dimension, centers)?;
+            producer.positions = match frame {
+                Some(frame) => frame.place(&centers)?,
+                None => centers,
+            };
+        }
+        Ok(producer)
+    }
+
     /// The places of these voxels along an axis, of a cell at this place in doubled coordinates; `None` for what is outside.
     fn along(&self, axis: usize, place: u64) -> [Option<u32>; 2] {
         let length = u64::from(self.shape[axis]);
@@ -132,17 +169,17 @@ fn entering(
     volume: &CubicalVolume,
     axes: &Axes,
     ranks: &[u32],
-    around: &Around<'_>,
+    around: &Around,
 ) -> Result<Vec<Vec<u32>>, Error> {
     let along = volume.shape().iter().zip(volume.is_periodic());
     let lengths: Vec<u64> =
         along.map(|(&length, periodic)| 2 * u64::from(length) + u64::from(!periodic)).collect();
     let axis_count = lengths.len();
     let mut near = vec![[None; 2]; axis_count];
-    let mut voxel = vec![0; axis_count];
+    let mut voxel = vec![0; around.shape.len()];
     let mut of_cell = |mut id: u64| {
         for axis in (0..axis_count).rev() {
-            near[axis] = around.along(axis, id % lengths[axis]);
+            near[axis] = around.along(around.axes[axis], id % lengths[axis]);
             id /= lengths[axis];
         }
         // The rank and the number of the voxel.
@@ -151,23 +188,17 @@ fn entering(
             let mut is_inside = true;
             for axis in 0..axis_count {
                 match near[axis][choice >> axis & 1] {
-                    Some(place) => voxel[axis] = place,
+                    Some(place) => voxel[around.axes[axis]] = place,
                     None => is_inside = false,
                 }
             }
             let number = if is_inside { axes.number(&voxel) } else { usize::MAX };
             let rank = if is_inside { ranks[number] } else { NEVER };
-            let is_better = match found {
-                None => true,
-                // A voxel that never enters has the highest rank: a corner of it never does either.
-                Some((best, _)) => {
-                    if around.are_vertices {
-                        rank > best
-                    } else {
-                        rank < best
-                    }
-                }
-            };
+            // A voxel that never enters has the highest rank: a corner of it never does either.
+            let is_better = found.is_none_or(|(best, _)| match around.are_vertices {
+                true => rank > best,
+                false => rank < best,
+            });
             if is_better {
                 found = Some((rank, number));
             }
@@ -176,24 +207,6 @@ fn entering(
     };
     let degrees = volume.cell_ids()?;
     Ok(degrees.iter().map(|ids| ids.iter().map(|&id| of_cell(id)).collect()).collect())
-}
-
-/// The volume with the positions of its vertices: of voxels, if they are the vertices, their centers.
-fn placed(volume: CubicalVolume, frame: Option<VoxelFrame>, are_vertices: bool) -> Result<Producer, Error> {
-    let structure = Some(Structure::Volume(volume));
-    if !are_vertices {
-        return Producer::of(ModelParts { structure, frame, ..ModelParts::default() }.into_model());
-    }
-    let mut producer = Producer::of(ModelParts { structure, ..ModelParts::default() }.into_model())?;
-    if producer.positions.dimension() > 0 {
-        let centers = producer.positions.as_flat().iter().map(|corner| corner + 0.5).collect();
-        let centers = Positions::from_flat(producer.positions.dimension(), centers)?;
-        producer.positions = match frame {
-            Some(frame) => frame.place(&centers)?,
-            None => centers,
-        };
-    }
-    Ok(producer)
 }
 
 impl ImageCells {
@@ -331,36 +344,21 @@ pub struct FoundImageCycles<'a> {
 }
 
 impl<'a> FoundImageCycles<'a> {
-    /// The diagram with its cycles, whose cells have numbers in the complex of [`ImageCells::producer`].
+    /// The diagram with its cycles, whose cells have numbers in the complex of [`ImageCells::producer`]. It gives them as a model too, unless there are four axes or
+    /// periodic ones, whose cubes have no positions.
     ///
     /// # Examples
     /// ```
     /// use coface_answers::{GreyImage, ImageRequest};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let cells = ImageRequest::new().cells("row", GreyImage::new(&[3], [0.0, 5.0, 1.0])?)?;
-    /// assert_eq!(cells.found()?.found().cycles().map(<[_]>::len), Some(2));
+    /// let found = cells.found()?;
+    /// assert_eq!(found.found().cycles().map(<[_]>::len), Some(2));
+    /// assert_eq!(found.found().cycles_model()?.groups()[0].name(), "H0_0_from_0_to_inf");
     /// # Ok(()) }
     /// ```
     pub fn found(&self) -> &FoundDiagram<'a> {
         &self.found
-    }
-
-    /// The cycles and the chains that they bound as a model, as [`FoundDiagram::cycles_model`] gives them.
-    ///
-    /// # Errors
-    /// Those of [`FoundDiagram::cycles_model`]: cubes of four axes, and of periodic ones, have no positions.
-    ///
-    /// # Examples
-    /// ```
-    /// use coface_answers::{GreyImage, ImageRequest};
-    /// # fn main() -> Result<(), coface_algebra::Error> {
-    /// let ring = GreyImage::new(&[3, 3], [1.0, 1.0, 1.0, 1.0, 9.0, 1.0, 1.0, 1.0, 1.0])?;
-    /// let cells = ImageRequest::new().cells("ring", ring)?;
-    /// assert_eq!(cells.found()?.cycles_model()?.groups()[1].name(), "H1_0_from_1_to_9");
-    /// # Ok(()) }
-    /// ```
-    pub fn cycles_model(&self) -> Result<Model, Error> {
-        self.found.cycles_model()
     }
 
     /// The answer as plain data: classes are born and die by voxels, and chains have the vertices of their cells.

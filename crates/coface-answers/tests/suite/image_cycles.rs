@@ -91,11 +91,29 @@ fn a_file_whose_first_axis_runs_fastest_keeps_its_axes() {
     let text = format!("{header}1 1 1 1 9 1 1 1 1");
     let read = || GreyImage::read(VolumeStream::new(text.as_bytes(), Format::Nrrd).unwrap()).unwrap().0;
     let cells = ImageRequest::new().cells("ring", read()).unwrap();
-    let model = cells.found().unwrap().cycles_model().unwrap();
+    let model = cells.found().unwrap().found().cycles_model().unwrap();
     let flat = model.positions().as_flat();
     let high = [0, 1, 2].map(|axis| flat.iter().skip(axis).step_by(3).copied().fold(0.0, f64::max));
     assert_eq!(high, [6.0, 9.0, 5.0], "three voxels of 2 x 3 x 5");
     let cells = ImageRequest::new().construction(ImageConstruction::Vertices).cells("ring", read()).unwrap();
     let positions = cells.producer().positions().as_flat();
     assert_eq!(&positions[..3], [1.0, 1.5, 2.5], "the center of the first voxel");
+    assert_eq!(positions.len(), 27, "a vertex for each voxel");
+}
+
+/// Where voxels are the vertices they have the numbers of vertices, also along axes of one voxel.
+#[test]
+fn vertices_are_voxels() {
+    for shape in [&[4, 1][..], &[1, 4], &[1, 1], &[2, 1, 3], &[1, 2, 1, 2]] {
+        let count = shape.iter().product::<usize>();
+        let image = GreyImage::new(shape, (0..count).map(|number| number as f64)).unwrap();
+        let cells =
+            ImageRequest::new().construction(ImageConstruction::Vertices).cells("image", image).unwrap();
+        let (complex, filtration) = cells.complex().unwrap();
+        assert_eq!(complex.cell_count(0), count, "{shape:?}");
+        for vertex in 0..count {
+            assert_eq!(cells.cell(0, CellId::new(vertex)).0, [vertex as u32]);
+            assert_eq!(filtration.values(0)[vertex], vertex as f64);
+        }
+    }
 }

@@ -397,7 +397,7 @@ impl Persistence {
         let answer = found.answer();
         if let Some(Some(place)) = &self.cycles {
             progress.stage(format!("writing {}", place.display()));
-            save_cycles(place, &answer, || found.cycles_model())?;
+            save_cycles(place, &answer, || found.found().cycles_model())?;
         }
         Ok(answer)
     }
