@@ -5,6 +5,7 @@ use coface_algebra::chains::{Chain, ChainComplex};
 use coface_algebra::{CellId, Error, VertexId};
 use coface_algebra::{Integer, Sign};
 use coface_complexes::cell_mesh::CellShape;
+use coface_geometry::Positions;
 use coface_io::{Group, GroupKind, Model, ModelParts};
 use std::collections::BTreeMap;
 
@@ -125,7 +126,8 @@ impl Producer {
 
     /// A picture of chains: their cells as points, polylines, polygons and 3-cells, one [`Group`] a chain, on the positions
     /// of the producer. Edges are joined to polylines that run as the coefficients say and as often, closed ones where
-    /// the chain is a cycle; polygons are turned by the sign, and other multiplicities are not shown.
+    /// the chain is a cycle; polygons are turned by the sign, and other multiplicities are not shown. Vertices have the numbers of the producer, but for voxels,
+    /// whose corners are in no file: those that no cell has are left out.
     ///
     /// # Errors
     /// [`InvalidInput`](coface_algebra::ErrorKind::InvalidInput) if the cells have no vertices or the vertices no positions, or a cell has no picture:
@@ -166,6 +168,9 @@ impl Producer {
                 members.push(if kind == GroupKind::Vertices { vertices[0] } else { (first + at) as u32 });
             }
             model.groups.push(Group::new(name, kind, members));
+        }
+        if matches!(self.cells, Cells::Voxels(_)) {
+            drop_unused(&mut model)?;
         }
         let model = model.into_model();
         model.check()?;
@@ -221,6 +226,11 @@ impl Producer {
                 model.shapes.push(mesh.shapes()[cell.index()]);
                 model.cells.push(vertices);
             }
+            (3, Cells::Voxels(_)) => {
+                // The corners of a voxel come by rising places, those of a hexahedron around its bottom and its top.
+                model.shapes.push(CellShape::Hexahedron);
+                model.cells.push(&[0, 4, 6, 2, 1, 5, 7, 3].map(|corner| vertices[corner]));
+            }
             (3, _) => {
                 model.shapes.push(CellShape::Tetrahedron);
                 model.cells.push(vertices);
@@ -232,6 +242,35 @@ impl Producer {
         }
         Ok(())
     }
+}
+
+/// Leaves out the vertices that no cell has.
+fn drop_unused(model: &mut ModelParts) -> Result<(), Error> {
+    let mut used: Vec<u32> = model.points.iter().map(|vertex| vertex.to_u32()).collect();
+    for lists in [&model.lines, &model.polygons, &model.cells] {
+        used.extend(lists.items());
+    }
+    used.sort_unstable();
+    used.dedup();
+    let place = |vertex: u32| used.binary_search(&vertex).map_or(vertex, |place| place as u32);
+    for lists in [&mut model.lines, &mut model.polygons, &mut model.cells] {
+        lists.items_mut().iter_mut().for_each(|vertex| *vertex = place(*vertex));
+    }
+    for vertex in &mut model.points {
+        *vertex = VertexId::new(place(vertex.to_u32()) as usize);
+    }
+    let of_group = |group: &Group| match group.kind() {
+        GroupKind::Vertices => {
+            let members = group.members().iter().map(|&vertex| place(vertex)).collect();
+            Group::new(group.name(), GroupKind::Vertices, members)
+        }
+        _ => group.clone(),
+    };
+    model.groups = model.groups.iter().map(of_group).collect();
+    let points = used.iter().flat_map(|&vertex| model.positions.point(VertexId::new(vertex as usize)));
+    model.positions = Positions::from_flat(model.positions.dimension(), points.copied().collect())?;
+    model.vertex_count = used.len();
+    Ok(())
 }
 
 #[cfg(test)]

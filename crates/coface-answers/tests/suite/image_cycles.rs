@@ -91,8 +91,7 @@ fn a_file_whose_first_axis_runs_fastest_keeps_its_axes() {
     let text = format!("{header}1 1 1 1 9 1 1 1 1");
     let read = || GreyImage::read(VolumeStream::new(text.as_bytes(), Format::Nrrd).unwrap()).unwrap().0;
     let cells = ImageRequest::new().cells("ring", read()).unwrap();
-    let model = cells.found().unwrap().found().cycles_model().unwrap();
-    let flat = model.positions().as_flat();
+    let flat = cells.producer().positions().as_flat();
     let high = [0, 1, 2].map(|axis| flat.iter().skip(axis).step_by(3).copied().fold(0.0, f64::max));
     assert_eq!(high, [6.0, 9.0, 5.0], "three voxels of 2 x 3 x 5");
     let cells = ImageRequest::new().construction(ImageConstruction::Vertices).cells("ring", read()).unwrap();
@@ -115,5 +114,43 @@ fn vertices_are_voxels() {
             assert_eq!(cells.cell(0, CellId::new(vertex)).0, [vertex as u32]);
             assert_eq!(filtration.values(0)[vertex], vertex as f64);
         }
+    }
+}
+
+/// A cavity is bounded by voxels, which are hexahedra around their bottoms and tops.
+#[test]
+fn cavities_are_drawn_as_hexahedra() {
+    let numbers = |side: usize| {
+        let last = side - 1;
+        (0..side * side * side).map(move |place| {
+            let at = [place / (side * side), place / side % side, place % side];
+            let inside = at.iter().all(|&x| 0 < x && x < last);
+            if inside { 9.0 } else { 1.0 }
+        })
+    };
+    for (construction, side, volume) in
+        [(ImageConstruction::TopCells, 4, 8.0), (ImageConstruction::Vertices, 4, 27.0)]
+    {
+        let image = GreyImage::new(&[side; 3], numbers(side)).unwrap();
+        let cells = ImageRequest::new().construction(construction).cells("box", image).unwrap();
+        let model = cells.found().unwrap().found().cycles_model().unwrap();
+        assert!(model.groups().iter().any(|group| group.name() == "filling_H2_0"), "{:?}", model.groups());
+        // Each voxel is turned as its corners say: volumes add up.
+        let total: f64 = model
+            .cells()
+            .iter()
+            .map(|cell| {
+                let at = |corner: usize| {
+                    model.positions().point(coface_algebra::VertexId::new(cell[corner] as usize))
+                };
+                let edge = |to: usize| [0, 1, 2].map(|axis| at(to)[axis] - at(0)[axis]);
+                let [a, b, c] = [edge(1), edge(3), edge(4)];
+                a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+                    + a[2] * (b[0] * c[1] - b[1] * c[0])
+            })
+            .sum();
+        assert!(total >= volume && total <= f64::from(side as u32).powi(3), "{total}");
+        let used = model.cells().items().iter().chain(model.polygons().items()).max().copied();
+        assert!(used < Some(model.vertex_count() as u32), "no vertex is there that nothing uses");
     }
 }
