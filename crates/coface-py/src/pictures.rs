@@ -10,7 +10,7 @@ use crate::work::run;
 use coface::Error;
 use coface::answers::{GeometryCheck, Neighborhood, Report, ReportRequest};
 use coface::pictures::{
-    Camera, FlatPicture, Picture, PictureStyle, Scene, matrix_picture, spin_gif, spin_png,
+    Camera, FlatPicture, Picture, PictureStyle, Scene, matrix_picture, spin_gif, spin_png, spin_webp,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -24,7 +24,7 @@ const POINTS: f64 = 0.75;
 /// ----------
 /// model : Model, Complex or ChainComplex
 ///     What is shown.
-/// format : {"svg", "png", "pdf", "gif"}
+/// format : {"svg", "png", "pdf", "gif", "webp"}
 ///     The format; PDF has vectors, a pixel is 0.75 points; GIF is an animation.
 /// results : sequence of dict
 ///     Answers to be shown over it, as ``to_dict()`` gives them.
@@ -51,7 +51,7 @@ const POINTS: f64 = 0.75;
 /// legend : bool
 ///     Whether the names of what is drawn over the model stand above it.
 /// spin : int, optional
-///     So many frames, in which the model turns once about what is up: an animated GIF or PNG, 24 frames a second.
+///     So many frames, in which the model turns once about what is up: an animated GIF, PNG or WebP, 24 frames a second.
 /// witness : bool
 ///     Whether what is wrong is marked.
 /// title : str
@@ -94,9 +94,9 @@ pub(crate) fn render<'py>(
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyBytes>> {
     match spin {
-        Some(_) if !matches!(format, "gif" | "png") => {
-            let cure = "give format=\"gif\" or format=\"png\"";
-            return Err(invalid(py, "an animation is a GIF or a PNG", cure));
+        Some(_) if !matches!(format, "gif" | "png" | "webp") => {
+            let cure = "give format=\"gif\", format=\"png\" or format=\"webp\"";
+            return Err(invalid(py, "an animation is a GIF, a PNG or a WebP", cure));
         }
         Some(_) => {}
         None => check_format(py, format)?,
@@ -157,7 +157,11 @@ pub(crate) fn render<'py>(
             scene.label_cells(dimension)?;
         }
         if let Some(frames) = spin {
-            let write = if format == "gif" { spin_gif } else { spin_png };
+            let write = match format {
+                "gif" => spin_gif,
+                "webp" => spin_webp,
+                _ => spin_png,
+            };
             return write(&scene, &style, frames, 1000 / 24);
         }
         let picture = Picture::new(&scene, &style)?;

@@ -180,5 +180,8 @@ def test_interfaces_and_animations_are_drawn() -> None:
     assert picture.count("<title>phase ") == 3 and picture.count("<circle") == len(rooms.junctions)
     spin = coface.render(coface.generate("csaszar"), "gif", size=(60, 40), spin=3)
     assert spin.startswith(b"GIF89a")
-    with pytest.raises(ValueError, match="GIF or a PNG"):
+    for transparent in (False, True):
+        spin = coface.render(coface.generate("csaszar"), "webp", size=(60, 40), spin=3, transparent=transparent)
+        assert spin[:4] == b"RIFF" and spin[8:12] == b"WEBP" and spin.count(b"ANMF") == 3
+    with pytest.raises(ValueError, match="a PNG or a WebP"):
         coface.render(coface.generate("csaszar"), "svg", spin=3)

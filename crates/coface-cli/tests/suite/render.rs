@@ -326,7 +326,7 @@ fn a_spin_has_as_many_frames_as_were_asked_for() {
     assert_eq!(kinds.iter().filter(|kind| *kind == "fcTL").count(), 5);
     assert!(kinds.contains(&"acTL".to_owned()));
     let svg = coface(&["render", argument(&cube), "--spin", "-o", argument(&folder.path().join("a.svg"))]);
-    assert!(svg.fails_with(1).contains("name the output *.gif or *.png"));
+    assert!(svg.fails_with(1).contains("name the output *.gif, *.png or *.webp"));
     let none = coface(&["render", argument(&cube), "--spin=0", "-o", argument(&out)]);
     assert!(none.fails_with(1).contains("give a number above 0"));
     let bare = [&line[..], &["--transparent"]].concat();
@@ -390,6 +390,23 @@ fn a_gif_has_one_palette_for_its_frames() {
 }
 
 #[test]
+fn a_webp_has_the_pixels_of_the_frames() {
+    let folder = tempfile::tempdir().unwrap();
+    let cube = file(&folder, "cube.obj", CUBE);
+    let out = folder.path().join("spin.webp");
+    let line = ["render", argument(&cube), "--size", "60x45", "--spin=5", "-o", argument(&out)];
+    for (flags, has_opacity) in [(&[][..], false), (&["--transparent"][..], true)] {
+        assert_eq!(coface(&[&line[..], flags].concat()).status, 0);
+        let bytes = std::fs::read(&out).unwrap();
+        assert_eq!((&bytes[..4], &bytes[8..16]), (&b"RIFF"[..], &b"WEBPVP8X"[..]));
+        assert_eq!(u32::from_le_bytes(bytes[4..8].try_into().unwrap()) as usize, bytes.len() - 8);
+        assert_eq!(bytes[20], if has_opacity { 0x12 } else { 0x02 });
+        assert_eq!((bytes[24], bytes[27]), (59, 44));
+        assert_eq!(bytes.windows(4).filter(|&name| name == b"ANMF").count(), 5);
+    }
+}
+
+#[test]
 fn frames_go_to_a_folder_or_have_numbers_and_videos_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let cube = file(&folder, "cube.obj", CUBE);
@@ -413,9 +430,8 @@ fn frames_go_to_a_folder_or_have_numbers_and_videos_are_refused() {
     assert!(frames.iter().all(|(size, _)| *size == [40, 30]) && frames[0].1 != frames[1].1);
     for (name, said) in [
         ("a.mp4", "ffmpeg -framerate 24 -i frames/frame-%03d.png"),
-        ("a.webp", "*.gif or *.png"),
-        ("a.pdf", "*.gif or *.png"),
-        ("a", "*.gif or *.png"),
+        ("a.pdf", "*.gif, *.png or *.webp"),
+        ("a", "*.gif, *.png or *.webp"),
         ("a-%s.png", "frames-%03d.png"),
         ("a-%03d-%03d.png", "frames-%03d.png"),
         ("a-%03d.jpg", "frames-%03d.png"),

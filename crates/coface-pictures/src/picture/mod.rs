@@ -39,6 +39,8 @@ mod sight;
 mod spin;
 mod style;
 mod svg_text;
+#[cfg(feature = "png")]
+mod webp_file;
 
 pub use camera::Camera;
 pub use coloring::{Coloring, colored, vertex_colors};
@@ -56,5 +58,5 @@ pub use scene_picture::Picture;
 pub(super) use scene_picture::{COMPLEX, LABELS, NEIGHBORHOOD};
 pub use schema::schema_picture;
 pub use sequence::sequence_picture;
-pub use spin::{spin_frames, spin_gif, spin_png};
+pub use spin::{spin_frames, spin_gif, spin_png, spin_webp};
 pub use style::PictureStyle;

@@ -6,6 +6,8 @@ use super::canvas::no_png;
 use super::gif_file::{Colors, Gif};
 #[cfg(feature = "png")]
 use super::pixels::Pixels;
+#[cfg(feature = "png")]
+use super::webp_file::WebP;
 use super::{Picture, PictureStyle};
 use crate::Scene;
 use coface_algebra::{Error, ErrorKind};
@@ -101,6 +103,47 @@ pub fn spin_gif(
     Ok(file)
 }
 
+/// The model turning once about what is up, as an animated WebP of so many frames, each shown for so many milliseconds, without end. Colors and
+/// opacities are kept as they are.
+///
+/// # Errors
+/// Those of [`spin_png`]; [`ErrorKind::TooLarge`] for sides beyond 16384 pixels and for files beyond 4 GiB.
+///
+/// # Complexity
+/// That of the pictures; one is in memory at a time, beside the file.
+///
+/// # References
+/// *WebP Container Specification*: the chunks of an animation.
+///
+/// # Examples
+/// ```
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// use coface_pictures::{PictureStyle, Scene, spin_webp};
+/// let triangle = &b"v 0 0 0\nv 2 0 0\nv 0 2 0\nf 1 2 3\n"[..];
+/// let triangle = coface_io::read(triangle, coface_io::Format::Obj)?;
+/// let scene = Scene::of("triangle", &triangle)?;
+/// let mut style = PictureStyle::default();
+/// style.size = [40, 30];
+/// let file = spin_webp(&scene, &style, 4, 100)?;
+/// assert_eq!((&file[..4], &file[8..12]), (&b"RIFF"[..], &b"WEBP"[..]));
+/// assert_eq!(file.windows(4).filter(|&bytes| bytes == b"ANMF").count(), 4);
+/// # Ok(()) }
+/// ```
+#[cfg(feature = "png")]
+pub fn spin_webp(
+    scene: &Scene,
+    style: &PictureStyle,
+    frames: u32,
+    milliseconds: u16,
+) -> Result<Vec<u8>, Error> {
+    check_frames(frames)?;
+    let mut webp = WebP::new(style.size, style.is_transparent, milliseconds)?;
+    for number in 0..frames {
+        webp.push(&frame(scene, style, number, frames)?.pixels())?;
+    }
+    Ok(webp.into_bytes())
+}
+
 /// The model turning once about what is up: calls back with the number of each frame, from 0, and its PNG.
 ///
 /// # Errors
@@ -153,6 +196,16 @@ pub fn spin_png(_: &Scene, _: &PictureStyle, frames: u32, _: u16) -> Result<Vec<
 /// [`ErrorKind::UnsupportedFormat`], or those of the usual build.
 #[cfg(not(feature = "png"))]
 pub fn spin_gif(_: &Scene, _: &PictureStyle, frames: u32, _: u16) -> Result<Vec<u8>, Error> {
+    check_frames(frames)?;
+    Err(no_png())
+}
+
+/// Says that animations are not written by this build.
+///
+/// # Errors
+/// [`ErrorKind::UnsupportedFormat`], or those of the usual build.
+#[cfg(not(feature = "png"))]
+pub fn spin_webp(_: &Scene, _: &PictureStyle, frames: u32, _: u16) -> Result<Vec<u8>, Error> {
     check_frames(frames)?;
     Err(no_png())
 }

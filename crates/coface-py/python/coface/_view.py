@@ -170,7 +170,7 @@ def render(
         A model, an answer, a list of a model and answers, or several models, as in :func:`page`. Persistence alone is a diagram, an interface its phases, a
         chain complex without a model its matrices.
     format
-        ``"svg"``, ``"png"`` or ``"pdf"``; PDF has vectors, a pixel is 0.75 points. With ``spin`` ``"gif"`` or ``"png"``.
+        ``"svg"``, ``"png"`` or ``"pdf"``; PDF has vectors, a pixel is 0.75 points. With ``spin`` ``"gif"``, ``"png"`` or ``"webp"``.
     results
         More answers to be shown over it, or dictionaries as ``to_dict()`` gives them.
     size
@@ -196,7 +196,7 @@ def render(
         Whether the names of what is drawn over the model stand above it, with their colors; with ``star``, ``closure`` and ``link`` they
         do anyway.
     spin
-        So many frames, in which the model turns once about what is up: an animated GIF or PNG, 24 frames a second.
+        So many frames, in which the model turns once about what is up: an animated GIF, PNG or WebP, 24 frames a second.
     witness
         Whether what is wrong is marked.
     title

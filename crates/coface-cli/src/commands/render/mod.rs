@@ -90,7 +90,7 @@ pub(crate) struct Render {
     /// Write the numbers of cells beside them: vertices, edges (in the order of their ends), faces; several with commas
     #[arg(long, value_name = "CELLS", value_delimiter = ',')]
     label: Vec<Labeled>,
-    /// Let the model turn once about what is up, in so many frames, 24 a second: an animated .gif or .png, or PNG frames in a folder
+    /// Let the model turn once about what is up, in so many frames, 24 a second: an animated .gif, .png or .webp, or PNG frames in a folder
     /// (-o frames/) or with numbers (-o frames-%03d.png), of which other programs make videos
     #[arg(long, value_name = "FRAMES", num_args = 0..=1, default_missing_value = "72", require_equals = true, conflicts_with = "pane")]
     spin: Option<u32>,

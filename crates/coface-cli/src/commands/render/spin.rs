@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::output::write_file;
-use coface::pictures::{PictureStyle, Scene, spin_frames, spin_gif, spin_png};
+use coface::pictures::{PictureStyle, Scene, spin_frames, spin_gif, spin_png, spin_webp};
 use std::path::{Path, PathBuf};
 
 /// So many milliseconds is each frame shown: 24 of them a second.
@@ -12,6 +12,7 @@ const MILLISECONDS: u16 = 1000 / 24;
 pub(super) enum SpinOutput<'a> {
     Png(&'a Path),
     Gif(&'a Path),
+    WebP(&'a Path),
     /// A PNG for each frame.
     Frames(Frames),
 }
@@ -49,15 +50,13 @@ impl<'a> SpinOutput<'a> {
         match extension.as_deref() {
             Some("png") => Ok(Self::Png(path)),
             Some("gif") => Ok(Self::Gif(path)),
-            Some("webp") => Err(Failure::new(format!(
-                "{place}: animated WebP is not written; name the output *.gif or *.png, or write frames to a folder by -o frames/"
-            ))),
+            Some("webp") => Ok(Self::WebP(path)),
             Some("mp4" | "webm" | "mov" | "avi" | "mkv") => Err(Failure::new(format!(
                 "{place}: videos are not written; write frames by -o frames/ and make a video of them: \
                  ffmpeg -framerate 24 -i frames/frame-%03d.png -pix_fmt yuv420p {place}"
             ))),
             _ => Err(Failure::new(format!(
-                "{place}: --spin: an animation is a GIF or a PNG; name the output *.gif or *.png, or a folder for frames, as in -o frames/"
+                "{place}: --spin: an animation is a GIF, a PNG or a WebP; name the output *.gif, *.png or *.webp, or a folder for frames, as in -o frames/"
             ))),
         }
     }
@@ -67,6 +66,7 @@ impl<'a> SpinOutput<'a> {
         let (path, bytes) = match self {
             Self::Png(path) => (path, spin_png(scene, style, frames, MILLISECONDS)?),
             Self::Gif(path) => (path, spin_gif(scene, style, frames, MILLISECONDS)?),
+            Self::WebP(path) => (path, spin_webp(scene, style, frames, MILLISECONDS)?),
             Self::Frames(names) => return names.write(scene, style, frames),
         };
         write_file(path, &bytes)?;

@@ -43,12 +43,13 @@ const TETRAHEDRON: Files =
     &[("t.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")];
 
 pub(super) const CASES: &[Case] = &[
-    Case::new("render/spin.rs", "--spin: an animation is a GIF or a PNG")
+    Case::new("render/spin.rs", "--spin: an animation is a GIF, a PNG or a WebP")
         .files(TRIANGLES)
         .refused("coface render a.json --spin -o a.svg")
         .cured(&[
             &["coface render a.json --spin=2 --size 40x30 -o a.gif"],
             &["coface render a.json --spin=2 --size 40x30 -o a.png"],
+            &["coface render a.json --spin=2 --size 40x30 -o a.webp"],
             &["coface render a.json --spin=2 --size 40x30 -o frames/"],
         ]),
     Case::new("render/spin.rs", "--spin: an animation goes to a file or a folder")
