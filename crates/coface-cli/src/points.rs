@@ -30,12 +30,12 @@ pub(crate) struct PointArguments {
     #[arg(long, value_name = "LENGTHS", global = true, help_heading = "Points and graphs", requires = "alpha",
           conflicts_with_all = ["rips", "flag", "cech", "landmarks", "mapper"], value_parser = periodic_box)]
     periods: Option<PeriodicBox>,
-    /// Take points (any number of coordinates) or a table of distances as their Vietoris-Rips complex: each set of points enters at the largest distance of two
+    /// Take points (any number of coordinates), a table of distances or a sparse matrix of them (.mtx) as their Vietoris-Rips complex: each set of points enters at the largest distance of two
     /// of them. --threshold T ends it at diameter T instead of the enclosing radius, behind which nothing changes
     #[arg(long, global = true, help_heading = "Points and graphs", group = "complex")]
     rips: bool,
     /// Take a graph with values as its flag complex: each set of vertices of which each two are joined enters with its last edge. The input is GraphML with
-    /// the key "weight", or an edge list (.csv, .txt, .npy) with rows u v value of numbers or names; u v is an edge of the value 1, u u value a vertex that enters at the value, u a
+    /// the key "weight", a square matrix (.mtx), or an edge list (.csv, .txt, .npy) with rows u v value of numbers or names; u v is an edge of the value 1, u u value a vertex that enters at the value, u a
     /// vertex. --threshold T ends it at the value T
     #[arg(long, global = true, help_heading = "Points and graphs", group = "complex")]
     flag: bool,

@@ -2,8 +2,8 @@
 
 use super::format::names;
 use super::{
-    Format, abaqus, cityjson, container, foreign, geojson, isosig, lines_text, points_text, volume, wkb, wkt,
-    wkt_table, yin,
+    Format, abaqus, cityjson, container, foreign, geojson, isosig, lines_text, matrix_market, points_text,
+    volume, wkb, wkt, wkt_table, yin,
 };
 use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
@@ -68,6 +68,7 @@ impl Format {
             // Numbers alone are many things: the name tells these.
             Self::Abaqus | Self::TetGen | Self::Points => Likeness::No,
             Self::CityJson => certain_if(cityjson::is_cityjson(start)),
+            Self::MatrixMarket => certain_if(matrix_market::is_matrix_market(start)),
             Self::Json | Self::GeoJson if cityjson::is_cityjson(start) => Likeness::No,
             Self::Json if is_gltf(start) => Likeness::No,
             Self::Json => {

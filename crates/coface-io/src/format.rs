@@ -73,11 +73,13 @@ pub enum Format {
     Points,
     /// CityJSON and its text sequences: `.city.json`, `.city.jsonl`. It is read only.
     CityJson,
+    /// Matrix Market: a boundary matrix, read only; with `--flag` a graph, with `--rips` distances.
+    MatrixMarket,
 }
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 32] = [
+    pub const ALL: [Self; 33] = [
         Self::Off,
         Self::Obj,
         Self::Ply,
@@ -110,6 +112,7 @@ impl Format {
         Self::TetGen,
         Self::Points,
         Self::CityJson,
+        Self::MatrixMarket,
     ];
 
     /// Whether a file is lines of text without a mark at its end, so that a cut within the last line can look like a whole file.
@@ -131,7 +134,7 @@ impl Format {
 
     /// The name of the format, which is its usual file extension: `off`, `obj`, `ply`, `stl`, `mesh`, `msh`, `vtk`,
     /// `vtu`, `vtp`, `json`, `isosig`, `lines`, `geojson`, `wkt`, `wkb`, `hex`, `svg`, `dat`, `npy`, `nrrd`, `nii`,
-    /// `cfc`, `gltf`, `3mf`, `dae`, `inp`, `node`, `xyz`.
+    /// `cfc`, `gltf`, `3mf`, `dae`, `inp`, `node`, `xyz`, `cityjson`, `mtx`.
     ///
     /// # Examples
     /// ```
@@ -183,6 +186,7 @@ impl Format {
             Self::TetGen => &["node", "ele", "face", "edge", "poly"],
             Self::Points => &["xyz", "csv", "pts", "asc"],
             Self::CityJson => &["cityjson"],
+            Self::MatrixMarket => &["mtx"],
         }
     }
 
@@ -227,6 +231,7 @@ impl Format {
             Self::TetGen => "TetGen text",
             Self::Points => "points as text",
             Self::CityJson => "CityJSON",
+            Self::MatrixMarket => "Matrix Market",
         }
     }
 
@@ -345,6 +350,7 @@ impl Format {
                 | Self::TetGen
                 | Self::Points
                 | Self::CityJson
+                | Self::MatrixMarket
                 | Self::Nrrd
                 | Self::Nifti
                 | Self::MetaImage

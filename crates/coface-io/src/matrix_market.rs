@@ -4,13 +4,18 @@
 //! comments after `%`; a line `rows columns entries`; then a line `row column entry` for each entry, counted from 1, without
 //! the entry in a pattern.
 //!
+//! As a model such a file is a chain complex of two degrees with this boundary matrix. As a graph or as distances its entries may be real numbers, and the
+//! matrix symmetric, with one triangle in the file.
+//!
 //! # References
 //! R. F. Boisvert, R. Pozo, K. A. Remington, *The Matrix Market exchange formats: initial design* (1996).
 
 use super::decimal::push_natural;
 use super::json::most_cells;
-use super::scanner::{Scanner, parse_i64, quoted};
+use super::scanner::{Scanner, parse_coordinate, parse_i64, quoted};
+use crate::{Model, Remark, RemarkCode, Structure};
 use coface_algebra::SparseMatrix;
+use coface_algebra::chains::ChainComplex;
 use coface_algebra::{Error, ErrorKind};
 use std::io::{BufWriter, Read, Write};
 
@@ -93,17 +98,123 @@ pub fn write(matrix: &SparseMatrix, field: MatrixField, out: impl Write) -> Resu
 /// ```
 pub fn read(input: impl Read) -> Result<SparseMatrix, Error> {
     let mut scanner = Scanner::new(input);
-    let field = read_header(&mut scanner)?;
-    let [rows, columns, count] = read_counts(&mut scanner)?;
+    let header = Header::read(&mut scanner)?;
+    let field = header.of_whole_numbers()?;
+    let value = |word: Option<&[u8]>| match (field, word) {
+        (MatrixField::Integer, Some(word)) => parse_i64(word, "the entry"),
+        (MatrixField::Integer, None) => Err(Error::parse("the entry is missing")),
+        (MatrixField::Pattern, None) => Ok(1),
+        (MatrixField::Pattern, Some(word)) => Err(behind_place(word)),
+    };
+    let (rows, columns, entries) = read_entries(&mut scanner, value)?;
+    SparseMatrix::from_entries(
+        rows,
+        columns,
+        entries.into_iter().map(|entry| (entry.row, entry.column, entry.value)),
+    )
+}
+
+/// The chain complex of two degrees with this boundary matrix.
+pub(crate) fn read_model(input: impl Read) -> Result<Model, Error> {
+    let complex = ChainComplex::new(vec![read(input)?])?;
+    let message =
+        "the matrix was taken for a boundary: its rows are cells of degree 0, its columns of degree 1";
+    let mut model = Model::from_structure(Structure::Chains(complex));
+    model.remarks.push(Remark::new(RemarkCode::InputReading, message));
+    Ok(model)
+}
+
+/// The bytes with which files begin, in letters of any case.
+pub(crate) const BANNER: &[u8] = b"%%MatrixMarket";
+
+/// Whether a file begins as one of Matrix Market.
+pub(crate) fn is_matrix_market(start: &[u8]) -> bool {
+    start.get(..BANNER.len()).is_some_and(|start| start.eq_ignore_ascii_case(BANNER))
+}
+
+/// A square matrix as it says what is between things: a weighted graph, or distances.
+pub(crate) struct Relation {
+    /// How many things there are.
+    pub(crate) count: usize,
+    /// Whether an entry holds in both directions.
+    pub(crate) is_symmetric: bool,
+    /// The entries as they stand in the file; those of a pattern have no value.
+    pub(crate) entries: Vec<Entry<Option<f64>>>,
+}
+
+/// An entry, counted from 0, and its line.
+pub(crate) struct Entry<V> {
+    pub(crate) row: usize,
+    pub(crate) column: usize,
+    pub(crate) value: V,
+    pub(crate) line: u64,
+}
+
+impl Relation {
+    /// Reads a square matrix of whole or real numbers, or a pattern.
+    ///
+    /// # Errors
+    /// As of [`read`], and for matrices that are not square.
+    pub(crate) fn read(input: impl Read) -> Result<Self, Error> {
+        let mut scanner = Scanner::new(input);
+        let header = Header::read(&mut scanner)?;
+        header.require_coordinates()?;
+        let is_symmetric = match header.symmetry.as_str() {
+            "symmetric" => true,
+            "general" => false,
+            symmetry => {
+                return Err(header.unsupported(
+                    format!("a {symmetry:?} matrix is no graph, and has no distances"),
+                    "write it as symmetric, or as general with all entries",
+                ));
+            }
+        };
+        let is_pattern = match header.field.as_str() {
+            "pattern" => true,
+            "integer" | "real" | "double" => false,
+            field => {
+                return Err(header.unsupported(
+                    format!("{field:?} entries are not read"),
+                    "write real numbers, or a pattern",
+                ));
+            }
+        };
+        let value = |word: Option<&[u8]>| match word {
+            Some(word) if is_pattern => Err(behind_place(word)),
+            Some(word) => parse_coordinate(word, "the entry").map(Some),
+            None if is_pattern => Ok(None),
+            None => Err(Error::parse("the entry is missing")),
+        };
+        let (rows, columns, entries) = read_entries(&mut scanner, value)?;
+        if rows != columns {
+            let message = format!(
+                "the matrix has {rows} rows and {columns} columns: a graph or distances have a square one"
+            );
+            return Err(
+                Error::new(ErrorKind::Shape, message).with_cure("write a row and a column for each point")
+            );
+        }
+        Ok(Self { count: rows, is_symmetric, entries })
+    }
+}
+
+fn behind_place(word: &[u8]) -> Error {
+    Error::parse(format!("{} stands after the place of a pattern", quoted(word)))
+}
+
+/// The counts of rows and columns, and the entries, behind the first line.
+fn read_entries<R: Read, V>(
+    scanner: &mut Scanner<R>,
+    value: impl Fn(Option<&[u8]>) -> Result<V, Error>,
+) -> Result<(usize, usize, Vec<Entry<V>>), Error> {
+    let [rows, columns, count] = read_counts(scanner)?;
     let limit_line = scanner.line_number();
-    let mut entries = Vec::new();
-    loop {
-        let line = scanner.next_line()?;
-        let Some(line) = line else { break };
-        match parse_entry(line, field, rows, columns) {
-            Ok(None) => {}
-            Ok(Some(entry)) => entries.push(entry),
-            Err(error) => return Err(error.at_line(scanner.line_number())),
+    let mut entries: Vec<Entry<V>> = Vec::new();
+    while let Some(words) = scanner.next_line()? {
+        let found = parse_entry(words, rows, columns, &value);
+        let line = scanner.line_number();
+        if let Some((row, column, value)) = found.map_err(|error| error.at_line(line))? {
+            entries.push(Entry { row, column, value, line });
         }
         if entries.len() as u64 > count {
             return Err(scanner.error(format!("there are more than the {count} entries that the file says")));
@@ -124,48 +235,72 @@ pub fn read(input: impl Read) -> Result<SparseMatrix, Error> {
         .at_line(limit_line)
         .with_cure("check the counts"));
     }
-    // Both counts are at most 2^37 here, and triples are within them.
-    SparseMatrix::from_entries(rows as usize, columns as usize, entries)
+    // Both counts are at most 2^37 here, and entries are within them.
+    Ok((rows as usize, columns as usize, entries))
 }
 
-/// The first line.
-fn read_header<R: Read>(scanner: &mut Scanner<R>) -> Result<MatrixField, Error> {
-    let words: Vec<String> = match scanner.next_line()? {
-        Some(line) => line
-            .split(u8::is_ascii_whitespace)
-            .filter(|word| !word.is_empty())
-            .take(6)
-            .map(|word| String::from_utf8_lossy(&word[..word.len().min(64)]).to_ascii_lowercase())
-            .collect(),
-        None => return Err(Error::parse("the file is empty").at_line(1)),
-    };
-    let words: Vec<&str> = words.iter().map(String::as_str).collect();
-    let [banner, object, format, field, symmetry] = words[..] else {
-        return Err(scanner
-            .error("the first line is not that of a Matrix Market file")
-            .with_cure("begin with %%MatrixMarket matrix coordinate integer general"));
-    };
-    if banner != "%%matrixmarket" {
-        return Err(scanner
-            .error(format!("{banner:?} is not %%MatrixMarket"))
-            .with_cure("begin with %%MatrixMarket matrix coordinate integer general"));
+/// The first line, in small letters.
+struct Header {
+    object: String,
+    form: String,
+    field: String,
+    symmetry: String,
+}
+
+impl Header {
+    fn read<R: Read>(scanner: &mut Scanner<R>) -> Result<Self, Error> {
+        let words: Vec<String> = match scanner.next_line()? {
+            Some(line) => line
+                .split(u8::is_ascii_whitespace)
+                .filter(|word| !word.is_empty())
+                .take(6)
+                .map(|word| String::from_utf8_lossy(&word[..word.len().min(64)]).to_ascii_lowercase())
+                .collect(),
+            None => return Err(Error::parse("the file is empty").at_line(1)),
+        };
+        const CURE: &str = "begin with %%MatrixMarket matrix coordinate integer general";
+        let Ok([banner, object, form, field, symmetry]) = <[String; 5]>::try_from(words) else {
+            let error = scanner.error("the first line is not that of a Matrix Market file");
+            return Err(error.with_cure(CURE));
+        };
+        if !is_matrix_market(banner.as_bytes()) || banner.len() != BANNER.len() {
+            return Err(scanner.error(format!("{banner:?} is not %%MatrixMarket")).with_cure(CURE));
+        }
+        Ok(Self { object, form, field, symmetry })
     }
-    let unsupported = |what: String, cure: &str| {
-        Err(Error::new(ErrorKind::UnsupportedFormat, what).at_line(1).with_cure(cure))
-    };
-    if (object, format) != ("matrix", "coordinate") {
-        return unsupported(
-            format!("the file has a {object:?} in {format:?} form"),
+
+    #[expect(clippy::unused_self, reason = "it is the first line that is not supported")]
+    fn unsupported(&self, what: String, cure: &str) -> Error {
+        Error::new(ErrorKind::UnsupportedFormat, what).at_line(1).with_cure(cure)
+    }
+
+    fn require_coordinates(&self) -> Result<(), Error> {
+        if (self.object.as_str(), self.form.as_str()) == ("matrix", "coordinate") {
+            return Ok(());
+        }
+        Err(self.unsupported(
+            format!("the file has a {:?} in {:?} form", self.object, self.form),
             "write a sparse matrix in coordinate form",
-        );
+        ))
     }
-    if symmetry != "general" {
-        return unsupported(format!("a {symmetry:?} matrix is not read"), "write all entries, as general");
-    }
-    match field {
-        "integer" => Ok(MatrixField::Integer),
-        "pattern" => Ok(MatrixField::Pattern),
-        _ => unsupported(format!("{field:?} entries are not read"), "write integers, or a pattern"),
+
+    /// Of a general matrix what its entries are, which must be whole numbers.
+    fn of_whole_numbers(&self) -> Result<MatrixField, Error> {
+        self.require_coordinates()?;
+        if self.symmetry != "general" {
+            return Err(self.unsupported(
+                format!("a {:?} matrix is no boundary matrix", self.symmetry),
+                "write all entries, as general, or read it as a graph (--flag) or as distances (--rips)",
+            ));
+        }
+        match self.field.as_str() {
+            "integer" => Ok(MatrixField::Integer),
+            "pattern" => Ok(MatrixField::Pattern),
+            field => Err(self.unsupported(
+                format!("a boundary matrix has whole numbers, not {field:?} entries"),
+                "write integers or a pattern, or read it as a graph (--flag) or as distances (--rips)",
+            )),
+        }
     }
 }
 
@@ -199,12 +334,12 @@ fn parse_counts(line: &[u8]) -> Result<Option<[u64; 3]>, Error> {
 }
 
 /// The entry that a line holds, counted from 0; none in an empty line or comment.
-fn parse_entry(
+fn parse_entry<V>(
     line: &[u8],
-    field: MatrixField,
     rows: u64,
     columns: u64,
-) -> Result<Option<(usize, usize, i64)>, Error> {
+    value: &impl Fn(Option<&[u8]>) -> Result<V, Error>,
+) -> Result<Option<(usize, usize, V)>, Error> {
     let mut words = words_of(line);
     let Some(row) = words.next() else { return Ok(None) };
     let place = |word: &[u8], what: &str, count: u64| match natural(word, what)? {
@@ -216,14 +351,7 @@ fn parse_entry(
     let row = place(row, "the row", rows)?;
     let Some(column) = words.next() else { return Err(Error::parse("the column is missing")) };
     let column = place(column, "the column", columns)?;
-    let value = match (field, words.next()) {
-        (MatrixField::Pattern, None) => 1,
-        (MatrixField::Integer, Some(word)) => parse_i64(word, "the entry")?,
-        (MatrixField::Integer, None) => return Err(Error::parse("the entry is missing")),
-        (MatrixField::Pattern, Some(word)) => {
-            return Err(Error::parse(format!("{} stands after the place of a pattern", quoted(word))));
-        }
-    };
+    let value = value(words.next())?;
     match words.next() {
         Some(word) => Err(Error::parse(format!("{} stands after the entry", quoted(word)))),
         None => Ok(Some((row, column, value))),
@@ -273,6 +401,24 @@ mod tests {
         assert!(error("%%MatrixMarket matrix array real general\n").contains("\"array\""));
         assert!(error("%%MatrixMarket matrix coordinate real general\n").contains("\"real\""));
         assert!(error("%%MatrixMarket matrix coordinate integer symmetric\n").contains("\"symmetric\""));
+    }
+
+    #[test]
+    fn graphs_and_distances_have_real_entries_and_may_be_symmetric() {
+        let read = |text: &str| Relation::read(format!("%%MatrixMarket matrix coordinate {text}").as_bytes());
+        let found = read("real symmetric\n% c\n4 4 2\n2 1 0.5\n3 3 1e-3\n").unwrap();
+        let entries: Vec<_> = found.entries.iter().map(|e| (e.row, e.column, e.value, e.line)).collect();
+        assert_eq!((found.count, found.is_symmetric), (4, true));
+        assert_eq!(entries, [(1, 0, Some(0.5), 4), (2, 2, Some(0.001), 5)]);
+        let found = read("pattern general\n2 2 1\n1 2\n").unwrap();
+        assert!(!found.is_symmetric && found.entries[0].value.is_none());
+        let error = |text: &str| read(text).map(|found| found.count).unwrap_err().to_string();
+        assert!(error("real general\n2 3 1\n1 2 5\n").contains("2 rows and 3 columns"));
+        assert!(error("real skew-symmetric\n2 2 0\n").contains("\"skew-symmetric\""));
+        assert!(error("complex general\n2 2 0\n").contains("\"complex\""));
+        assert!(error("real general\n2 2 1\n1 2 x\n").contains("line 3"));
+        assert!(error("pattern general\n2 2 1\n1 2 1\n").contains("stands after the place of a pattern"));
+        assert!(error("real general\n4000000000 4000000000 0\n").contains("only 0 entries"));
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use crate::counted_stream::{name_of, reading};
 use crate::decimal_commas::{whole_text, with_decimal_points};
 use crate::files::open_regular;
+use crate::matrix_market::{self, Relation};
 use crate::scanner::Scanner;
 use crate::stream_start::plain_bytes;
 use crate::volume::{NPY_MAGIC, write_npy_header};
@@ -36,6 +37,8 @@ pub struct NumberTable {
     commas: Option<Remark>,
     /// Whether it was read from text, in which no row is no point.
     is_text: bool,
+    /// See [`Self::is_list_of_pairs`].
+    is_list_of_pairs: bool,
 }
 
 impl NumberTable {
@@ -53,7 +56,7 @@ impl NumberTable {
         Self::read(reading(&name_of(path), file, size)).map_err(named)
     }
 
-    /// The table of a stream: a NumPy array of one or two axes, or text in UTF-8 or UTF-16; either may be compressed. A row is a line of numbers with blanks, commas or semicolons between
+    /// The table of a stream: a NumPy array of one or two axes, a square matrix in the coordinate format of Matrix Market, whose entries are rows `i j distance`, or text in UTF-8 or UTF-16; either may be compressed. A row is a line of numbers with blanks, commas or semicolons between
     /// them. A comma in numbers that semicolons, tabs or quotes hold apart is a decimal comma, of which [`Self::remarks`] tells. Empty lines and lines that begin with `#`
     /// or `//` are passed over, and so are a first line of words, with as many of them as there are columns, and columns of words, of which [`Self::left_out`] tells.
     ///
@@ -68,10 +71,37 @@ impl NumberTable {
     pub fn read(input: impl Read) -> Result<Self, Error> {
         let mut input = plain_bytes(input)?;
         let mut start = Vec::new();
-        input.by_ref().take(NPY_MAGIC.len() as u64).read_to_end(&mut start)?;
-        let is_array = start == NPY_MAGIC;
+        input.by_ref().take(matrix_market::BANNER.len() as u64).read_to_end(&mut start)?;
+        let is_array = start.starts_with(NPY_MAGIC);
+        let is_matrix = matrix_market::is_matrix_market(&start);
         let whole = std::io::Cursor::new(start).chain(input);
+        if is_matrix {
+            return Self::of_matrix(&Relation::read(whole)?);
+        }
         if is_array { Self::of_array(VolumeStream::new(whole, Format::Npy)?) } else { Self::of_text(whole) }
+    }
+
+    /// Rows `i j distance` with points from 0 on.
+    fn of_matrix(matrix: &Relation) -> Result<Self, Error> {
+        let mut table = Self { starts: vec![0], is_list_of_pairs: true, ..Self::default() };
+        for entry in &matrix.entries {
+            let Some(distance) = entry.value else {
+                let error =
+                    Error::invalid("a pattern has no distances").with_cure("write a matrix of real numbers");
+                return Err(error.at_line(entry.line));
+            };
+            table.push_row(&[entry.row as f64, entry.column as f64, distance], entry.line);
+        }
+        if let Some(last) = matrix.count.checked_sub(1) {
+            // So that points without distances are there.
+            table.push_row(&[last as f64, last as f64, 0.0], 2);
+        }
+        Ok(table)
+    }
+
+    /// Whether its rows are two points and their distance, as a sparse matrix has it.
+    pub(crate) fn is_list_of_pairs(&self) -> bool {
+        self.is_list_of_pairs
     }
 
     fn of_array(stream: VolumeStream<'_>) -> Result<Self, Error> {
@@ -100,6 +130,7 @@ impl NumberTable {
             left_out: None,
             commas: None,
             is_text: false,
+            is_list_of_pairs: false,
         })
     }
 

@@ -7,8 +7,8 @@ use super::stream_start::{unpacked_start, without_mark};
 use super::tail::Tail;
 use super::{
     Format, Model, Remark, Structure, VolumeReading, VolumeStream, abaqus, cityjson, collada,
-    complex_reading, container, detection, format, geojson, gltf, isosig, json, lines_text, medit, msh, obj,
-    off, parts, ply, points_text, stl, svg, tetgen, three_mf, volume, vtk, wkb, wkt, yin,
+    complex_reading, container, detection, format, geojson, gltf, isosig, json, lines_text, matrix_market,
+    medit, msh, obj, off, parts, ply, points_text, stl, svg, tetgen, three_mf, volume, vtk, wkb, wkt, yin,
 };
 use crate::complex_reading::ComplexReading;
 use crate::{ReferenceSystem, RemarkCode};
@@ -706,6 +706,12 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
             Err(Error::new(ErrorKind::UnsupportedFormat, format!("{} is read, not written", format.title()))
                 .with_cure("write a volume as .npy"))
         }
+        Format::MatrixMarket => {
+            let message = "Matrix Market holds a matrix, not a model";
+            Err(Error::new(ErrorKind::UnsupportedFormat, message).with_cure(
+                "write .json or .cfc; coface incidence INPUT VE --signed -o OUT.mtx writes a boundary matrix",
+            ))
+        }
         Format::Gltf
         | Format::ThreeMf
         | Format::Collada
@@ -941,6 +947,7 @@ fn read_mesh(
         Format::TetGen => tetgen::read_beside(input, path, companions.as_ref())?,
         Format::Points => points_text::read(input)?,
         Format::CityJson => cityjson::read_with(input, options)?,
+        Format::MatrixMarket => matrix_market::read_model(input)?,
         Format::Npy | Format::Nrrd | Format::Nifti | Format::MetaImage | Format::Pgm | Format::Png => {
             volume_model(VolumeStream::new(input, format)?, options, format)?
         }

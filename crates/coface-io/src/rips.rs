@@ -236,13 +236,16 @@ impl FlagReading {
         self.graph(crate::counted_stream::reading(&name, file, size)).map_err(named)
     }
 
-    /// The graph of a stream: GraphML, a NumPy array, or text of lines `u v value` with blanks, tabs, commas or semicolons between them.
+    /// The graph of a stream: GraphML, a NumPy array, a matrix in the coordinate format of Matrix Market, or text of lines `u v value` with blanks, tabs, commas or semicolons between them.
     ///
     /// A line `u v` is an edge that enters at 1, `u u value` gives the value at which a vertex enters, and `u` is a vertex by itself. Vertices are whole
     /// numbers from 0 on, or names, in quotes where separators are in them. A vertex without a value enters at 0, or with its first edge if that is sooner. An
     /// edge that is given twice enters at the smaller value, and a remark says so. A first line of words is a header, whose column `weight`, `value`, `distance`
     /// or `length` has the values. Lines that begin with `#`, `%` or `//` are passed over. Behind a line `dim 0` stand the values of vertices, and behind `dim
     /// 1` edges, as in files of flagser.
+    ///
+    /// A matrix is square, of numbers or a pattern. Row i is vertex i - 1, since vertices count from 0 here; an entry is an edge from its row to its column, in
+    /// both directions in a symmetric matrix, and the diagonal has the values of vertices.
     ///
     /// # Errors
     /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) or [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) with the line of what is no

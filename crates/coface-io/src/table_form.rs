@@ -49,7 +49,7 @@ impl TableForm {
 
     /// The form that a table has by its looks: a square one with zeros on its diagonal that is symmetric and has no negative number holds
     /// distances, and a remark says so; all others hold points. What rounding leaves is no matter: the diagonal may be a millionth of the largest distance, and
-    /// two entries for one distance may differ by a billionth of it. Distances are the means of both then, and the remark says how much they differed.
+    /// two entries for one distance may differ by a billionth of it. The table of a Matrix Market file has sparse distances. Distances are the means of both then, and the remark says how much they differed.
     ///
     /// # Complexity
     /// Linear.
@@ -62,6 +62,9 @@ impl TableForm {
     /// assert_eq!(form([[0.0, 3.0, 5.0], [3.0, 0.0, 4.0], [5.0, 1.0, 0.0]]), TableForm::Points);
     /// ```
     pub fn of(table: &NumberTable) -> (Self, Option<Remark>) {
+        if table.is_list_of_pairs() {
+            return (Self::Sparse, None);
+        }
         if !is_square_of_distances(table) {
             return (Self::Points, None);
         }

@@ -172,12 +172,15 @@ fn dense_files() -> Vec<(Format, &'static str, Vec<u8>)> {
     add(Format::CityJson, "points", city(points, "[0,0,0],".repeat(n) + &corners).into_bytes());
     let empty = "{\"type\":\"Solid\",\"boundaries\":[]}";
     add(Format::CityJson, "geometries", city(vec![empty; n / 4].join(","), corners).into_bytes());
+    let matrix = format!("%%MatrixMarket matrix coordinate integer general\n9 {n} {n}\n");
+    let entries: String = (1..=n).map(|column| format!("1 {column} 1\n")).collect();
+    add(Format::MatrixMarket, "entries", (matrix + &entries).into_bytes());
     add(Format::Isosig, "one tetrahedron a few letters", b"cMcabbgqw\n".repeat(n));
     files
 }
 
 /// The most bytes of memory for each byte of a file, by format. `docs/limits.md` has the same.
-const BOUNDS: [(Format, usize); 23] = [
+const BOUNDS: [(Format, usize); 24] = [
     (Format::Off, 16),
     (Format::Obj, 12),
     (Format::Ply, 20),
@@ -201,6 +204,7 @@ const BOUNDS: [(Format, usize); 23] = [
     (Format::Abaqus, 10),
     (Format::Gltf, 24),
     (Format::Isosig, 4),
+    (Format::MatrixMarket, 16),
 ];
 
 #[test]
@@ -288,6 +292,7 @@ fn claims() -> Vec<(Format, String)> {
             (Format::Pgm, with("P5 N N 255\n")),
             (Format::Abaqus, with("*NODE\nN,0,0,0\n*ELEMENT,TYPE=S3\nN,N,N,N\n*NSET, GENERATE, NSET=a\n1, N, 1\n")),
             (Format::Points, with("N 0\n")),
+            (Format::MatrixMarket, with("%%MatrixMarket matrix coordinate pattern general\nN N N\n1 1\n")),
         ]);
     }
     // Boundary matrices by the hundred.

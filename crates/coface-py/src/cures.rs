@@ -1,7 +1,7 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 53] = [
+const PHRASES: [(&str, &str); 55] = [
     ("by ChainComplex::of_points", "by coface.ChainComplex.of_points(n)"),
     ("ask with HomologyRequest::certified(true)", "ask with generators=True"),
     (
@@ -12,6 +12,14 @@ const PHRASES: [(&str, &str); 53] = [
     ("draw the model by coface render INPUT -o OUT.png", "draw it by coface.render(model, \"png\")"),
     ("read it as an interface", "read it as an interface: coface.Interface.read(path)"),
     ("coface persistence POINTS --rips", "coface.rips(points)"),
+    (
+        "or read it as a graph (--flag) or as distances (--rips)",
+        "or read it by coface.flag(path), or by coface.rips(scipy.io.mmread(path))",
+    ),
+    (
+        "coface incidence INPUT VE --signed -o OUT.mtx writes",
+        "scipy.io.mmwrite(\"out.mtx\", model.chain_complex().boundary(1)) writes",
+    ),
     ("leave out --radii, or --weighted", "leave out radii, or weights"),
     ("give the range of values (--range A B)", "give values: at=array"),
     (

@@ -3,7 +3,8 @@
 use crate::models::{check_model, check_round};
 use coface::io::matrix_market::{self, MatrixField};
 use coface::io::{
-    Format, ReadOptions, VolumeReading, VoxelRule, read, read_unknown as read_guessed, read_with, write,
+    FlagReading, Format, ReadOptions, VolumeReading, VoxelRule, read, read_unknown as read_guessed,
+    read_with, write,
 };
 
 /// Gives the bytes to the reader of a format; what it makes of them is written and read again.
@@ -164,12 +165,17 @@ pub fn read_unknown(bytes: &[u8]) {
     }
 }
 
-/// The reader of Matrix Market: the matrix is written and read again as it is.
+/// The reader of Matrix Market: the matrix is written and read again as it is; a graph has edges between its vertices.
 pub fn read_matrix_market(bytes: &[u8]) {
     if let Ok(matrix) = matrix_market::read(bytes) {
         let mut text = Vec::new();
         matrix_market::write(&matrix, MatrixField::Integer, &mut text).expect("a list of bytes takes all");
         assert_eq!(matrix_market::read(&text[..]).expect("what is written can be read"), matrix);
+    }
+    check_reader(bytes, Format::MatrixMarket);
+    if let Ok(graph) = FlagReading::default().graph(bytes) {
+        let count = graph.numbers().len();
+        assert!(graph.graph().edges().iter().all(|&(i, j, _)| j < i && (i as usize) < count));
     }
 }
 

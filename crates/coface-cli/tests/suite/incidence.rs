@@ -229,3 +229,22 @@ fn real_surfaces_have_two_faces_at_an_edge() {
     }
     assert!(compared >= 5, "only {compared} surfaces were compared");
 }
+
+/// What is written can be read: the operator is the boundary of a chain complex.
+#[test]
+fn a_matrix_is_a_chain_complex() {
+    let folder = tempfile::tempdir().unwrap();
+    let mesh = folder.path().join("ring.off");
+    std::fs::write(&mesh, "OFF\n4 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 1\n2 1 2\n2 2 3\n2 3 0\n").unwrap();
+    let matrix = folder.path().join("ve.mtx");
+    coface(&["incidence", argument(&mesh), "VE", "--signed", "-o", argument(&matrix)]);
+    let run = coface(&["homology", argument(&matrix)]);
+    assert!(run.stdout.contains("H_1 = Z"), "{}", run.stdout);
+    assert!(run.stderr.contains("taken for a boundary"), "{}", run.stderr);
+    let json = folder.path().join("ve.json");
+    assert_eq!(coface(&["convert", argument(&matrix), "-o", argument(&json)]).status, 0);
+    assert_eq!(
+        coface(&["homology", argument(&json), "--json"]).json()["homology"],
+        coface(&["homology", argument(&matrix), "--json"]).json()["homology"]
+    );
+}

@@ -48,6 +48,39 @@ fn distances_are_a_graph() {
     assert_eq!(run(&["--flag"]), run(&["--rips", "--distances", "sparse"]));
 }
 
+/// The matrices of Matrix Market: vertices count from 1 there, and the line of counts is no edge.
+#[test]
+fn a_sparse_matrix_is_a_graph_or_has_distances() {
+    let folder = tempfile::tempdir().unwrap();
+    let banner = "%%MatrixMarket matrix coordinate real";
+    let cycle = "% a cycle of four, with a diagonal, and a point by itself\n5 5 5\n2 1 1\n3 2 2\n4 3 3\n4 1 4\n3 1 6\n";
+    std::fs::write(folder.path().join("cycle.mtx"), format!("{banner} symmetric\n{cycle}")).unwrap();
+    std::fs::write(folder.path().join("list.txt"), "1 0 1\n2 1 2\n3 2 3\n3 0 4\n2 0 6\n4\n").unwrap();
+    let run = |words: &[&str]| {
+        coface_in(folder.path(), &[&["persistence"], words, &["--json"]].concat()).json()["diagram"].clone()
+    };
+    assert_eq!(run(&["cycle.mtx", "--flag"]), run(&["list.txt", "--flag"]));
+    let all = ["--threshold", "9"];
+    let rips = run(&[&["cycle.mtx", "--rips"], &all[..]].concat());
+    let holes: Vec<_> = rips.as_array().unwrap().iter().filter(|pair| pair["degree"] == json!(1)).collect();
+    assert_eq!((holes.len(), &holes[0]["birth"], &holes[0]["death"]), (1, &json!(4.0), &json!(6.0)));
+    let essential = rips.as_array().unwrap().iter().filter(|pair| pair["death"].is_null()).count();
+    assert_eq!(essential, 2, "the point by itself is there: {rips}");
+    // A pattern has edges without values; in a general matrix an entry leads one way.
+    let loops = "%%MatrixMarket matrix coordinate pattern general\n3 3 4\n1 2\n2 3\n3 1\n2 1\n";
+    assert_eq!(ask(loops, &["--directed"])["betti"], json!([1, 2]));
+    assert_eq!(ask(loops, &[])["betti"], json!([1, 0]));
+    let said = |text: &str, option: &str| {
+        coface_reading(&["persistence", "-", option], text.as_bytes()).fails_with(1).to_owned()
+    };
+    assert!(
+        said(&format!("{banner} general\n3 3 1\n4 1 2\n"), "--flag")
+            .contains("standard input:3: the row is 4")
+    );
+    assert!(said(&format!("{banner} general\n2 3 1\n1 1 2\n"), "--rips").contains("2 rows and 3 columns"));
+    assert!(said(loops, "--rips").contains("standard input:3: a pattern has no distances"));
+}
+
 #[test]
 fn wrong_graphs_are_named_by_their_lines() {
     let said = |text: &str| {

@@ -1,7 +1,7 @@
 //! Graphs with values: edge lists and GraphML.
 //!
 //! * A [`FileGraph`] has the edges, and the numbers or names that vertices have in the file.
-//! * An edge list is text, or a NumPy array. GraphML is XML: the `id`s of its nodes are names, and the data of the key whose `attr.name` is `weight` are values.
+//! * An edge list is text, or a NumPy array. A square matrix of Matrix Market has an edge for each entry. GraphML is XML: the `id`s of its nodes are names, and the data of the key whose `attr.name` is `weight` are values.
 //! * [`FlagReading`](crate::FlagReading) reads them.
 
 mod edge_list;
@@ -9,6 +9,7 @@ mod edge_list;
 mod graphml;
 mod rows;
 
+use crate::matrix_market::{self, Relation};
 use crate::volume::NPY_MAGIC;
 use crate::{NumberTable, Remark};
 use coface_algebra::Error;
@@ -120,17 +121,39 @@ impl FileGraph {
     /// The graph of a stream.
     pub(crate) fn read(mut input: impl Read, directed: bool) -> Result<Self, Error> {
         let mut start = Vec::new();
-        input.by_ref().take(NPY_MAGIC.len() as u64).read_to_end(&mut start)?;
-        let is_array = start == NPY_MAGIC;
+        input.by_ref().take(matrix_market::BANNER.len() as u64).read_to_end(&mut start)?;
+        let is_array = start.starts_with(NPY_MAGIC);
+        let is_matrix = matrix_market::is_matrix_market(&start);
         let first = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&start).trim_ascii_start().first().copied();
         let whole = std::io::Cursor::new(start).chain(input);
         if is_array {
             return Self::of_table(&NumberTable::read(whole)?.of_numbers_only()?, directed);
         }
+        if is_matrix {
+            return Self::of_matrix(&Relation::read(whole)?, directed);
+        }
         if first == Some(b'<') {
             return graph_of_xml(whole, directed);
         }
         edge_list::rows(whole)?.graph(directed)
+    }
+
+    /// The graph of a square matrix: a vertex for each row, an edge for each entry beside the diagonal, on which the values of vertices stand.
+    fn of_matrix(matrix: &Relation, directed: bool) -> Result<Self, Error> {
+        let mut rows = Rows::default();
+        for vertex in 0..matrix.count {
+            rows.vertex(&vertex.to_string());
+        }
+        for entry in &matrix.entries {
+            let (from, to) = (entry.row as u32, entry.column as u32);
+            match entry.value {
+                value if from == to => rows.push_row(from, to, value, Some(entry.line))?,
+                value => {
+                    rows.push_edge((from, to), value.unwrap_or(1.0), Some(entry.line), matrix.is_symmetric)?
+                }
+            }
+        }
+        rows.graph(directed)
     }
 
     /// The graph of a table with rows `u v value`, `u v`, `u u value` and `u`.

@@ -42,6 +42,10 @@ const COMMUTING: &str = "coface generate presentation --generators 6 \
 const TETRAHEDRON: Files =
     &[("t.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")];
 
+/// A matrix of real numbers.
+const WEIGHTS: Files =
+    &[("w.mtx", "%%MatrixMarket matrix coordinate real symmetric\n3 3 2\n2 1 0.5\n3 2 0.25\n")];
+
 pub(super) const CASES: &[Case] = &[
     Case::new("render/spin.rs", "--spin: an animation is a GIF, a PNG or a WebP")
         .files(TRIANGLES)
@@ -56,6 +60,18 @@ pub(super) const CASES: &[Case] = &[
         .files(TRIANGLES)
         .refused("coface render a.json --spin")
         .cured(&[&["coface render a.json --spin=2 --size 40x30 -o spin.gif"]]),
+    Case::new("io/src/matrix_market.rs", "write integers or a pattern, or read it as a graph (--flag)")
+        .files(WEIGHTS)
+        .refused("coface info w.mtx")
+        .cured(&[&["coface persistence w.mtx --flag"], &["coface persistence w.mtx --rips"]]),
+    Case::new("io/src/matrix_market.rs", "write all entries, as general, or read it as a graph (--flag)")
+        .files(&[("w.mtx", "%%MatrixMarket matrix coordinate integer symmetric\n2 2 1\n2 1 5\n")])
+        .refused("coface info w.mtx")
+        .cured(&[&["coface persistence w.mtx --flag"], &["coface persistence w.mtx --rips"]]),
+    Case::new("io/src/readers.rs", "coface incidence INPUT VE --signed -o OUT.mtx")
+        .files(TETRAHEDRON)
+        .refused("coface convert t.off -o t.mtx")
+        .cured(&[&["coface incidence t.off VE --signed -o t.mtx"]]),
     Case::new("answers/src/text.rs", "(--check geometry checks it)")
         .files(TETRAHEDRON)
         .answered("coface info t.off --check topology")
