@@ -1,5 +1,14 @@
 /** Models to begin with: how the program makes them, or their text. */
 
+import beam from "../../data/beam_h5t12.mesh?raw";
+import fandisk from "../../data/fandisk_quads.off?raw";
+import geometryCentral from "../../data/licenses/geometry-central.txt?raw";
+import pmpLibrary from "../../data/licenses/pmp-library.txt?raw";
+import sfepy from "../../data/licenses/sfepy.txt?raw";
+import band from "../../data/moebius.obj?raw";
+import shelf from "../../data/platonic_shelf.obj?raw";
+import spot from "../../data/spot.obj?raw";
+
 export interface Example {
   title: string;
   /** The name of the file that it becomes. */
@@ -39,6 +48,16 @@ export const EXAMPLES: { group: string; examples: Example[] }[] = [
       made("house with two rooms", "house.json", "house"),
       made("Moore space: a disk around a circle, 3 times", "moore.json", "moore", "--order", "3"),
       made("a group: x^2 = y^3", "trefoil.json", "presentation", "--generators", "2", "--relator", "1,1,-2,-2,-2"),
+    ],
+  },
+  {
+    group: "real meshes",
+    examples: [
+      { title: "a cow: closed surface of 5,856 triangles", name: "spot.obj", from: spot },
+      { title: "machine part: 764 quadrangles", name: "fandisk_quads.off", from: fandisk },
+      { title: "Moebius band of quadrangles", name: "band.obj", from: band },
+      { title: "the five Platonic solids on a shelf", name: "platonic_shelf.obj", from: shelf },
+      { title: "hexahedra and tetrahedra that do not match", name: "beam_h5t12.mesh", from: beam },
     ],
   },
   {
@@ -104,3 +123,11 @@ export const EXAMPLES: { group: string; examples: Example[] }[] = [
     ],
   },
 ];
+
+/** What goes with the meshes of others: whose they are, and their licences. */
+export const NOTICES = [
+  "The cow is Spot by Keenan Crane, in the public domain (CC0).",
+  `The machine part comes from pmp-library:\n\n${pmpLibrary.trim()}`,
+  `The Moebius band of quadrangles and the Platonic solids come from geometry-central:\n\n${geometryCentral.trim()}`,
+  `The hexahedra and tetrahedra come from sfepy:\n\n${sfepy.trim()}`,
+].join("\n\n\n");

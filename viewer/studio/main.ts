@@ -1,7 +1,7 @@
 /** The studio: models on the left, the view in the middle, questions and answers on the right; everything is computed in this page. */
 
 import { button, download, element } from "../src/panel/elements";
-import { EXAMPLES, type Example } from "./examples";
+import { EXAMPLES, NOTICES, type Example } from "./examples";
 import { moduleOfPage } from "./module";
 import { TABLES } from "./tables/all";
 import { commandOf, pythonOf, QUESTIONS, wordsOf, type Question } from "./questions";
@@ -67,6 +67,7 @@ class Studio {
         button("save", "save models and answers as a file", () => download("session.coface.json", new Blob([this.session.toText()], { type: "application/json" }))),
         button("share", "copy a link to this session", () => void this.share()),
       ),
+      element("details", {}, element("summary", {}, "licences of the examples"), element("pre", { class: "detail", tabindex: "0" }, NOTICES)),
     );
   }
 
