@@ -38,6 +38,12 @@ const CAPS: [(&str, BufferCaps); 3] =
 ///     How the ends of lines are closed.
 /// frame : sequence of four float, optional
 ///     The box of clip: least x, least y, greatest x, greatest y.
+/// snap : bool
+///     Whether coordinates of node and polygonize are rounded, and lines cut again, until all vertices are where their coordinates say.
+/// grid : float, optional
+///     The length of which all coordinates of node and polygonize are multiples.
+/// tolerance : float, optional
+///     How far apart vertices and lines of node and polygonize may be that are put together.
 /// progress : bool or callable, optional
 ///     ``True`` shows a bar; a function is called with (stage, done, total).
 ///
@@ -53,7 +59,7 @@ const CAPS: [(&str, BufferCaps); 3] =
 /// >>> coface._coface.map_task([square], "buffer", length=1.0, joins="mitre")[1]["measure"]
 /// 16.0
 #[pyfunction]
-#[pyo3(signature = (models, task, *, method="structure", length=None, error=None, joins="round", mitre_limit=5.0, caps="round", frame=None, progress=None))]
+#[pyo3(signature = (models, task, *, method="structure", length=None, error=None, joins="round", mitre_limit=5.0, caps="round", frame=None, snap=false, grid=None, tolerance=None, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn map_task<'py>(
     py: Python<'py>,
@@ -66,6 +72,9 @@ pub(crate) fn map_task<'py>(
     mitre_limit: f64,
     caps: &str,
     frame: Option<[f64; 4]>,
+    snap: bool,
+    grid: Option<f64>,
+    tolerance: Option<f64>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<(Model, Bound<'py, PyAny>)> {
     let joins_of = [
@@ -76,6 +85,7 @@ pub(crate) fn map_task<'py>(
     let needed = |length: Option<f64>| {
         length.ok_or_else(|| invalid(py, format!("{task} has no length"), "give a number"))
     };
+    let lines = LineOptions::new().snap(snap).grid(grid).tolerance(tolerance);
     let task = match task {
         "repair" => MapTask::Repair(choice(py, "method", method, &METHODS)?),
         "buffer" => {
@@ -88,8 +98,8 @@ pub(crate) fn map_task<'py>(
             Some(frame) => MapTask::Clip(frame),
             None => return Err(invalid(py, "clip has no box".to_owned(), "give four numbers")),
         },
-        "node" => MapTask::Node(LineOptions::new()),
-        "polygonize" => MapTask::Polygonize(LineOptions::new()),
+        "node" => MapTask::Node(lines),
+        "polygonize" => MapTask::Polygonize(lines),
         "simplify" => MapTask::Simplify(needed(length)?),
         "coverage" => MapTask::Coverage { gap_width: length },
         _ => {

@@ -401,3 +401,20 @@ def test_what_is_assumed_of_inputs_is_a_warning():
         warnings.simplefilter("error")
         coface.boolean("union", coface.polygon(SHELL, HOLE))
         coface.arrange(coface.generate("box", boundary=True))
+
+
+def test_lines_that_nearly_meet_bound_faces_within_a_tolerance():
+    # The third side ends short of the first.
+    lines = coface.Model.from_bytes(b"MULTILINESTRING ((0 0, 4 0), (4 0, 0 3), (0 3, 0 0.0000001))", "wkt")
+
+    def area(**options):
+        return coface.boolean("union", coface.maps.polygonize(lines, **options)).measure
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        assert coface.maps.polygonize(lines).__geo_interface__["features"] == []
+        assert area(tolerance=0.001) == area(grid=0.5) == 6
+        assert len(coface.maps.node(lines, tolerance=0.001).__geo_interface__["features"]) == 3
+        assert len(coface.maps.node(lines, snap=True).__geo_interface__["features"]) == 3
+    with pytest.raises(coface.InvalidInputError, match="two ways"):
+        coface.maps.node(lines, tolerance=0.1, grid=0.1)

@@ -130,13 +130,21 @@ def clip(*models: Any, box: Sequence[float], progress: Any = False) -> Model:
 
 
 @in_words
-def node(*models: Any, progress: Any = False) -> Model:
+def node(
+    *models: Any, snap: bool = False, grid: float | None = None, tolerance: float | None = None, progress: Any = False
+) -> Model:
     """All lines and rings cut where they meet: each piece between two meetings is a line.
 
     Parameters
     ----------
     *models
         The maps.
+    snap
+        Whether coordinates are rounded and lines cut again until all vertices are where their coordinates say.
+    grid
+        All coordinates are multiples of this length.
+    tolerance
+        Vertices and lines at most so far apart are put together, in the unit of the map; not with `grid`.
     progress
         As for :func:`coface.homology`.
 
@@ -152,17 +160,25 @@ def node(*models: Any, progress: Any = False) -> Model:
     >>> len(coface.maps.node(cross).__geo_interface__["features"])
     4
     """
-    return _coface.map_task(_inputs(models), "node", progress=progress)[0]
+    return _coface.map_task(_inputs(models), "node", snap=snap, grid=grid, tolerance=tolerance, progress=progress)[0]
 
 
 @in_words
-def polygonize(*models: Any, progress: Any = False) -> Model:
+def polygonize(
+    *models: Any, snap: bool = False, grid: float | None = None, tolerance: float | None = None, progress: Any = False
+) -> Model:
     """The faces that lines and rings bound, cut where they meet.
 
     Parameters
     ----------
     *models
         The maps.
+    snap
+        Whether coordinates are rounded and lines cut again until all vertices are where their coordinates say.
+    grid
+        All coordinates are multiples of this length.
+    tolerance
+        Vertices and lines at most so far apart are put together, in the unit of the map; not with `grid`.
     progress
         As for :func:`coface.homology`.
 
@@ -178,7 +194,7 @@ def polygonize(*models: Any, progress: Any = False) -> Model:
     >>> len(coface.maps.polygonize(lines).__geo_interface__["features"])
     2
     """
-    return _coface.map_task(_inputs(models), "polygonize", progress=progress)[0]
+    return _coface.map_task(_inputs(models), "polygonize", snap=snap, grid=grid, tolerance=tolerance, progress=progress)[0]
 
 
 @in_words
