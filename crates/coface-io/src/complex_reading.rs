@@ -113,7 +113,7 @@ impl ComplexReading {
     fn of_stream(self, input: &mut dyn Read) -> Result<Model, Error> {
         match self {
             Self::Alpha(alpha) => alpha.points(&NumberTable::read(input)?)?.into_model(),
-            Self::Rips(rips) => rips.model(rips.distances(&NumberTable::read(input)?)?),
+            Self::Rips(rips) => rips.model(rips.distances(&NumberTable::read_distances(input)?)?),
             Self::Flag(flag) => flag.model(&flag.graph(input)?),
             Self::Cech(cech) => Ok(cech.points(&NumberTable::read(input)?)?.into_model()),
             Self::Witness(witness) => Ok(witness.points(&NumberTable::read(input)?)?.into_model()),

@@ -49,14 +49,22 @@ impl NumberTable {
     /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) for a damaged one, and
     /// [`ErrorKind::Shape`](coface_algebra::ErrorKind::Shape) for an array of more than two axes. All name the file.
     pub fn read_path(path: impl AsRef<Path>) -> Result<Self, Error> {
-        let path = path.as_ref();
+        Self::of_path(path.as_ref(), |stream| Self::read(stream))
+    }
+
+    /// The table of a file as [`Self::read_distances`] reads it.
+    pub(crate) fn read_distances_of_path(path: &Path) -> Result<Self, Error> {
+        Self::of_path(path, |stream| Self::read_distances(stream))
+    }
+
+    fn of_path(path: &Path, read: impl FnOnce(Box<dyn Read>) -> Result<Self, Error>) -> Result<Self, Error> {
         let named = |error: Error| error.in_file(path.display().to_string());
         let file = open_regular(path).map_err(named)?;
         let size = file.metadata().map_or(0, |metadata| metadata.len());
-        Self::read(reading(&name_of(path), file, size)).map_err(named)
+        read(Box::new(reading(&name_of(path), file, size))).map_err(named)
     }
 
-    /// The table of a stream: a NumPy array of one or two axes, a square matrix in the coordinate format of Matrix Market, whose entries are rows `i j distance`, or text in UTF-8 or UTF-16; either may be compressed. A row is a line of numbers with blanks, commas or semicolons between
+    /// The table of a stream: a NumPy array of one or two axes, or text in UTF-8 or UTF-16; either may be compressed. A row is a line of numbers with blanks, commas or semicolons between
     /// them. A comma in numbers that semicolons, tabs or quotes hold apart is a decimal comma, of which [`Self::remarks`] tells. Empty lines and lines that begin with `#`
     /// or `//` are passed over, and so are a first line of words, with as many of them as there are columns, and columns of words, of which [`Self::left_out`] tells.
     ///
@@ -69,6 +77,36 @@ impl NumberTable {
     /// # Examples
     /// See [`NumberTable`].
     pub fn read(input: impl Read) -> Result<Self, Error> {
+        let table = Self::read_distances(input)?;
+        if table.is_list_of_pairs {
+            let error = Error::invalid(
+                "a matrix of Matrix Market is a graph, or has distances, and no rows of points",
+            );
+            return Err(error.with_cure("read it as a graph (--flag) or as distances (--rips)"));
+        }
+        Ok(table)
+    }
+
+    /// The table of a stream as [`Self::read`] has it, or of a square matrix in the coordinate format of Matrix Market: rows `i j distance` with points from
+    /// 0 on, which [`TableForm::of`] takes for sparse distances.
+    ///
+    /// # Errors
+    /// As of [`Self::read`], and [`ErrorKind::Shape`](coface_algebra::ErrorKind::Shape) for a matrix that is not square.
+    ///
+    /// # Complexity
+    /// Linear.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{NumberTable, TableForm};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let text = b"%%MatrixMarket matrix coordinate real symmetric\n3 3 1\n2 1 0.5\n";
+    /// let table = NumberTable::read_distances(&text[..])?;
+    /// assert_eq!((table.row(0), TableForm::of(&table).0), (&[1.0, 0.0, 0.5][..], TableForm::Sparse));
+    /// assert!(NumberTable::read(&text[..]).is_err());
+    /// # Ok(()) }
+    /// ```
+    pub fn read_distances(input: impl Read) -> Result<Self, Error> {
         let mut input = plain_bytes(input)?;
         let mut start = Vec::new();
         input.by_ref().take(matrix_market::BANNER.len() as u64).read_to_end(&mut start)?;

@@ -10,7 +10,7 @@ pub(crate) fn is_model(path: &Path, options: &ReadOptions) -> bool {
     let extension =
         |path: &Path| path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
     match options.format.or_else(|| Format::from_input_path(path)) {
-        None | Some(Format::Npy) => false,
+        None | Some(Format::Npy | Format::MatrixMarket) => false,
         // Atoms have names, and tables of points have any number of columns.
         Some(Format::Points) => {
             let inner = path.file_stem().and_then(|stem| extension(Path::new(stem)));

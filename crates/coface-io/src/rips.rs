@@ -71,7 +71,7 @@ impl RipsReading {
             found.remarks.extend(remarks);
             return Ok(found);
         }
-        reading.distances(&NumberTable::read_path(path)?).map_err(named)
+        reading.distances(&NumberTable::read_distances_of_path(path)?).map_err(named)
     }
 
     /// The distances in a table, or those of its points.

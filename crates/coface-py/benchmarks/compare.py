@@ -1,4 +1,4 @@
-"""coface beside gudhi, gmsh, trimesh, shapely and manifold3d on the same inputs.
+"""coface beside gudhi, ripser, cripser, gmsh, trimesh, shapely and manifold3d on the same inputs.
 
 Each tool answers each question in a process of its own; processes of both sides take turns, so that a busy minute hits both. Reported are the
 least time of each, their ratio, and the peak of resident memory over that of the process before the question. From arrays to arrays: making the input
@@ -267,6 +267,55 @@ def voxels_gudhi(values: Any) -> Any:
 
 
 case("voxels", "Betti numbers of a mask of 128^3 voxels", mask, coface=voxels_coface, gudhi=voxels_gudhi)
+
+
+# Points.
+
+
+def rotations(size: float) -> np.ndarray:
+    """Orthogonal matrices of three rows, drawn evenly, as points with nine coordinates."""
+    random = np.random.default_rng(5)
+    q, r = np.linalg.qr(random.normal(size=(int(1024 * size), 3, 3)))
+    return (q * np.sign(np.einsum("nii->ni", r))[:, None, :]).reshape(-1, 9)
+
+
+#: The diameter at which simplices of the rotations end, and the highest degree.
+DIAMETER, DEGREE = 1.8, 3
+
+
+def rips_coface(points: Any) -> Any:
+    import coface
+
+    found = coface.rips(points, dimension=DEGREE, threshold=DIAMETER)
+    return [np.asarray(found.diagram(degree)) for degree in range(DEGREE + 1)]
+
+
+def rips_ripser(points: Any) -> Any:
+    import ripser
+
+    return ripser.ripser(points, maxdim=DEGREE, thresh=DIAMETER)["dgms"]
+
+
+def rips_gudhi(points: Any) -> Any:
+    import gudhi
+
+    tree = gudhi.RipsComplex(points=points, max_edge_length=DIAMETER).create_simplex_tree(max_dimension=1)
+    tree.collapse_edges()
+    tree.expansion(DEGREE + 1)
+    tree.compute_persistence(homology_coeff_field=2, min_persistence=0)
+    return [tree.persistence_intervals_in_dimension(degree) for degree in range(DEGREE + 1)]
+
+
+def totals(diagrams: Any) -> Any:
+    """Of each degree how many classes live longer than rounding to single precision, and how long those live in all that die."""
+    found = []
+    for diagram in diagrams:
+        lives = np.diff(np.asarray(diagram, float).reshape(-1, 2), axis=1)
+        found += [int((lives > 1e-5).sum()), round(float(lives[np.isfinite(lives) & (lives > 1e-5)].sum()), 2)]
+    return found
+
+
+case("points", "Vietoris-Rips persistence of 1,024 rotations, degrees 0 to 3", rotations, totals, coface=rips_coface, ripser=rips_ripser, gudhi=rips_gudhi)
 
 
 # Regions of the plane.

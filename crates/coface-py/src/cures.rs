@@ -13,8 +13,8 @@ const PHRASES: [(&str, &str); 55] = [
     ("read it as an interface", "read it as an interface: coface.Interface.read(path)"),
     ("coface persistence POINTS --rips", "coface.rips(points)"),
     (
-        "or read it as a graph (--flag) or as distances (--rips)",
-        "or read it by coface.flag(path), or by coface.rips(scipy.io.mmread(path))",
+        "read it as a graph (--flag) or as distances (--rips)",
+        "read it by coface.flag(path), or by coface.rips(scipy.io.mmread(path))",
     ),
     (
         "coface incidence INPUT VE --signed -o OUT.mtx writes",

@@ -62,7 +62,7 @@ impl PointQuestion {
         progress.stage(format!("reading {name}"));
         let points = match Source::of(path)? {
             Source::File(path) => reading.distances_of_path(path, &common.reading())?,
-            Source::Bytes(bytes) => NumberTable::read(bytes)
+            Source::Bytes(bytes) => NumberTable::read_distances(bytes)
                 .and_then(|table| reading.distances(&table))
                 .map_err(|error| error.in_file(name.clone()))?,
         };

@@ -68,6 +68,10 @@ pub(super) const CASES: &[Case] = &[
         .files(&[("w.mtx", "%%MatrixMarket matrix coordinate integer symmetric\n2 2 1\n2 1 5\n")])
         .refused("coface info w.mtx")
         .cured(&[&["coface persistence w.mtx --flag"], &["coface persistence w.mtx --rips"]]),
+    Case::new("io/src/number_table.rs", "read it as a graph (--flag) or as distances (--rips)")
+        .files(WEIGHTS)
+        .refused("coface persistence w.mtx --alpha")
+        .cured(&[&["coface persistence w.mtx --flag"], &["coface persistence w.mtx --rips"]]),
     Case::new("io/src/readers.rs", "coface incidence INPUT VE --signed -o OUT.mtx")
         .files(TETRAHEDRON)
         .refused("coface convert t.off -o t.mtx")
