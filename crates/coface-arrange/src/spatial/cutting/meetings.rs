@@ -184,6 +184,29 @@ fn crossing(d: u32, e: u32) -> Place {
     Place::Edges([d.min(e), d.max(e)])
 }
 
+/// On which side of an edge of a sheet a vertex is, as it is seen from the front of the sheet: `Greater` for inside.
+fn side_of_edge(sheets: &Sheets, sheet: u32, edge: usize, vertex: u32) -> Ordering {
+    let view: PlaneView = sheets.views[sheet as usize];
+    let corners = sheets.corners[sheet as usize];
+    let [a, b, c] =
+        [corners[edge], corners[(edge + 1) % 3], vertex].map(|vertex| view.seen(sheets.point(vertex)));
+    view.seen_from_front(orientation(a, b, c))
+}
+
+/// Whether the other of two sheets is seen to be outside of an edge of one of them, but for ends of this edge: the sheets then have at most these in common. A
+/// sheet is seen as a triangle from its own front, so that no other point of it is behind one of its corners.
+fn are_seen_apart(sheets: &Sheets, pair: [u32; 2]) -> bool {
+    (0..2).any(|own| {
+        let [corners, others] = [pair[own], pair[1 - own]].map(|sheet| sheets.corners[sheet as usize]);
+        (0..3).any(|edge| {
+            let ends = [corners[edge], corners[(edge + 1) % 3]];
+            others.iter().all(|&corner| {
+                ends.contains(&corner) || side_of_edge(sheets, pair[own], edge, corner).is_lt()
+            })
+        })
+    })
+}
+
 struct Pairs<'a> {
     sheets: &'a Sheets,
 }
@@ -217,31 +240,40 @@ impl Plane {
         Self { sheet, corners: sheets.corners[sheet as usize], filter: Filter::new(sheets, sheet) }
     }
 
-    fn side(&self, sheets: &Sheets, vertex: u32) -> Ordering {
-        let point = sheets.point(vertex);
+    /// The side that a point is on, unless it is too near to the plane to be told quickly.
+    fn quick_side(&self, sheets: &Sheets, point: [f64; 3]) -> Option<Ordering> {
         match &self.filter {
             Filter::Level(level) => {
                 let view = sheets.views[self.sheet as usize];
                 let order = point[usize::from(view.axis)].partial_cmp(level);
-                view.seen_from_front(order.expect("coordinates are numbers"))
+                Some(view.seen_from_front(order.expect("coordinates are numbers")))
             }
-            Filter::Slanted(filter) => filter.side_of(point).unwrap_or_else(|| {
-                let [a, b, c] = sheets.plane(self.sheet);
-                spatial_orientation(a, b, c, point)
-            }),
+            Filter::Slanted(filter) => filter.side_of(point),
         }
     }
 
-    /// The sides that the corners of another sheet are on; `None` if they meet at most in common corners, because all
-    /// other corners are on one side.
+    /// The sides that the corners of another sheet are on; `None` if they meet at most in common corners and edges, because all other corners are on one
+    /// side, or because they are beside each other in nearly one plane.
     fn sides(&self, sheets: &Sheets, of: u32) -> Option<[Ordering; 3]> {
-        let mut sides = [Ordering::Equal; 3];
+        let corners = sheets.corners[of as usize];
+        let quick = corners.map(|corner| match self.corners.contains(&corner) {
+            true => Some(Ordering::Equal),
+            false => self.quick_side(sheets, sheets.point(corner)),
+        });
+        // What is told in the plane costs a fraction of what is told in space.
+        if quick.contains(&None) && are_seen_apart(sheets, [self.sheet, of]) {
+            return None;
+        }
         let mut seen = [false; 3];
-        for (side, &corner) in sides.iter_mut().zip(&sheets.corners[of as usize]) {
+        let mut sides = [Ordering::Equal; 3];
+        for ((side, quick), corner) in sides.iter_mut().zip(quick).zip(corners) {
             if self.corners.contains(&corner) {
                 continue;
             }
-            *side = self.side(sheets, corner);
+            *side = quick.unwrap_or_else(|| {
+                let [a, b, c] = sheets.plane(self.sheet);
+                spatial_orientation(a, b, c, sheets.point(corner))
+            });
             seen[(*side as i8 + 1) as usize] = true;
         }
         (seen[1] || seen[0] == seen[2]).then_some(sides)
@@ -319,19 +351,9 @@ impl Pairs<'_> {
 
     /// The edges of a sheet that a vertex in its plane, none of its corners, is on; `None` if it is outside.
     fn edges_with(&self, sheet: u32, vertex: u32) -> Option<u8> {
-        let turns = [0, 1, 2].map(|edge| self.turn(sheet, edge, vertex));
+        let turns = [0, 1, 2].map(|edge| side_of_edge(self.sheets, sheet, edge, vertex));
         // Counterclockwise throughout: not outside on any.
         turns.iter().all(|turn| turn.is_ge()).then(|| bits(turns))
-    }
-
-    /// On which side of an edge of a sheet a vertex is, in the plane as it is seen from the front: `Greater` for
-    /// inside.
-    fn turn(&self, sheet: u32, edge: usize, vertex: u32) -> Ordering {
-        let view: PlaneView = self.sheets.views[sheet as usize];
-        let corners = self.sheets.corners[sheet as usize];
-        let [a, b, c] = [corners[edge], corners[(edge + 1) % 3], vertex]
-            .map(|vertex| view.seen(self.sheets.point(vertex)));
-        view.seen_from_front(orientation(a, b, c))
     }
 
     /// Adds the meetings of two sheets in one plane.
@@ -346,7 +368,7 @@ impl Pairs<'_> {
                 let ends = [corners[own][edge], corners[own][(edge + 1) % 3]];
                 for (turn, &corner) in turns.iter_mut().zip(&corners[1 - own]) {
                     if !ends.contains(&corner) {
-                        *turn = self.turn(pair[own], edge, corner);
+                        *turn = side_of_edge(self.sheets, pair[own], edge, corner);
                     }
                 }
                 // Nothing on this side of the edge, and on its line nothing but its ends.
