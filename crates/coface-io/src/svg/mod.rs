@@ -16,6 +16,10 @@
 //! a remark.
 
 #[cfg(feature = "xml")]
+mod clip_paths;
+#[cfg(feature = "xml")]
+mod clipping;
+#[cfg(feature = "xml")]
 mod curves;
 #[cfg(feature = "xml")]
 mod elements;

@@ -13,6 +13,7 @@ pub(super) enum Property {
     Visibility,
     FontSize,
     ClipPath,
+    ClipRule,
     Mask,
     Overflow,
     /// A shape or its place that a style says: `transform`, `d`, `r`, `width`, .. An attribute of these names is read elsewhere.
@@ -32,6 +33,7 @@ impl Property {
             "visibility" => Self::Visibility,
             "font-size" => Self::FontSize,
             "clip-path" => Self::ClipPath,
+            "clip-rule" => Self::ClipRule,
             "mask" => Self::Mask,
             "overflow" => Self::Overflow,
             _ => return None,
