@@ -1,8 +1,10 @@
 //! Clip paths of elements: what `clip-path` names, and the shapes of `clipPath`.
 
+use super::clip_shapes::BasicShape;
 use super::clipping::{Clip, Region};
 use super::curves::{Pen, Subpath};
 use super::elements::{self, FillRule};
+use super::painting::Painting;
 use super::reading::{Around, Reader, Whole, fault, line_of};
 use super::style::{Property, Style};
 use super::transformation::Transformation;
@@ -25,6 +27,10 @@ pub(super) struct Referring<'a, 'input> {
     /// From its own coordinates to those of the drawing.
     pub(super) map: Transformation,
     pub(super) viewport: Viewport,
+    /// In how many elements it is.
+    pub(super) depth: usize,
+    /// How it is painted.
+    pub(super) painting: Painting,
 }
 
 /// What a shape in a clip path has of the elements around it.
@@ -92,18 +98,15 @@ impl Reader {
         whole: &Whole<'a, 'input>,
         referring: &Referring<'a, 'input>,
     ) -> Result<Option<usize>, Error> {
+        if let Some(shape) = BasicShape::parse(value).filter(|_| !value.starts_with("url")) {
+            return self.basic_shape(&shape, whole, referring);
+        }
         let target = local_url(value).and_then(|id| whole.ids.get(id)).copied();
         let Some(target) = target.filter(|target| target.tag_name().name() == "clipPath") else {
             return Ok(None);
         };
         if self.open_clips.contains(&target.id()) {
             return Ok(None);
-        }
-        if self.open_clips.len() >= DEEPEST {
-            let message = format!("clip paths are nested deeper than {DEEPEST}");
-            return Err(Error::new(ErrorKind::TooLarge, message)
-                .at_line(line_of(target))
-                .with_cure("nest them less"));
         }
         let style = whole.sheet.style(target);
         let is_of_box = target.attribute("clipPathUnits").map(str::trim) == Some("objectBoundingBox");
@@ -113,11 +116,7 @@ impl Reader {
         if let Some(&known) = self.known_clips.get(&key).filter(|_| is_kept) {
             return Ok(known);
         }
-        self.copies_left = self.copies_left.checked_sub(target.range().len()).ok_or_else(|| {
-            let message = "clip paths make more copies of shapes than are drawn";
-            Error::new(ErrorKind::TooLarge, message).at_line(line_of(target)).with_cure("clip groups, not each shape")
-        })?;
-        self.open_clips.push(target.id());
+        self.open_clip(target)?;
         let found = self.clip_path(target, &style, is_of_box, whole, referring);
         self.open_clips.pop();
         let found = found?;
@@ -125,6 +124,27 @@ impl Reader {
             self.known_clips.insert(key, found);
         }
         Ok(found)
+    }
+
+    /// Notes that a clip path or a mask is being read.
+    ///
+    /// # Errors
+    /// `TooLarge` if too many are read in each other, or they are read too often.
+    pub(super) fn open_clip(&mut self, target: Node<'_, '_>) -> Result<(), Error> {
+        if self.open_clips.len() >= DEEPEST {
+            let message = format!("clip paths and masks are nested deeper than {DEEPEST}");
+            return Err(Error::new(ErrorKind::TooLarge, message)
+                .at_line(line_of(target))
+                .with_cure("nest them less"));
+        }
+        self.copies_left = self.copies_left.checked_sub(target.range().len()).ok_or_else(|| {
+            let message = "clip paths and masks make more copies of shapes than are drawn";
+            Error::new(ErrorKind::TooLarge, message)
+                .at_line(line_of(target))
+                .with_cure("clip groups instead of single shapes")
+        })?;
+        self.open_clips.push(target.id());
+        Ok(())
     }
 
     fn clip_path<'a, 'input>(
@@ -137,13 +157,14 @@ impl Reader {
     ) -> Result<Option<usize>, Error> {
         let mut map = referring.map.after(&transform_of(target)?);
         if is_of_box {
-            let [low, high] = self.box_of(whole, referring)?;
+            let ([low, high], _) = self.box_of(whole, referring)?;
             let [width, height] = [high[0] - low[0], high[1] - low[1]];
             if !(width > 0.0 && height > 0.0) {
                 // Of a box without an extent nothing is a part, and the clip path is passed over.
                 return Ok(Some(self.clips.push(Clip::All(Vec::new()))));
             }
-            let unit = Transformation { a: width, d: height, e: low[0], f: low[1], ..Transformation::IDENTITY };
+            let unit =
+                Transformation { a: width, d: height, e: low[0], f: low[1], ..Transformation::IDENTITY };
             map = map.after(&unit);
         }
         let mut inherited =
@@ -155,7 +176,7 @@ impl Reader {
         }
         let mut shapes = Vec::new();
         for child in target.children().filter(Node::is_element) {
-            let within = Referring { node: child, user: None, map, viewport: referring.viewport };
+            let within = Referring { node: child, user: None, map, ..*referring };
             match self.clip_shape(whole, &within, inherited)? {
                 Child::Shape(shape) => shapes.push(shape),
                 Child::Nothing => {}
@@ -194,12 +215,13 @@ impl Reader {
         let mut map = within.map.after(&transform_of(node)?);
         let shape = if name == "use" {
             map = map.after(&shift_of(node, &viewport)?);
-            let Some(target) = target_of(node, whole).filter(|target| target.tag_name().name() != "use") else {
+            let Some(target) = target_of(node, whole).filter(|target| target.tag_name().name() != "use")
+            else {
                 return Ok(Child::Nothing);
             };
             let size = target.range().len();
             self.copies_left = self.copies_left.checked_sub(size).ok_or_else(|| too_many_copies(node))?;
-            let inner = Referring { node: target, user: Some(node), map, viewport };
+            let inner = Referring { node: target, user: Some(node), map, viewport, ..*within };
             match self.clip_shape(whole, &inner, inherited)? {
                 Child::Shape(shape) => shape,
                 other => return Ok(other),
@@ -217,17 +239,38 @@ impl Reader {
         Ok(clip.map_or(Child::Nothing, Child::Shape))
     }
 
-    /// The box around all that an element draws, in its own coordinates, whether it is seen or not.
-    fn box_of<'a, 'input>(
+    /// A basic shape in the box around an element; `None` if it is not known, or its box is that of outlines.
+    fn basic_shape<'a, 'input>(
+        &mut self,
+        shape: &BasicShape<'_>,
+        whole: &Whole<'a, 'input>,
+        referring: &Referring<'a, 'input>,
+    ) -> Result<Option<usize>, Error> {
+        let ([low, high], has_outlines) = self.box_of(whole, referring)?;
+        let size = [high[0] - low[0], high[1] - low[1]];
+        if has_outlines && shape.has_strokes || !size.iter().all(|side| *side >= 0.0 && side.is_finite()) {
+            return Ok(None);
+        }
+        let moved = Transformation { e: low[0], f: low[1], ..Transformation::IDENTITY };
+        let mut pen = Pen::new(referring.map.after(&moved), self.curves);
+        let Some(rule) = shape.draw(&referring.viewport, size, &mut pen) else { return Ok(None) };
+        if !pen.subpaths.iter().all(Subpath::is_finite) {
+            return Err(fault(referring.node, "a transformed coordinate is not finite"));
+        }
+        Ok(Some(self.clips.push(Clip::Region(Region::new(pen.subpaths, rule.inside())))))
+    }
+
+    /// The box around all that an element draws, in its own coordinates, whether it is seen or not, and whether some of it has outlines.
+    pub(super) fn box_of<'a, 'input>(
         &mut self,
         whole: &Whole<'a, 'input>,
         referring: &Referring<'a, 'input>,
-    ) -> Result<[[f64; 2]; 2], Error> {
+    ) -> Result<([[f64; 2]; 2], bool), Error> {
         let mut measuring = Self::measuring(self.copies_left);
-        let around = Around::measured(referring.viewport);
+        let around = Around::measured(referring.viewport, referring.painting);
         measuring.element(referring.node, whole, &around, referring.user)?;
         self.copies_left = measuring.copies_left;
-        Ok(measuring.bounds)
+        Ok((measuring.bounds, measuring.has_outlines))
     }
 }
 
@@ -254,7 +297,10 @@ pub(super) fn shift_of(node: Node<'_, '_>, viewport: &Viewport) -> Result<Transf
 }
 
 /// What a `use` names. What contains itself is nothing.
-pub(super) fn target_of<'a, 'input>(node: Node<'_, '_>, whole: &Whole<'a, 'input>) -> Option<Node<'a, 'input>> {
+pub(super) fn target_of<'a, 'input>(
+    node: Node<'_, '_>,
+    whole: &Whole<'a, 'input>,
+) -> Option<Node<'a, 'input>> {
     let link = node.attributes().find(|attribute| attribute.name() == "href")?;
     let target = whole.ids.get(link.value().trim().strip_prefix('#')?).copied()?;
     node.ancestors().all(|around| around != target).then_some(target)

@@ -10,9 +10,12 @@
 //! and writers write them. Curves are clipped by [`coface_yin`] where they are kept, else by their chords.
 
 use super::curves::Subpath;
-use coface_algebra::{Error, HalfedgeId, RaggedArray};
+use coface_algebra::{Error, ErrorKind, FaceId, HalfedgeId, RaggedArray, VertexId};
 use coface_arrange::boolean::InsideRule;
-use coface_arrange::planar::{PlanarOverlay, PlanarRegions, are_valid_polygons, turned_rings};
+use coface_arrange::planar::{
+    PlanarArrangement, PlanarOptions, PlanarOverlay, PlanarPolygons, PlanarRegions, are_valid_polygons,
+    turned_rings,
+};
 use coface_geometry::Positions;
 use coface_geometry::predicates::orientation;
 use std::collections::HashMap;
@@ -248,15 +251,22 @@ impl Clips {
     }
 
     /// What of a region of rings is seen: polygons, each by its outer ring, counterclockwise, and its holes, clockwise.
+    ///
+    /// # Errors
+    /// `TooLarge` if the rings of it and of the clip meet more often than `most` times.
     pub(super) fn clipped_rings(
         &self,
         part: &Part,
         rings: Vec<Vec<Point>>,
         rule: InsideRule,
+        most: usize,
     ) -> Result<Vec<Vec<Vec<Point>>>, Error> {
         let (positions, rings, regions) = self.rings(part, rings)?;
-        let overlay = PlanarOverlay::new(&positions, &rings, &regions)?;
-        let own = |windings: &[(u32, i32)]| windings.first().filter(|(region, _)| *region == 0).map(|(_, by)| *by);
+        let options = options(&rings, most);
+        let overlay =
+            PlanarOverlay::with_options(&positions, &rings, &regions, &options).map_err(too_many)?;
+        let own =
+            |windings: &[(u32, i32)]| windings.first().filter(|(region, _)| *region == 0).map(|(_, by)| *by);
         let found = overlay.select(|windings| {
             own(windings).is_some_and(|winding| rule.is_inside(winding)) && self.lets_through(part, windings)
         })?;
@@ -270,7 +280,8 @@ impl Clips {
             // What was turned inside out by rounding is not wound around.
             let regions = vec![0; result.rings.len()];
             let overlay = PlanarOverlay::new(&result.positions, &result.rings, &regions)?;
-            let found = overlay.select(|windings| windings.first().is_some_and(|(_, winding)| *winding > 0))?;
+            let found =
+                overlay.select(|windings| windings.first().is_some_and(|(_, winding)| *winding > 0))?;
             is_exact = found.is_exactly_rounded();
             result = Polygons::of(&found);
         }
@@ -280,7 +291,15 @@ impl Clips {
     /// What of a line is seen: its pieces from its beginning to its end. What runs along the rim of a clip is seen.
     ///
     /// A line that ends where it begins, and is seen there, has the piece through this point first.
-    pub(super) fn clipped_line(&self, part: &Part, mut line: Vec<Point>) -> Result<Vec<Vec<Point>>, Error> {
+    ///
+    /// # Errors
+    /// `TooLarge` if it and the rings of the clip meet more often than `most` times.
+    pub(super) fn clipped_line(
+        &self,
+        part: &Part,
+        mut line: Vec<Point>,
+        most: usize,
+    ) -> Result<Vec<Vec<Point>>, Error> {
         line.dedup();
         if line.len() < 2 {
             return Ok(Vec::new());
@@ -292,17 +311,22 @@ impl Clips {
         line.extend(back);
         let corners = line.clone();
         let (positions, rings, regions) = self.rings(part, vec![line])?;
+        if side_count.saturating_mul(rings.item_count()) > most {
+            let sides = rings
+                .iter()
+                .flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&from, &to)| [from, to]));
+            let sides: Vec<[u32; 2]> = sides.collect();
+            PlanarArrangement::with_options(&positions, &sides, &options(&rings, most)).map_err(too_many)?;
+        }
         let regions = PlanarRegions::new(&positions, &rings, &regions)?;
         let arrangement = regions.arrangement();
         let mut faces: HashMap<Option<usize>, bool> = HashMap::new();
         let mut is_seen = |halfedge: usize| {
             let face = arrangement.face_of(HalfedgeId::new(halfedge));
             let windings = face.map_or(&[][..], |face| regions.winding_numbers(face));
-            *faces
-                .entry(face.map(coface_algebra::FaceId::index))
-                .or_insert_with(|| self.lets_through(part, windings))
+            *faces.entry(face.map(FaceId::index)).or_insert_with(|| self.lets_through(part, windings))
         };
-        let place = |vertex: coface_algebra::VertexId| {
+        let place = |vertex: VertexId| {
             let point = arrangement.positions().point(vertex);
             [point[0], point[1]]
         };
@@ -380,6 +404,22 @@ impl Clip {
     }
 }
 
+/// So many cells at most as rings have that meet so often.
+fn options(rings: &RaggedArray, most: usize) -> PlanarOptions {
+    PlanarOptions::new().max_cells(4 * rings.item_count() + most.saturating_mul(4))
+}
+
+/// The error of too many cells, in the words of drawings.
+pub(super) fn too_many(error: Error) -> Error {
+    match error.kind() {
+        ErrorKind::TooLarge => {
+            Error::new(ErrorKind::TooLarge, "shapes and what they are clipped by cross too often")
+                .with_cure("divide the drawing")
+        }
+        _ => error,
+    }
+}
+
 /// Rings of points.
 #[derive(Default)]
 struct Rings {
@@ -406,7 +446,7 @@ struct Polygons {
 }
 
 impl Polygons {
-    fn of(found: &coface_arrange::planar::PlanarPolygons<'_>) -> Self {
+    fn of(found: &PlanarPolygons<'_>) -> Self {
         Self {
             positions: found.positions().clone(),
             rings: found.rings().clone(),

@@ -1,10 +1,12 @@
 //! From a stream to a model.
 
 use super::clip_paths::{ClipKey, Referring, shift_of, target_of, too_many_copies, transform_of};
-use super::clipping::{Clip, Clips, Part, Region, Seen};
+use super::clipping::{Clip, Clips, Part, Region, Seen, too_many};
 use super::curves::{Curves, FilledPath, Pen, Subpath};
 use super::elements::{self, FillRule};
-use super::style::{Property, Sheet, Style};
+use super::masks::Masking;
+use super::painting::Painting;
+use super::style::{Property, Sheet};
 use super::transformation::Transformation;
 use super::undone::Undone;
 use super::viewport::Viewport;
@@ -47,14 +49,15 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
 ///
 /// # Errors
 /// [`ErrorKind::Parse`] with the line for what is no XML or no SVG, or has a value that is none; [`ErrorKind::InvalidInput`] if the
-/// tolerance is not positive; [`ErrorKind::TooLarge`] beyond 2^30 bytes, 2^32 - 2 corners, a million chords of a curve or
-/// 256 elements in each other; [`ErrorKind::Io`] if the stream fails.
+/// tolerance is not positive; [`ErrorKind::TooLarge`] beyond 2^30 bytes, 2^32 - 2 corners, a million chords of a curve,
+/// 256 elements or 32 clip paths in each other, or where shapes and their clips cross too often; [`ErrorKind::Io`] if the stream fails.
 ///
 /// # Complexity
-/// $O(n \log n)$ for n corners, chords included, to find equal ones; memory is the file and the model.
+/// $O(n \log n)$ for n corners, chords included, to find equal ones, and for each shape on the rim of a clip the overlay of
+/// both; memory is the file and the model.
 ///
 /// # References
-/// W3C, *Scalable Vector Graphics (SVG) 2* (2018), chapters 8 to 10.
+/// W3C, *Scalable Vector Graphics (SVG) 2* (2018), chapters 8 to 10; W3C, *CSS Masking Module Level 1* (2021), sections 5 to 8.
 ///
 /// # Examples
 /// A circle of radius 1 as a polygon that is within 0.01 of it.
@@ -178,46 +181,6 @@ fn shortened(text: &str) -> String {
     format!("{safe}{dots}")
 }
 
-/// How shapes are filled where nothing else is said.
-#[derive(Clone, Copy)]
-struct Painting {
-    rule: FillRule,
-    is_filled: bool,
-    /// Whether what is filled is not seen through.
-    is_opaque: bool,
-    is_visible: bool,
-}
-
-impl Painting {
-    /// That of an element in another.
-    fn within(self, style: &Style<'_>) -> Self {
-        let is_inherited = |value: &str| matches!(value, "inherit" | "unset");
-        let own = |property: Property| style.of(property).filter(|value| !is_inherited(value));
-        Self {
-            rule: match own(Property::FillRule) {
-                Some("evenodd") => FillRule::EvenOdd,
-                Some("nonzero" | "initial") => FillRule::Nonzero,
-                _ => self.rule,
-            },
-            is_filled: own(Property::Fill).map_or(self.is_filled, |paint| {
-                !paint.eq_ignore_ascii_case("none") && !paint.eq_ignore_ascii_case("transparent")
-            }),
-            is_opaque: own(Property::FillOpacity).map_or(self.is_opaque, |opacity| {
-                opacity.trim_end_matches('%').trim().parse().map_or(true, |opacity: f64| opacity > 0.0)
-            }),
-            is_visible: match own(Property::Visibility) {
-                Some("hidden" | "collapse") => false,
-                Some("visible" | "initial") => true,
-                _ => self.is_visible,
-            },
-        }
-    }
-
-    fn fills(self) -> bool {
-        self.is_filled && self.is_opaque
-    }
-}
-
 /// What holds around an element.
 #[derive(Clone, Copy)]
 pub(super) struct Around {
@@ -235,11 +198,9 @@ pub(super) struct Around {
 
 impl Around {
     fn new(viewport: Viewport) -> Self {
-        let painting =
-            Painting { rule: FillRule::Nonzero, is_filled: true, is_opaque: true, is_visible: true };
         Self {
             map: Transformation::IDENTITY,
-            painting,
+            painting: Painting::initial(),
             viewport,
             depth: 0,
             is_copy: false,
@@ -248,9 +209,14 @@ impl Around {
         }
     }
 
+    /// What holds around the shapes of a mask.
+    pub(super) fn masking(map: Transformation, painting: Painting, viewport: Viewport, depth: usize) -> Self {
+        Self { map, painting, depth, ..Self::new(viewport) }
+    }
+
     /// What holds around an element whose extent in its own coordinates is asked for.
-    pub(super) fn measured(viewport: Viewport) -> Self {
-        Self { depth: 1, is_in_place: true, ..Self::new(viewport) }
+    pub(super) fn measured(viewport: Viewport, painting: Painting) -> Self {
+        Self { depth: 1, is_in_place: true, painting, ..Self::new(viewport) }
     }
 }
 
@@ -264,6 +230,9 @@ pub(super) struct Whole<'a, 'input> {
 /// The text of all copies together may be so many times as long as the file, and this long in any file: copies of copies can be many.
 const COPIES_OF_FILE: usize = 64;
 const FEW_COPIES: usize = 1 << 20;
+/// Clipping may make so many corners for each byte of the file, and so many in any file: a shape may cross its clip as often as there are pairs of their sides.
+const CUTS_OF_FILE: usize = 16;
+const FEW_CUTS: usize = 1 << 20;
 
 pub(super) struct Reader {
     pub(super) curves: Curves,
@@ -277,6 +246,10 @@ pub(super) struct Reader {
     passed_over: usize,
     /// How many bytes of text may still be drawn as copies.
     pub(super) copies_left: usize,
+    /// How many corners clipping may still make.
+    cuts_left: usize,
+    /// Where the lines of the file end.
+    line_ends: Vec<usize>,
     /// The number of shapes with curves, and the box around all that is drawn, if curves are kept.
     curve_count: usize,
     pub(super) bounds: [[f64; 2]; 2],
@@ -284,6 +257,8 @@ pub(super) struct Reader {
     has_filled: bool,
     /// Whether only the box is asked for, of all that is drawn, be it seen or not.
     is_measuring: bool,
+    /// Whether something of that has an outline.
+    pub(super) has_outlines: bool,
     /// Whether nothing is filled and closed outlines are rings, and how many shapes are.
     takes_outlines: bool,
     outline_count: usize,
@@ -291,6 +266,8 @@ pub(super) struct Reader {
     /// The clip paths that have been read, by where they are used, and those that are being read.
     pub(super) known_clips: HashMap<ClipKey, Option<usize>>,
     pub(super) open_clips: Vec<NodeId>,
+    /// The mask that is being read: its shapes are not drawn.
+    pub(super) masking: Option<Masking>,
     pub(super) undone: Undone,
 }
 
@@ -304,15 +281,19 @@ impl Reader {
             fill_rules: Vec::new(),
             passed_over: 0,
             copies_left: 0,
+            cuts_left: 0,
+            line_ends: Vec::new(),
             curve_count: 0,
             bounds: NO_BOUNDS,
             has_filled: false,
             is_measuring: false,
+            has_outlines: false,
             takes_outlines: false,
             outline_count: 0,
             clips: Clips::default(),
             known_clips: HashMap::new(),
             open_clips: Vec::new(),
+            masking: None,
             undone: Undone::default(),
         }
     }
@@ -343,6 +324,8 @@ impl Reader {
         self.undone.rules = whole.sheet.unread;
         let letters = whole.sheet.style(root).of(Property::FontSize);
         self.copies_left = FEW_COPIES.max(COPIES_OF_FILE * text.len());
+        self.line_ends = memchr::memchr_iter(b'\n', text.as_bytes()).collect();
+        self.cuts_left = FEW_CUTS.max(CUTS_OF_FILE * text.len());
         let viewport = Viewport::of_root(root, letters).map_err(|text| fault(root, &text))?;
         let around = Around::new(viewport);
         self.element(root, &whole, &around, None)
@@ -382,7 +365,10 @@ impl Reader {
         }
         let painting = painting.within(&style);
         if matches!(name, "text" | "image" | "foreignObject") {
-            self.passed_over += usize::from(painting.is_visible);
+            match &mut self.masking {
+                Some(masking) => masking.is_unknown |= painting.is_visible,
+                None => self.passed_over += usize::from(painting.is_visible),
+            }
             return Ok(());
         }
         self.undone.note(&style, depth == 0);
@@ -393,7 +379,11 @@ impl Reader {
         }
         let clip = match self.is_measuring {
             true => None,
-            false => self.clip_within(clip, &style, whole, &Referring { node, user, map, viewport })?,
+            false => {
+                let referring = Referring { node, user, map, viewport, depth, painting };
+                let clip = self.clip_within(clip, &style, whole, &referring)?;
+                self.mask_within(clip, &style, whole, &referring)?
+            }
         };
         self.shape(node, &viewport, map, painting, clip)?;
         let mut within =
@@ -411,7 +401,8 @@ impl Reader {
             (within.map, within.viewport) = (map.after(&inner.map), inner.viewport);
             let is_open = matches!(style.of(Property::Overflow), Some("visible" | "auto"));
             if let Some([low, high]) = inner.clip.filter(|_| !is_open && !self.is_measuring) {
-                let corners = [low, [high[0], low[1]], high, [low[0], high[1]]].map(|corner| map.point(corner));
+                let corners =
+                    [low, [high[0], low[1]], high, [low[0], high[1]]].map(|corner| map.point(corner));
                 if !corners.as_flattened().iter().all(|x| x.is_finite()) {
                     return Err(fault(node, "a transformed coordinate is not finite"));
                 }
@@ -442,10 +433,15 @@ impl Reader {
             return Err(fault(node, "a transformed coordinate is not finite"));
         }
         if self.is_measuring {
+            self.has_outlines |= painting.has_stroke && !subpaths.is_empty();
             subpaths.iter().for_each(|subpath| subpath.extend(&mut self.bounds));
             return Ok(());
         }
         if subpaths.is_empty() || !painting.is_visible {
+            return Ok(());
+        }
+        if self.masking.is_some() {
+            self.mask_shape(subpaths, painting, clip);
             return Ok(());
         }
         // A line has no inside.
@@ -472,7 +468,7 @@ impl Reader {
         }
         self.measure(&subpaths, part.as_ref());
         let path = FilledPath {
-            line: line_of(node),
+            line: 1 + self.line_ends.partition_point(|&end| end < node.range().start) as u64,
             element: shortened(name),
             name: node.attribute("id").filter(|id| !id.is_empty()).map(str::to_owned),
             rule: painting.rule.inside(),
@@ -491,9 +487,8 @@ impl Reader {
     /// Notes the curves and the extent of a shape, of which a part may be seen through a clip.
     fn measure(&mut self, subpaths: &[Subpath], part: Option<&(usize, Part)>) {
         let has_curves = |subpaths: &[Subpath]| subpaths.iter().any(|subpath| !subpath.cubics.is_empty());
-        let is_curved = |&region: &usize| {
-            self.clips.region(region).is_some_and(|region| has_curves(&region.subpaths))
-        };
+        let is_curved =
+            |&region: &usize| self.clips.region(region).is_some_and(|region| has_curves(&region.subpaths));
         let is_clipped_so = part.is_some_and(|(_, part)| part.regions.iter().any(is_curved));
         self.curve_count += usize::from(has_curves(subpaths) || is_clipped_so);
         let mut bounds = NO_BOUNDS;
@@ -511,6 +506,13 @@ impl Reader {
                 self.bounds[1][axis] = self.bounds[1][axis].max(bounds[1][axis]);
             }
         }
+    }
+
+    /// Notes that clipping made so many corners.
+    fn cut(&mut self, corners: usize) -> Result<(), Error> {
+        let left = self.cuts_left.checked_sub(corners);
+        self.cuts_left = left.ok_or_else(|| too_many(Error::new(ErrorKind::TooLarge, "")))?;
+        Ok(())
     }
 
     /// What is filled is the rings of one polygon, and so is what comes back where nothing is filled; all else is lines. Of what is clipped each connected part is a polygon.
@@ -536,7 +538,11 @@ impl Reader {
         let rings: Vec<Vec<[f64; 2]>> = subpaths.iter().filter(is_ring).map(whole).collect();
         self.outline_count += usize::from(!is_filled && !rings.is_empty());
         let (polygons, number) = match (part, rule) {
-            (Some(part), _) => (self.clips.clipped_rings(part, rings, rule.inside())?, 0),
+            (Some(part), _) => {
+                let polygons = self.clips.clipped_rings(part, rings, rule.inside(), self.cuts_left)?;
+                self.cut(polygons.iter().flatten().map(Vec::len).sum())?;
+                (polygons, 0)
+            }
             (None, FillRule::Nonzero) => (vec![rings], 0),
             (None, FillRule::EvenOdd) => (vec![rings], 1),
         };
@@ -556,7 +562,11 @@ impl Reader {
         for subpath in subpaths.iter().filter(|subpath| !is_ring(subpath)) {
             let line = whole(subpath);
             let pieces = match part {
-                Some(part) => self.clips.clipped_line(part, line)?,
+                Some(part) => {
+                    let pieces = self.clips.clipped_line(part, line, self.cuts_left)?;
+                    self.cut(pieces.iter().map(Vec::len).sum())?;
+                    pieces
+                }
                 None => vec![line],
             };
             for piece in pieces {

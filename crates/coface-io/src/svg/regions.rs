@@ -174,7 +174,8 @@ impl<'a> ClipSets<'a> {
         Ok((0..seen.curve_count())
             .map(|number| {
                 let found = seen.curve(number);
-                let mut curve = BoundaryCurve::new((0..found.piece_count()).map(|i| found.piece(i)[0]).collect());
+                let mut curve =
+                    BoundaryCurve::new((0..found.piece_count()).map(|i| found.piece(i)[0]).collect());
                 curve.set_name(path.name.clone());
                 curve.set_line(path.line);
                 if order > Order::LINEAR {

@@ -15,6 +15,10 @@ pub(super) enum Property {
     ClipPath,
     ClipRule,
     Mask,
+    MaskType,
+    Opacity,
+    Stroke,
+    Filter,
     Overflow,
     /// A shape or its place that a style says: `transform`, `d`, `r`, `width`, .. An attribute of these names is read elsewhere.
     Geometry,
@@ -35,6 +39,10 @@ impl Property {
             "clip-path" => Self::ClipPath,
             "clip-rule" => Self::ClipRule,
             "mask" => Self::Mask,
+            "mask-type" => Self::MaskType,
+            "opacity" => Self::Opacity,
+            "stroke" => Self::Stroke,
+            "filter" => Self::Filter,
             "overflow" => Self::Overflow,
             _ => return None,
         })

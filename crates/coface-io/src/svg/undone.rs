@@ -8,6 +8,7 @@ use crate::{Remark, RemarkCode};
 pub(super) struct Undone {
     /// Clip paths that are no shapes of this file.
     pub(super) clip_paths: usize,
+    /// Masks with other content than white and black shapes.
     pub(super) masks: usize,
     /// Elements whose shape or place a style says.
     geometry: usize,
