@@ -3,7 +3,6 @@
 mod certificates;
 mod certificates_of_points;
 mod certificates_of_walks;
-mod clipped_drawings;
 mod covering;
 mod exact_chains;
 mod exact_drawings;

@@ -137,7 +137,8 @@ impl Reader {
                 .at_line(line_of(target))
                 .with_cure("nest them less"));
         }
-        self.copies_left = self.copies_left.checked_sub(target.range().len()).ok_or_else(|| {
+        // Corners take more room than their text.
+        self.copies_left = self.copies_left.checked_sub(2 * target.range().len()).ok_or_else(|| {
             let message = "clip paths and masks make more copies of shapes than are drawn";
             Error::new(ErrorKind::TooLarge, message)
                 .at_line(line_of(target))

@@ -3,7 +3,9 @@
 
 use super::{read, read_flattened};
 use crate::{GroupKind, Model, RemarkCode};
-use coface_algebra::ErrorKind;
+use coface_algebra::{ErrorKind, RaggedArray};
+use coface_arrange::planar::PlanarOverlay;
+use coface_geometry::Positions;
 use coface_yin::EndCondition;
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -460,8 +462,92 @@ fn points_text(corners: &[[f64; 2]]) -> String {
     corners.iter().map(|[x, y]| format!("{x},{y} ")).collect()
 }
 
+/// The area of a combination of drawings that are files of their own, each of one shape.
+fn combined_area(drawings: &[Model], formula: impl Fn(&[bool]) -> bool) -> f64 {
+    let (mut flat, mut rings, mut regions) = (Vec::new(), RaggedArray::new(), Vec::new());
+    for (drawing, number) in drawings.iter().zip(0..) {
+        for line in 0..drawing.lines().len() {
+            let ring = corners(drawing, line);
+            let start = flat.len() as u32 / 2;
+            flat.extend_from_slice(ring[1..].as_flattened());
+            rings.push(&(start..flat.len() as u32 / 2).collect::<Vec<u32>>());
+            regions.push(number);
+        }
+    }
+    let rules: Vec<bool> =
+        drawings.iter().map(|drawing| column(drawing, "fill_rule").first() == Some(&1)).collect();
+    let overlay = PlanarOverlay::new(&Positions::from_flat(2, flat).unwrap(), &rings, &regions).unwrap();
+    let found = overlay.select(|windings| {
+        let mut is_in = vec![false; drawings.len()];
+        for &(region, winding) in windings {
+            is_in[region as usize] = !rules[region as usize] || winding % 2 != 0;
+        }
+        formula(&is_in)
+    });
+    found.unwrap().area()
+}
+
+/// Corners on a grid, so that they and their sides often coincide, or anywhere.
+fn any_polygon() -> impl Strategy<Value = Vec<[f64; 2]>> {
+    let fine = proptest::collection::vec([0..130_000u32, 0..130_000u32], 3..12);
+    let fine = fine.prop_map(|corners| {
+        corners.into_iter().map(|corner| corner.map(|x| f64::from(x) * 1e-4)).collect::<Vec<[f64; 2]>>()
+    });
+    prop_oneof![polygon(), fine]
+}
+
+#[test]
+fn neighbors_that_are_clipped_alike_still_share_their_side() {
+    let clip = "M1 0L8 3L3 9z";
+    let halves = ["M0 0h10L0 7z", "M10 0v10h-10v-3z"].map(|half| {
+        parsed(&format!(
+            "<clipPath id='c'><path d='{clip}'/></clipPath><path d='{half}' clip-path='url(#c)'/>"
+        ))
+    });
+    let whole = parsed(&format!("<path d='{clip}'/>"));
+    let both = combined_area(&halves, |is_in| is_in[0] || is_in[1]);
+    assert!((both - area(&whole)).abs() < 1e-13);
+    assert_eq!(combined_area(&halves, |is_in| is_in[0] && is_in[1]), 0.0);
+}
+
+#[test]
+fn other_formats_have_the_clipped_shapes() {
+    let comb = "<clipPath id='c'><rect width='2' height='9'/><rect x='4' width='2' height='9'/></clipPath>";
+    let model = parsed(&format!("{comb}<rect {TEN} clip-path='url(#c)'/>"));
+    let mut text = Vec::new();
+    crate::wkt::write(&model, &mut text).unwrap();
+    let text = String::from_utf8(text).unwrap();
+    assert!(text.starts_with("MULTIPOLYGON (((") && text.lines().count() == 1, "{text}");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn what_is_read_is_the_intersection_of_shape_and_clips(
+        polygons in proptest::array::uniform4(any_polygon()),
+        rules in proptest::array::uniform4(any::<bool>()),
+    ) {
+        let word = |i: usize| if rules[i] { "evenodd" } else { "nonzero" };
+        let shape = |i: usize, attributes: &str| {
+            let (points, rule) = (points_text(&polygons[i]), word(i));
+            format!("<polygon points='{points}' fill-rule='{rule}' clip-rule='{rule}' {attributes}/>")
+        };
+        let clipped = parsed(&format!(
+            "<clipPath id='c'>{}{}</clipPath><clipPath id='d'>{}</clipPath><g clip-path='url(#d)'>{}</g>",
+            shape(0, ""), shape(1, ""), shape(2, ""), shape(3, "clip-path='url(#c)'")
+        ));
+        let [a, b, c, d] = [0, 1, 2, 3].map(|i| parsed(&shape(i, "")));
+        let mut files = vec![a, b, c, d];
+        let formula = |is_in: &[bool]| (is_in[0] || is_in[1]) && is_in[2] && is_in[3];
+        let expected = combined_area(&files, formula);
+        let found = combined_area(std::slice::from_ref(&clipped), |is_in| is_in[0]);
+        prop_assert!((found - expected).abs() <= 1e-11, "{} for {}", found, expected);
+        // Nothing of it is elsewhere, but for rounding.
+        files.push(clipped);
+        let elsewhere = combined_area(&files, |is_in| is_in[4] && !formula(is_in));
+        prop_assert!(elsewhere <= 1e-11, "{} is elsewhere", elsewhere);
+    }
 
     #[test]
     fn a_point_is_seen_where_it_is_in_the_shape_and_in_its_clips(
