@@ -48,6 +48,15 @@ impl Subpath {
             || element == "path" && self.corners.len() >= least && self.corners.first() == self.corners.last()
     }
 
+    /// The corners, and the inner control points of cubics.
+    pub(super) fn controls(&self) -> impl Iterator<Item = &[f64; 2]> {
+        self.corners.iter().chain(self.cubics.iter().flat_map(|(_, inner)| inner))
+    }
+
+    pub(super) fn is_finite(&self) -> bool {
+        self.controls().flatten().all(|x| x.is_finite())
+    }
+
     /// Extends a box, given by its lowest and its highest corner, so that it holds the subpath.
     pub(super) fn extend(&self, bounds: &mut [[f64; 2]; 2]) {
         let mut include = |axis: usize, x: f64| {
@@ -429,4 +438,6 @@ pub(super) struct FilledPath {
     /// Whether its first subpath is the frame of an unbounded set: what is written so by [`crate::yin`].
     pub(super) is_exterior: bool,
     pub(super) subpaths: Vec<Subpath>,
+    /// The clip that a part of it is seen through.
+    pub(super) clip: Option<usize>,
 }

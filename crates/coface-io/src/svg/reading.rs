@@ -1,17 +1,21 @@
 //! From a stream to a model.
 
+use super::clip_paths::{ClipKey, Referring, shift_of, target_of, too_many_copies, transform_of};
+use super::clipping::{Clip, Clips, Part, Region, Seen, too_many};
 use super::curves::{Curves, FilledPath, Pen, Subpath};
 use super::elements::{self, FillRule};
-use super::style::{Property, Sheet, Style};
+use super::masks::Masking;
+use super::painting::Painting;
+use super::style::{Property, Sheet};
 use super::transformation::Transformation;
-use super::undone::{Frame, Undone};
-use super::viewport::{Extent, Viewport};
+use super::undone::Undone;
+use super::viewport::Viewport;
 use crate::drawing::{Drawing, Place};
 use crate::yin::{NO_BOUNDS, check_tolerance, default_tolerance, flattening_remark};
 use crate::{CellData, GroupKind, Model};
 use crate::{Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
-use roxmltree::{Document, Node, ParsingOptions};
+use roxmltree::{Document, Node, NodeId, ParsingOptions};
 use std::collections::HashMap;
 use std::io::Read;
 
@@ -45,14 +49,15 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
 ///
 /// # Errors
 /// [`ErrorKind::Parse`] with the line for what is no XML or no SVG, or has a value that is none; [`ErrorKind::InvalidInput`] if the
-/// tolerance is not positive; [`ErrorKind::TooLarge`] beyond 2^30 bytes, 2^32 - 2 corners, a million chords of a curve or
-/// 256 elements in each other; [`ErrorKind::Io`] if the stream fails.
+/// tolerance is not positive; [`ErrorKind::TooLarge`] beyond 2^30 bytes, 2^32 - 2 corners, a million chords of a curve,
+/// 256 elements or 32 clip paths in each other, or where shapes and their clips cross too often; [`ErrorKind::Io`] if the stream fails.
 ///
 /// # Complexity
-/// $O(n \log n)$ for n corners, chords included, to find equal ones; memory is the file and the model.
+/// $O(n \log n)$ for n corners, chords included, to find equal ones, and for each shape on the rim of a clip the overlay of
+/// both; memory is the file and the model.
 ///
 /// # References
-/// W3C, *Scalable Vector Graphics (SVG) 2* (2018), chapters 8 to 10.
+/// W3C, *Scalable Vector Graphics (SVG) 2* (2018), chapters 8 to 10; W3C, *CSS Masking Module Level 1* (2021), sections 5 to 8.
 ///
 /// # Examples
 /// A circle of radius 1 as a polygon that is within 0.01 of it.
@@ -76,7 +81,7 @@ pub(crate) fn read_with(input: impl Read, tolerance: Option<f64>) -> Result<Mode
     let curve_count = if tolerance.is_none() { kept.curve_count } else { 0 };
     let tolerance = tolerance.unwrap_or_else(|| default_tolerance(kept.bounds));
     let mut reader = Reader::new(Curves::Chords(tolerance));
-    reader.takes_outlines = kept.paths.is_empty();
+    reader.takes_outlines = !kept.has_filled;
     drop(kept);
     reader.read(&text)?;
     let Reader { drawing, fill_rules, passed_over, undone, outline_count, .. } = reader;
@@ -106,6 +111,10 @@ pub(super) struct ShapePaths {
     pub(super) outlines: Vec<FilledPath>,
     /// How many other elements are passed over.
     pub(super) passed_over: usize,
+    /// Whether there are no filled ones, not even such as are clipped away.
+    pub(super) is_outline: bool,
+    /// What they are seen through.
+    pub(super) clips: Clips,
     /// What is not done.
     pub(super) undone: Undone,
 }
@@ -121,8 +130,8 @@ pub(super) fn outlines_remark(count: usize) -> Option<Remark> {
 pub(super) fn read_paths(input: impl Read) -> Result<ShapePaths, Error> {
     let mut reader = Reader::new(Curves::Kept);
     reader.read(&text_of(input)?)?;
-    let Reader { paths, outlines, passed_over, undone, .. } = reader;
-    Ok(ShapePaths { filled: paths, outlines, passed_over, undone })
+    let Reader { paths, outlines, passed_over, undone, clips, has_filled, .. } = reader;
+    Ok(ShapePaths { filled: paths, outlines, passed_over, is_outline: !has_filled, clips, undone })
 }
 
 /// The whole stream, which must be text.
@@ -153,12 +162,12 @@ fn text_of(input: impl Read) -> Result<String, Error> {
     })
 }
 
-fn line_of(node: Node<'_, '_>) -> u64 {
+pub(super) fn line_of(node: Node<'_, '_>) -> u64 {
     u64::from(node.document().text_pos_at(node.range().start).row)
 }
 
 /// What is wrong with an element.
-fn fault(node: Node<'_, '_>, text: &str) -> Error {
+pub(super) fn fault(node: Node<'_, '_>, text: &str) -> Error {
     Error::parse(format!("<{}>: {}", shortened(node.tag_name().name()), shortened(text)))
         .at_line(line_of(node))
         .with_cure(CURE)
@@ -172,72 +181,61 @@ fn shortened(text: &str) -> String {
     format!("{safe}{dots}")
 }
 
-/// How shapes are filled where nothing else is said.
-#[derive(Clone, Copy)]
-struct Painting {
-    rule: FillRule,
-    is_filled: bool,
-    /// Whether what is filled is not seen through.
-    is_opaque: bool,
-    is_visible: bool,
-}
-
-impl Painting {
-    /// That of an element in another.
-    fn within(self, style: &Style<'_>) -> Self {
-        let is_inherited = |value: &str| matches!(value, "inherit" | "unset");
-        let own = |property: Property| style.of(property).filter(|value| !is_inherited(value));
-        Self {
-            rule: match own(Property::FillRule) {
-                Some("evenodd") => FillRule::EvenOdd,
-                Some("nonzero" | "initial") => FillRule::Nonzero,
-                _ => self.rule,
-            },
-            is_filled: own(Property::Fill).map_or(self.is_filled, |paint| {
-                !paint.eq_ignore_ascii_case("none") && !paint.eq_ignore_ascii_case("transparent")
-            }),
-            is_opaque: own(Property::FillOpacity).map_or(self.is_opaque, |opacity| {
-                opacity.trim_end_matches('%').trim().parse().map_or(true, |opacity: f64| opacity > 0.0)
-            }),
-            is_visible: match own(Property::Visibility) {
-                Some("hidden" | "collapse") => false,
-                Some("visible" | "initial") => true,
-                _ => self.is_visible,
-            },
-        }
-    }
-
-    fn fills(self) -> bool {
-        self.is_filled && self.is_opaque
-    }
-}
-
 /// What holds around an element.
 #[derive(Clone, Copy)]
-struct Around {
+pub(super) struct Around {
     map: Transformation,
     painting: Painting,
     viewport: Viewport,
     depth: usize,
     /// Whether it is drawn by a `use`.
     is_copy: bool,
-    /// The innermost box that clips it.
-    frame: Option<usize>,
+    /// What it is seen through.
+    clip: Option<usize>,
+    /// Whether its own transformation is left out, so that it is in its own coordinates.
+    is_in_place: bool,
+}
+
+impl Around {
+    fn new(viewport: Viewport) -> Self {
+        Self {
+            map: Transformation::IDENTITY,
+            painting: Painting::initial(),
+            viewport,
+            depth: 0,
+            is_copy: false,
+            clip: None,
+            is_in_place: false,
+        }
+    }
+
+    /// What holds around the shapes of a mask.
+    pub(super) fn masking(map: Transformation, painting: Painting, viewport: Viewport, depth: usize) -> Self {
+        Self { map, painting, depth, ..Self::new(viewport) }
+    }
+
+    /// What holds around an element whose extent in its own coordinates is asked for.
+    pub(super) fn measured(viewport: Viewport, painting: Painting) -> Self {
+        Self { depth: 1, is_in_place: true, painting, ..Self::new(viewport) }
+    }
 }
 
 /// What all elements have in common.
-struct Whole<'a, 'input> {
+pub(super) struct Whole<'a, 'input> {
     /// The elements that others can name.
-    ids: HashMap<&'a str, Node<'a, 'input>>,
-    sheet: Sheet,
+    pub(super) ids: HashMap<&'a str, Node<'a, 'input>>,
+    pub(super) sheet: Sheet,
 }
 
 /// The text of all copies together may be so many times as long as the file, and this long in any file: copies of copies can be many.
 const COPIES_OF_FILE: usize = 64;
 const FEW_COPIES: usize = 1 << 20;
+/// Clipping may make so many corners for each byte of the file, and so many in any file: a shape may cross its clip as often as there are pairs of their sides.
+const CUTS_OF_FILE: usize = 16;
+const FEW_CUTS: usize = 1 << 20;
 
-struct Reader {
-    curves: Curves,
+pub(super) struct Reader {
+    pub(super) curves: Curves,
     /// What is drawn, unless curves are kept.
     drawing: Drawing,
     /// What is drawn, if they are.
@@ -247,15 +245,30 @@ struct Reader {
     fill_rules: Vec<i64>,
     passed_over: usize,
     /// How many bytes of text may still be drawn as copies.
-    copies_left: usize,
+    pub(super) copies_left: usize,
+    /// How many corners clipping may still make.
+    cuts_left: usize,
+    /// Where the lines of the file end.
+    line_ends: Vec<usize>,
     /// The number of shapes with curves, and the box around all that is drawn, if curves are kept.
     curve_count: usize,
-    bounds: [[f64; 2]; 2],
+    pub(super) bounds: [[f64; 2]; 2],
+    /// Whether a shape is filled, if only one that is not seen.
+    has_filled: bool,
+    /// Whether only the box is asked for, of all that is drawn, be it seen or not.
+    is_measuring: bool,
+    /// Whether something of that has an outline.
+    pub(super) has_outlines: bool,
     /// Whether nothing is filled and closed outlines are rings, and how many shapes are.
     takes_outlines: bool,
     outline_count: usize,
-    frames: Vec<Frame>,
-    undone: Undone,
+    pub(super) clips: Clips,
+    /// The clip paths that have been read, by where they are used, and those that are being read.
+    pub(super) known_clips: HashMap<ClipKey, Option<usize>>,
+    pub(super) open_clips: Vec<NodeId>,
+    /// The mask that is being read: its shapes are not drawn.
+    pub(super) masking: Option<Masking>,
+    pub(super) undone: Undone,
 }
 
 impl Reader {
@@ -268,13 +281,26 @@ impl Reader {
             fill_rules: Vec::new(),
             passed_over: 0,
             copies_left: 0,
+            cuts_left: 0,
+            line_ends: Vec::new(),
             curve_count: 0,
             bounds: NO_BOUNDS,
+            has_filled: false,
+            is_measuring: false,
+            has_outlines: false,
             takes_outlines: false,
             outline_count: 0,
-            frames: Vec::new(),
+            clips: Clips::default(),
+            known_clips: HashMap::new(),
+            open_clips: Vec::new(),
+            masking: None,
             undone: Undone::default(),
         }
+    }
+
+    /// One that finds the box around what elements draw.
+    pub(super) fn measuring(copies_left: usize) -> Self {
+        Self { is_measuring: true, copies_left, ..Self::new(Curves::Kept) }
     }
 
     fn read(&mut self, text: &str) -> Result<(), Error> {
@@ -298,31 +324,22 @@ impl Reader {
         self.undone.rules = whole.sheet.unread;
         let letters = whole.sheet.style(root).of(Property::FontSize);
         self.copies_left = FEW_COPIES.max(COPIES_OF_FILE * text.len());
-        let around = Around {
-            map: Transformation::IDENTITY,
-            painting: Painting {
-                rule: FillRule::Nonzero,
-                is_filled: true,
-                is_opaque: true,
-                is_visible: true,
-            },
-            viewport: Viewport::of_root(root, letters).map_err(|text| fault(root, &text))?,
-            depth: 0,
-            is_copy: false,
-            frame: None,
-        };
+        self.line_ends = memchr::memchr_iter(b'\n', text.as_bytes()).collect();
+        self.cuts_left = FEW_CUTS.max(CUTS_OF_FILE * text.len());
+        let viewport = Viewport::of_root(root, letters).map_err(|text| fault(root, &text))?;
+        let around = Around::new(viewport);
         self.element(root, &whole, &around, None)
     }
 
     /// Draws an element with all that is in it; `user` is the `use` that names it, if one does.
-    fn element(
+    pub(super) fn element<'a, 'input>(
         &mut self,
-        node: Node<'_, '_>,
-        whole: &Whole<'_, '_>,
+        node: Node<'a, 'input>,
+        whole: &Whole<'a, 'input>,
         around: &Around,
-        user: Option<Node<'_, '_>>,
+        user: Option<Node<'a, 'input>>,
     ) -> Result<(), Error> {
-        let Around { map, painting, viewport, depth, is_copy, frame } = *around;
+        let Around { map, painting, viewport, depth, is_copy, clip, is_in_place } = *around;
         if depth > DEEPEST {
             let message = format!("elements are nested deeper than {DEEPEST}");
             return Err(Error::new(ErrorKind::TooLarge, message)
@@ -333,12 +350,7 @@ impl Reader {
             // Its tag, with all its attributes.
             let end = node.first_child().map_or(node.range().end, |child| child.range().start);
             let size = end - node.range().start;
-            self.copies_left = self.copies_left.checked_sub(size).ok_or_else(|| {
-                let message = "<use> makes more copies of copies than are drawn";
-                Error::new(ErrorKind::TooLarge, message)
-                    .at_line(line_of(node))
-                    .with_cure("draw them as paths")
-            })?;
+            self.copies_left = self.copies_left.checked_sub(size).ok_or_else(|| too_many_copies(node))?;
         }
         let name = node.tag_name().name();
         // A symbol is drawn where it is used.
@@ -353,73 +365,49 @@ impl Reader {
         }
         let painting = painting.within(&style);
         if matches!(name, "text" | "image" | "foreignObject") {
-            self.passed_over += usize::from(painting.is_visible);
+            match &mut self.masking {
+                Some(masking) => masking.is_unknown |= painting.is_visible,
+                None => self.passed_over += usize::from(painting.is_visible),
+            }
             return Ok(());
         }
         self.undone.note(&style, depth == 0);
-        let fault = |text: String| fault(node, &text);
         let viewport = viewport.within(style.of(Property::FontSize));
-        let map = match node.attribute("transform") {
-            None => map,
-            Some(text) => map.after(&Transformation::parse(text).map_err(fault)?),
-        };
-        let mut pen = Pen::new(map, self.curves);
-        match elements::draw(node, &viewport, &mut pen) {
-            Ok(()) => {}
-            Err(text) => return Err(fault(text)),
+        let mut map = if is_in_place { map } else { map.after(&transform_of(node)?) };
+        if name == "use" && !is_in_place {
+            map = map.after(&shift_of(node, &viewport)?);
         }
-        let is_finite = |subpath: &Subpath| {
-            let inner = subpath.cubics.iter().flat_map(|(_, controls)| controls);
-            subpath.corners.iter().chain(inner).flatten().all(|x| x.is_finite())
-        };
-        if !pen.subpaths.iter().all(is_finite) {
-            return Err(fault("a transformed coordinate is not finite".to_owned()));
-        }
-        if !painting.is_visible {
-            pen.subpaths.clear();
-        }
-        let is_clipped = |subpath: &Subpath| {
-            subpath.corners.iter().any(|&corner| !Frame::holds(&self.frames, frame, corner))
-        };
-        self.undone.beyond += usize::from(pen.subpaths.iter().any(is_clipped));
-        // A line has no inside.
-        let is_filled = painting.fills() && name != "line" && pen.subpaths.iter().any(Subpath::may_fill);
-        if self.curves == Curves::Kept {
-            self.curve_count += usize::from(pen.subpaths.iter().any(|subpath| !subpath.cubics.is_empty()));
-            pen.subpaths.iter().for_each(|subpath| subpath.extend(&mut self.bounds));
-        }
-        if self.curves == Curves::Kept && !pen.subpaths.is_empty() {
-            let path = FilledPath {
-                line: line_of(node),
-                element: shortened(name),
-                name: node.attribute("id").filter(|id| !id.is_empty()).map(str::to_owned),
-                rule: painting.rule.inside(),
-                is_exterior: node.attribute("data-unbounded") == Some("true"),
-                subpaths: pen.subpaths,
-            };
-            match (name == "line", is_filled) {
-                (true, _) => self.passed_over += 1,
-                (false, true) => self.paths.push(path),
-                (false, false) => self.outlines.push(path),
+        let clip = match self.is_measuring {
+            true => None,
+            false => {
+                let referring = Referring { node, user, map, viewport, depth, painting };
+                let clip = self.clip_within(clip, &style, whole, &referring)?;
+                self.mask_within(clip, &style, whole, &referring)?
             }
-        } else if !pen.subpaths.is_empty() {
-            self.drawing.begin_feature(node.attribute("id").map(str::to_owned));
-            self.subpaths(&pen.subpaths, painting.rule, is_filled, node)
-                .map_err(|error| error.at_line(line_of(node)))?;
-            self.drawing.begin_feature(None);
-        }
-        let mut within = Around { map, painting, viewport, depth: depth + 1, is_copy, frame };
+        };
+        self.shape(node, &viewport, map, painting, clip)?;
+        let mut within =
+            Around { map, painting, viewport, depth: depth + 1, is_copy, clip, is_in_place: false };
         if name == "use" {
-            return self.used(node, whole, &within);
+            let Some(target) = target_of(node, whole) else {
+                self.passed_over += 1;
+                return Ok(());
+            };
+            return self.element(target, whole, &Around { is_copy: true, ..within }, Some(node));
         }
         if is_symbol || name == "svg" && depth > 0 {
-            let Some(inner) = viewport.inner(node, user).map_err(fault)? else { return Ok(()) };
+            let inner = viewport.inner(node, user).map_err(|text| fault(node, &text))?;
+            let Some(inner) = inner else { return Ok(()) };
             (within.map, within.viewport) = (map.after(&inner.map), inner.viewport);
             let is_open = matches!(style.of(Property::Overflow), Some("visible" | "auto"));
-            let clip = inner.clip.filter(|_| !is_open).and_then(|clip| Frame::new(&map, clip, frame));
-            if let Some(clip) = clip {
-                within.frame = Some(self.frames.len());
-                self.frames.push(clip);
+            if let Some([low, high]) = inner.clip.filter(|_| !is_open && !self.is_measuring) {
+                let corners =
+                    [low, [high[0], low[1]], high, [low[0], high[1]]].map(|corner| map.point(corner));
+                if !corners.as_flattened().iter().all(|x| x.is_finite()) {
+                    return Err(fault(node, "a transformed coordinate is not finite"));
+                }
+                let frame = self.clips.push(Clip::Region(Region::frame(corners)));
+                within.clip = Some(self.clips.within(clip, frame));
             }
         }
         for child in node.children().filter(Node::is_element) {
@@ -428,61 +416,166 @@ impl Reader {
         Ok(())
     }
 
-    /// Draws what an element names where that stands.
-    fn used(&mut self, node: Node<'_, '_>, whole: &Whole<'_, '_>, around: &Around) -> Result<(), Error> {
-        let fault = |text: String| fault(node, &text);
-        let link = node.attributes().find(|attribute| attribute.name() == "href");
-        let target = link.and_then(|link| whole.ids.get(link.value().trim().strip_prefix('#')?)).copied();
-        // What contains itself is nothing.
-        let target = target.filter(|target| node.ancestors().all(|around| around != *target));
-        let Some(target) = target else {
-            self.passed_over += 1;
+    /// Draws what an element is itself, as far as it is seen.
+    fn shape(
+        &mut self,
+        node: Node<'_, '_>,
+        viewport: &Viewport,
+        map: Transformation,
+        painting: Painting,
+        clip: Option<usize>,
+    ) -> Result<(), Error> {
+        let name = node.tag_name().name();
+        let mut pen = Pen::new(map, self.curves);
+        elements::draw(node, viewport, &mut pen).map_err(|text| fault(node, &text))?;
+        let subpaths = pen.subpaths;
+        if !subpaths.iter().all(Subpath::is_finite) {
+            return Err(fault(node, "a transformed coordinate is not finite"));
+        }
+        if self.is_measuring {
+            self.has_outlines |= painting.has_stroke && !subpaths.is_empty();
+            subpaths.iter().for_each(|subpath| subpath.extend(&mut self.bounds));
             return Ok(());
+        }
+        if subpaths.is_empty() || !painting.is_visible {
+            return Ok(());
+        }
+        if self.masking.is_some() {
+            self.mask_shape(subpaths, painting, clip);
+            return Ok(());
+        }
+        // A line has no inside.
+        let is_filled = painting.fills() && name != "line" && subpaths.iter().any(Subpath::may_fill);
+        self.has_filled |= is_filled;
+        let part = match clip {
+            None => None,
+            Some(clip) => {
+                let points: Vec<[f64; 2]> = subpaths.iter().flat_map(Subpath::controls).copied().collect();
+                match self.clips.seen(clip, &points) {
+                    Seen::All => None,
+                    Seen::Nothing => return Ok(()),
+                    Seen::Part(part) => Some((clip, part)),
+                }
+            }
         };
-        let viewport = &around.viewport;
-        let at = |name: &str, of: Extent| viewport.length(node, name, of).map(Option::unwrap_or_default);
-        let [e, f] = [at("x", Extent::Width), at("y", Extent::Height)];
-        let moved = Transformation { e: e.map_err(fault)?, f: f.map_err(fault)?, ..Transformation::IDENTITY };
-        let within = Around { map: around.map.after(&moved), is_copy: true, ..*around };
-        self.element(target, whole, &within, Some(node))
+        if self.curves != Curves::Kept {
+            self.drawing.begin_feature(node.attribute("id").map(str::to_owned));
+            let part = part.as_ref().map(|(_, part)| part);
+            self.subpaths(&subpaths, painting.rule, is_filled, node, part)
+                .map_err(|error| error.at_line(line_of(node)))?;
+            self.drawing.begin_feature(None);
+            return Ok(());
+        }
+        self.measure(&subpaths, part.as_ref());
+        let path = FilledPath {
+            line: 1 + self.line_ends.partition_point(|&end| end < node.range().start) as u64,
+            element: shortened(name),
+            name: node.attribute("id").filter(|id| !id.is_empty()).map(str::to_owned),
+            rule: painting.rule.inside(),
+            is_exterior: node.attribute("data-unbounded") == Some("true"),
+            subpaths,
+            clip: part.map(|(clip, _)| clip),
+        };
+        match (name == "line", is_filled) {
+            (true, _) => self.passed_over += 1,
+            (false, true) => self.paths.push(path),
+            (false, false) => self.outlines.push(path),
+        }
+        Ok(())
     }
 
-    /// What is filled is the rings of one polygon, and so is what comes back where nothing is filled; all else is lines.
+    /// Notes the curves and the extent of a shape, of which a part may be seen through a clip.
+    fn measure(&mut self, subpaths: &[Subpath], part: Option<&(usize, Part)>) {
+        let has_curves = |subpaths: &[Subpath]| subpaths.iter().any(|subpath| !subpath.cubics.is_empty());
+        let is_curved =
+            |&region: &usize| self.clips.region(region).is_some_and(|region| has_curves(&region.subpaths));
+        let is_clipped_so = part.is_some_and(|(_, part)| part.regions.iter().any(is_curved));
+        self.curve_count += usize::from(has_curves(subpaths) || is_clipped_so);
+        let mut bounds = NO_BOUNDS;
+        subpaths.iter().for_each(|subpath| subpath.extend(&mut bounds));
+        if let Some((clip, _)) = part {
+            let [low, high] = self.clips.bounds(*clip);
+            for axis in 0..2 {
+                bounds[0][axis] = bounds[0][axis].max(low[axis]);
+                bounds[1][axis] = bounds[1][axis].min(high[axis]);
+            }
+        }
+        if (0..2).all(|axis| bounds[0][axis] <= bounds[1][axis]) {
+            for axis in 0..2 {
+                self.bounds[0][axis] = self.bounds[0][axis].min(bounds[0][axis]);
+                self.bounds[1][axis] = self.bounds[1][axis].max(bounds[1][axis]);
+            }
+        }
+    }
+
+    /// Notes that clipping made so many corners.
+    fn cut(&mut self, corners: usize) -> Result<(), Error> {
+        let left = self.cuts_left.checked_sub(corners);
+        self.cuts_left = left.ok_or_else(|| too_many(Error::new(ErrorKind::TooLarge, "")))?;
+        Ok(())
+    }
+
+    /// What is filled is the rings of one polygon, and so is what comes back where nothing is filled; all else is lines. Of what is clipped each connected part is a polygon.
     fn subpaths(
         &mut self,
         subpaths: &[Subpath],
         rule: FillRule,
         is_filled: bool,
         node: Node<'_, '_>,
+        part: Option<&Part>,
     ) -> Result<(), Error> {
         let element = node.tag_name().name();
         let name = || format!("a part of <{element}> in line {}", line_of(node));
         let is_outline = self.takes_outlines;
-        let is_ring = |subpath: &Subpath| match is_filled {
+        let is_ring = |subpath: &&Subpath| match is_filled {
             true => subpath.may_fill(),
             false => is_outline && subpath.comes_back(element),
         };
-        self.outline_count += usize::from(subpaths.iter().any(|subpath| !is_filled && is_ring(subpath)));
-        self.drawing.begin_path();
-        for subpath in subpaths.iter().filter(|subpath| is_ring(subpath)) {
+        let whole = |subpath: &Subpath| {
             let first = subpath.corners.first().filter(|_| subpath.is_closed);
-            for &[x, y] in subpath.corners.iter().chain(first) {
-                self.drawing.corner(Place { x, y, z: None });
+            subpath.corners.iter().chain(first).copied().collect::<Vec<[f64; 2]>>()
+        };
+        let rings: Vec<Vec<[f64; 2]>> = subpaths.iter().filter(is_ring).map(whole).collect();
+        self.outline_count += usize::from(!is_filled && !rings.is_empty());
+        let (polygons, number) = match (part, rule) {
+            (Some(part), _) => {
+                let polygons = self.clips.clipped_rings(part, rings, rule.inside(), self.cuts_left)?;
+                self.cut(polygons.iter().flatten().map(Vec::len).sum())?;
+                (polygons, 0)
             }
-            if self.drawing.end_ring(name) {
-                self.fill_rules.push(match rule {
-                    FillRule::Nonzero => 0,
-                    FillRule::EvenOdd => 1,
-                });
+            (None, FillRule::Nonzero) => (vec![rings], 0),
+            (None, FillRule::EvenOdd) => (vec![rings], 1),
+        };
+        for rings in polygons {
+            self.drawing.begin_path();
+            for ring in rings {
+                // What is clipped is closed.
+                let first = ring.first().filter(|_| part.is_some());
+                for &[x, y] in ring.iter().chain(first) {
+                    self.drawing.corner(Place { x, y, z: None });
+                }
+                if self.drawing.end_ring(name) {
+                    self.fill_rules.push(number);
+                }
             }
         }
         for subpath in subpaths.iter().filter(|subpath| !is_ring(subpath)) {
-            let first = subpath.corners.first().filter(|_| subpath.is_closed);
-            for &[x, y] in subpath.corners.iter().chain(first) {
-                self.drawing.corner(Place { x, y, z: None });
-            }
-            if self.drawing.end_line(name) {
-                self.fill_rules.push(-1);
+            let line = whole(subpath);
+            let pieces = match part {
+                Some(part) => {
+                    let pieces = self.clips.clipped_line(part, line, self.cuts_left)?;
+                    self.cut(pieces.iter().map(Vec::len).sum())?;
+                    pieces
+                }
+                None => vec![line],
+            };
+            for piece in pieces {
+                for [x, y] in piece {
+                    self.drawing.corner(Place { x, y, z: None });
+                }
+                if self.drawing.end_line(name) {
+                    self.fill_rules.push(-1);
+                }
             }
         }
         Ok(())

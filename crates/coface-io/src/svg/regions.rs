@@ -1,11 +1,14 @@
 //! The filled shapes of a drawing as curves that bound sets.
 
+use super::clipping::{Clip, Clips};
 use super::curves::{FilledPath, Subpath};
 use super::reading::{ShapePaths, outlines_remark, read_paths};
 use crate::yin::{BoundaryCurve, BoundaryDrawing, Filling};
 use crate::{Place, Remark, RemarkCode};
 use coface_algebra::Error;
-use coface_yin::{Curve, Order};
+use coface_arrange::boolean::InsideRule;
+use coface_yin::{Curve, EndCondition, Order, YinSet};
+use std::collections::HashMap;
 use std::io::Read;
 
 /// Reads the filled shapes of a drawing with their curves: order 4 if there is a curve, else 2.
@@ -17,8 +20,7 @@ use std::io::Read;
 /// # Errors
 /// As [`read_flattened`](super::read_flattened).
 pub(crate) fn read_regions(input: impl Read) -> Result<BoundaryDrawing, Error> {
-    let ShapePaths { filled, outlines, mut passed_over, undone } = read_paths(input)?;
-    let is_outline = filled.is_empty();
+    let ShapePaths { filled, outlines, mut passed_over, is_outline, clips, mut undone } = read_paths(input)?;
     let mut paths = filled;
     if is_outline {
         paths = outlines;
@@ -34,7 +36,13 @@ pub(crate) fn read_regions(input: impl Read) -> Result<BoundaryDrawing, Error> {
         passed_over += usize::from(path.subpaths.len() < count && !path.is_exterior);
     }
     paths.retain(|path| path.is_exterior || !path.subpaths.is_empty());
-    let subpaths = || paths.iter().flat_map(|path| &path.subpaths);
+    // A frame of an unbounded set is nothing that could be clipped.
+    for path in paths.iter_mut().filter(|path| path.is_exterior) {
+        undone.clip_paths += usize::from(path.clip.take().is_some());
+    }
+    let mut clip_sets = ClipSets::new(&clips);
+    let of_clips = clip_sets.subpaths(paths.iter().filter_map(|path| path.clip));
+    let subpaths = || paths.iter().flat_map(|path| &path.subpaths).chain(of_clips.iter().copied());
     let has_curves = subpaths().any(|subpath| !subpath.cubics.is_empty());
     let arc_error = subpaths().map(|subpath| subpath.arc_error).fold(0.0, f64::max);
     let order = if has_curves { Order::CUBIC } else { Order::LINEAR };
@@ -51,7 +59,13 @@ pub(crate) fn read_regions(input: impl Read) -> Result<BoundaryDrawing, Error> {
                 curve(path, subpath, order).map_err(|error| error.at_line(path.line))
             })
             .collect::<Result<_, _>>()?;
-        if curves.is_empty() && path.is_exterior {
+        if let Some(clip) = path.clip.filter(|_| !curves.is_empty()) {
+            let seen = clip_sets.clipped(&curves, path, clip, order);
+            let seen = seen.map_err(|error| error.at_line(path.line))?;
+            if !seen.is_empty() {
+                drawing.push(Filling::Stated(InsideRule::Nonzero), seen);
+            }
+        } else if curves.is_empty() && path.is_exterior {
             drawing = BoundaryDrawing::plane(order);
         } else if !curves.is_empty() {
             let filling = if path.is_exterior { Filling::Left } else { Filling::Stated(path.rule) };
@@ -97,7 +111,15 @@ fn unclosed_remark(unclosed: &[(&FilledPath, &Subpath)]) -> Option<Remark> {
     Some(Remark::new(RemarkCode::UnclosedRing, message).at(unclosed.len(), places))
 }
 
+/// A subpath as a closed curve.
 fn curve(path: &FilledPath, subpath: &Subpath, order: Order) -> Result<BoundaryCurve, Error> {
+    let mut curve = closed_curve(subpath, order)?;
+    curve.set_name(path.name.clone());
+    curve.set_line(path.line);
+    Ok(curve)
+}
+
+fn closed_curve(subpath: &Subpath, order: Order) -> Result<BoundaryCurve, Error> {
     let mut corners = subpath.corners.clone();
     let (first, last) = (corners[0], corners[corners.len() - 1]);
     if first != last {
@@ -105,8 +127,6 @@ fn curve(path: &FilledPath, subpath: &Subpath, order: Order) -> Result<BoundaryC
     }
     let count = corners.len() - 1;
     let mut curve = BoundaryCurve::new(corners[..count].to_vec());
-    curve.set_name(path.name.clone());
-    curve.set_line(path.line);
     if order > Order::LINEAR {
         // Whether a path goes on smoothly at its corners is not said: so they all may be kinks.
         curve.set_kinks((0..count as u32).collect());
@@ -119,4 +139,85 @@ fn curve(path: &FilledPath, subpath: &Subpath, order: Order) -> Result<BoundaryC
         curve.set_curve(Curve::from_controls(order, controls, straight.knots().to_vec())?);
     }
     Ok(curve)
+}
+
+/// The clips of a drawing as sets with curved boundaries.
+struct ClipSets<'a> {
+    clips: &'a Clips,
+    /// Those that have been made.
+    sets: HashMap<usize, YinSet>,
+}
+
+impl<'a> ClipSets<'a> {
+    fn new(clips: &'a Clips) -> Self {
+        Self { clips, sets: HashMap::new() }
+    }
+
+    /// The subpaths of the regions that some clips are made of.
+    fn subpaths(&self, clips: impl Iterator<Item = usize>) -> Vec<&'a Subpath> {
+        let mut regions: Vec<usize> = clips.flat_map(|clip| self.clips.below(clip)).collect();
+        regions.sort_unstable();
+        regions.dedup();
+        regions.into_iter().filter_map(|own| self.clips.region(own)).flat_map(|own| &own.subpaths).collect()
+    }
+
+    /// What of a shape is seen through a clip.
+    fn clipped(
+        &mut self,
+        curves: &[BoundaryCurve],
+        path: &FilledPath,
+        clip: usize,
+        order: Order,
+    ) -> Result<Vec<BoundaryCurve>, Error> {
+        let shape = set_of(curves, path.rule, order)?;
+        let seen = shape.meet(self.set(clip, order)?)?;
+        Ok((0..seen.curve_count())
+            .map(|number| {
+                let found = seen.curve(number);
+                let mut curve =
+                    BoundaryCurve::new((0..found.piece_count()).map(|i| found.piece(i)[0]).collect());
+                curve.set_name(path.name.clone());
+                curve.set_line(path.line);
+                if order > Order::LINEAR {
+                    curve.set_kinks(seen.kinks().on_curve(number as u32).collect());
+                    curve.set_curve(found.translated([0.0, 0.0]));
+                }
+                curve
+            })
+            .collect())
+    }
+
+    /// A clip as a set; those that it is made of are made before it.
+    fn set(&mut self, clip: usize, order: Order) -> Result<&YinSet, Error> {
+        for own in self.clips.below(clip) {
+            if self.sets.contains_key(&own) {
+                continue;
+            }
+            let of = |parts: &[usize]| parts.iter().map(|part| &self.sets[part]).collect::<Vec<&YinSet>>();
+            let set = match self.clips.clip(own) {
+                Clip::Region(region) => {
+                    let curves = region.subpaths.iter().filter(|subpath| subpath.corners.len() > 1);
+                    let curves: Vec<BoundaryCurve> =
+                        curves.map(|subpath| closed_curve(subpath, order)).collect::<Result<_, _>>()?;
+                    set_of(&curves, region.rule, order)?
+                }
+                Clip::All(parts) if parts.is_empty() => YinSet::plane(order),
+                Clip::Any(parts) if parts.is_empty() => YinSet::empty(order),
+                Clip::All(parts) => YinSet::meet_all(&of(parts))?,
+                Clip::Any(parts) => YinSet::join_all(&of(parts))?,
+                Clip::Without([first, second]) => self.sets[first].difference(&self.sets[second])?,
+            };
+            self.sets.insert(own, set);
+        }
+        Ok(&self.sets[&clip])
+    }
+}
+
+/// The set that closed curves wind around.
+fn set_of(curves: &[BoundaryCurve], rule: InsideRule, order: Order) -> Result<YinSet, Error> {
+    let curves: Vec<(Curve<'_>, Vec<u32>)> = curves
+        .iter()
+        .map(|curve| Ok((curve.curve(order, &EndCondition::NotAKnot)?, curve.kinks().to_vec())))
+        .collect::<Result<_, Error>>()?;
+    YinSet::combine_kinked_curves(&curves, 0, rule).map(coface_yin::Combination::into_set)
 }

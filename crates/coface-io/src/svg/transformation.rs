@@ -26,13 +26,9 @@ impl Transformation {
         [self.a * x + self.c * y, self.b * x + self.d * y]
     }
 
-    /// The map back, rounded; `None` if this one is flat.
-    pub(super) fn inverse(&self) -> Option<Self> {
-        let determinant = self.a * self.d - self.b * self.c;
-        let [a, b, c, d] = [self.d, -self.b, -self.c, self.a].map(|x| x / determinant);
-        let (e, f) = (-a * self.e - c * self.f, -b * self.e - d * self.f);
-        let back = Self { a, b, c, d, e, f };
-        [a, b, c, d, e, f].iter().all(|x| x.is_finite()).then_some(back)
+    /// Its six numbers.
+    pub(super) fn bits(&self) -> [u64; 6] {
+        [self.a, self.b, self.c, self.d, self.e, self.f].map(f64::to_bits)
     }
 
     /// First `inner`, then this map.

@@ -63,7 +63,18 @@ impl Viewport {
         }
     }
 
-    fn parsed(&self, text: &str, of: Extent) -> Option<f64> {
+    /// The same letters in a box of this size.
+    pub(super) fn of_box(self, size: [f64; 2]) -> Self {
+        Self { size: Some(size), ..self }
+    }
+
+    /// What tells it from others.
+    pub(super) fn bits(&self) -> [Option<u64>; 3] {
+        let [width, height] = self.size.map_or([None; 2], |size| size.map(|side| Some(side.to_bits())));
+        [width, height, Some(self.letter.to_bits())]
+    }
+
+    pub(super) fn parsed(&self, text: &str, of: Extent) -> Option<f64> {
         let text = text.trim();
         let unit_at = text.rfind(|c: char| !c.is_ascii_alphabetic() && c != '%').map_or(0, |last| last + 1);
         // The exponent of a number ends in a digit.

@@ -1,0 +1,125 @@
+//! How shapes are painted.
+
+use super::elements::FillRule;
+use super::style::{Property, Style};
+
+/// How shapes are filled where nothing else is said.
+#[derive(Clone, Copy)]
+pub(super) struct Painting {
+    pub(super) rule: FillRule,
+    is_filled: bool,
+    /// Whether what is filled is seen at all.
+    is_opaque: bool,
+    pub(super) is_visible: bool,
+    color: Color,
+    pub(super) has_stroke: bool,
+    /// Whether something around it or of its own lets what is behind it shine through, or makes it soft.
+    is_translucent: bool,
+}
+
+/// What shapes are filled with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Color {
+    White,
+    Black,
+    /// Another color that hides what is behind it.
+    Other,
+    /// A gradient, a pattern, or what is not known.
+    Unknown,
+}
+
+impl Color {
+    fn of(paint: &str) -> Self {
+        let paint: String = paint.chars().filter(|c| !c.is_whitespace()).collect();
+        let paint = paint.to_ascii_lowercase();
+        let is_hex = |text: &str| text.chars().all(|c| c.is_ascii_hexdigit());
+        match paint.as_str() {
+            "white" | "#fff" | "#ffffff" | "rgb(255,255,255)" | "rgb(100%,100%,100%)" => Self::White,
+            "black" | "#000" | "#000000" | "rgb(0,0,0)" | "rgb(0%,0%,0%)" => Self::Black,
+            text => match text.strip_prefix('#') {
+                Some(digits) if is_hex(digits) && matches!(digits.len(), 3 | 6) => Self::Other,
+                None if !text.is_empty() && text.chars().all(|c| c.is_ascii_alphabetic()) => match text {
+                    "currentcolor" => Self::Unknown,
+                    _ => Self::Other,
+                },
+                None if text.starts_with("rgb(") && !text.contains('/') => Self::Other,
+                _ => Self::Unknown,
+            },
+        }
+    }
+}
+
+/// What a shape in a mask does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum MaskPaint {
+    Shows,
+    Hides,
+    Nothing,
+    /// Neither: it is grey, or has an outline.
+    Unknown,
+}
+
+impl Painting {
+    /// That of the outermost element.
+    pub(super) fn initial() -> Self {
+        Self {
+            rule: FillRule::Nonzero,
+            is_filled: true,
+            is_opaque: true,
+            is_visible: true,
+            color: Color::Black,
+            has_stroke: false,
+            is_translucent: false,
+        }
+    }
+
+    /// What a shape does in a mask, by its lightness or by its alpha.
+    pub(super) fn in_mask(self, is_by_alpha: bool) -> MaskPaint {
+        match self.color {
+            _ if self.has_stroke => MaskPaint::Unknown,
+            _ if !self.fills() => MaskPaint::Nothing,
+            _ if self.is_translucent => MaskPaint::Unknown,
+            Color::White => MaskPaint::Shows,
+            Color::Unknown => MaskPaint::Unknown,
+            Color::Black | Color::Other if is_by_alpha => MaskPaint::Shows,
+            Color::Black => MaskPaint::Hides,
+            Color::Other => MaskPaint::Unknown,
+        }
+    }
+
+    /// That of an element in another.
+    pub(super) fn within(self, style: &Style<'_>) -> Self {
+        let is_inherited = |value: &str| matches!(value, "inherit" | "unset");
+        let own = |property: Property| style.of(property).filter(|value| !is_inherited(value));
+        Self {
+            rule: match own(Property::FillRule) {
+                Some("evenodd") => FillRule::EvenOdd,
+                Some("nonzero" | "initial") => FillRule::Nonzero,
+                _ => self.rule,
+            },
+            is_filled: own(Property::Fill).map_or(self.is_filled, |paint| {
+                !paint.eq_ignore_ascii_case("none") && !paint.eq_ignore_ascii_case("transparent")
+            }),
+            is_opaque: own(Property::FillOpacity).map_or(self.is_opaque, |opacity| {
+                opacity.trim_end_matches('%').trim().parse().map_or(true, |opacity: f64| opacity > 0.0)
+            }),
+            is_visible: match own(Property::Visibility) {
+                Some("hidden" | "collapse") => false,
+                Some("visible" | "initial") => true,
+                _ => self.is_visible,
+            },
+            color: own(Property::Fill).map_or(self.color, Color::of),
+            has_stroke: own(Property::Stroke)
+                .map_or(self.has_stroke, |paint| !matches!(paint, "none" | "transparent" | "initial")),
+            is_translucent: self.is_translucent
+                || style.has(Property::Filter)
+                || [Property::Opacity, Property::FillOpacity].into_iter().any(|property| {
+                    own(property).is_some_and(|opacity| !matches!(opacity, "1" | "1.0" | "100%" | "initial"))
+                }),
+        }
+    }
+
+    pub(super) fn fills(self) -> bool {
+        self.is_filled && self.is_opaque
+    }
+}
