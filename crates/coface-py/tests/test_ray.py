@@ -8,6 +8,7 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import coface
@@ -188,3 +189,69 @@ def shards_reduced(folder: Path) -> Path:
     """The same shards, reduced on this machine."""
     coface.shards.homology(shards(folder))
     return folder
+
+
+def image(shape: tuple[int, ...]) -> np.ndarray:
+    """Waves and noise, with ties and voxels outside."""
+    random = np.random.default_rng(5)
+    waves = sum(np.sin(0.9 * axis) for axis in np.indices(shape))
+    x = np.round(waves * 4 + random.normal(size=shape), 1)
+    x[random.random(shape) < 0.05] = np.nan
+    return x
+
+
+def same(a: coface.Persistence, b: coface.Persistence) -> bool:
+    degrees = range(len(a.betti_numbers))
+    return a.betti_numbers == b.betti_numbers and all(
+        np.array_equal(a.diagram(k), b.diagram(k)) and np.array_equal(a.voxels(k), b.voxels(k)) for k in degrees
+    )
+
+
+@pytest.mark.parametrize("shape, block", [((40,), 7), ((17, 23), (5, 8)), ((12, 11, 10), 5), ((5, 4, 6, 5), (3, 4, 2, 5))])
+def test_persistence_is_that_of_the_whole_image(shape: tuple[int, ...], block: int | tuple[int, ...], tmp_path: Path) -> None:
+    x = image(shape)
+    np.save(tmp_path / "x.npy", x)
+    for options in ({}, {"construction": "v", "superlevel": True, "coefficients": "f3"}, {"periodic": [0]}):
+        whole = coface.cubical(x, **options)
+        assert sum(len(whole.diagram(k)) for k in range(len(shape))) > 5
+        assert same(coface.ray.persistence(x, block, fan_in=3, **options), whole)
+        assert same(coface.shards.persistence(tmp_path / "x.npy", block, **options), whole)
+    assert same(coface.ray.persistence(tmp_path / "x.npy", block, least=1.0), coface.cubical(x, least=1.0))
+
+
+def test_finished_blocks_are_kept(tmp_path: Path) -> None:
+    x, folder = image((12, 10, 9)), tmp_path / "parts"
+    first = coface.ray.persistence(x, 5, folder=folder)
+
+    def times() -> dict[str, int]:
+        return {path.name: path.stat().st_mtime_ns for path in folder.iterdir()}
+
+    before, content = times(), files(folder)
+    assert len(before) == 12 + 2 + 1
+    assert same(coface.ray.persistence(x, 5, folder=folder.as_uri()), first) and times() == before
+    # What is damaged or gone is made again, with the same bytes.
+    (folder / "block-000002.part").write_bytes(b"no part")
+    (folder / "block-000003.part").unlink()
+    assert same(coface.ray.persistence(x, 5, folder=folder), first) and files(folder) == content
+    assert sum(time != before[name] for name, time in times().items()) == 2
+    # Other numbers and other questions are others.
+    x[0, 0, 0] += 1.0
+    assert same(coface.ray.persistence(x, 5, folder=folder), coface.cubical(x))
+    assert same(coface.ray.persistence(x, 5, folder=folder, superlevel=True), coface.cubical(x, superlevel=True))
+    assert same(coface.ray.persistence(x, 5, folder=folder, superlevel=True, replace=True), coface.cubical(x, superlevel=True))
+
+
+def test_faults_of_blocks_are_named(tmp_path: Path) -> None:
+    x = np.zeros((4, 4))
+    for block in [0, (2,), (2, 0)]:
+        with pytest.raises(coface.Error, match="blocks of shape"):
+            coface.ray.persistence(x, block)
+    with pytest.raises(coface.Error, match="groups of 1"):
+        coface.ray.persistence(x, 2, fan_in=1)
+    with pytest.raises(coface.Error, match="axis 2 of an image with 2 axes"):
+        coface.shards.persistence(x, 2, periodic=[2])
+    with pytest.raises(coface.Error, match="no file"):
+        coface.shards.persistence(tmp_path / "none.npy", 2)
+    x[3, 3] = -np.inf
+    with pytest.raises(coface.Error, match=r"voxel \[3, 3\] is at -inf"):
+        coface.shards.persistence(x, 2)

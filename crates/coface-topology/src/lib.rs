@@ -54,11 +54,11 @@ pub use hodge::{
 };
 pub use persistence::{
     Barcode, BarcodeMatching, EulerCurve, EulerTransform, ExtendedKind, ExtendedPair, Filtration,
-    ImageConstruction, ImageDiagram, ImageFiltration, ImagePair, PersistenceDiagram, PersistencePair,
-    PersistenceSurface, PersistentCycle, RipsCochain, RipsDiagram, RipsFiltration, RipsPair, RipsSize, Vine,
-    VinePoint, ZigzagFiltration, ZigzagPair, ZigzagStep, euler_characteristic_curve, even_directions,
-    extended_filtration, extended_persistence, image_persistence, persistence, persistent_cycles,
-    relative_persistence, torsion_primes, vineyard,
+    ImageBlocks, ImageConstruction, ImageDiagram, ImageFiltration, ImagePair, ImagePart, PersistenceDiagram,
+    PersistencePair, PersistenceSurface, PersistentCycle, RipsCochain, RipsDiagram, RipsFiltration, RipsPair,
+    RipsSize, Vine, VinePoint, ZigzagFiltration, ZigzagPair, ZigzagStep, euler_characteristic_curve,
+    even_directions, extended_filtration, extended_persistence, image_persistence, persistence,
+    persistent_cycles, relative_persistence, torsion_primes, vineyard,
 };
 
 mod curves;

@@ -349,6 +349,37 @@ pub struct FoundImage {
 }
 
 impl FoundImage {
+    /// The diagram of an image that was made otherwise, such as by blocks, without the pairs whose persistence is not greater than `least`. Its axes are
+    /// those of an array, of which the last one runs fastest.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::FoundImage;
+    /// use coface_topology::{ImageBlocks, ImageConstruction};
+    /// let diagram = ImageBlocks::new(&[1, 3], &[1, 3])?.part(0, [0.0, 5.0, 1.0])?.diagram()?;
+    /// let found = FoundImage::of_diagram("row", ImageConstruction::TopCells, diagram, false, 0.0);
+    /// assert_eq!(found.voxels(&found.diagram().pairs()[1]), (vec![0, 2], Some(vec![0, 1])));
+    /// # Ok(()) }
+    /// ```
+    pub fn of_diagram(
+        name: &str,
+        construction: ImageConstruction,
+        diagram: ImageDiagram,
+        is_periodic: bool,
+        least: f64,
+    ) -> Self {
+        Self {
+            name: name.to_owned(),
+            construction,
+            axes: Axes { shape: diagram.shape().to_vec(), is_first_fastest: false },
+            diagram: diagram.longer_than(least),
+            is_cut: false,
+            is_periodic,
+            min_persistence: least.max(0.0),
+        }
+    }
+
     /// The diagram; numbers of voxels are those of an image whose last axis runs fastest.
     ///
     /// # Examples

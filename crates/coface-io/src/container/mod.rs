@@ -8,7 +8,7 @@
 //! |---|---|
 //! | 0 to 7 | the mark `89 63 66 63 0d 0a 1a 0a` |
 //! | 8 to 11 | the version, 1 |
-//! | 12 to 15 | the kind: 1 a chain complex, 2 a shard, 3 a reduced shard, 4 chains |
+//! | 12 to 15 | the kind: 1 a chain complex, 2 a shard, 3 a reduced shard, 4 chains, 5 a part of an image |
 //! | 16 to 23 | the length of the file in bytes |
 //! | 24 to 27 | the number of sections |
 //! | 32 to 39 | the checksum of the header without these bytes, and of the table |
@@ -73,11 +73,13 @@ pub enum Kind {
     Reduced = 3,
     /// Chains by ids on their way down.
     Chains = 4,
+    /// What is left of a block of an image, or of several.
+    Image = 5,
 }
 
 impl Kind {
     fn of(number: u32) -> Option<Self> {
-        [Self::Complex, Self::Shard, Self::Reduced, Self::Chains]
+        [Self::Complex, Self::Shard, Self::Reduced, Self::Chains, Self::Image]
             .into_iter()
             .find(|&kind| kind as u32 == number)
     }
@@ -90,6 +92,7 @@ impl Kind {
             Self::Shard => "a shard",
             Self::Reduced => "a reduced shard",
             Self::Chains => "chains",
+            Self::Image => "a part of an image",
         }
     }
 }
@@ -123,10 +126,11 @@ pub enum Role {
     OwnCounts,
     Grid,
     Bits,
+    Image,
 }
 
 /// All roles with their names, by number.
-const ROLES: [(Role, &str); 23] = [
+const ROLES: [(Role, &str); 24] = [
     (Role::Meta, "numbers about the whole"),
     (Role::Counts, "counts of cells"),
     (Role::Starts, "column starts"),
@@ -150,6 +154,7 @@ const ROLES: [(Role, &str); 23] = [
     (Role::OwnCounts, "counts of own cells"),
     (Role::Grid, "description of a grid"),
     (Role::Bits, "voxels"),
+    (Role::Image, "what is left of blocks of an image"),
 ];
 
 impl Role {

@@ -114,6 +114,7 @@ impl<'a> Container<'a> {
                 Kind::Shard => "reduce it by coface reduce",
                 Kind::Reduced => "merge its folder by coface merge",
                 Kind::Chains => "take it down by the shards that it came from",
+                Kind::Image => "merge it with the parts of the other blocks of its image",
             }));
         }
         if bytes[28..32].iter().chain(&bytes[40..64]).any(|&byte| byte != 0) {

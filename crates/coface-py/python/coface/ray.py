@@ -30,12 +30,13 @@ from coface._batch import (
     worker_options,
     write_lines,
 )
+from coface._blocks import ImageCut, image_to_cut
 from coface._faults import in_words
 from coface._journal import Journal
 from coface._progress import Bar
-from coface.shards import Level, ShardHomology, Tree, checksum, merge, reduce, root_homology, summary
+from coface.shards import Level, ShardHomology, Tree, checksum, image_tree, merge, reduce, root_homology, summary
 
-__all__ = ["batch", "homology", "start"]
+__all__ = ["batch", "homology", "persistence", "start"]
 
 
 def start(**options: Any) -> None:
@@ -339,6 +340,117 @@ def _finished(url: str, sources: list[int]) -> tuple[bytes, dict[str, Any]] | No
         # Damaged, or of another version: it is made again.
         return None
     return (reduced, {**counts, "is_new": False}) if list(counts["sources"]) == sources else None
+
+
+@in_words
+def persistence(
+    x: Any,
+    block: int | Sequence[int] = 128,
+    *,
+    construction: Literal["t", "v"] = "t",
+    superlevel: bool = False,
+    periodic: Sequence[int] = (),
+    coefficients: str | int = "f2",
+    least: float = 0.0,
+    fan_in: int = 8,
+    folder: _Path | None = None,
+    replace: bool = False,
+    retries: int = 3,
+    progress: _Progress = False,
+) -> coface.Persistence:
+    """Persistent homology of an image: a task of Ray for each block, and one for each merge of neighbors.
+
+    The diagram is that of :func:`coface.cubical`, bit for bit. A task whose worker died is done again by Ray; the bytes are the same.
+
+    Parameters
+    ----------
+    x, block, construction, superlevel, periodic, coefficients, least, fan_in
+        As those of :func:`coface.shards.persistence`. The path of an ``.npy`` file is opened where tasks run, so it is in a folder that all machines share; an
+        array is an object of Ray.
+    folder
+        A folder that all machines share, or a URL of fsspec, that what is left of blocks is written to. What stands there, whole and made of the same numbers
+        and options, is read and not made again, so that a call that was cut short goes on where it was.
+    replace
+        Whether what stands in the folder is made again.
+    retries
+        How often Ray does a task again whose worker died.
+    progress
+        ``True`` shows a bar; a function is called with (stage, done, total).
+
+    Returns
+    -------
+    Persistence
+        As of :func:`coface.cubical`, without cycles.
+    """
+    image, shape = image_to_cut(x)
+    cut = ImageCut.of(shape, block, construction, superlevel, periodic, coefficients)
+    tree = image_tree(cut, fan_in)
+    start()
+    root = None if folder is None else os.fspath(folder)
+    if root is not None:
+        import fsspec
+
+        system, path = fsspec.core.url_to_fs(root)
+        system.makedirs(path, exist_ok=True)
+    block_task = ray.remote(_block_task).options(max_retries=retries)
+    merge_task = ray.remote(_merge_blocks_task).options(max_retries=retries)
+    given = image if isinstance(image, str) else ray.put(image)
+    with _Told(progress) as told:
+        found = [block_task.remote(given, cut, number, root, replace) for number in range(tree.parts)]
+        told("reducing blocks", found)
+        level = 0
+        while len(found) > 1:
+            level += 1
+            found = [
+                merge_task.remote(level, number, root, replace, *(found[child] for child in tree.children(level, number)))
+                for number in range(tree.width(level))
+            ]
+            told(f"merging blocks to level {level}", found)
+    return cut.diagram(ray.get(found[0]), least, None)
+
+
+def _block_task(x: Any, cut: ImageCut, number: int, folder: str | None, replace: bool) -> bytes:
+    """What is left of a block."""
+    window = cut.window(x, number)
+    target = f"{folder}/block-{number:06}.part"
+    if folder is not None and not replace:
+        found = _finished_part(target, [cut.source(number, window)])
+        if found is not None:
+            return found
+    part = cut.part(number, window)
+    if folder is not None:
+        _put(target, part)
+    return part
+
+
+def _merge_blocks_task(level: int, number: int, folder: str | None, replace: bool, *children: bytes) -> bytes:
+    """What is left of some blocks together."""
+    target = f"{folder}/blocks-{level}-{number:06}.part"
+    if folder is not None and not replace:
+        found = _finished_part(target, [_coface._image_part_summary(child)["checksum"] for child in children])
+        if found is not None:
+            return found
+    part = _coface._merge_image_parts(list(children))
+    if folder is not None:
+        _put(target, part)
+    return part
+
+
+def _finished_part(url: str, sources: list[int]) -> bytes | None:
+    """A part of an image that is there, whole and made of these sources."""
+    import fsspec
+
+    system, path = fsspec.core.url_to_fs(url)
+    try:
+        part: bytes = system.cat_file(path)
+    except FileNotFoundError:
+        return None
+    try:
+        counts = _coface._image_part_summary(part)
+    except coface.Error:
+        # Damaged, or of another version: it is made again.
+        return None
+    return part if list(counts["sources"]) == sources else None
 
 
 def _put(url: str, content: bytes) -> None:

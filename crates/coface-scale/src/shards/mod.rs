@@ -14,12 +14,15 @@
 //! made again. [`shard_model`] makes the shards of a model, [`shard_mesh_file`] those of a file that is not kept in memory, [`GridShards`] those of grids and
 //! volumes.
 //!
+//! [`image_part`], [`merge_image_parts`] and [`image_diagram`] do the same for the persistence of an image: see [`ImageBlocks`](coface_topology::ImageBlocks).
+//!
 //! # References
 //! See [`coface_algebra::chains::Part`].
 
 mod chains;
 mod folder;
 mod grid;
+mod images;
 mod manifest;
 mod meshes;
 mod models;
@@ -37,6 +40,9 @@ pub use chains::{
 };
 pub use folder::{FolderLevel, FolderSummary, ReducedStep, ShardFolder, reduce_file};
 pub use grid::{GridShards, GridSort};
+pub use images::{
+    ImagePartSummary, image_diagram, image_part, image_part_summary, merge_image_parts, window_checksum,
+};
 pub use manifest::{ShardManifest, ShardSource};
 pub use meshes::shard_mesh_file;
 pub use models::{ShardRequest, shard_model};

@@ -131,6 +131,19 @@ impl Numbers {
     }
 }
 
+/// That one to four axes are longer than 1.
+pub(super) fn require_axes(shape: &[usize]) -> Result<(), Error> {
+    let long = shape.iter().filter(|&&length| length != 1).count();
+    if long > MOST_AXES || shape.is_empty() {
+        return Err(Error::new(
+            ErrorKind::Shape,
+            format!("the image has the shape {shape:?}: {long} axes are longer than 1"),
+        )
+        .with_cure("give an image with one to four axes"));
+    }
+    Ok(())
+}
+
 /// An image, an array of numbers with one to four axes, whose sublevel or superlevel sets grow.
 ///
 /// A voxel whose number is NaN never enters; nor does one at infinity, where values go to.
@@ -173,14 +186,7 @@ impl ImageFiltration {
     pub fn new(shape: &[usize], numbers: impl IntoIterator<Item = f64>) -> Result<Self, Error> {
         let numbers = Numbers::new(numbers);
         let is_periodic = vec![false; shape.len()];
-        let long = shape.iter().filter(|&&length| length != 1).count();
-        if long > MOST_AXES || shape.is_empty() {
-            return Err(Error::new(
-                ErrorKind::Shape,
-                format!("the image has the shape {shape:?}: {long} axes are longer than 1"),
-            )
-            .with_cure("give an image with one to four axes"));
-        }
+        require_axes(shape)?;
         if shape.iter().try_fold(1usize, |count, &length| count.checked_mul(length)) != Some(numbers.len()) {
             return Err(Error::new(
                 ErrorKind::Shape,
@@ -455,7 +461,7 @@ impl ImageFiltration {
 
     fn gradient(&self) -> Gradient {
         let (grid, ranks, vertices) = self.ranked();
-        Gradient::new(grid, ranks, vertices)
+        Gradient::new(grid, ranks, vertices, |_| true)
     }
 
     /// The grid, the rank of each of its vertices, and the vertices by rank.

@@ -80,7 +80,14 @@ const RUN: usize = 16;
 const BATCH: usize = 1 << 16;
 
 impl Gradient {
-    pub(super) fn new(grid: Grid, ranks: Vec<u32>, vertices: Vec<u32>) -> Self {
+    /// Matches the cells of the vertices that have a rank in the image and are its own. Vertices that are not have ranks alone: they lie in the layer
+    /// around, and their stars are not seen whole.
+    pub(super) fn new(
+        grid: Grid,
+        ranks: Vec<u32>,
+        vertices: Vec<u32>,
+        is_own: impl Fn(usize) -> bool + Sync,
+    ) -> Self {
         let fates: Vec<AtomicU8> = (0..grid.cell_count()).map(|_| AtomicU8::new(ABSENT)).collect();
         let mut critical = vec![Vec::new(); grid.axes() + 1];
         let steps = stage("matching cells", ranks.len());
@@ -91,7 +98,7 @@ impl Gradient {
                 .into_par_iter()
                 .with_min_len(BATCH / 16)
                 .fold(Vec::new, |mut cells, vertex| {
-                    if !matches!(ranks[vertex], OUTSIDE | NEVER) {
+                    if !matches!(ranks[vertex], OUTSIDE | NEVER) && is_own(vertex) {
                         match_star(&grid, &ranks, vertex, &fates, &mut cells);
                     }
                     cells
@@ -118,6 +125,14 @@ impl Gradient {
         let [start, end] = [run, run + 1].map(|run| self.starts[degree][run] as usize);
         let place = self.critical[degree][start..end].binary_search(&cell);
         start + place.expect("a critical cell is in the list")
+    }
+
+    /// A cell by its vertices around a vertex, each with the code that the cell has there; `None` if all of them are outside.
+    pub(super) fn owned(&self, vertex: usize, corners: &[(Code, Code)]) -> Option<Cell> {
+        let star = self.grid.star(vertex);
+        let rank = |corner: Code| self.ranks[Grid::opposite(star, vertex, corner)];
+        let cells = corners.iter().map(|&(corner, code)| Cell::new(rank(corner), code));
+        cells.max().filter(|cell| cell.rank() != OUTSIDE)
     }
 
     pub(super) fn fate(&self, place: usize) -> Fate {

@@ -180,6 +180,11 @@ impl Codes {
         self.number(&digits)
     }
 
+    /// Whether a cell does not extend along an axis.
+    pub(super) fn is_flat(&self, code: Code, axis: usize) -> bool {
+        self.digits[code as usize][axis] == 0
+    }
+
     /// The axis along which a cell does not extend, the first one.
     pub(super) fn flat_axis(&self, code: Code) -> Option<usize> {
         (0..self.axes).find(|&axis| self.digits[code as usize][axis] == 0)

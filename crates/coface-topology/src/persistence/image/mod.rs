@@ -14,6 +14,8 @@
 //! * Vertices are paired with edges, and top cells with their facets, by union-find. Between them the boundaries of critical cells are reduced,
 //!   with clearing; a matched cell in a column is replaced by the rest of the boundary of its partner as soon as it leads the column.
 
+mod blocks;
+mod descent;
 mod diagram;
 mod euler;
 mod filtration;
@@ -25,5 +27,6 @@ mod pairing;
 #[cfg(test)]
 mod tests;
 
+pub use blocks::{ImageBlocks, ImagePart};
 pub use diagram::{ImageDiagram, ImagePair};
 pub use filtration::{ImageConstruction, ImageFiltration};
