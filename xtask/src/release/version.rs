@@ -18,13 +18,17 @@ pub(super) fn set(wanted: &Version, date: &str) -> Outcome<()> {
     let citation = fs::read_to_string(root().join("CITATION.cff"))?;
     let recipe = fs::read_to_string(root().join("packaging/conda/recipe.yaml"))?;
     let viewer = fs::read_to_string(root().join("viewer/package.json"))?;
+    // Here the version stands first of all, and again with the package itself, before all others.
+    let lock = fs::read_to_string(root().join("viewer/package-lock.json"))?;
+    let in_json = |text: &str| quoted(text, "\"version\": ", &now, wanted);
     // All new texts first: nothing is written if one of them fails.
     let texts = [
         ("Cargo.toml", of_manifest(&manifest, &now, wanted)),
         ("CHANGELOG.md", of_changelog(&changelog, wanted, date)?),
         ("CITATION.cff", of_citation(&citation, wanted, date)),
         ("packaging/conda/recipe.yaml", quoted(&recipe, "version: ", &now, wanted)),
-        ("viewer/package.json", quoted(&viewer, "\"version\": ", &now, wanted)),
+        ("viewer/package.json", in_json(&viewer)),
+        ("viewer/package-lock.json", in_json(&in_json(&lock))),
     ];
     for (name, text) in texts {
         fs::write(root().join(name), text)?;
