@@ -9,8 +9,8 @@ use coface_algebra::{CellId, Error, VertexId, Word};
 use coface_complexes::surface::GeneralizedMap;
 use coface_topology::{
     AbelianGroup, ClosedWalk, CycleKind, EdgeRole, Effort, Presentation, ShortestCycle, SurfaceGroup,
-    SurfaceHomotopy, TreeCotree, shortest_cycle_through, shortest_cycle_until, shortest_homology_basis,
-    shortest_loops,
+    SurfaceHomotopy, TreeCotree, shortest_cycle, shortest_cycle_through, shortest_cycle_until,
+    shortest_homology_basis, shortest_loops,
 };
 use std::time::{Duration, Instant};
 
@@ -202,6 +202,12 @@ fn short_paths(
         if let Some(vertex) = through {
             let cycles: Vec<_> = shortest_cycle_through(map, vertex, lengths, kind)?.into_iter().collect();
             return Ok(ShortCycles { cycles, lower_bound: None });
+        }
+        if time_limit.is_none() {
+            // Lower bounds on the way take time.
+            let cycles: Vec<_> = shortest_cycle(map, lengths, kind, MOST_REACHED)?.into_iter().collect();
+            let lower_bound = cycles.first().map(ShortestCycle::length);
+            return Ok(ShortCycles { cycles, lower_bound });
         }
         let found = shortest_cycle_until(map, lengths, kind, MOST_REACHED, &is_over)?;
         let lower_bound = found.cycle().map(|_| found.lower_bound());

@@ -19,13 +19,15 @@
 //! * A [`CanonicalCut`] has disjoint simple loops that cut the surface to its canonical polygon, drawn across edges and faces.
 //! * On a closed surface in space a **handle loop** bounds on the inside and no multiple of it on the outside, a **tunnel loop** the other way
 //!   round; [`handle_pairs`] finds short ones by linking numbers that the caller provides.
-//! * A [`CutGraph`] is the cut graph without loose ends, as seams. [`shortest_cycle`] and [`shortest_homology_basis`]
-//!   search from the vertices of a short cut graph, which every cycle that cannot be contracted meets; [`shortest_loops`] from one vertex.
+//! * A [`CutGraph`] is the cut graph without loose ends, as seams. [`shortest_cycle`] cuts along shortest paths, which the cycle crosses at
+//!   most once, and searches along the sides of the cuts; on surfaces of high genus, and for [`shortest_homology_basis`], searches start from the
+//!   vertices of a short cut graph, which every cycle that cannot be contracted meets; for [`shortest_loops`] from one vertex.
 
 mod bits;
 mod canonical;
 mod closed_walk;
 mod cocycle_basis;
+mod crossings;
 mod cut_graph;
 mod cut_surface;
 mod cut_vertices;

@@ -1,5 +1,6 @@
 //! Shortest cycles that cannot be contracted, or that do not separate.
 
+use super::crossings;
 use super::cut_vertices::cut_vertices;
 use super::root_search::{Closing, LocalDual, RootSearch};
 use super::shortest_paths::checked_lengths;
@@ -94,20 +95,24 @@ pub fn shortest_cycle_through(
 /// `lengths` is as for [`shortest_cycle_through`]. The searches may reach `most` vertices in all, each counted as often as it is
 /// reached.
 ///
-/// Every such cycle meets a short graph that leaves a disk of the surface, so searches start from the vertices of that graph alone. They
-/// go little farther than half the length of the best cycle known, in rounds of growing radius; what one search rules out near its root is not
-/// searched again, as the lengths of shortest cycles through two vertices differ at most by twice their distance.
+/// The surface is cut along shortest paths between holes and shortest loops, each of which such a cycle crosses at most once; a cycle that crosses a
+/// cut is a path from a vertex on one side to the same vertex on the other, and the others lie on what is left. The shortest of these
+/// paths is found by trees of shortest paths from the ends of intervals of a side, whose common parts are contracted. Where a component has a first Betti
+/// number above 40, searches start from all vertices of a short cut graph instead: every such cycle meets one.
 ///
 /// # Errors
 /// As [`shortest_cycle_through`]; [`ErrorKind::TooLarge`] when more vertices than `most` are reached.
 ///
 /// # Complexity
-/// $O(k r \log r)$ for k vertices on the graph and r vertices within half the length of the cycle, and the tests of loops: about
-/// $n^{1.5} \log n$ on a surface of fixed genus with equal triangles where all cycles are equally short, nearly linear where they are not.
+/// $O(b^2 n \log^2 n)$ for the first Betti number b, up to 40: b cuts, in which the trees of each of $\log n$ sizes of intervals have $O(b n)$
+/// vertices together. On surfaces of higher genus $O(k r \log r)$ for k vertices on the cut graph and r vertices within half the length of the
+/// cycle.
 ///
 /// # References
-/// J. Erickson, S. Har-Peled, *Optimally cutting a surface into a disk* (2004), section 5; J. Erickson, K. Whittlesey, *Greedy optimal
-/// homotopy and homology generators* (2005).
+/// S. Cabello, E. Chambers, J. Erickson, *Multiple-source shortest paths in embedded graphs* (2013); D. Das, E. Kipouridis, M. Probst Gutenberg, C.
+/// Wulff-Nilsen, *A simple algorithm for multiple-source shortest paths in planar digraphs* (2022), for intervals and contraction; J. Erickson, S. Har-Peled,
+/// *Optimally cutting a surface into a disk* (2004), section 5, and J. Erickson, K. Whittlesey, *Greedy optimal homotopy and homology generators* (2005),
+/// for searches from cut graphs.
 ///
 /// # Examples
 /// ```
@@ -129,7 +134,7 @@ pub fn shortest_cycle(
     kind: CycleKind,
     most: usize,
 ) -> Result<Option<ShortestCycle>, Error> {
-    Ok(shortest_cycle_until(map, lengths, kind, most, &|| false)?.cycle)
+    Ok(bounds(map, lengths, kind, most, None)?.cycle)
 }
 
 /// The best cycle that a search has found, and what no cycle of the kind falls below.
@@ -169,6 +174,9 @@ impl CycleBounds {
 /// The shortest cycle of a kind, or the best one and a lower bound when `is_over` says so between two searches. One cycle is found in any
 /// case, where there is one.
 ///
+/// First searches from some vertices of a cut graph give a lower bound of half of the length of the best cycle. Then the surface is cut as by
+/// [`shortest_cycle`]; the lower bound rises again while the last cut is searched. On a component with a first Betti number above 40 it rises in rounds.
+///
 /// # Errors
 /// Those of [`shortest_cycle`].
 ///
@@ -198,26 +206,117 @@ pub fn shortest_cycle_until(
     most: usize,
     is_over: &dyn Fn() -> bool,
 ) -> Result<CycleBounds, Error> {
+    bounds(map, lengths, kind, most, Some(is_over))
+}
+
+/// As [`shortest_cycle_until`]; without `is_over`, no time is spent on lower bounds.
+fn bounds(
+    map: &GeneralizedMap,
+    lengths: Option<&[f64]>,
+    kind: CycleKind,
+    most: usize,
+    is_over: Option<&dyn Fn() -> bool>,
+) -> Result<CycleBounds, Error> {
     let lengths = checked_lengths(map, lengths)?;
     let map = &*searched(map, kind);
     let trees = TreeCotree::new(map);
-    let tests = Tests::new(map, &trees, kind)?;
-    let mut search = CycleSearch::new(map, &lengths, &tests, most);
-    let roots: Vec<u32> =
-        cut_vertices(map, &lengths).into_iter().filter(|&root| tests.is_searched(root)).collect();
-    let mut is_started = vec![false; trees.components().len()];
-    for &root in &roots {
-        let component = trees.component_of_vertex(VertexId::from_u32(root));
-        if component.is_some_and(|component| !std::mem::replace(&mut is_started[component], true)) {
-            search.look_from(root, f64::INFINITY)?;
+    let generators = trees.components().iter().map(|component| component.generators().len());
+    if generators.max().is_some_and(|most| most > MOST_GENERATORS) {
+        return from_roots(map, &trees, &lengths, kind, most, is_over.unwrap_or(&|| false));
+    }
+    let mut known = Known::default();
+    if let Some(is_over) = is_over {
+        known = half_bound(map, &trees, &lengths, kind, most, is_over)?;
+        if known.is_stopped {
+            return Ok(CycleBounds { cycle: known.cycle, lower_bound: known.lower_bound });
         }
     }
-    search.deepen(&roots, is_over)?;
-    let lower = roots.iter().map(|&root| search.lower[root as usize]).fold(f64::INFINITY, f64::min);
-    let lower_bound = search.best.as_ref().map_or(f64::INFINITY, |best| best.length.min(lower));
-    Ok(CycleBounds { cycle: search.best, lower_bound })
+    drop(trees);
+    let lower_bound = known.lower_bound;
+    let found = crossings::search(map, &lengths, kind, known, most, is_over.unwrap_or(&|| false))?;
+    if found.reached > most {
+        return Err(too_many(most));
+    }
+    // What is known of all cycles holds for those that were not searched for.
+    let length = found.cycle.as_ref().map_or(f64::INFINITY, ShortestCycle::length);
+    Ok(CycleBounds { lower_bound: found.lower_bound.max(lower_bound).min(length), cycle: found.cycle })
 }
 
+/// What is known before cuts are made.
+#[derive(Default)]
+pub(super) struct Known {
+    pub(super) cycle: Option<ShortestCycle>,
+    pub(super) lower_bound: f64,
+    pub(super) reached: usize,
+    is_stopped: bool,
+}
+
+/// A cycle, and a lower bound of half of its length: searches from vertices of a cut graph of which each is within a quarter of that length
+/// from one.
+fn half_bound(
+    map: &GeneralizedMap,
+    trees: &TreeCotree,
+    lengths: &[f64],
+    kind: CycleKind,
+    most: usize,
+    is_over: &dyn Fn() -> bool,
+) -> Result<Known, Error> {
+    let tests = Tests::new(map, trees, kind)?;
+    let mut search = CycleSearch::new(map, lengths, &tests, most);
+    let roots = search.started(trees)?;
+    let mut is_stopped = false;
+    for &root in &roots {
+        if search.lower[root as usize] < search.bound() / 2.0 {
+            is_stopped = is_over();
+            if is_stopped {
+                break;
+            }
+            search.look_from(root, search.bound())?;
+        }
+    }
+    Ok(Known {
+        lower_bound: search.lower_bound(&roots),
+        cycle: search.best,
+        reached: search.reached,
+        is_stopped,
+    })
+}
+
+/// As [`shortest_cycle_until`], by searches from all vertices of a cut graph.
+pub(super) fn from_roots(
+    map: &GeneralizedMap,
+    trees: &TreeCotree,
+    lengths: &[f64],
+    kind: CycleKind,
+    most: usize,
+    is_over: &dyn Fn() -> bool,
+) -> Result<CycleBounds, Error> {
+    let tests = Tests::new(map, trees, kind)?;
+    let mut search = CycleSearch::new(map, lengths, &tests, most);
+    let roots = search.started(trees)?;
+    search.deepen(&roots, is_over)?;
+    Ok(CycleBounds { lower_bound: search.lower_bound(&roots), cycle: search.best })
+}
+
+/// The shortest closed walk of a kind at a vertex of a connected surface whose holes are filled if the kind wants that.
+pub(super) fn loop_at(
+    map: &GeneralizedMap,
+    lengths: &[f64],
+    kind: CycleKind,
+    root: u32,
+) -> Result<Option<ShortestCycle>, Error> {
+    let trees = TreeCotree::new(map);
+    if trees.components().iter().all(|component| component.generators().is_empty()) {
+        return Ok(None);
+    }
+    let tests = Tests::new(map, &trees, kind)?;
+    let mut search = CycleSearch::new(map, lengths, &tests, usize::MAX);
+    search.look_from(root, f64::INFINITY)?;
+    Ok(search.best)
+}
+
+/// Cuts that cycles cross once are looked for on surfaces of at most this first Betti number.
+const MOST_GENERATORS: usize = 40;
 /// A search that goes beyond what is needed by this factor rules out roots near its own.
 const SLACK: f64 = 1.25;
 /// The first round looks for cycles this much shorter than the best one known.
@@ -226,6 +325,7 @@ const FIRST_ROUND: f64 = 1.0 / 16.0;
 /// Searches from several roots that share what they know.
 struct CycleSearch<'a> {
     map: &'a GeneralizedMap,
+    lengths: &'a [f64],
     tests: &'a Tests<'a>,
     search: RootSearch<'a>,
     best: Option<ShortestCycle>,
@@ -238,11 +338,40 @@ struct CycleSearch<'a> {
 impl<'a> CycleSearch<'a> {
     fn new(map: &'a GeneralizedMap, lengths: &'a [f64], tests: &'a Tests<'a>, most: usize) -> Self {
         let lower = vec![0.0; map.skeleton().vertex_count()];
-        Self { map, tests, search: RootSearch::new(map, lengths), best: None, lower, reached: 0, most }
+        Self {
+            map,
+            lengths,
+            tests,
+            search: RootSearch::new(map, lengths),
+            best: None,
+            lower,
+            reached: 0,
+            most,
+        }
     }
 
     fn bound(&self) -> f64 {
         self.best.as_ref().map_or(f64::INFINITY, |best| best.length)
+    }
+
+    /// The vertices of a cut graph, after a search for some cycle on each component.
+    fn started(&mut self, trees: &TreeCotree) -> Result<Vec<u32>, Error> {
+        let vertices = cut_vertices(self.map, self.lengths).into_iter();
+        let roots: Vec<u32> = vertices.filter(|&root| self.tests.is_searched(root)).collect();
+        let mut is_started = vec![false; trees.components().len()];
+        for &root in &roots {
+            let component = trees.component_of_vertex(VertexId::from_u32(root));
+            if component.is_some_and(|component| !std::mem::replace(&mut is_started[component], true)) {
+                self.look_from(root, f64::INFINITY)?;
+            }
+        }
+        Ok(roots)
+    }
+
+    /// No cycle is shorter than this, if each meets one of the roots.
+    fn lower_bound(&self, roots: &[u32]) -> f64 {
+        let lower = roots.iter().map(|&root| self.lower[root as usize]).fold(f64::INFINITY, f64::min);
+        self.best.as_ref().map_or(f64::INFINITY, |best| best.length.min(lower))
     }
 
     /// Rounds of searches of growing radius, until nothing shorter than the best cycle can be there.
@@ -364,7 +493,7 @@ pub(super) fn search(
 }
 
 /// The surface on which cycles of a kind are searched for: one around a hole separates nothing but the disk that fills it.
-fn searched(map: &GeneralizedMap, kind: CycleKind) -> Cow<'_, GeneralizedMap> {
+pub(super) fn searched(map: &GeneralizedMap, kind: CycleKind) -> Cow<'_, GeneralizedMap> {
     match kind {
         CycleKind::NonContractible => Cow::Borrowed(map),
         CycleKind::NonSeparating => Cow::Owned(with_holes_filled(map)),
