@@ -240,7 +240,7 @@ impl Clips {
     }
 
     /// The rings of the regions that matter behind some other rings, which are region 0.
-    fn rings(&self, part: &Part, own: Vec<Vec<Point>>) -> Result<(Positions, RaggedArray, Vec<u32>), Error> {
+    fn rings(&self, part: &Part, own: &[Vec<Point>]) -> Result<(Positions, RaggedArray, Vec<u32>), Error> {
         let mut rings = Rings::default();
         own.iter().for_each(|ring| rings.push(0, ring));
         for (number, &region) in (1..).zip(&part.regions) {
@@ -257,7 +257,7 @@ impl Clips {
     pub(super) fn clipped_rings(
         &self,
         part: &Part,
-        rings: Vec<Vec<Point>>,
+        rings: &[Vec<Point>],
         rule: InsideRule,
         most: usize,
     ) -> Result<Vec<Vec<Vec<Point>>>, Error> {
@@ -309,8 +309,8 @@ impl Clips {
         // There and back: so it winds around nothing.
         let back: Vec<Point> = line[1..side_count].iter().rev().copied().collect();
         line.extend(back);
-        let corners = line.clone();
-        let (positions, rings, regions) = self.rings(part, vec![line])?;
+        let (positions, rings, regions) = self.rings(part, std::slice::from_ref(&line))?;
+        let corners = line;
         if side_count.saturating_mul(rings.item_count()) > most {
             let sides = rings
                 .iter()
@@ -388,10 +388,10 @@ impl Clip {
     fn value(&self, known: impl Fn(usize) -> Option<bool>) -> Option<bool> {
         let all = |parts: &mut dyn Iterator<Item = Option<bool>>| {
             let values: Vec<Option<bool>> = parts.collect();
-            match () {
-                () if values.contains(&Some(false)) => Some(false),
-                () if values.contains(&None) => None,
-                () => Some(true),
+            if values.contains(&Some(false)) {
+                Some(false)
+            } else {
+                values.into_iter().collect::<Option<Vec<_>>>().map(|_| true)
             }
         };
         let not = |value: Option<bool>| value.map(|value| !value);

@@ -539,7 +539,7 @@ impl Reader {
         self.outline_count += usize::from(!is_filled && !rings.is_empty());
         let (polygons, number) = match (part, rule) {
             (Some(part), _) => {
-                let polygons = self.clips.clipped_rings(part, rings, rule.inside(), self.cuts_left)?;
+                let polygons = self.clips.clipped_rings(part, &rings, rule.inside(), self.cuts_left)?;
                 self.cut(polygons.iter().flatten().map(Vec::len).sum())?;
                 (polygons, 0)
             }
