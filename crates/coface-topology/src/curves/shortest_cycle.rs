@@ -98,13 +98,13 @@ pub fn shortest_cycle_through(
 /// The surface is cut along shortest paths between holes and shortest loops, each of which such a cycle crosses at most once; a cycle that crosses a
 /// cut is a path from a vertex on one side to the same vertex on the other, and the others lie on what is left. The shortest of these
 /// paths is found by trees of shortest paths from the ends of intervals of a side, whose common parts are contracted. Where a component has a first Betti
-/// number above 40, searches start from all vertices of a short cut graph instead: every such cycle meets one.
+/// number above 20, searches start from all vertices of a short cut graph instead: every such cycle meets one.
 ///
 /// # Errors
 /// As [`shortest_cycle_through`]; [`ErrorKind::TooLarge`] when more vertices than `most` are reached.
 ///
 /// # Complexity
-/// $O(b^2 n \log^2 n)$ for the first Betti number b, up to 40: b cuts, in which the trees of each of $\log n$ sizes of intervals have $O(b n)$
+/// $O(b^2 n \log^2 n)$ for the first Betti number b, up to 20: b cuts, in which the trees of each of $\log n$ sizes of intervals have $O(b n)$
 /// vertices together. On surfaces of higher genus $O(k r \log r)$ for k vertices on the cut graph and r vertices within half the length of the
 /// cycle.
 ///
@@ -175,7 +175,7 @@ impl CycleBounds {
 /// case, where there is one.
 ///
 /// First searches from some vertices of a cut graph give a lower bound of half of the length of the best cycle. Then the surface is cut as by
-/// [`shortest_cycle`]; the lower bound rises again while the last cut is searched. On a component with a first Betti number above 40 it rises in rounds.
+/// [`shortest_cycle`]; the lower bound rises again while the last cut is searched. On a component with a first Betti number above 20 it rises in rounds.
 ///
 /// # Errors
 /// Those of [`shortest_cycle`].
@@ -316,7 +316,7 @@ pub(super) fn loop_at(
 }
 
 /// Cuts that cycles cross once are looked for on surfaces of at most this first Betti number.
-const MOST_GENERATORS: usize = 40;
+const MOST_GENERATORS: usize = 20;
 /// A search that goes beyond what is needed by this factor rules out roots near its own.
 const SLACK: f64 = 1.25;
 /// The first round looks for cycles this much shorter than the best one known.
