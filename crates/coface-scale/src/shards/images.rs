@@ -146,7 +146,7 @@ pub fn merge_image_parts<B: AsRef<[u8]>>(parts: &[B]) -> Result<Vec<u8>, Error> 
         opened.push(part);
         sources.push(checksum);
     }
-    Ok(bytes_of(&ImagePart::merged(opened)?, &sources))
+    Ok(bytes_of(&ImagePart::merged(&opened)?, &sources))
 }
 
 /// The diagram of an image, from the part of all its blocks.

@@ -23,7 +23,7 @@ const MOST_BLOCKS: usize = 1_000_000;
 /// assert_eq!(blocks.count(), 2);
 /// assert_eq!(blocks.window(1), [[1, 2, 3]]);
 /// let part = |number: u32| blocks.part(number, blocks.window(number)[0].iter().map(|&voxel| row[voxel]));
-/// let diagram = ImagePart::merged(vec![part(0)?, part(1)?])?.diagram()?;
+/// let diagram = ImagePart::merged(&[part(0)?, part(1)?])?.diagram()?;
 /// assert_eq!(diagram, ImageFiltration::new(&[4], row)?.persistence(Coefficients::Modulo(2))?);
 /// assert_eq!((diagram.pairs()[1].birth(), diagram.pairs()[1].death()), (1.0, Some(5.0)));
 /// # Ok(()) }

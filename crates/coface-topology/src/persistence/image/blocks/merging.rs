@@ -19,14 +19,14 @@ impl ImagePart {
     ///
     /// # Examples
     /// See [`ImagePart`].
-    pub fn merged(parts: Vec<Self>) -> Result<Self, Error> {
+    pub fn merged(parts: &[Self]) -> Result<Self, Error> {
         let Some(first) = parts.first() else {
             return Err(Error::invalid("no parts of an image are given").with_cure("give one part or more"));
         };
         let cut = Arc::clone(&first.cut);
         let axes = first.axes();
         let mut blocks = first.blocks.start..first.blocks.start;
-        for part in &parts {
+        for part in parts {
             if *part.cut != *cut {
                 return Err(Error::invalid(format!(
                     "the parts of blocks {:?} and {:?} are of images that are cut or asked differently",

@@ -139,8 +139,8 @@ impl Rules {
 /// use coface_topology::{ImageBlocks, ImagePart};
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let blocks = ImageBlocks::new(&[4], &[2])?;
-/// let parts = vec![blocks.part(0, [0.0, 5.0, 1.0])?, blocks.part(1, [5.0, 1.0, 2.0])?];
-/// let whole = ImagePart::merged(parts)?;
+/// let parts = [blocks.part(0, [0.0, 5.0, 1.0])?, blocks.part(1, [5.0, 1.0, 2.0])?];
+/// let whole = ImagePart::merged(&parts)?;
 /// assert_eq!(whole.blocks(), 0..2);
 /// assert_eq!(whole.diagram()?.betti_numbers(), [1, 0]);
 /// # Ok(()) }

@@ -118,15 +118,14 @@ impl<'a, F: Field> Pairing<'a, F> {
         self.classes.push((degree, birth, Some(death)));
     }
 
-    /// The numbers of the critical cells of a degree by their names.
-    fn numbers(&self, degree: usize) -> SpreadMap<Name, u32> {
-        self.part.critical[degree].names.iter().copied().zip(0..).collect()
+    /// The numbers of the critical cells of a degree, from this one on, by their names.
+    fn numbers(&self, degree: usize, first: u32) -> SpreadMap<Name, u32> {
+        self.part.critical[degree].names.iter().copied().zip(first..).collect()
     }
 
     /// Pairs vertices with edges: an edge that joins two trees ends the younger one. What lies outside is older than all: it is member 0.
     fn join_vertices(&mut self) -> Result<(), Error> {
-        let mut members: SpreadMap<Name, u32> = self.numbers(0);
-        members.values_mut().for_each(|number| *number += 1);
+        let mut members = self.numbers(0, 1);
         members.insert(OUTSIDE_NAME, 0);
         let mut forest = Forest::new((0..members.len() as u32).collect());
         let edges = &self.part.edges;
@@ -147,7 +146,7 @@ impl<'a, F: Field> Pairing<'a, F> {
     /// first, ends. What lies outside is older than all: it is the last member.
     fn join_top_cells(&mut self) -> Result<(), Error> {
         let degree = self.part.axes();
-        let mut members = self.numbers(degree);
+        let mut members = self.numbers(degree, 0);
         let outside = members.len() as u32;
         members.insert(OUTSIDE_NAME, outside);
         let mut forest = Forest::new((0..=outside).collect());
@@ -167,7 +166,7 @@ impl<'a, F: Field> Pairing<'a, F> {
 
     /// Pairs the cells of this degree with those of the degree below, by reducing the boundaries of those that are free.
     fn reduce(&mut self, degree: usize) -> Result<(), Error> {
-        let numbers = self.numbers(degree - 1);
+        let numbers = self.numbers(degree - 1, 0);
         let boundaries = &self.part.boundaries[degree - 2];
         let field = self.field;
         let mut killer = vec![NONE; numbers.len()];

@@ -37,12 +37,13 @@ fn merged(mut parts: Vec<ImagePart>, fan_in: usize) -> ImagePart {
         parts = parts
             .chunks(fan_in)
             .map(|group| {
-                let group = group.iter().map(|part| ImagePart::of_words(&part.to_words()).unwrap()).collect();
-                ImagePart::merged(group).unwrap()
+                let group: Vec<ImagePart> =
+                    group.iter().map(|part| ImagePart::of_words(&part.to_words()).unwrap()).collect();
+                ImagePart::merged(&group).unwrap()
             })
             .collect();
     }
-    ImagePart::merged(parts).unwrap()
+    ImagePart::merged(&parts).unwrap()
 }
 
 fn shapes() -> impl Strategy<Value = Vec<usize>> {
@@ -121,7 +122,7 @@ proptest! {
         words[place] = if word % 2 == 0 { word } else { words[place] ^ (word % 16) };
         if let Some(part) = ImagePart::of_words(&words) {
             parts[0] = part;
-            if let Ok(root) = ImagePart::merged(parts) {
+            if let Ok(root) = ImagePart::merged(&parts) {
                 let _ = root.diagram();
             }
         }
@@ -148,11 +149,11 @@ fn faults_are_named() {
     );
     assert_eq!(blocks.clone().periodic(&[]).unwrap_err().kind(), ErrorKind::Shape);
     let [first, last] = [0, 1].map(|number| blocks.part(number, [0.0, 1.0, 0.0]).unwrap());
-    let kind = |parts: Vec<ImagePart>| ImagePart::merged(parts).unwrap_err().kind();
-    assert_eq!(kind(Vec::new()), ErrorKind::InvalidInput);
-    assert_eq!(kind(vec![last.clone(), first.clone()]), ErrorKind::InvalidInput);
+    let kind = |parts: &[ImagePart]| ImagePart::merged(parts).unwrap_err().kind();
+    assert_eq!(kind(&[]), ErrorKind::InvalidInput);
+    assert_eq!(kind(&[last.clone(), first.clone()]), ErrorKind::InvalidInput);
     let other = blocks.superlevel(true).part(1, [0.0, 1.0, 0.0]).unwrap();
-    assert_eq!(kind(vec![first.clone(), other]), ErrorKind::InvalidInput);
+    assert_eq!(kind(&[first.clone(), other]), ErrorKind::InvalidInput);
     assert_eq!(last.diagram().unwrap_err().kind(), ErrorKind::InvalidInput);
     assert!(first.diagram().is_err());
 }
