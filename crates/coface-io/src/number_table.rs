@@ -49,12 +49,12 @@ impl NumberTable {
     /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) for a damaged one, and
     /// [`ErrorKind::Shape`](coface_algebra::ErrorKind::Shape) for an array of more than two axes. All name the file.
     pub fn read_path(path: impl AsRef<Path>) -> Result<Self, Error> {
-        Self::of_path(path.as_ref(), |stream| Self::read(stream))
+        Self::of_path(path.as_ref(), Self::read)
     }
 
     /// The table of a file as [`Self::read_distances`] reads it.
     pub(crate) fn read_distances_of_path(path: &Path) -> Result<Self, Error> {
-        Self::of_path(path, |stream| Self::read_distances(stream))
+        Self::of_path(path, Self::read_distances)
     }
 
     fn of_path(path: &Path, read: impl FnOnce(Box<dyn Read>) -> Result<Self, Error>) -> Result<Self, Error> {

@@ -112,6 +112,6 @@ pub(crate) fn _image_part_diagram(
     // Bytes of Python do not change, and are kept by the caller.
     let part = part.as_bytes();
     let diagram = run(py, progress, || shards::image_diagram(part))?;
-    let found = FoundImage::of_diagram("image", construction, diagram, periodic, least);
+    let found = FoundImage::of_diagram("image", construction, &diagram, periodic, least);
     Ok(Persistence { diagram: Diagram::Image { found, cells: None } })
 }

@@ -358,14 +358,14 @@ impl FoundImage {
     /// use coface_answers::FoundImage;
     /// use coface_topology::{ImageBlocks, ImageConstruction};
     /// let diagram = ImageBlocks::new(&[1, 3], &[1, 3])?.part(0, [0.0, 5.0, 1.0])?.diagram()?;
-    /// let found = FoundImage::of_diagram("row", ImageConstruction::TopCells, diagram, false, 0.0);
+    /// let found = FoundImage::of_diagram("row", ImageConstruction::TopCells, &diagram, false, 0.0);
     /// assert_eq!(found.voxels(&found.diagram().pairs()[1]), (vec![0, 2], Some(vec![0, 1])));
     /// # Ok(()) }
     /// ```
     pub fn of_diagram(
         name: &str,
         construction: ImageConstruction,
-        diagram: ImageDiagram,
+        diagram: &ImageDiagram,
         is_periodic: bool,
         least: f64,
     ) -> Self {

@@ -146,11 +146,11 @@ impl FileGraph {
         }
         for entry in &matrix.entries {
             let (from, to) = (entry.row as u32, entry.column as u32);
-            match entry.value {
-                value if from == to => rows.push_row(from, to, value, Some(entry.line))?,
-                value => {
-                    rows.push_edge((from, to), value.unwrap_or(1.0), Some(entry.line), matrix.is_symmetric)?
-                }
+            if from == to {
+                rows.push_row(from, to, entry.value, Some(entry.line))?;
+            } else {
+                let value = entry.value.unwrap_or(1.0);
+                rows.push_edge((from, to), value, Some(entry.line), matrix.is_symmetric)?;
             }
         }
         rows.graph(directed)

@@ -129,7 +129,7 @@ fn shapes_are_clipped_by_the_paths_they_name() {
         (format!("<clipPath id='c'><rect x='20' width='2' height='2'/></clipPath>{rect} clip-path='url(#c)'/>"), 0.0),
         // A shape that crosses itself.
         (
-            format!("<clipPath id='c'><rect width='5' height='10'/></clipPath><path fill-rule='evenodd' d='M0 0h10v10h-10zM2 2h6v6h-6z' clip-path='url(#c)'/>"),
+            "<clipPath id='c'><rect width='5' height='10'/></clipPath><path fill-rule='evenodd' d='M0 0h10v10h-10zM2 2h6v6h-6z' clip-path='url(#c)'/>".to_owned(),
             50.0 - 18.0,
         ),
     ] {

@@ -495,16 +495,18 @@ impl Reader {
         subpaths.iter().for_each(|subpath| subpath.extend(&mut bounds));
         if let Some((clip, _)) = part {
             let [low, high] = self.clips.bounds(*clip);
-            for axis in 0..2 {
-                bounds[0][axis] = bounds[0][axis].max(low[axis]);
-                bounds[1][axis] = bounds[1][axis].min(high[axis]);
-            }
+            let [own_low, own_high] = bounds;
+            bounds = [
+                [0, 1].map(|axis| own_low[axis].max(low[axis])),
+                [0, 1].map(|axis| own_high[axis].min(high[axis])),
+            ];
         }
         if (0..2).all(|axis| bounds[0][axis] <= bounds[1][axis]) {
-            for axis in 0..2 {
-                self.bounds[0][axis] = self.bounds[0][axis].min(bounds[0][axis]);
-                self.bounds[1][axis] = self.bounds[1][axis].max(bounds[1][axis]);
-            }
+            let ([own_low, own_high], [low, high]) = (self.bounds, bounds);
+            self.bounds = [
+                [0, 1].map(|axis| own_low[axis].min(low[axis])),
+                [0, 1].map(|axis| own_high[axis].max(high[axis])),
+            ];
         }
     }
 

@@ -4920,6 +4920,12 @@ def map_task(models: Any, task: str, *, method: str = "structure", length: float
         How the ends of lines are closed.
     frame : sequence of four float, optional
         The box of clip: least x, least y, greatest x, greatest y.
+    snap : bool
+        Whether coordinates of node and polygonize are rounded, and lines cut again, until all vertices are where their coordinates say.
+    grid : float, optional
+        The length of which all coordinates of node and polygonize are multiples.
+    tolerance : float, optional
+        How far apart vertices and lines of node and polygonize may be that are put together.
     progress : bool or callable, optional
         ``True`` shows a bar; a function is called with (stage, done, total).
 
@@ -5462,7 +5468,7 @@ def render(model: Any, format: str = "svg", *, results: Sequence[Any] = ..., siz
     ----------
     model : Model, Complex or ChainComplex
         What is shown.
-    format : {"svg", "png", "pdf", "gif"}
+    format : {"svg", "png", "pdf", "gif", "webp"}
         The format; PDF has vectors, a pixel is 0.75 points; GIF is an animation.
     results : sequence of dict
         Answers to be shown over it, as ``to_dict()`` gives them.
@@ -5489,7 +5495,7 @@ def render(model: Any, format: str = "svg", *, results: Sequence[Any] = ..., siz
     legend : bool
         Whether the names of what is drawn over the model stand above it.
     spin : int, optional
-        So many frames, in which the model turns once about what is up: an animated GIF or PNG, 24 frames a second.
+        So many frames, in which the model turns once about what is up: an animated GIF, PNG or WebP, 24 frames a second.
     witness : bool
         Whether what is wrong is marked.
     title : str

@@ -44,7 +44,7 @@ const TETRAHEDRON: Files =
 
 /// A matrix of real numbers.
 const WEIGHTS: Files =
-    &[("w.mtx", "%%MatrixMarket matrix coordinate real symmetric\n3 3 2\n2 1 0.5\n3 2 0.25\n")];
+    &[("w.mtx", "%%MatrixMarket matrix coordinate real general\n3 3 2\n2 1 0.5\n3 2 0.25\n")];
 
 pub(super) const CASES: &[Case] = &[
     Case::new("render/spin.rs", "--spin: an animation is a GIF, a PNG or a WebP")

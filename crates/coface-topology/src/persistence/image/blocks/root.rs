@@ -177,7 +177,7 @@ impl<'a, F: Field> Pairing<'a, F> {
         let is_free = |number: &u32| !self.is_paired[degree][*number as usize];
         let columns: Vec<u32> = (0..boundaries.len() as u32).filter(is_free).collect();
         let steps = stage("pairing critical cells", columns.len());
-        for column in steps.each(columns.into_iter()) {
+        for column in steps.each(columns) {
             heap.clear();
             for (name, unit) in boundaries.terms(column as usize) {
                 let number = *numbers.get(&name).ok_or_else(unknown)?;
