@@ -125,10 +125,13 @@ pub(crate) fn read_model(input: impl Read) -> Result<Model, Error> {
 }
 
 /// The bytes with which files begin, in letters of any case.
-pub(crate) const BANNER: &[u8] = b"%%MatrixMarket";
+const BANNER: &[u8] = b"%%MatrixMarket";
+/// So many bytes of a file tell whether it is one, blanks before it included.
+pub(crate) const START: u64 = 64;
 
 /// Whether a file begins as one of Matrix Market.
 pub(crate) fn is_matrix_market(start: &[u8]) -> bool {
+    let start = start.trim_ascii_start();
     start.get(..BANNER.len()).is_some_and(|start| start.eq_ignore_ascii_case(BANNER))
 }
 

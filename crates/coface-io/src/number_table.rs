@@ -109,7 +109,7 @@ impl NumberTable {
     pub fn read_distances(input: impl Read) -> Result<Self, Error> {
         let mut input = plain_bytes(input)?;
         let mut start = Vec::new();
-        input.by_ref().take(matrix_market::BANNER.len() as u64).read_to_end(&mut start)?;
+        input.by_ref().take(matrix_market::START).read_to_end(&mut start)?;
         let is_array = start.starts_with(NPY_MAGIC);
         let is_matrix = matrix_market::is_matrix_market(&start);
         let whole = std::io::Cursor::new(start).chain(input);

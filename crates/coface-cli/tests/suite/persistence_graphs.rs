@@ -60,6 +60,13 @@ fn a_sparse_matrix_is_a_graph_or_has_distances() {
         coface_in(folder.path(), &[&["persistence"], words, &["--json"]].concat()).json()["diagram"].clone()
     };
     assert_eq!(run(&["cycle.mtx", "--flag"]), run(&["list.txt", "--flag"]));
+    // Blanks or a mark before the first line, and other letters, change nothing: the line of counts is never an edge.
+    for before in ["  ", "\u{feff}", "\u{feff} "] {
+        let text = format!("{before}{} SYMMETRIC\n{cycle}", banner.to_uppercase());
+        std::fs::write(folder.path().join("other.mtx"), text).unwrap();
+        assert_eq!(run(&["other.mtx", "--flag"]), run(&["list.txt", "--flag"]), "{before:?}");
+        assert_eq!(run(&["other.mtx", "--rips"]), run(&["cycle.mtx", "--rips"]), "{before:?}");
+    }
     let all = ["--threshold", "9"];
     let rips = run(&[&["cycle.mtx", "--rips"], &all[..]].concat());
     let holes: Vec<_> = rips.as_array().unwrap().iter().filter(|pair| pair["degree"] == json!(1)).collect();

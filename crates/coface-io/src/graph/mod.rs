@@ -10,6 +10,7 @@ mod graphml;
 mod rows;
 
 use crate::matrix_market::{self, Relation};
+use crate::stream_start::plain_bytes;
 use crate::volume::NPY_MAGIC;
 use crate::{NumberTable, Remark};
 use coface_algebra::Error;
@@ -118,13 +119,14 @@ impl FileGraph {
         &self.remarks
     }
 
-    /// The graph of a stream.
-    pub(crate) fn read(mut input: impl Read, directed: bool) -> Result<Self, Error> {
+    /// The graph of a stream, which may be compressed or in UTF-16.
+    pub(crate) fn read(input: impl Read, directed: bool) -> Result<Self, Error> {
+        let mut input = plain_bytes(input)?;
         let mut start = Vec::new();
-        input.by_ref().take(matrix_market::BANNER.len() as u64).read_to_end(&mut start)?;
+        input.by_ref().take(matrix_market::START).read_to_end(&mut start)?;
         let is_array = start.starts_with(NPY_MAGIC);
         let is_matrix = matrix_market::is_matrix_market(&start);
-        let first = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&start).trim_ascii_start().first().copied();
+        let first = start.trim_ascii_start().first().copied();
         let whole = std::io::Cursor::new(start).chain(input);
         if is_array {
             return Self::of_table(&NumberTable::read(whole)?.of_numbers_only()?, directed);

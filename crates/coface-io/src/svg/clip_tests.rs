@@ -1,6 +1,7 @@
 //! Tests of clip paths, masks and the boxes of inner drawings: areas by hand, and points one by one.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
+use super::tests::{parsed, svg};
 use super::{read, read_flattened};
 use crate::{GroupKind, Model, RemarkCode};
 use coface_algebra::{ErrorKind, RaggedArray};
@@ -9,16 +10,6 @@ use coface_geometry::Positions;
 use coface_yin::EndCondition;
 use proptest::prelude::*;
 use std::f64::consts::PI;
-
-fn svg(inner: &str) -> String {
-    format!("<svg xmlns=\"http://www.w3.org/2000/svg\">{inner}</svg>")
-}
-
-fn parsed(inner: &str) -> Model {
-    let model = read(svg(inner).as_bytes()).unwrap();
-    model.check().unwrap();
-    model
-}
 
 fn column(model: &Model, name: &str) -> Vec<i64> {
     let Some(data) = model.data_named(name, GroupKind::Lines) else { return Vec::new() };

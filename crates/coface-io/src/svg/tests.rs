@@ -6,11 +6,11 @@ use crate::{GroupKind, Model, RemarkCode};
 use coface_algebra::ErrorKind;
 use coface_algebra::RaggedArray;
 
-fn svg(inner: &str) -> String {
+pub(super) fn svg(inner: &str) -> String {
     format!("<svg xmlns=\"http://www.w3.org/2000/svg\">{inner}</svg>")
 }
 
-fn parsed(inner: &str) -> Model {
+pub(super) fn parsed(inner: &str) -> Model {
     let model = read(svg(inner).as_bytes()).unwrap();
     model.check().unwrap();
     model

@@ -236,7 +236,7 @@ def persistence(
     """Persistent homology of an image, block by block: the diagram of :func:`coface.cubical`, bit for bit.
 
     Of each block its critical cells are kept, and what their boundaries flow down to; neighbors are merged level after level. At no time is more than a
-    block held, beside what is left of the others. White noise leaves more than its voxels; smooth images leave little.
+    block held, beside what is left of the others. What is left of white noise takes some four times the image; smooth images leave little.
 
     Parameters
     ----------
