@@ -491,18 +491,29 @@ fn combined(
     request: SolidRequest,
     exact: bool,
 ) -> Result<(SolidBooleanAnswer, SolidBooleanProvenance, io::Model, Combined, SolidRequest), Error> {
-    let mut arrangement = SceneArrangement::of_scene(scene, spatial)?;
-    if !exact && !SolidBoolean::of(&arrangement, &request)?.is_valid()? {
-        arrangement = arrangement.validly_rounded()?.unwrap_or(arrangement);
-    }
+    let arrangement = SceneArrangement::of_scene(scene, spatial)?;
     let result = SolidBoolean::of(&arrangement, &request)?;
+    let rounded = if exact || result.is_valid()? { None } else { result.validly_rounded()? };
+    let (answer, provenance, mesh) = match &rounded {
+        None => told(&result, exact)?,
+        Some(rounded) => told(&SolidBoolean::of(rounded, &request)?, exact)?,
+    };
+    drop(result);
+    let arrangement = rounded.unwrap_or(arrangement);
+    Ok((answer, provenance, mesh, Combined::Exact(Box::new(arrangement)), request))
+}
+
+/// What is said of a combination, where everything comes from, and its surface.
+fn told(
+    result: &SolidBoolean<'_>,
+    exact: bool,
+) -> Result<(SolidBooleanAnswer, SolidBooleanProvenance, io::Model), Error> {
     let (answer, provenance) = (result.answer()?, result.provenance()?);
     let mut mesh = result.to_mesh()?;
     if exact && !answer.unbounded {
         mesh = mesh.with_exact_polygons(result.exact_polygons()?.into());
     }
-    drop(result);
-    Ok((answer, provenance, mesh, Combined::Exact(Box::new(arrangement)), request))
+    Ok((answer, provenance, mesh))
 }
 
 /// The formula that a word or a text stands for.

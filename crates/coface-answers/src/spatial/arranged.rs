@@ -5,6 +5,7 @@ use super::{SpatialRequest, SpatialScene};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, EdgeId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
+use coface_arrange::boolean::{CellSelection, WindingNumbers};
 use coface_arrange::spatial::{
     BallComplex, BallRules, Crossings, ExactPolygons, SpatialArrangement, SpatialOptions, SplitPolygon,
 };
@@ -65,6 +66,33 @@ impl Arranged {
         Self::of(scene, snapped(&self.arrangement, &options, request)?)
     }
 
+    /// The surface around some cells alone with rounded coordinates that are valid, and the cells within it; `surface` has its
+    /// fronts outside.
+    ///
+    /// # Errors
+    /// As [`SpatialArrangement::snapped`]; [`ErrorKind::NotACycle`](coface_algebra::ErrorKind::NotACycle) if the surface is open.
+    pub(super) fn snapped_surface(
+        &self,
+        scene: &SpatialScene,
+        request: &SpatialRequest,
+        surface: &[(CellId, Sign)],
+        exterior: bool,
+    ) -> Result<(Self, CellSelection), Error> {
+        let options =
+            SpatialOptions::new().merge_coplanar(request.merge_coplanar).max_cells(request.max_cells);
+        let face = |&(face, sign): &(CellId, Sign)| (FaceId::from_u32(face.to_u32()), sign);
+        let surface: Vec<(FaceId, Sign)> = surface.iter().map(face).collect();
+        let (arranged, chains) =
+            Self::with_all_chains(scene, self.arrangement.snapped_surface(&surface, &options)?)?;
+        let last = chains.column_count() - 1;
+        let own = chains.column(last).iter().map(|(face, m)| (face, 0, i64::from(m)));
+        let chain = SparseMatrix::from_entries(chains.row_count(), 1, own)?;
+        let winding = WindingNumbers::of_cycles(&arranged.complex, &chain)?;
+        let is_within = |cell| winding.number(CellId::new(cell), 0) + i32::from(exterior) > 0;
+        let cells = (0..arranged.complex.cell_count(3)).map(is_within).collect();
+        Ok((arranged, CellSelection::new(cells, exterior)))
+    }
+
     /// The scene with features put together that are some units of the last digit apart; none where that does not come to an
     /// end, or leaves coordinates that are not exact, and where a tolerance is given.
     pub(super) fn within_rounding(
@@ -95,18 +123,27 @@ impl Arranged {
     }
 
     fn of(scene: &SpatialScene, arrangement: SpatialArrangement) -> Result<Self, Error> {
+        Ok(Self::with_all_chains(scene, arrangement)?.0)
+    }
+
+    /// With the chains of all inputs, those that are no models included.
+    fn with_all_chains(
+        scene: &SpatialScene,
+        arrangement: SpatialArrangement,
+    ) -> Result<(Self, SparseMatrix), Error> {
         let (complex, chains) = rayon::join(|| arrangement.coarse_complex(), || arrangement.input_chains());
         let (complex, chains) = (complex?, chains?);
         // Walls are inputs of their own there, after the models.
         let count = scene.names().len();
-        if chains.column_count() == count {
-            return Ok(Self { arrangement, complex, volumes: OnceLock::new(), inputs: chains });
-        }
-        let columns = chains.columns().take(count).enumerate();
-        let entries = columns
-            .flat_map(|(input, column)| column.iter().map(move |(face, m)| (face, input, i64::from(m))));
-        let inputs = SparseMatrix::from_entries(chains.row_count(), count, entries)?;
-        Ok(Self { arrangement, complex, volumes: OnceLock::new(), inputs })
+        let inputs = if chains.column_count() == count {
+            chains.clone()
+        } else {
+            let columns = chains.columns().take(count).enumerate();
+            let entries = columns
+                .flat_map(|(input, column)| column.iter().map(move |(face, m)| (face, input, i64::from(m))));
+            SparseMatrix::from_entries(chains.row_count(), count, entries)?
+        };
+        Ok((Self { arrangement, complex, volumes: OnceLock::new(), inputs }, chains))
     }
 
     pub(super) fn complex(&self) -> &ChainComplex {
@@ -255,6 +292,11 @@ impl Arranged {
     /// Whether the rounded coordinates of all vertices are their exact ones.
     pub(super) fn is_exactly_rounded(&self) -> bool {
         self.arrangement.is_exactly_rounded()
+    }
+
+    /// Whether rounding moves each drawn vertex, or faces at it may be drawn otherwise than they were cut.
+    pub(super) fn rounded_vertices(&self) -> Vec<bool> {
+        self.arrangement.rounded_vertices()
     }
 
     /// What was put together.

@@ -1,5 +1,6 @@
 //! Boolean combinations of the models of a scene.
 
+use super::arranged::Arranged;
 use super::coarse::refuse_other_result;
 use super::coincident::coincident;
 use super::enclosed::turned_parts;
@@ -15,7 +16,9 @@ use coface_algebra::{CellId, Error, ErrorKind, VertexId};
 use coface_algebra::{RaggedArray, Sign, UnionFind};
 use coface_arrange::CoordinatePrecision;
 use coface_arrange::boolean::{BooleanFormula, CellSelection, InsideRule, SelectionBoundary, SelectionMesh};
-use coface_arrange::spatial::{CoplanarTriangles, Crossings, SpatialPolygons, merge_coplanar_triangles};
+use coface_arrange::spatial::{
+    CoplanarMerge, CoplanarTriangles, Crossings, SpatialPolygons, merge_coplanar_triangles,
+};
 use coface_complexes::surface::{PolygonMesh, SurfaceVerdict};
 use coface_geometry::{Positions, Sum, polygon_area};
 use coface_io::repeated_vertex;
@@ -24,6 +27,8 @@ use std::sync::OnceLock;
 
 /// So many pinches of a sort are listed.
 const MOST_LISTED: usize = 100;
+/// A volume changes by at most so many times the area around it and the way that points of it move, both of which are rounded.
+const MOVED_VOLUME: f64 = 4.0;
 /// So many faces are cut into polygons at a time.
 const CHUNK: usize = 1 << 11;
 /// A mesh has fewer corners than this.
@@ -80,6 +85,21 @@ impl SolidRequest {
             merge_coplanar: false,
         }
     }
+
+    /// Whether another request is for the surface of the same cells.
+    fn is_of_same_cells(&self, other: &Self) -> bool {
+        self.formula == other.formula
+            && self.rule == other.rule
+            && self.open == other.open
+            && !self.keep_walls
+            && !other.keep_walls
+    }
+}
+
+/// Refuses to answer other questions from the surface of a result.
+pub(super) fn surface_alone() -> Error {
+    Error::invalid("this arrangement has the surface of one result alone, not the cells of its inputs")
+        .with_cure("ask the arrangement that it was made of")
 }
 
 /// What a formula makes of the models of a scene: some cells of their arrangement, and the surface around them.
@@ -124,6 +144,8 @@ pub struct SolidBoolean<'a> {
     pub(super) regions: Vec<u32>,
     /// The facets that each polygon of the surface has parts of, where they were put together.
     pub(super) merged_facets: Option<Vec<Vec<(CellId, Sign)>>>,
+    /// Whether it is known that rounded polygons of the surface cross, though not where.
+    is_crossing: bool,
 }
 
 impl<'a> SolidBoolean<'a> {
@@ -158,19 +180,25 @@ impl<'a> SolidBoolean<'a> {
             return Err(Error::invalid("pinches cannot be split while walls are kept")
                 .with_cure("ask for one of both; cells that touch are told apart by walls"));
         }
-        let membership = inputs.membership(
-            scene,
-            arranged,
-            request.rule,
-            request.open,
-            &arrangement.request,
-            |input| request.formula.names(input),
-        )?;
         let complex = arranged.complex();
-        let selection =
-            CellSelection::by_membership(complex.cell_count(3), &request.formula, |cell, input| {
-                membership.is_inside(cell, input)
-            });
+        let selection = match &arrangement.surface {
+            Some(surface) if surface.request.is_of_same_cells(request) => surface.selection.clone(),
+            Some(_) => return Err(surface_alone()),
+            None => {
+                let membership = inputs.membership(
+                    scene,
+                    arranged,
+                    request.rule,
+                    request.open,
+                    &arrangement.request,
+                    |input| request.formula.names(input),
+                )?;
+                let cells = complex.cell_count(3);
+                CellSelection::by_membership(cells, &request.formula, |cell, input| {
+                    membership.is_inside(cell, input)
+                })
+            }
+        };
         let mut boundary = selection.boundary_without_pinches(complex)?;
         let facets = boundary.facets().to_vec();
         let (surface, ()) = rayon::join(
@@ -205,14 +233,21 @@ impl<'a> SolidBoolean<'a> {
         let sides = sides_of_faces(complex);
         let regions = regions(&selection, &sides, complex.cell_count(3));
         let (crossings, turned) = (OnceLock::new(), OnceLock::new());
-        let mut merged_facets = None;
+        let (mut merged_facets, mut is_crossing) = (None, false);
         if request.merge_coplanar && request.triangles && !request.keep_walls {
             let positions = surface.positions(arranged.drawn_positions())?;
             let is_rounded = arranged.joined().is_some() || !arranged.is_exactly_rounded();
             let tolerance =
                 if is_rounded { rounding_of(&positions, arrangement.request.precision) } else { 0.0 };
             let triangles: Vec<[u32; 3]> = surface.polygons().items().as_chunks::<3>().0.to_vec();
-            if let Some(merged) = merge_coplanar_triangles(&positions, &triangles, tolerance)? {
+            // With exact coordinates triangles are those that were cut.
+            let is_moved = match arranged.is_exactly_rounded() {
+                true => vec![false; triangles.len()],
+                false => rounded_polygons(arranged, &surface),
+            };
+            let merge = merge_coplanar_triangles(&positions, &triangles, tolerance, |own| is_moved[own])?;
+            is_crossing = merge == CoplanarMerge::Crossing;
+            if let Some(merged) = merge.merged() {
                 let first = |&patch: &u32| merged.patches.list(patch as usize)[0];
                 let pairs = merged.triangles.iter().zip(&merged.patch_of_triangle);
                 let drawn = surface.with_triangles(pairs.map(|(&own, patch)| (own, first(patch))));
@@ -245,6 +280,7 @@ impl<'a> SolidBoolean<'a> {
             sides,
             regions,
             merged_facets,
+            is_crossing,
         };
         if let Some(exact) = &arrangement.unrounded
             && let Some(volume) = result.volume()
@@ -364,7 +400,9 @@ impl<'a> SolidBoolean<'a> {
             let polygons =
                 SpatialPolygons::from_polygons(self.positions()?, self.surface.polygons().clone())?;
             // A polygon that is not simple any more is refused.
-            let mut found = polygons.crossings(MOST_LISTED).or_else(|error| match error.kind() {
+            let is_moved = rounded_polygons(arranged, &self.surface);
+            let found = polygons.crossings_of_changed(|own| is_moved[own], MOST_LISTED);
+            let mut found = found.or_else(|error| match error.kind() {
                 ErrorKind::InvalidInput => self.arrangement.crossings().cloned(),
                 _ => Err(error),
             })?;
@@ -424,9 +462,71 @@ impl<'a> SolidBoolean<'a> {
     /// # Ok(()) }
     /// ```
     pub fn is_valid(&self) -> Result<bool, Error> {
-        Ok(self.arrangement.is_held(&self.positions()?)
+        Ok(!self.is_crossing
+            && self.arrangement.is_held(&self.positions()?)
             && self.crossings()?.count == 0
             && self.turned_parts()?.is_empty())
+    }
+
+    /// An arrangement with rounded coordinates that are valid, from which the same request gets the same result: of the surface
+    /// of this result alone where that will do, else as [`SceneArrangement::validly_rounded`]. The former answers no other request.
+    ///
+    /// # Errors
+    /// As [`SceneArrangement::validly_rounded`].
+    ///
+    /// # Complexity
+    /// That of arranging the surface again, some times.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest};
+    /// use coface_arrange::boolean::BooleanFormula;
+    /// let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    /// let solid = coface_io::read(text.as_bytes(), coface_io::Format::Obj)?;
+    /// let arranged = SceneArrangement::of([("a", &solid)], &Default::default())?;
+    /// let request = SolidRequest::of(BooleanFormula::union(1));
+    /// let result = SolidBoolean::of(&arranged, &request)?;
+    /// let rounded = result.validly_rounded()?.expect("its coordinates are exact as they are");
+    /// assert_eq!(SolidBoolean::of(&rounded, &request)?.volume(), Some(1.0));
+    /// assert!(SolidBoolean::of(&rounded, &SolidRequest::of(BooleanFormula::xor(1))).is_err());
+    /// # Ok(()) }
+    /// ```
+    pub fn validly_rounded(&self) -> Result<Option<SceneArrangement>, Error> {
+        let whole = self.arrangement;
+        let is_plain = whole.request.tolerance.is_none()
+            && whole.request.precision == CoordinatePrecision::Double
+            && whole.surface.is_none();
+        if !self.request.keep_walls && is_plain {
+            match whole.snapped_surface(self) {
+                Ok(rounded) if self.is_kept_by(&rounded) => return Ok(Some(rounded)),
+                // What vanished is said of the whole arrangement.
+                Ok(_) => {}
+                Err(error) if matches!(error.kind(), ErrorKind::InvalidInput | ErrorKind::NotACycle) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        whole.validly_rounded()
+    }
+
+    /// Whether the surface alone has as many solids and voids within and between it as the result, and the volume but for what its
+    /// points moved.
+    fn is_kept_by(&self, rounded: &SceneArrangement) -> bool {
+        let Some(surface) = &rounded.surface else { return false };
+        let complex = rounded.complex();
+        let regions = regions(&surface.selection, &sides_of_faces(complex), complex.cell_count(3));
+        if part_counts(&surface.selection, &regions) != self.part_counts() {
+            return false;
+        }
+        let Some(volume) = self.volume() else { return true };
+        let mut sum = Sum::default();
+        let cells: Vec<CellId> = surface.selection.cells().collect();
+        rounded.arranged.volumes_of(&cells).into_iter().for_each(|volume| sum.add(volume));
+        let moved =
+            rounded.arranged.joined().map_or(0.0, |joined| joined.largest_movement + joined.tolerance);
+        let Ok(positions) = self.positions() else { return false };
+        let Some(area) = polygon_area(&positions, self.surface.polygons()) else { return false };
+        (sum.value() - volume).abs() <= MOVED_VOLUME * area * moved
     }
 
     /// The number of vertices that were copied to split pinches.
@@ -560,7 +660,10 @@ impl<'a> SolidBoolean<'a> {
             area: polygon_area(&positions, self.surface.polygons()),
             solids,
             voids,
-            cells: self.selection.cells().count(),
+            cells: match &self.arrangement.surface {
+                Some(surface) => surface.cell_count,
+                None => self.selection.cells().count(),
+            },
             unbounded: self.selection.has_exterior(),
             triangles: self.request.triangles,
             faces_cut: self.faces_cut(),
@@ -759,6 +862,13 @@ fn turned_of(
         let [back, front] = sides[facet.index()].map(region);
         if sign == Sign::Plus { [back, front] } else { [front, back] }
     })
+}
+
+/// Whether rounding moved a vertex of each polygon of a surface.
+fn rounded_polygons(arranged: &Arranged, surface: &SelectionMesh) -> Vec<bool> {
+    let is_moved = arranged.rounded_vertices();
+    let is_moved = |&vertex: &u32| is_moved[surface.vertex_sources()[vertex as usize].index()];
+    surface.polygons().iter().map(|polygon| polygon.iter().any(is_moved)).collect()
 }
 
 /// How far points that rounding moved out of a plane or a line may be from it: both ways by a few units in the last place

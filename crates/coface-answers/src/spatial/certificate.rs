@@ -1,5 +1,6 @@
 //! Certificates of arrangements and Booleans in space. What is proved here is checked before it is given.
 
+use super::boolean::surface_alone;
 use super::{SceneArrangement, SolidBoolean};
 use crate::homology::certificate::{Input, Number, checked, number};
 use coface_algebra::{Error, ErrorKind, FaceId, Integer, RaggedArray, Sign, VertexId};
@@ -80,6 +81,9 @@ impl SolidBoolean<'_> {
     /// # Ok(()) }
     /// ```
     pub fn certificate(&self, inputs: &[(&str, &[u8])]) -> Result<String, Error> {
+        if self.arrangement.surface.is_some() {
+            return Err(surface_alone());
+        }
         let answer = self.answer()?;
         let is_moved = answer.joined.is_some();
         let proof = proof_of(self.arrangement, is_moved, false, inputs)?;

@@ -1,6 +1,7 @@
 //! A scene arranged: its cells, and what they are inside of.
 
 use super::arranged::Arranged;
+use super::boolean::surface_alone;
 use super::coarse::{endless, refuse_other_cells};
 use super::enclosed::turned_parts;
 use super::facts::{
@@ -8,7 +9,7 @@ use super::facts::{
     remarks_of_vanished,
 };
 use super::inputs::{Inputs, Membership};
-use super::{InputState, OpenInputs, SpatialRequest, SpatialScene};
+use super::{InputState, OpenInputs, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene};
 use crate::answer::{
     DegeneratePolygons, JoinedFeatures, Place, Remark, RemarkCode, SpatialArrangementAnswer, SpatialInput,
     SpatialRounding, SplitPolygons,
@@ -18,7 +19,7 @@ use crate::text;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, Sign};
 use coface_arrange::CoordinatePrecision;
-use coface_arrange::boolean::InsideRule;
+use coface_arrange::boolean::{CellSelection, InsideRule};
 use coface_arrange::spatial::{Crossings, SplitPolygon};
 use coface_geometry::{Positions, cross, dot};
 use coface_io::Model;
@@ -61,6 +62,18 @@ pub struct SceneArrangement {
     /// What coordinates of 32 bits were rounded from.
     pub(super) unrounded: Option<Box<Self>>,
     crossings: OnceLock<Crossings>,
+    /// What it is of, where it is the surface of a result alone.
+    pub(super) surface: Option<Box<SurfaceOf>>,
+}
+
+/// A result whose surface alone is arranged.
+#[derive(Clone, Debug)]
+pub(super) struct SurfaceOf {
+    pub(super) request: SolidRequest,
+    /// The cells within the surface.
+    pub(super) selection: CellSelection,
+    /// How many cells of the whole arrangement are within it.
+    pub(super) cell_count: usize,
 }
 
 impl SceneArrangement {
@@ -118,7 +131,8 @@ impl SceneArrangement {
         });
         let (request, crossings) = (*request, OnceLock::new());
         let (thin_apart, unrounded) = (None, None);
-        Ok(Self { scene, arranged, inputs, request, cells_apart, thin_apart, unrounded, crossings })
+        let surface = None;
+        Ok(Self { scene, arranged, inputs, request, cells_apart, thin_apart, unrounded, crossings, surface })
     }
 
     /// The same scene with coordinates that are exactly where they are rounded to: features that rounding would make
@@ -155,7 +169,8 @@ impl SceneArrangement {
             }
         };
         let (scene, request, crossings) = (self.scene.clone(), self.request, OnceLock::new());
-        Ok(Self { scene, arranged, inputs, request, cells_apart, thin_apart, unrounded, crossings })
+        let surface = None;
+        Ok(Self { scene, arranged, inputs, request, cells_apart, thin_apart, unrounded, crossings, surface })
     }
 
     /// The same scene [snapped](Self::snapped) so that its rounded coordinates are valid; none where no distance within
@@ -184,6 +199,27 @@ impl SceneArrangement {
             },
             other => other.map(Some),
         }
+    }
+
+    /// The surface around some cells alone with rounded coordinates that are valid; the inputs are those of the whole
+    /// arrangement.
+    pub(super) fn snapped_surface(&self, result: &SolidBoolean<'_>) -> Result<Self, Error> {
+        let (surface, exterior) = (result.boundary.facets(), result.selection.has_exterior());
+        let (arranged, selection) =
+            self.arranged.snapped_surface(&self.scene, &self.request, surface, exterior)?;
+        let cell_count = result.selection.cells().count();
+        let surface = SurfaceOf { request: result.request.clone(), selection, cell_count };
+        Ok(Self {
+            scene: self.scene.clone(),
+            inputs: self.inputs.clone(),
+            request: self.request,
+            cells_apart: Some(arranged.complex().cell_count(3)),
+            thin_apart: self.thin_cells(),
+            unrounded: None,
+            crossings: OnceLock::new(),
+            surface: Some(Box::new(surface)),
+            arranged,
+        })
     }
 
     /// A corner of each cell that rounding of coordinates made flat or turned inside out; decided exactly for the triangles
@@ -390,6 +426,9 @@ impl SceneArrangement {
 
     /// Which inputs each cell is inside of; models that are open contain nothing.
     pub(super) fn membership(&self, rule: InsideRule) -> Result<Membership, Error> {
+        if self.surface.is_some() {
+            return Err(surface_alone());
+        }
         let every = |_| true;
         self.inputs.membership(&self.scene, &self.arranged, rule, OpenInputs::Empty, &self.request, every)
     }

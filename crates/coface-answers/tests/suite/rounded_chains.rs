@@ -47,9 +47,10 @@ fn request(formula: &str) -> SolidRequest {
 fn step(operands: [&Model; 2], operation: char) -> (Model, f64) {
     let request = request(&format!("a {operation} b"));
     let exact = arranged(&operands);
-    let rounded = match SolidBoolean::of(&exact, &request).unwrap().crossings().unwrap().count {
+    let found = SolidBoolean::of(&exact, &request).unwrap();
+    let rounded = match found.crossings().unwrap().count {
         0 => None,
-        _ => exact.validly_rounded().unwrap(),
+        _ => found.validly_rounded().unwrap(),
     };
     let result = SolidBoolean::of(rounded.as_ref().unwrap_or(&exact), &request).unwrap();
     assert_eq!(result.crossings().unwrap().count, 0);
@@ -87,6 +88,66 @@ fn agree(models: &[Model], operations: &[char]) -> Result<(), TestCaseError> {
 fn a_line_across_the_sweep_comes_to_an_end() {
     let boxes = BOXES.map(|(middle, half, turns)| cuboid(middle, half, turns, true));
     agree(&boxes, &['|', '-', '|']).unwrap();
+}
+
+/// A result rounded validly by its surface alone is what it is with all cells of the arrangement.
+fn agree_alone_and_whole(models: &[&Model], request: &SolidRequest) -> Result<(), TestCaseError> {
+    let exact = arranged(models);
+    let found = SolidBoolean::of(&exact, request).unwrap();
+    let (Some(alone), Some(whole)) = (found.validly_rounded().unwrap(), exact.validly_rounded().unwrap())
+    else {
+        return Err(TestCaseError::fail("boxes are rounded validly"));
+    };
+    let [alone, whole] = [&alone, &whole].map(|rounded| SolidBoolean::of(rounded, request).unwrap());
+    prop_assert!(alone.is_valid().unwrap());
+    let [a, b] = [&alone, &whole].map(|result| result.answer().unwrap());
+    prop_assert_eq!((a.solids, a.voids, a.components), (b.solids, b.voids, b.components));
+    prop_assert_eq!((a.closed, a.unbounded, a.cells, a.genus), (b.closed, b.unbounded, b.cells, b.genus));
+    prop_assert_eq!(a.pinches.edge_count, b.pinches.edge_count);
+    prop_assert_eq!(format!("{:?}", a.files), format!("{:?}", b.files));
+    prop_assert!((a.area.unwrap() - b.area.unwrap()).abs() <= 1e-12 * b.area.unwrap().max(1.0));
+    let difference = a.measure.unwrap_or_default() - b.measure.unwrap_or_default();
+    prop_assert!(difference.abs() <= 1e-12 * b.measure.unwrap_or_default().max(1.0), "{difference:e}");
+    // Each polygon is of the same polygons of the inputs as one that it lies on.
+    let sources = |result: &SolidBoolean<'_>| {
+        let mut own: Vec<String> =
+            result.provenance().unwrap().polygons.iter().map(|own| format!("{own:?}")).collect();
+        own.sort_unstable();
+        own.dedup();
+        own
+    };
+    if !request.merge_coplanar {
+        prop_assert_eq!(sources(&alone), sources(&whole));
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn a_surface_alone_is_rounded_as_all_cells_are(
+        boxes in prop::collection::vec(
+            (prop::array::uniform3(-1.0..1.0), prop::array::uniform3(0.3..0.9), prop::array::uniform2(0.0..6.3)),
+            2..6,
+        ),
+        formula in prop::sample::select(vec!["a | b", "a & b", "a - b", "a ^ b", "~(a | b)"]),
+        triangles in any::<bool>(),
+        splits in any::<bool>(),
+    ) {
+        let models: Vec<Model> = boxes.iter().map(|&(middle, half, turns)| cuboid(middle, half, turns, triangles)).collect();
+        let models: Vec<&Model> = models.iter().collect();
+        let formula = match formula {
+            "a | b" => BooleanFormula::union(models.len()),
+            "a ^ b" => BooleanFormula::xor(models.len()),
+            "a - b" => BooleanFormula::difference(models.len()),
+            "a & b" => BooleanFormula::intersection(models.len()),
+            text => BooleanFormula::parse(text, &[]).unwrap(),
+        };
+        let mut request = SolidRequest::of(formula);
+        (request.triangles, request.split_pinches, request.merge_coplanar) = (triangles, splits, triangles);
+        agree_alone_and_whole(&models, &request)?;
+    }
 }
 
 proptest! {

@@ -551,7 +551,9 @@ impl SpatialArrangement {
         for (fine, sign) in self.fine_faces(face) {
             let turned = u32::from(sign == Sign::Minus);
             self.patches.for_each_polygon(self.patches_of_face.list(fine.index()), |polygon| {
-                packed.push(polygon ^ turned);
+                if self.patches.surface != Some(polygon >> 1) {
+                    packed.push(polygon ^ turned);
+                }
             });
         }
         packed.sort_unstable();
@@ -847,8 +849,6 @@ impl SpatialArrangement {
     }
 }
 
-/// The patch of each triangle, and the packed polygon of each patch unless patch i is polygon i: each triangle of the polygons that
-/// stay apart is a patch of its own.
 /// Polygons made triangles in patches.
 struct Made {
     triangles: Vec<[u32; 3]>,
@@ -874,6 +874,7 @@ impl Made {
             polygons_of_patch,
             input_of_polygon: polygons.input_of_polygon().to_vec(),
             input_count: polygons.input_count(),
+            surface: None,
             is_passing: Vec::new(),
             keeps_vertices: false,
             has_new_corners: false,

@@ -37,11 +37,37 @@ pub struct CoplanarTriangles {
     pub patches: RaggedArray,
 }
 
+/// What comes of putting triangles together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum CoplanarMerge {
+    /// They are drawn with these.
+    Merged(CoplanarTriangles),
+    /// There is nothing to put together, or no way that is certain.
+    AsBefore,
+    /// Some of them meet otherwise than in common corners and sides, and not because they were put together.
+    Crossing,
+}
+
+impl CoplanarMerge {
+    /// What they are drawn with, if that is not as before.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::spatial::CoplanarMerge;
+    /// assert!(CoplanarMerge::AsBefore.merged().is_none());
+    /// ```
+    pub fn merged(self) -> Option<CoplanarTriangles> {
+        match self {
+            Self::Merged(merged) => Some(merged),
+            Self::AsBefore | Self::Crossing => None,
+        }
+    }
+}
+
 /// Puts triangles together that share a side and lie within a distance of one plane, and draws them with the triangles
 /// that their outlines need. Vertices that are then inside a straight edge are left out. With the distance 0 that is exact: the
-/// surface is the same set of points. Otherwise it is certain that triangles meet in common corners and sides alone.
-///
-/// `None` if there is nothing to put together, or no way that is certain.
+/// surface is the same set of points. Otherwise it is certain that triangles meet in common corners and sides alone,
+/// if those do of which the last argument says no.
 ///
 /// # Errors
 /// None for triangles on points in space with finite coordinates.
@@ -57,7 +83,8 @@ pub struct CoplanarTriangles {
 /// # fn main() -> Result<(), coface_algebra::Error> {
 /// let flat = vec![0., 0., 0., 3., 0., 0., 0., 3., 0., 0., 0., 3., 1., 1., 0.];
 /// let faces = [[0, 1, 3], [1, 2, 3], [2, 0, 3], [1, 0, 4], [2, 1, 4], [0, 2, 4]];
-/// let merged = merge_coplanar_triangles(&Positions::from_flat(3, flat)?, &faces, 0.0)?.expect("three are one");
+/// let merged = merge_coplanar_triangles(&Positions::from_flat(3, flat)?, &faces, 0.0, |_| true)?;
+/// let merged = merged.merged().expect("three are one");
 /// assert_eq!(merged.triangles.len(), 4);
 /// assert_eq!(merged.patches.list(merged.patch_of_triangle[3] as usize), [3, 4, 5]);
 /// # Ok(()) }
@@ -66,32 +93,34 @@ pub fn merge_coplanar_triangles(
     positions: &Positions,
     triangles: &[[u32; 3]],
     tolerance: f64,
-) -> Result<Option<CoplanarTriangles>, Error> {
+    may_cross: impl Fn(usize) -> bool + Sync,
+) -> Result<CoplanarMerge, Error> {
     if triangles.is_empty() {
-        return Ok(None);
+        return Ok(CoplanarMerge::AsBefore);
     }
     let surface = Surface::new(positions, triangles, tolerance)?;
     let mut patch_of = surface.grown();
     let mut is_kept = surface.ends_of_odd_sides();
+    let mut known = Known::new((0..triangles.len()).into_par_iter().map(|own| !may_cross(own)).collect());
     for _ in 0..MOST_ROUNDS {
         let drawing = Drawing::new(&surface, &patch_of, &is_kept);
         let mut rigid = drawing.rigid.clone();
-        let drawn = drawing.drawn();
         if rigid.is_empty() {
             if drawing.is_as_before() {
-                return Ok(None);
+                return Ok(CoplanarMerge::AsBefore);
             }
-            rigid = drawing.unpaired(&drawn);
+            let drawn = drawing.drawn();
+            rigid = drawing.unpaired(&drawn.merged);
             if rigid.is_empty() && tolerance > 0.0 {
-                let crossing = crossing_triangles(positions, &drawn.triangles)?;
-                rigid = crossing.iter().map(|&own| drawn.patch_of_triangle[own as usize]).collect();
-                rigid.retain(|&patch| drawing.is_changed(patch));
-                if rigid.is_empty() && !crossing.is_empty() {
-                    return Ok(None);
+                let crossing = known.crossing(positions, &drawn)?;
+                if drawn.is_crossing_as_before(positions, &crossing)? {
+                    return Ok(CoplanarMerge::Crossing);
                 }
+                rigid = crossing.iter().map(|&own| drawn.merged.patch_of_triangle[own as usize]).collect();
+                rigid.retain(|&patch| drawing.is_changed(patch));
             }
             if rigid.is_empty() {
-                return Ok(Some(drawn));
+                return Ok(CoplanarMerge::Merged(drawn.merged));
             }
         }
         rigid.sort_unstable();
@@ -108,7 +137,45 @@ pub fn merge_coplanar_triangles(
         }
         patch_of = numbered(&patch_of);
     }
-    Ok(None)
+    Ok(CoplanarMerge::AsBefore)
+}
+
+/// Triangles that are known to meet each other in common corners and sides alone.
+struct Known {
+    /// Whether a triangle of before is one of them.
+    before: Vec<bool>,
+    /// The others, by their corners, rising.
+    drawn: Vec<[u32; 3]>,
+}
+
+impl Known {
+    fn new(before: Vec<bool>) -> Self {
+        Self { before, drawn: Vec::new() }
+    }
+
+    fn has(&self, drawn: &Drawn, own: usize) -> bool {
+        match drawn.sources[own] {
+            NONE => self.drawn.binary_search(&drawn.merged.triangles[own]).is_ok(),
+            source => self.before[source as usize],
+        }
+    }
+
+    /// The triangles of a drawing that meet others otherwise, rising; then those that do not are the known ones.
+    fn crossing(&mut self, positions: &Positions, drawn: &Drawn) -> Result<Vec<u32>, Error> {
+        let triangles = &drawn.merged.triangles;
+        let crossing = crossing_triangles(positions, triangles, |own| !self.has(drawn, own))?;
+        let mut is_known = vec![true; triangles.len()];
+        crossing.iter().for_each(|&own| is_known[own as usize] = false);
+        (self.before, self.drawn) = (vec![false; self.before.len()], Vec::new());
+        for ((own, &source), _) in triangles.iter().zip(&drawn.sources).zip(is_known).filter(|own| own.1) {
+            match source {
+                NONE => self.drawn.push(*own),
+                source => self.before[source as usize] = true,
+            }
+        }
+        self.drawn.par_sort_unstable();
+        Ok(crossing)
+    }
 }
 
 /// The same classes numbered without gaps.
@@ -349,6 +416,24 @@ impl<'a> Surface<'a> {
     }
 }
 
+/// What patches are drawn with.
+struct Drawn {
+    merged: CoplanarTriangles,
+    /// The triangle of before that each is, if it is one of a patch that is as before.
+    sources: Vec<u32>,
+}
+
+impl Drawn {
+    /// Whether triangles meet otherwise than in common corners and sides that are as before, of these that meet others so. They
+    /// stay as they are.
+    fn is_crossing_as_before(&self, positions: &Positions, crossing: &[u32]) -> Result<bool, Error> {
+        let is_as_before = |own: &&u32| self.sources[**own as usize] != NONE;
+        let own: Vec<[u32; 3]> =
+            crossing.iter().filter(is_as_before).map(|&own| self.merged.triangles[own as usize]).collect();
+        Ok(!own.is_empty() && !crossing_triangles(positions, &own, |_| true)?.is_empty())
+    }
+}
+
 /// Patches as they are drawn by their outlines.
 struct Drawing<'a> {
     surface: &'a Surface<'a>,
@@ -567,16 +652,23 @@ impl<'a> Drawing<'a> {
         self.outlined.iter().all(Option::is_none)
     }
 
-    fn drawn(&self) -> CoplanarTriangles {
-        let (mut triangles, mut patch_of_triangle) = (Vec::new(), Vec::new());
+    fn drawn(&self) -> Drawn {
+        let (mut triangles, mut patch_of_triangle, mut sources) = (Vec::new(), Vec::new(), Vec::new());
         for ((patch, own), members) in (0..).zip(&self.outlined).zip(self.members.iter()) {
             match own {
-                Some(own) => triangles.extend(own),
-                None => triangles.extend(members.iter().map(|&own| self.surface.triangles[own as usize])),
+                Some(own) => {
+                    triangles.extend(own);
+                    sources.resize(triangles.len(), NONE);
+                }
+                None => {
+                    triangles.extend(members.iter().map(|&own| self.surface.triangles[own as usize]));
+                    sources.extend(members);
+                }
             }
             patch_of_triangle.resize(triangles.len(), patch);
         }
-        CoplanarTriangles { triangles, patch_of_triangle, patches: self.members.clone() }
+        let patches = self.members.clone();
+        Drawn { merged: CoplanarTriangles { triangles, patch_of_triangle, patches }, sources }
     }
 
     /// The patches that have been changed and have a side without just one on its other side, which was not so before.

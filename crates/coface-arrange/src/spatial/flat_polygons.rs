@@ -155,8 +155,40 @@ impl SpatialPolygons {
     /// # Ok(()) }
     /// ```
     pub fn crossings(&self, most_listed: usize) -> Result<Crossings, Error> {
+        self.crossings_of_changed(|_| true, most_listed)
+    }
+
+    /// The same for polygons of which only these changed since the others were known to meet in common corners and sides
+    /// alone.
+    ///
+    /// # Errors
+    /// As [`Self::crossings`].
+    ///
+    /// # Complexity
+    /// $O(n + k \log k)$ for n triangles, k of which changed or are near those that did.
+    ///
+    /// # Examples
+    /// Two triangles that cross, which is known of the second:
+    /// ```
+    /// use coface_algebra::RaggedArray;
+    /// use coface_arrange::spatial::SpatialPolygons;
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = vec![0., 0., 0., 4., 0., 0., 0., 4., 0., 1., 1., -1., 1., 1., 1., 9., 9., 0.];
+    /// let lists = RaggedArray::from_lists([[0, 1, 2], [3, 4, 5]]);
+    /// let polygons = SpatialPolygons::from_polygons(Positions::from_flat(3, points)?, lists)?;
+    /// assert_eq!(polygons.crossings_of_changed(|polygon| polygon == 1, 10)?.count, 1);
+    /// assert_eq!(polygons.crossings_of_changed(|_| false, 10)?.count, 0);
+    /// # Ok(()) }
+    /// ```
+    pub fn crossings_of_changed(
+        &self,
+        is_changed: impl Fn(usize) -> bool + Sync,
+        most_listed: usize,
+    ) -> Result<Crossings, Error> {
         let made = PolygonTriangles::new(self, NonPlanar::Split)?;
-        let mut found = crossings(self.positions(), &made.triangles, most_listed)?;
+        let is_changed = |triangle: usize| is_changed(made.polygon_of_triangle[triangle] as usize);
+        let mut found = crossings(self.positions(), &made.triangles, is_changed, most_listed)?;
         for &polygon in &made.without_area {
             let walk = self.polygon_of_walk().partition_point(|&own| own < polygon);
             if let Some(&corner) = self.walks().list(walk).first() {

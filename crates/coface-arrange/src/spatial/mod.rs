@@ -53,7 +53,7 @@ pub use arrangement::SpatialArrangement;
 pub use ball_cells::{BallComplex, BallRules};
 pub use by_congruence::{CongruenceArrangement, arrange_by_congruence};
 pub use cells::SpatialCells;
-pub use coplanar_triangles::{CoplanarTriangles, merge_coplanar_triangles};
+pub use coplanar_triangles::{CoplanarMerge, CoplanarTriangles, merge_coplanar_triangles};
 pub use cutting::{Crossings, CutOptions, CutTriangles, SpatialVertexSource};
 pub use drawing::DrawnTriangles;
 pub use exact_polygons::{ExactPart, ExactPolygons};

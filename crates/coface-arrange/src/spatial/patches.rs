@@ -25,6 +25,9 @@ pub(super) struct Patches {
     pub(super) polygons_of_patch: Option<RaggedArray>,
     pub(super) input_of_polygon: Vec<u32>,
     pub(super) input_count: usize,
+    /// The last polygon, of the last input, if it is not one of those given: all faces of an arrangement of some faces alone are
+    /// part of it, with their fronts where it has its own.
+    pub(super) surface: Option<u32>,
     /// Whether a given point is none of those of polygons, and may be left out like a new one; empty when all are.
     pub(super) is_passing: Vec<bool>,
     /// Whether vertices on straight edges stay, since it is known elsewhere which of them are needed.

@@ -61,13 +61,39 @@ impl Drawing {
         tolerance: f64,
         precision: CoordinatePrecision,
     ) -> Result<Self, Error> {
+        let all = vec![Some(Sign::Plus); arrangement.complex().face_count()];
+        Self::of_faces(arrangement, &all, false, tolerance, precision)
+    }
+
+    /// Some faces of an arrangement alone, which are part of one more polygon of an input of its own, with their fronts where
+    /// these signs say.
+    pub(super) fn of_surface(
+        arrangement: &SpatialArrangement,
+        surface: &[(FaceId, Sign)],
+        tolerance: f64,
+        precision: CoordinatePrecision,
+    ) -> Result<Self, Error> {
+        let mut signs = vec![None; arrangement.complex().face_count()];
+        surface.iter().for_each(|&(face, sign)| signs[face.index()] = Some(sign));
+        Self::of_faces(arrangement, &signs, true, tolerance, precision)
+    }
+
+    /// Those faces of an arrangement that have a sign.
+    fn of_faces(
+        arrangement: &SpatialArrangement,
+        signs: &[Option<Sign>],
+        is_surface: bool,
+        tolerance: f64,
+        precision: CoordinatePrecision,
+    ) -> Result<Self, Error> {
         let is_flat: Vec<bool> = (0..arrangement.complex().face_count())
             .into_par_iter()
             .map(|face| arrangement.is_flat(FaceId::new(face), tolerance))
             .collect();
         let mut is_left_out = arrangement.left_out(&is_flat, tolerance);
         let mut lists: Vec<Vec<[u32; 3]>> = vec![Vec::new(); is_flat.len()];
-        let mut due: Vec<usize> = (0..is_flat.len()).collect();
+        let wanted: Vec<usize> = (0..is_flat.len()).filter(|&face| signs[face].is_some()).collect();
+        let mut due = wanted.clone();
         while !due.is_empty() {
             let own: Vec<Option<Vec<[u32; 3]>>> = due
                 .par_iter()
@@ -89,7 +115,7 @@ impl Drawing {
             };
             let fails = own.iter().any(Option::is_none);
             let again: Vec<usize> =
-                if fails { (0..is_flat.len()).filter(needs).collect() } else { Vec::new() };
+                if fails { wanted.iter().copied().filter(needs).collect() } else { Vec::new() };
             for (&face, list) in due.iter().zip(own) {
                 match list {
                     Some(list) => lists[face] = list,
@@ -103,7 +129,15 @@ impl Drawing {
         }
         let (mut triangles, mut patch_of_triangle) = (Vec::new(), Vec::new());
         let (mut polygons_of_patch, mut packed) = (RaggedArray::new(), Vec::new());
-        for (face, list) in (0..).zip(lists) {
+        let mut input_of_polygon = arrangement.patches.input_of_polygon.clone();
+        let (mut input_count, mut surface) = (arrangement.patches.input_count, arrangement.patches.surface);
+        let added = is_surface.then_some(input_of_polygon.len() as u32);
+        if added.is_some() {
+            input_of_polygon.push(input_count as u32);
+            input_count += 1;
+            surface = added;
+        }
+        for ((face, list), sign) in (0..).zip(lists).zip(signs) {
             patch_of_triangle.extend(list.iter().map(|_| face));
             triangles.extend(list);
             // Of faces that were merged each has as many polygons of each input as all others.
@@ -111,6 +145,7 @@ impl Drawing {
             packed.clear();
             let own = arrangement.patches_of_face.list(first.index());
             arrangement.patches.for_each_polygon(own, |polygon| packed.push(polygon));
+            packed.extend(added.map(|polygon| polygon << 1 | u32::from(*sign == Some(Sign::Minus))));
             polygons_of_patch.push(&packed);
         }
         let is_original = |vertex: usize| {
@@ -126,18 +161,45 @@ impl Drawing {
             bent: Vec::new(),
             torn: None,
             polygons_of_patch: Some(polygons_of_patch),
-            input_of_polygon: arrangement.patches.input_of_polygon.clone(),
-            input_count: arrangement.patches.input_count,
+            input_of_polygon,
+            input_count,
+            surface,
             is_passing,
             keeps_vertices: false,
             has_new_corners: false,
         };
         let place = (0..points.len() as u32).collect();
-        let edges = (0..arrangement.complex().edge_count()).flat_map(|edge| {
+        let mut is_edge_wanted = vec![!is_surface; arrangement.complex().edge_count()];
+        if is_surface {
+            let sides = wanted.iter().flat_map(|&face| arrangement.complex().packed_sides().list(face));
+            sides.for_each(|&side| is_edge_wanted[(side >> 1) as usize] = true);
+        }
+        let edges = (0..is_edge_wanted.len()).filter(|&edge| is_edge_wanted[edge]).flat_map(|edge| {
             let path = arrangement.path(EdgeId::new(edge), &is_left_out);
             path.windows(2).map(|ends| [ends[0], ends[1]]).collect::<Vec<_>>()
         });
-        Ok(Self { first, edges: edges.collect(), points, triangles, patches, place })
+        let mut drawing = Self { first, edges: edges.collect(), points, triangles, patches, place };
+        if is_surface {
+            drawing.leave_out_points();
+        }
+        Ok(drawing)
+    }
+
+    /// Leaves out the points that nothing has.
+    fn leave_out_points(&mut self) {
+        let mut number = vec![NONE; self.points.len()];
+        let corners = self.triangles.as_flattened().iter().chain(self.edges.as_flattened());
+        corners.for_each(|&corner| number[corner as usize] = 0);
+        let mut used = Vec::new();
+        for (point, number) in number.iter_mut().enumerate().filter(|(_, number)| **number != NONE) {
+            *number = used.len() as u32;
+            used.push(point);
+        }
+        self.points = used.iter().map(|&point| self.points[point]).collect();
+        self.patches.is_passing = used.iter().map(|&point| self.patches.is_passing[point]).collect();
+        let corners = self.triangles.as_flattened_mut().iter_mut().chain(self.edges.as_flattened_mut());
+        corners.for_each(|corner| *corner = number[*corner as usize]);
+        self.place.iter_mut().for_each(|place| *place = number[*place as usize]);
     }
 
     /// The arrangement of the drawing, drawn and arranged again until there are no new vertices or, where rounding is
@@ -400,7 +462,9 @@ impl SpatialArrangement {
             return Ok(Crossings::default());
         }
         let triangles = self.drawn_triangles()?.triangles;
-        let mut found = crossings(self.cut.positions(), &triangles, most_listed)?;
+        let is_moved = self.rounded_vertices();
+        let is_changed = |own: usize| triangles[own].iter().any(|&corner| is_moved[corner as usize]);
+        let mut found = crossings(self.cut.positions(), &triangles, is_changed, most_listed)?;
         // Different vertices at one place are one for whoever reads the coordinates.
         let mut drawn: Vec<u32> = triangles.into_flattened();
         drawn.sort_unstable();
@@ -434,6 +498,14 @@ impl SpatialArrangement {
     pub fn is_planar(&self, face: FaceId) -> bool {
         let fine = self.first_fine_face(face);
         self.patches.fold(self.patches_of_face.list(fine.index())).is_none()
+    }
+
+    /// Whether rounding moves each fine vertex, or faces at it may be drawn otherwise than they were cut.
+    #[doc(hidden)]
+    pub fn rounded_vertices(&self) -> Vec<bool> {
+        let count = self.cut.complex().vertex_count();
+        let is_rounded = |fine: usize| self.joined.is_some() || !self.is_exact(fine as u32);
+        (0..count).into_par_iter().map(is_rounded).collect()
     }
 
     /// Where fine vertices are that are no points of the input.

@@ -3,7 +3,7 @@
 use super::settling::Drawing;
 use super::{SpatialArrangement, SpatialOptions};
 use crate::near::{CoordinatePrecision, least_tolerance};
-use coface_algebra::{Error, VertexId};
+use coface_algebra::{Error, FaceId, Sign, VertexId};
 
 impl SpatialArrangement {
     /// Whether the rounded positions of all vertices are their exact ones: then the faces, read again as polygons with
@@ -37,7 +37,7 @@ impl SpatialArrangement {
         precision == CoordinatePrecision::Double || (0..self.cut.complex().vertex_count()).all(is_held)
     }
 
-    fn is_exact(&self, fine: u32) -> bool {
+    pub(super) fn is_exact(&self, fine: u32) -> bool {
         self.cut.point(VertexId::from_u32(fine)).is_exactly_rounded()
     }
 
@@ -101,6 +101,48 @@ impl SpatialArrangement {
         }
         let tolerance = least_tolerance(self.cut.positions().as_flat().as_chunks::<3>().0, options.precision);
         let drawing = Drawing::of(self, tolerance, options.precision)?;
+        let settled = drawing.settled(options, tolerance, true)?;
+        Ok(settled.with_notes_of(self))
+    }
+
+    /// The same for some faces alone, which have one more input in the end: a polygon of all of them, with their fronts where
+    /// the signs say. A surface around some cells takes less than the whole arrangement.
+    ///
+    /// # Errors
+    /// As [`Self::snapped`].
+    ///
+    /// # Examples
+    /// A tetrahedron that a triangle cuts in two, without the triangle:
+    /// ```
+    /// use coface_algebra::{FaceId, RaggedArray, Sign};
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let tetrahedron = [0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.];
+    /// let triangle = [-1., -1., 0.1, 5., -1., 0.2, -1., 5., 0.3];
+    /// let positions = Positions::from_flat(3, [&tetrahedron[..], &triangle].concat())?;
+    /// let lists = RaggedArray::from_lists([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2], [4, 5, 6]]);
+    /// let polygons = SpatialPolygons::from_polygons(positions, lists)?.with_inputs(vec![0, 0, 0, 0, 1])?;
+    /// let options = SpatialOptions::default();
+    /// let arrangement = SpatialArrangement::new(&polygons, &options)?;
+    /// let of_first = |face: usize| arrangement.polygons_of_face(FaceId::new(face)).iter().all(|own| own.0 < 4);
+    /// let surface: Vec<_> = (0..arrangement.complex().face_count())
+    ///     .filter(|&face| of_first(face))
+    ///     .map(|face| (FaceId::new(face), Sign::Plus))
+    ///     .collect();
+    /// let snapped = arrangement.snapped_surface(&surface, &options)?;
+    /// // The two halves of the tetrahedron are one, and what was the triangle's is gone.
+    /// assert!(snapped.is_exactly_rounded());
+    /// assert_eq!((arrangement.fine().cell_count(), snapped.fine().cell_count()), (2, 1));
+    /// # Ok(()) }
+    /// ```
+    pub fn snapped_surface(
+        &self,
+        surface: &[(FaceId, Sign)],
+        options: &SpatialOptions,
+    ) -> Result<Self, Error> {
+        let tolerance = least_tolerance(self.cut.positions().as_flat().as_chunks::<3>().0, options.precision);
+        let drawing = Drawing::of_surface(self, surface, tolerance, options.precision)?;
         let settled = drawing.settled(options, tolerance, true)?;
         Ok(settled.with_notes_of(self))
     }

@@ -50,7 +50,7 @@ fn positions(points: &[[f64; 3]]) -> Positions {
 
 /// The triangles that are left, and whether there was anything to put together.
 fn merged(points: &[[f64; 3]], triangles: &[[u32; 3]], tolerance: f64) -> (Vec<[u32; 3]>, bool) {
-    match merge_coplanar_triangles(&positions(points), triangles, tolerance).unwrap() {
+    match merge_coplanar_triangles(&positions(points), triangles, tolerance, |_| true).unwrap().merged() {
         None => (triangles.to_vec(), false),
         Some(found) => (found.triangles, true),
     }

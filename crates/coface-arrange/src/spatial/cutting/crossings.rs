@@ -2,9 +2,10 @@
 
 use super::cut_triangles::check_input;
 use super::meetings::{Meetings, Place};
-use super::sheets::Sheets;
+use super::sheets::{Sheets, box_around};
 use coface_algebra::Error;
-use coface_geometry::Positions;
+use coface_geometry::{BoxTree, Positions};
+use rayon::prelude::*;
 
 /// Where faces meet otherwise than in common corners and sides: they cross, overlap, have no area, or have a corner inside
 /// a side of another one.
@@ -36,19 +37,83 @@ impl Crossings {
     }
 }
 
-/// Decides exactly where triangles meet otherwise than in common corners and sides. A corner that touches the inside of a
-/// triangle is no crossing.
+/// Triangles that changed, and those near them: the others are known to meet in common corners and sides alone.
+struct Changed {
+    positions: Positions,
+    triangles: Vec<[u32; 3]>,
+    /// The triangle of before that each is.
+    numbers: Vec<u32>,
+    is_changed: Vec<bool>,
+}
+
+/// No number.
+const NONE: u32 = u32::MAX;
+
+impl Changed {
+    fn new(
+        positions: &Positions,
+        triangles: &[[u32; 3]],
+        is_changed: impl Fn(usize) -> bool + Sync,
+    ) -> Result<Self, Error> {
+        check_input(positions, triangles)?;
+        let points = positions.as_flat().as_chunks::<3>().0;
+        let changed: Vec<u32> =
+            (0..triangles.len() as u32).into_par_iter().filter(|&own| is_changed(own as usize)).collect();
+        let boxes: Vec<_> =
+            changed.par_iter().map(|&own| box_around(points, triangles[own as usize])).collect();
+        let tree = BoxTree::new(&boxes);
+        let is_near = |own: usize| {
+            let mut is_near = is_changed(own);
+            if !is_near {
+                tree.visit(&box_around(points, triangles[own]), |_| is_near = true);
+            }
+            is_near
+        };
+        let numbers: Vec<u32> =
+            (0..triangles.len() as u32).into_par_iter().filter(|&own| is_near(own as usize)).collect();
+        let mut number = vec![NONE; points.len()];
+        let (mut flat, mut count) = (Vec::new(), 0);
+        let mut own_triangles = Vec::with_capacity(numbers.len());
+        for &own in &numbers {
+            own_triangles.push(triangles[own as usize].map(|corner| {
+                let known = &mut number[corner as usize];
+                if *known == NONE {
+                    *known = count;
+                    count += 1;
+                    flat.extend(points[corner as usize]);
+                }
+                *known
+            }));
+        }
+        let is_changed = numbers.iter().map(|&own| is_changed(own as usize)).collect();
+        Ok(Self { positions: Positions::from_flat(3, flat)?, triangles: own_triangles, numbers, is_changed })
+    }
+
+    /// The meetings of pairs of which at least one changed.
+    fn meetings(&self) -> Result<(Sheets, Meetings), Error> {
+        let (sheets, tree) = Sheets::new(&self.positions, &self.triangles);
+        let is_changed = |sheet: u32| {
+            sheets.sources.list(sheet as usize).iter().any(|&own| self.is_changed[(own >> 1) as usize])
+        };
+        let meetings = Meetings::new(&sheets, &tree, is_changed, |_| Ok(()))?;
+        Ok((sheets, meetings))
+    }
+}
+
+/// Decides exactly where triangles meet otherwise than in common corners and sides, of pairs of which at least one changed.
+/// A corner that touches the inside of a triangle is no crossing.
 ///
 /// # Errors
 /// As [`CutTriangles::new`](super::CutTriangles::new).
 pub(in crate::spatial) fn crossings(
     positions: &Positions,
     triangles: &[[u32; 3]],
+    is_changed: impl Fn(usize) -> bool + Sync,
     most_listed: usize,
 ) -> Result<Crossings, Error> {
-    check_input(positions, triangles)?;
-    let (sheets, tree) = Sheets::new(positions, triangles);
-    let meetings = Meetings::new(&sheets, &tree, |_| Ok(()))?;
+    let changed = Changed::new(positions, triangles, is_changed)?;
+    let triangles = &changed.triangles;
+    let (sheets, meetings) = changed.meetings()?;
     let corner = |triangle: u32| {
         let vertex = sheets.vertex_of_point[triangles[triangle as usize][0] as usize];
         sheets.point(vertex)
@@ -85,10 +150,10 @@ fn overlapping_sheets(sheets: &Sheets, meetings: &Meetings) -> Vec<u32> {
 pub(in crate::spatial) fn crossing_triangles(
     positions: &Positions,
     triangles: &[[u32; 3]],
+    is_changed: impl Fn(usize) -> bool + Sync,
 ) -> Result<Vec<u32>, Error> {
-    check_input(positions, triangles)?;
-    let (sheets, tree) = Sheets::new(positions, triangles);
-    let meetings = Meetings::new(&sheets, &tree, |_| Ok(()))?;
+    let changed = Changed::new(positions, triangles, is_changed)?;
+    let (sheets, meetings) = changed.meetings()?;
     let mut is_found = vec![false; sheets.count()];
     let mut is_edge_found = vec![false; sheets.edges.len()];
     let mut is_corner_found = vec![false; sheets.points.len()];
@@ -106,13 +171,14 @@ pub(in crate::spatial) fn crossing_triangles(
     meetings.places.iter().for_each(&mut find);
     let pairs = meetings.cuts.iter().flat_map(|cut| cut.sheets);
     pairs.chain(overlapping_sheets(&sheets, &meetings)).for_each(|sheet| is_found[sheet as usize] = true);
-    let mut found = sheets.degenerate.clone();
+    let number = |&triangle: &u32| changed.numbers[triangle as usize];
+    let mut found: Vec<u32> = sheets.degenerate.iter().map(number).collect();
     for (sheet, sources) in sheets.sources.iter().enumerate() {
         if is_found[sheet]
             || sheets.edges_of[sheet].iter().any(|&edge| is_edge_found[edge as usize])
             || sheets.corners[sheet].iter().any(|&corner| is_corner_found[corner as usize])
         {
-            found.extend(sources.iter().map(|&triangle| triangle >> 1));
+            found.extend(sources.iter().map(|&packed| number(&(packed >> 1))));
         }
     }
     found.sort_unstable();

@@ -153,7 +153,7 @@ impl CutTriangles {
         let making = stage("making sheets", 0);
         let (sheets, tree) = Sheets::new(positions, triangles);
         drop(making);
-        let meetings = Meetings::new(&sheets, &tree, check)?;
+        let meetings = Meetings::new(&sheets, &tree, |_| true, check)?;
         drop(tree);
         let point = |place: &Place| place.point(&sheets);
         let rounding = stage("rounding points", 0);

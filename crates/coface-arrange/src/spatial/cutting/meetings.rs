@@ -71,13 +71,14 @@ pub(super) struct Meetings {
 const BLOCK: usize = 1 << 6;
 
 impl Meetings {
-    /// The meetings of all pairs of sheets, whose boxes are in the tree.
+    /// The meetings of pairs of sheets, whose boxes are in the tree, that have one of these sheets.
     ///
     /// # Errors
     /// What `check` says of the number of places found so far.
     pub(super) fn new(
         sheets: &Sheets,
         tree: &BoxTree,
+        is_wanted: impl Fn(u32) -> bool + Sync,
         check: impl Fn(usize) -> Result<(), Error>,
     ) -> Result<Self, Error> {
         let pairs = Pairs { sheets };
@@ -93,7 +94,7 @@ impl Meetings {
                     let mut own = Self::default();
                     let mut plane: Option<Plane> = None;
                     tree.pairs_of_group(group, |f, g| {
-                        if sheets.are_beside(f, g) {
+                        if sheets.are_beside(f, g) || !(is_wanted(f) || is_wanted(g)) {
                             return;
                         }
                         // Many pairs have the same first sheet, one after the other.

@@ -168,7 +168,7 @@ impl Sheets {
 }
 
 /// The box around a triangle.
-fn box_around(points: &[[f64; 3]], corners: [u32; 3]) -> AxisBox {
+pub(super) fn box_around(points: &[[f64; 3]], corners: [u32; 3]) -> AxisBox {
     let [a, b, c] = corners.map(|corner| points[corner as usize]);
     [0, 1, 2].map(|axis| [a[axis].min(b[axis]).min(c[axis]), a[axis].max(b[axis]).max(c[axis])])
 }

@@ -114,7 +114,12 @@ pub(super) fn run(
     let mut result = SolidBoolean::of(combined, &request)?;
     if !is_exact && !result.is_valid()? {
         progress.stage("rounding");
-        if let Some(valid) = arrangement.validly_rounded()? {
+        // A certificate is of all cells.
+        let valid = match verb.cells.certificate {
+            Some(_) => arrangement.validly_rounded()?,
+            None => result.validly_rounded()?,
+        };
+        if let Some(valid) = valid {
             rounded = valid;
             combined = &rounded;
             result = SolidBoolean::of(combined, &request)?;
