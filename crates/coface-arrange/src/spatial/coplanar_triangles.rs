@@ -201,9 +201,24 @@ struct Surface<'a> {
     triangles: &'a [[u32; 3]],
     /// The side on the other side of each edge, where just two run along it, one each way.
     twin: Vec<u32>,
+    /// The other edges, rising, with how many sides run along each.
+    odd: Vec<([u32; 2], usize)>,
     /// Twice the vector area of each triangle.
     normals: Vec<[f64; 3]>,
     tolerance: f64,
+}
+
+/// The ends of the sides of triangles, the smaller first, rising; each with twice its number, plus one if it runs to the smaller.
+fn sorted_sides(triangles: &[[u32; 3]]) -> Vec<([u32; 2], u32)> {
+    let corners = triangles.as_flattened().par_iter().enumerate();
+    let mut sides: Vec<([u32; 2], u32)> = corners
+        .map(|(side, &from)| {
+            let to = triangles[side / 3][(side + 1) % 3];
+            ([from.min(to), from.max(to)], (side as u32) << 1 | u32::from(from > to))
+        })
+        .collect();
+    sides.par_sort_unstable();
+    sides
 }
 
 /// The plane that a patch is near to.
@@ -218,22 +233,15 @@ impl<'a> Surface<'a> {
     fn new(positions: &'a Positions, triangles: &'a [[u32; 3]], tolerance: f64) -> Result<Self, Error> {
         let points = GivenPoints::new(positions)?;
         let places = positions.as_flat().as_chunks::<3>().0;
-        let mut sides: Vec<([u32; 2], u32)> = triangles
-            .as_flattened()
-            .par_iter()
-            .enumerate()
-            .map(|(side, &from)| {
-                let to = triangles[side / 3][(side + 1) % 3];
-                ([from.min(to), from.max(to)], (side as u32) << 1 | u32::from(from > to))
-            })
-            .collect();
-        sides.par_sort_unstable();
+        let sides = sorted_sides(triangles);
         let mut twin = vec![NONE; sides.len()];
+        let mut odd = Vec::new();
         for own in sides.chunk_by(|x, y| x.0 == y.0) {
-            if let &[(_, x), (_, y)] = own
-                && (x ^ y) & 1 == 1
-            {
-                (twin[(x >> 1) as usize], twin[(y >> 1) as usize]) = (y >> 1, x >> 1);
+            match own {
+                &[(_, x), (_, y)] if (x ^ y) & 1 == 1 => {
+                    (twin[(x >> 1) as usize], twin[(y >> 1) as usize]) = (y >> 1, x >> 1);
+                }
+                _ => odd.push((own[0].0, own.len())),
             }
         }
         let normals = triangles
@@ -243,7 +251,7 @@ impl<'a> Surface<'a> {
                 cross(minus(b, a), minus(c, a))
             })
             .collect();
-        Ok(Self { points, places, triangles, twin, normals, tolerance })
+        Ok(Self { points, places, triangles, twin, odd, normals, tolerance })
     }
 
     fn place(&self, vertex: u32) -> [f64; 3] {
@@ -673,27 +681,12 @@ impl<'a> Drawing<'a> {
 
     /// The patches that have been changed and have a side without just one on its other side, which was not so before.
     fn unpaired(&self, drawn: &CoplanarTriangles) -> Vec<u32> {
-        let sides_of = |triangles: &[[u32; 3]]| {
-            let mut sides: Vec<([u32; 2], u32)> = (0..)
-                .zip(triangles)
-                .flat_map(|(number, &[a, b, c])| {
-                    [[a, b], [b, c], [c, a]]
-                        .map(|[x, y]| ([x.min(y), x.max(y)], number << 1 | u32::from(x > y)))
-                })
-                .collect();
-            sides.par_sort_unstable();
-            sides
-        };
         let is_pair = |own: &[([u32; 2], u32)]| matches!(own, &[(_, x), (_, y)] if (x ^ y) & 1 == 1);
-        let odd_before: Vec<([u32; 2], usize)> = sides_of(self.surface.triangles)
-            .chunk_by(|x, y| x.0 == y.0)
-            .filter(|own| !is_pair(own))
-            .map(|own| (own[0].0, own.len()))
-            .collect();
+        let sides = sorted_sides(&drawn.triangles);
         let mut found = Vec::new();
-        for own in sides_of(&drawn.triangles).chunk_by(|x, y| x.0 == y.0).filter(|own| !is_pair(own)) {
-            if odd_before.binary_search(&(own[0].0, own.len())).is_err() {
-                found.extend(own.iter().map(|side| drawn.patch_of_triangle[(side.1 >> 1) as usize]));
+        for own in sides.chunk_by(|x, y| x.0 == y.0).filter(|own| !is_pair(own)) {
+            if self.surface.odd.binary_search(&(own[0].0, own.len())).is_err() {
+                found.extend(own.iter().map(|side| drawn.patch_of_triangle[(side.1 >> 1) as usize / 3]));
             }
         }
         found.retain(|&patch| self.is_changed(patch));
