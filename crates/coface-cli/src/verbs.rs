@@ -8,7 +8,7 @@ use crate::output::end_with;
 use crate::remarks::say_read;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{Arg, Command, CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap::{Arg, Args, Command, CommandFactory, FromArgMatches, Parser, Subcommand};
 use coface::io::check_output;
 use std::ffi::OsString;
 use std::path::Path;
@@ -38,6 +38,9 @@ impl Arguments {
     /// ends the program.
     pub(crate) fn of_command_line() -> Self {
         let words: Vec<OsString> = std::env::args_os().collect();
+        if let Some(arguments) = Self::of_verb_alone(&words) {
+            return arguments;
+        }
         let matches =
             Self::shaped().try_get_matches_from(&words).or_else(|error| match file_alone(&error, &words) {
                 Some(true) => Self::shaped().try_get_matches_from(with_info(&words)),
@@ -48,6 +51,15 @@ impl Arguments {
                 },
             });
         matches.and_then(|matches| Self::from_arg_matches(&matches)).unwrap_or_else(|error| end_with(&error))
+    }
+
+    /// The command line by its verb alone, where that stands first and all is well; else all verbs are asked, which know what to say. Putting forty
+    /// verbs together takes longer than most of them work.
+    fn of_verb_alone(words: &[OsString]) -> Option<Self> {
+        let verb = Verb::alone(words.get(1)?.to_str()?)?;
+        let program = Common::augment_args(Command::new("coface")).subcommand(verb);
+        let matches = shape(program).try_get_matches_from(words).ok()?;
+        Self::from_arg_matches(&matches).ok()
     }
 
     /// The verb of this run, whose usage a message about it shows.
@@ -77,43 +89,9 @@ impl Arguments {
         }
     }
 
-    /// The command line with the options that a verb cannot use left out of its help, which ends with examples. It takes them all the same.
+    /// The command line with the options that a verb cannot use left out of its help, which ends with examples.
     pub(crate) fn shaped() -> Command {
-        let mut whole = Self::command();
-        let of_volumes = |option: &&Arg| option.get_help_heading() == Some("Volumes");
-        let volumes: Vec<Arg> =
-            whole.get_arguments().filter(of_volumes).map(|one| one.clone().hide(true)).collect();
-        let of_points = |option: &&Arg| {
-            option.get_help_heading() == Some("Points and graphs")
-                && !ALL_TAKE.contains(&option.get_id().as_str())
-        };
-        let points: Vec<Arg> =
-            whole.get_arguments().filter(of_points).map(|one| one.clone().hide(true)).collect();
-        let of_inputs = |option: &&Arg| OF_INPUTS.contains(&option.get_id().as_str());
-        let inputs: Vec<Arg> =
-            whole.get_arguments().filter(of_inputs).map(|one| one.clone().hide(true)).collect();
-        let with_dimension: Vec<String> = whole
-            .get_subcommands()
-            .filter(|verb| has_dimension(verb))
-            .map(|verb| verb.get_name().to_owned())
-            .collect();
-        for verb in with_dimension {
-            // These have a dimension of their own.
-            let mut other = whole
-                .get_arguments()
-                .find(|option| option.get_id() == "points_dimension")
-                .expect("an option of points")
-                .clone();
-            other = other.long("points-dimension").hide(true);
-            whole = whole.mut_subcommand(verb, |verb| verb.arg(other));
-        }
-        for verb in WITHOUT_VOLUMES {
-            whole = whole.mut_subcommand(verb, |verb| verb.args(&volumes).args(&points));
-        }
-        for verb in WITHOUT_INPUTS {
-            whole = whole.mut_subcommand(verb, |verb| verb.args(&volumes).args(&inputs));
-        }
-        with_examples(whole)
+        with_examples(shape(Self::command()))
     }
 
     /// The program for people: without the verbs that no help lists.
@@ -132,6 +110,45 @@ impl Arguments {
         }
         shown
     }
+}
+
+/// All verbs, or one, each without the options in its help that it cannot use. It takes them all the same.
+fn shape(mut whole: Command) -> Command {
+    let hidden = |whole: &Command, is_one: &dyn Fn(&Arg) -> bool| -> Vec<Arg> {
+        whole.get_arguments().filter(|option| is_one(option)).map(|one| one.clone().hide(true)).collect()
+    };
+    let volumes = hidden(&whole, &|option| option.get_help_heading() == Some("Volumes"));
+    let points = hidden(&whole, &|option| {
+        option.get_help_heading() == Some("Points and graphs")
+            && !ALL_TAKE.contains(&option.get_id().as_str())
+    });
+    let inputs = hidden(&whole, &|option| OF_INPUTS.contains(&option.get_id().as_str()));
+    let with_dimension: Vec<String> = whole
+        .get_subcommands()
+        .filter(|verb| has_dimension(verb))
+        .map(|verb| verb.get_name().to_owned())
+        .collect();
+    for verb in with_dimension {
+        // These have a dimension of their own.
+        let mut other = whole
+            .get_arguments()
+            .find(|option| option.get_id() == "points_dimension")
+            .expect("an option of points")
+            .clone();
+        other = other.long("points-dimension").hide(true);
+        whole = whole.mut_subcommand(verb, |verb| verb.arg(other));
+    }
+    for verb in WITHOUT_VOLUMES {
+        if whole.find_subcommand(verb).is_some() {
+            whole = whole.mut_subcommand(verb, |verb| verb.args(&volumes).args(&points));
+        }
+    }
+    for verb in WITHOUT_INPUTS {
+        if whole.find_subcommand(verb).is_some() {
+            whole = whole.mut_subcommand(verb, |verb| verb.args(&volumes).args(&inputs));
+        }
+    }
+    whole
 }
 
 /// Whether a verb has an option `--dimension` of its own.
@@ -250,8 +267,30 @@ Exit status: 0 done; 1 the input or the request cannot be served; 2 wrong usage;
   coface link mesh.obj --simplices 17
   coface convert scan.ply -o scan.off";
 
-#[derive(Subcommand)]
-pub(crate) enum Verb {
+/// The verbs, of which each can be had without the others. The name of a verb is that of its variant in lower case.
+macro_rules! verbs {
+    ($($(#[$attribute:meta])* $variant:ident($arguments:ty),)*) => {
+        #[derive(Subcommand)]
+        pub(crate) enum Verb {
+            $($(#[$attribute])* $variant($arguments),)*
+        }
+
+        impl Verb {
+            /// The verb of this name; `None` if there is none.
+            fn alone(name: &str) -> Option<Command> {
+                let is_named = |variant: &str| {
+                    variant.eq_ignore_ascii_case(name) && !name.contains(|letter: char| letter.is_uppercase())
+                };
+                $(if is_named(stringify!($variant)) {
+                    return Some(<$arguments>::augment_args(Command::new(name.to_owned())));
+                })*
+                None
+            }
+        }
+    };
+}
+
+verbs! {
     Info(commands::info::Info),
     Homology(commands::homology::Homology),
     Check(commands::check::Check),
@@ -350,5 +389,40 @@ fn serve(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Worker(verb) => verb.run(),
         Verb::Completions(verb) => verb.run(&mut Arguments::for_people()),
         Verb::Man(verb) => verb.run(Arguments::for_people(), common),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Arguments, Verb, shape};
+    use crate::arguments::Common;
+    use clap::{Arg, Args, Command};
+
+    /// The options of a verb that has been built, each with all that is known of it, and those of the verbs in it.
+    fn options(verb: &Command) -> Vec<String> {
+        // The order in which help lists them counts the verbs before them.
+        let describe = |option: &Arg| format!("{:?}", option.clone().display_order(0));
+        let own = verb.get_arguments().map(describe);
+        own.chain(verb.get_subcommands().flat_map(options)).collect()
+    }
+
+    #[test]
+    fn a_verb_alone_takes_what_it_takes_among_all() {
+        let mut whole = Arguments::shaped();
+        whole.build();
+        let mut count = 0;
+        for verb in whole.get_subcommands().filter(|verb| verb.get_name() != "help") {
+            let name = verb.get_name();
+            let alone = Verb::alone(name).expect(name);
+            let mut alone = shape(Common::augment_args(Command::new("coface")).subcommand(alone));
+            alone.build();
+            let alone = alone.find_subcommand(name).expect(name);
+            assert_eq!(options(alone), options(verb), "{name}");
+            count += 1;
+        }
+        assert_eq!(count, 40);
+        assert!(
+            Verb::alone("Info").is_none() && Verb::alone("help").is_none() && Verb::alone("a.off").is_none()
+        );
     }
 }

@@ -4,6 +4,7 @@
 
 use crate::program::{argument, coface, coface_reading};
 use serde_json::{Value, json};
+use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -149,7 +150,8 @@ const RULE: &str = "inside is where winding numbers are";
 /// What certificates of points leave open whose simplices are listed.
 const LISTED: &str = "that these are the simplices of the input";
 
-/// Changes a certificate in 10,000 ways: each is refused, or proves nothing that the true one does not.
+/// Changes a certificate 10,000 times: each change is refused, or proves nothing that the true one does not. A certificate of a hundred places can
+/// be changed in some six hundred ways; one that was drawn before has the same verdict, and is not asked again.
 pub(crate) fn lie_about(certificate: &Path, inputs: &[&Path]) {
     let honest: Value = serde_json::from_slice(&fs::read(certificate).unwrap()).unwrap();
     let inputs: Vec<Vec<u8>> = inputs.iter().map(|input| fs::read(input).unwrap()).collect();
@@ -177,21 +179,22 @@ pub(crate) fn lie_about(certificate: &Path, inputs: &[&Path]) {
         (state >> 33) as usize
     };
     let (mut refused, mut lie) = (0, honest);
+    let mut told: HashMap<(&str, String), bool> = HashMap::new();
     for _ in 0..10_000 {
         let place = &all[random() % all.len()];
-        let at = lie.pointer_mut(place).unwrap();
-        let lied = changed(at, random(), random());
-        let truth_there = std::mem::replace(at, lied);
-        match verdict(&lie) {
-            Ok(found) => assert!(
-                // Another rule that has the same inside is named.
-                found.proved().iter().all(|line| truth.proved().contains(line) || line.starts_with(RULE)),
-                "{place}: {:?}",
-                found.proved()
-            ),
-            Err(_) => refused += 1,
-        }
-        *lie.pointer_mut(place).expect("it was just changed") = truth_there;
+        let lied = changed(lie.pointer(place).unwrap(), random(), random());
+        let is_refused = *told.entry((place, lied.to_string())).or_insert_with(|| {
+            let truth_there = std::mem::replace(lie.pointer_mut(place).unwrap(), lied);
+            let found = verdict(&lie);
+            *lie.pointer_mut(place).expect("it was just changed") = truth_there;
+            // Another rule that has the same inside is named.
+            let is_true = |line: &String| truth.proved().contains(line) || line.starts_with(RULE);
+            if let Ok(found) = &found {
+                assert!(found.proved().iter().all(is_true), "{place}: {:?}", found.proved());
+            }
+            found.is_err()
+        });
+        refused += usize::from(is_refused);
     }
     assert!(refused > 3_000, "{refused} of 10,000 changes are refused");
 }
