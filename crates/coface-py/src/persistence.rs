@@ -26,6 +26,7 @@ use coface::{CellId, Error, ErrorKind, VertexId};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArrayDyn};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyList, PyTuple};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -385,27 +386,21 @@ impl Persistence {
                 let naming = Arc::new(Naming::of(naming));
                 Ok(Stored { prime: found.diagram().prime(), naming, complex, filtration, least })
             }
-            Diagram::Image { found, cells: Some(cells) } => {
-                let (complex, filtration) = run(py, progress, || cells.complex())?;
-                let of_degree = |degree| (0..complex.cell_count(degree)).map(move |cell| (degree, cell));
-                let named = (0..complex.degree_count()).flat_map(of_degree);
-                let named =
-                    named.map(|(degree, cell)| ((degree, cell), cells.cell(degree, CellId::new(cell)).0));
-                let naming = Arc::new(Naming::of(Names::Given(Arc::new(named.collect()))));
-                let least = found.min_persistence();
-                Ok(Stored {
-                    prime: found.diagram().prime(),
-                    naming,
-                    complex: Arc::new(complex),
-                    filtration: Arc::new(filtration),
-                    least,
-                })
-            }
+            // Their cubes are not stored.
+            Diagram::Image { .. } => Err(no_cells(py)),
+        }
+    }
+
+    /// The cubes of an image, if the diagram is that of one.
+    fn cubes(&self, py: Python<'_>) -> PyResult<Option<(&FoundImage, &ImageCells)>> {
+        match &self.diagram {
+            Diagram::Image { found, cells: Some(cells) } => Ok(Some((found, cells.as_ref()))),
             Diagram::Image { cells: None, .. } => Err(invalid(
                 py,
                 "the cubes of the image were not kept".to_owned(),
                 "ask coface.cubical(x, cycles=True)",
             )),
+            _ => Ok(None),
         }
     }
 
@@ -435,6 +430,52 @@ struct Stored {
 
 /// A cycle, the chain that it bounds, and a cocycle.
 type ProvedClass = (Chain, Option<Chain>, Chain);
+
+/// What proves the classes of a degree of an image, in the order of its diagram.
+fn image_cycles(
+    py: Python<'_>,
+    progress: Option<&Bound<'_, PyAny>>,
+    (found, cells): (&FoundImage, &ImageCells),
+    degree: usize,
+) -> PyResult<Vec<ProvedClass>> {
+    /// Cells with coefficients and vertices.
+    type Named = (Vec<(CellId, Integer)>, Names);
+    let least = found.min_persistence();
+    let named = |of_degree: usize, terms: &[(u64, i64)]| -> Result<Named, Error> {
+        let named = cells.named_chain(degree, of_degree, terms)?;
+        let (mut terms, mut names) = (Vec::with_capacity(named.len()), BTreeMap::new());
+        for (cell, x, vertices) in named {
+            names.insert((of_degree, cell.index()), vertices);
+            terms.push((cell, x));
+        }
+        Ok((terms, Names::Given(Arc::new(names))))
+    };
+    let (proved, counts) = run(py, progress, || {
+        let all = cells.found()?;
+        let wanted = all
+            .cycles()
+            .iter()
+            .filter(|one| one.pair().degree() == degree && one.pair().persistence() > least);
+        let prove = |one: &topology::ImageCycle| {
+            let bounding = one.bounding_chain().map(|chain| named(degree + 1, chain)).transpose()?;
+            Ok::<_, Error>((named(degree, one.cycle())?, bounding, named(degree, one.cocycle())?))
+        };
+        let counts = [cells.cell_count(degree)?, cells.cell_count(degree + 1)?];
+        Ok((wanted.map(prove).collect::<Result<Vec<_>, Error>>()?, counts))
+    })?;
+    let chain = |degree: usize, (terms, names): Named, cell_count: usize, is_cochain: bool| Chain {
+        degree,
+        terms,
+        cell_count,
+        naming: Arc::new(Naming::of(names)),
+        is_cochain,
+    };
+    let told = proved.into_iter().map(|(cycle, bounding, cocycle)| {
+        let bounding = bounding.map(|bounding| chain(degree + 1, bounding, counts[1], false));
+        (chain(degree, cycle, counts[0], false), bounding, chain(degree, cocycle, counts[0], true))
+    });
+    Ok(told.collect())
+}
 
 fn no_cells(py: Python<'_>) -> PyErr {
     invalid(
@@ -809,6 +850,9 @@ impl Persistence {
         #[pyo3(from_py_with = whole)] degree: usize,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Vec<ProvedClass>> {
+        if let Some((found, cells)) = self.cubes(py)? {
+            return image_cycles(py, progress, (found, cells), degree);
+        }
         let Stored { prime, naming, complex, filtration, least } = &self.stored(py, progress)?;
         let found = run(py, progress, || {
             let whole = topology::persistence(complex, filtration, Coefficients::Modulo((*prime).into()))?;
@@ -821,15 +865,7 @@ impl Persistence {
             naming: Arc::clone(naming),
             is_cochain,
         };
-        let mut found: Vec<_> = found.iter().filter(|class| class.pair().degree() == degree).collect();
-        if let Diagram::Image { cells: Some(cells), .. } = &self.diagram {
-            // Classes of an image are sorted by voxels, not by cells.
-            let moment = |degree, cell| cells.cell(degree, cell).1;
-            found.sort_by_cached_key(|class| {
-                let pair = class.pair();
-                (moment(degree, pair.birth_cell()), pair.death_cell().map(|cell| moment(degree + 1, cell)))
-            });
-        }
+        let found: Vec<_> = found.iter().filter(|class| class.pair().degree() == degree).collect();
         let rows = self.classes().into_iter().filter(|class| class.0 == degree).map(|row| (row.1, row.2));
         if !rows.eq(found.iter().map(|class| (class.pair().birth(), class.pair().death()))) {
             let message = "the cycles are not those of the rows of the diagram".to_owned();
@@ -850,6 +886,9 @@ impl Persistence {
     /// list of int
     ///     The primes, rising.
     fn torsion_primes(&self, py: Python<'_>) -> PyResult<Vec<u32>> {
+        if let Some((_, cells)) = self.cubes(py)? {
+            return run(py, None, || Ok(cells.found()?.torsion_primes().to_vec()));
+        }
         let Stored { complex, filtration, .. } = &self.stored(py, None)?;
         run(py, None, || topology::torsion_primes(complex, filtration))
     }

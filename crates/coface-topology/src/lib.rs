@@ -53,12 +53,12 @@ pub use hodge::{
     HarmonicCochain, HodgeDecomposition, HodgeSpace, MetricComplex, harmonic_basis, laplacian_matrix,
 };
 pub use persistence::{
-    Barcode, BarcodeMatching, EulerCurve, EulerTransform, ExtendedKind, ExtendedPair, Filtration,
-    ImageBlocks, ImageConstruction, ImageDiagram, ImageFiltration, ImagePair, ImagePart, PersistenceDiagram,
-    PersistencePair, PersistenceSurface, PersistentCycle, RipsCochain, RipsDiagram, RipsFiltration, RipsPair,
-    RipsSize, Vine, VinePoint, ZigzagFiltration, ZigzagPair, ZigzagStep, euler_characteristic_curve,
-    even_directions, extended_filtration, extended_persistence, image_persistence, persistence,
-    persistent_cycles, relative_persistence, torsion_primes, vineyard,
+    Barcode, BarcodeMatching, CubeTerms, EulerCurve, EulerTransform, ExtendedKind, ExtendedPair, Filtration,
+    ImageBlocks, ImageConstruction, ImageCycle, ImageCycles, ImageDiagram, ImageFiltration, ImagePair,
+    ImagePart, PersistenceDiagram, PersistencePair, PersistenceSurface, PersistentCycle, RipsCochain,
+    RipsDiagram, RipsFiltration, RipsPair, RipsSize, Vine, VinePoint, ZigzagFiltration, ZigzagPair,
+    ZigzagStep, euler_characteristic_curve, even_directions, extended_filtration, extended_persistence,
+    image_persistence, persistence, persistent_cycles, relative_persistence, torsion_primes, vineyard,
 };
 
 mod curves;

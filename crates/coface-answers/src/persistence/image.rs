@@ -26,7 +26,7 @@ pub struct GreyImage {
     pub(super) axes: Axes,
     pub(super) filtration: ImageFiltration,
     /// Whether a mask has left voxels out.
-    is_cut: bool,
+    pub(super) is_cut: bool,
     /// Where the file places voxels.
     pub(super) frame: Option<VoxelFrame>,
 }
@@ -338,7 +338,7 @@ impl ImageRequest {
 /// A persistence diagram of an image.
 #[derive(Clone, Debug)]
 pub struct FoundImage {
-    name: String,
+    pub(super) name: String,
     pub(super) construction: ImageConstruction,
     pub(super) axes: Axes,
     pub(super) diagram: ImageDiagram,

@@ -20,7 +20,7 @@ use coface::algebra::escaped;
 use coface::answers::answer::{PersistenceAnswer, PersistencePairAnswer};
 use coface::answers::text;
 use coface::answers::{
-    DiagramFormat, FoundRips, Growth, ImageCells, PersistenceRequest, PointFiltration, Producer, RelativeTo,
+    DiagramFormat, FoundRips, Growth, PersistenceRequest, PointFiltration, Producer, RelativeTo,
     VineyardRequest, write_diagram, write_kinds,
 };
 use coface::geometry::Positions;
@@ -216,14 +216,22 @@ impl Persistence {
             let question =
                 self.image.question(&source, common, self.coefficients, self.min_persistence, &progress)?;
             if let Some((name, image, request)) = question {
-                let cells = self.cycles.is_some().then(|| request.cells(&name, image.clone())).transpose()?;
+                if self.cycles.is_some() {
+                    let cells = request.cells(&name, image)?;
+                    let found = cells.found()?;
+                    self.save_certificate(&progress, |inputs| found.image().certificate(inputs))?;
+                    let answer = found.answer();
+                    if let Some(Some(place)) = &self.cycles {
+                        progress.stage(format!("writing {}", place.display()));
+                        save_cycles(place, &answer, || found.cycles_model())?;
+                    }
+                    return self.give(common, output.as_ref(), progress, &answer, |bytes, format| {
+                        found.image().write(bytes, format)
+                    });
+                }
                 let found = request.found(&name, image)?;
                 self.save_certificate(&progress, |inputs| found.certificate(inputs))?;
-                let answer = match &cells {
-                    Some(cells) => self.answer_with_cycles(cells, &progress)?,
-                    None => found.answer(),
-                };
-                return self.give(common, output.as_ref(), progress, &answer, |bytes, format| {
+                return self.give(common, output.as_ref(), progress, &found.answer(), |bytes, format| {
                     found.write(bytes, format)
                 });
             }
@@ -385,21 +393,6 @@ impl Persistence {
         Err(Failure::new(format!(
             "{name}: --extended is for functions on vertices, and the values of a volume are those of voxels; say the function on the voxels that are set: --function x"
         )))
-    }
-
-    /// The classes of an image with their cycles, which are written where that is asked for.
-    fn answer_with_cycles(
-        &self,
-        cells: &ImageCells,
-        progress: &Progress,
-    ) -> Result<PersistenceAnswer, Failure> {
-        let found = cells.found()?;
-        let answer = found.answer();
-        if let Some(Some(place)) = &self.cycles {
-            progress.stage(format!("writing {}", place.display()));
-            save_cycles(place, &answer, || found.found().cycles_model())?;
-        }
-        Ok(answer)
     }
 
     /// Whether a volume grows by its own values: nothing says that it is a model of voxels.

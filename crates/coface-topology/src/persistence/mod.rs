@@ -46,7 +46,10 @@ pub use diagram::{PersistenceDiagram, PersistencePair};
 pub use euler::{EulerCurve, EulerTransform, even_directions};
 pub use extended::{ExtendedKind, ExtendedPair, extended_filtration, extended_persistence};
 pub use filtration::Filtration;
-pub use image::{ImageBlocks, ImageConstruction, ImageDiagram, ImageFiltration, ImagePair, ImagePart};
+pub use image::{
+    CubeTerms, ImageBlocks, ImageConstruction, ImageCycle, ImageCycles, ImageDiagram, ImageFiltration,
+    ImagePair, ImagePart,
+};
 pub use pair::{image_persistence, relative_persistence};
 pub use reduction::persistence;
 pub use rips::{RipsCochain, RipsDiagram, RipsFiltration, RipsPair, RipsSize};

@@ -171,7 +171,7 @@ fn by_boundaries(
 
 /// The integers of 32 bits, as far as they are enough: multiples of a column are added to others, and no column is multiplied.
 #[derive(Default)]
-struct Small {
+pub(super) struct Small {
     /// Whether a number left the range, or was to be eliminated by one that does not divide it: results are not valid then.
     is_left: Cell<bool>,
     /// The leading coefficients other than 1 and -1.
@@ -193,6 +193,11 @@ impl Small {
         }
         leads.extend(self.leads.borrow().iter().map(|&lead| Integer::from(lead).abs()));
         Some(())
+    }
+
+    /// Whether a number left the range: results are not valid then.
+    pub(super) fn is_left(&self) -> bool {
+        self.is_left.get()
     }
 
     fn checked(&self, value: Option<i32>) -> i32 {

@@ -58,7 +58,7 @@ impl<'a, F: Field> Sum<'a, F> {
     pub(super) fn lead(&mut self, degree: usize, is_paired: &[bool]) -> Option<(usize, F::Unit)> {
         loop {
             let rank = self.take_star()?;
-            self.replace_matched(rank);
+            self.replace_matched(rank, |_, _| ());
             let gradient = self.gradient;
             let (vertex, mut lead) = (gradient.vertex(rank), None);
             let star = gradient.grid.star(vertex);
@@ -89,7 +89,7 @@ impl<'a, F: Field> Sum<'a, F> {
         while let Some(rank) = self.take_star() {
             let gradient = self.gradient;
             if is_own(rank) {
-                self.replace_matched(rank);
+                self.replace_matched(rank, |_, _| ());
                 let vertex = gradient.vertex(rank);
                 let star = gradient.grid.star(vertex);
                 self.group.retain(|&(code, _)| {
@@ -128,8 +128,25 @@ impl<'a, F: Field> Sum<'a, F> {
         }
     }
 
-    /// Adds boundaries to the group, until no cell of it is matched with a cell above.
-    fn replace_matched(&mut self, rank: u32) {
+    /// Takes the terms of ranks above a limit out. Cells that are matched with a cell above are replaced by the rest of the boundary of that, which is told
+    /// with the factor; those that are left are told as the second list. A cell above may be told several times.
+    pub(super) fn grow(
+        &mut self,
+        limit: u32,
+        mut added: impl FnMut(Cell, F::Unit),
+        mut left: impl FnMut(Cell, F::Unit),
+    ) {
+        while self.heap.peek().is_some_and(|(cell, _)| cell.rank() > limit)
+            && let Some(rank) = self.take_star()
+        {
+            self.replace_matched(rank, |code, factor| added(Cell::new(rank, code), factor));
+            self.group.iter().for_each(|&(code, unit)| left(Cell::new(rank, code), unit));
+        }
+        self.heap.clear();
+    }
+
+    /// Adds boundaries to the group, until no cell of it is matched with a cell above. Those cells are told with their factors.
+    fn replace_matched(&mut self, rank: u32, mut added: impl FnMut(Code, F::Unit)) {
         let (gradient, field) = (self.gradient, self.field);
         let grid = &gradient.grid;
         let vertex = gradient.vertex(rank);
@@ -150,6 +167,7 @@ impl<'a, F: Field> Sum<'a, F> {
                 facets.iter().find(|facet| matches!(facet.kind, FacetKind::Near(other) if other == code));
             let own = own.expect("a cell is a facet of the one it is matched with");
             let factor = field.eliminator(unit, self.unit(own.is_negative));
+            added(cell, factor);
             for facet in facets {
                 let unit = field.product(factor, self.unit(facet.is_negative));
                 match &facet.kind {

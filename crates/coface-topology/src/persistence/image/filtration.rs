@@ -337,6 +337,30 @@ impl ImageFiltration {
         if long.0.is_empty() { (vec![1], vec![false]) } else { long }
     }
 
+    /// The numbers of the axes that are longer than 1, or that of the first one if none is.
+    pub(super) fn long_axis_numbers(&self) -> Vec<usize> {
+        let long: Vec<usize> = (0..self.shape.len()).filter(|&axis| self.shape[axis] != 1).collect();
+        if long.is_empty() { vec![0] } else { long }
+    }
+
+    /// The number of voxels along each axis.
+    pub(super) fn lengths(&self) -> &[usize] {
+        &self.shape
+    }
+
+    /// How many places cubes have along each axis: see [`ImageCycles::doubled_shape`](super::ImageCycles::doubled_shape).
+    pub(super) fn doubled_shape(&self) -> Vec<u64> {
+        let length = |(axis, &length): (usize, &usize)| {
+            let length = length as u64;
+            match (self.is_dual(), self.is_periodic[axis]) {
+                (_, true) => 2 * length,
+                (true, false) => 2 * length + 1,
+                (false, false) => (2 * length).saturating_sub(1),
+            }
+        };
+        self.shape.iter().enumerate().map(length).collect()
+    }
+
     /// The persistent homology of all degrees: the pairs that live longer than a moment.
     ///
     /// # Errors
@@ -357,8 +381,8 @@ impl ImageFiltration {
     pub fn persistence(&self, coefficients: Coefficients) -> Result<ImageDiagram, Error> {
         let prime = prime(coefficients)?;
         self.require_births()?;
+        self.require_memory()?;
         let shape = &self.shape;
-        memory::require(self.bytes(), || format!("persistence of an image of shape {shape:?}"))?;
         let gradient = self.gradient();
         let critical: u64 = gradient.critical.iter().map(|cells| cells.len() as u64).sum();
         memory::require(critical.saturating_mul(48), || {
@@ -459,7 +483,7 @@ impl ImageFiltration {
         self.construction == ImageConstruction::TopCells
     }
 
-    fn gradient(&self) -> Gradient {
+    pub(super) fn gradient(&self) -> Gradient {
         let (grid, ranks, vertices) = self.ranked();
         Gradient::new(grid, ranks, vertices, |_| true)
     }
@@ -477,6 +501,12 @@ impl ImageFiltration {
             *vertex = place as u32;
         }
         (grid, ranks, vertices)
+    }
+
+    /// That there is memory for the matching of cells.
+    pub(super) fn require_memory(&self) -> Result<(), Error> {
+        let shape = &self.shape;
+        memory::require(self.bytes(), || format!("persistence of an image of shape {shape:?}"))
     }
 
     /// The classes as those of the image, off the diagonal.

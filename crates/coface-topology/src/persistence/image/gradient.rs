@@ -1,6 +1,6 @@
 //! Matchings of the cells of an image.
 
-use super::grid::{Code, Grid};
+use super::grid::{Code, FacetKind, Grid};
 use coface_algebra::progress::stage;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU8, Ordering};
@@ -133,6 +133,52 @@ impl Gradient {
         let rank = |corner: Code| self.ranks[Grid::opposite(star, vertex, corner)];
         let cells = corners.iter().map(|&(corner, code)| Cell::new(rank(corner), code));
         cells.max().filter(|cell| cell.rank() != OUTSIDE)
+    }
+
+    /// The facets of a cell that are there, each with whether its coefficient is -1.
+    pub(super) fn facets(&self, cell: Cell) -> impl Iterator<Item = (Cell, bool)> + '_ {
+        let vertex = self.vertex(cell.rank());
+        self.grid.codes.facets(cell.code()).iter().filter_map(move |facet| {
+            let found = match &facet.kind {
+                FacetKind::Near(code) => Some(Cell::new(cell.rank(), *code)),
+                FacetKind::Far(corners) => self.owned(vertex, corners),
+            };
+            Some((found?, facet.is_negative))
+        })
+    }
+
+    /// The cells that are there and have a cell as a facet, each with whether the coefficient of it is -1.
+    pub(super) fn cofacets(&self, cell: Cell) -> impl Iterator<Item = (Cell, bool)> + '_ {
+        let vertex = self.vertex(cell.rank());
+        let star = self.grid.star(vertex);
+        self.grid.codes.cofacets(cell.code()).iter().filter_map(move |cofacet| {
+            let mut owned = Cell::new(cell.rank(), cofacet.code);
+            for &(corner, code) in &cofacet.far {
+                owned = owned.max(Cell::new(self.ranks[Grid::opposite(star, vertex, corner)], code));
+            }
+            (owned.rank() != NEVER).then_some((owned, cofacet.is_negative))
+        })
+    }
+
+    /// The cell at a place, which is there.
+    pub(super) fn cell(&self, place: usize) -> Cell {
+        let (base, extents) = self.grid.first_vertex(place);
+        let mut code = 0;
+        for axis in (0..self.grid.axes()).filter(|axis| extents >> axis & 1 == 1) {
+            code = self.grid.codes.extended(code, axis, 1);
+        }
+        // From its first vertex all others are behind.
+        let star = self.grid.star(base);
+        let first = Cell::new(self.ranks[base], code);
+        let seen =
+            |&(corner, code): &(Code, Code)| Cell::new(self.ranks[Grid::opposite(star, base, corner)], code);
+        self.grid.codes.seen(code).iter().map(seen).fold(first, Cell::max)
+    }
+
+    /// The place of a cell.
+    pub(super) fn place(&self, cell: Cell) -> usize {
+        let vertex = self.vertex(cell.rank());
+        self.grid.place(self.grid.star(vertex), vertex, cell.code())
     }
 
     pub(super) fn fate(&self, place: usize) -> Fate {

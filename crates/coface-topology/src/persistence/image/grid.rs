@@ -21,6 +21,9 @@ pub(super) struct Codes {
     /// The facets that contain the vertex.
     near_facets: Vec<u128>,
     facets: Vec<Vec<Facet>>,
+    cofacets: Vec<Vec<Cofacet>>,
+    /// The vertices of each cell, each with the code that the cell has there.
+    seen: Vec<Vec<(Code, Code)>>,
     /// See [`Codes::top_corners`].
     top_corners: Vec<(Code, Code)>,
 }
@@ -36,6 +39,15 @@ pub(super) enum FacetKind {
     Near(Code),
     /// It does not: the vertices of the facet by their codes, each with the code that the facet has there.
     Far(Vec<(Code, Code)>),
+}
+
+/// A cell that a cell of a star is a facet of.
+pub(super) struct Cofacet {
+    pub(super) is_negative: bool,
+    /// Its code at the vertex.
+    pub(super) code: Code,
+    /// Its vertices beyond the facet by their codes, each with the code that it has there.
+    pub(super) far: Vec<(Code, Code)>,
 }
 
 impl Codes {
@@ -67,6 +79,8 @@ impl Codes {
             corners: Vec::new(),
             near_facets: Vec::new(),
             facets: Vec::new(),
+            cofacets: Vec::new(),
+            seen: Vec::new(),
             top_corners: Vec::new(),
         };
         for number in 0..count {
@@ -80,6 +94,8 @@ impl Codes {
             codes.near_facets.push(near.fold(0, |mask, code| mask | 1 << code));
             codes.facets.push(facets);
         }
+        codes.seen = (0..count).map(|number| codes.seen_from(number, None)).collect();
+        codes.cofacets = (0..count).map(|number| codes.cofacets_of(number as Code)).collect();
         // The vertices of the cell that extends behind a vertex along all axes.
         let top = codes.number(&[1; MOST_AXES]);
         let corners = codes.parts(top as usize, None);
@@ -141,6 +157,33 @@ impl Codes {
         facets
     }
 
+    /// The vertices of a cell, or of its facet away from the vertex along an axis, each with the code that the cell has there.
+    fn seen_from(&self, number: usize, away: Option<usize>) -> Vec<(Code, Code)> {
+        let digits = self.digits[number];
+        let seen = |part: Code| {
+            let at = self.digits[part as usize];
+            let mut code = digits;
+            for axis in (0..self.axes).filter(|&axis| at[axis] != 0) {
+                code[axis] = -code[axis];
+            }
+            (part, self.number(&code))
+        };
+        self.parts(number, away).into_iter().map(seen).collect()
+    }
+
+    fn cofacets_of(&self, code: Code) -> Vec<Cofacet> {
+        let flat = (0..self.axes).filter(|&axis| self.is_flat(code, axis));
+        let both = flat.flat_map(|axis| [1, -1].map(|side| (axis, side)));
+        let cofacet = |(axis, side): (usize, i8)| {
+            let cell = self.extended(code, axis, side);
+            let own = |facet: &&Facet| matches!(facet.kind, FacetKind::Near(near) if near == code);
+            let facet = self.facets(cell).iter().find(own).expect("a cell is a facet of what extends it");
+            let far = self.seen_from(cell.into(), Some(axis));
+            Cofacet { is_negative: facet.is_negative, code: cell, far }
+        };
+        both.map(cofacet).collect()
+    }
+
     pub(super) fn count(&self) -> usize {
         self.digits.len()
     }
@@ -161,6 +204,15 @@ impl Codes {
         &self.facets[code as usize]
     }
 
+    /// The vertices of a cell, each with the code that the cell has there.
+    pub(super) fn seen(&self, code: Code) -> &[(Code, Code)] {
+        &self.seen[code as usize]
+    }
+
+    pub(super) fn cofacets(&self, code: Code) -> &[Cofacet] {
+        &self.cofacets[code as usize]
+    }
+
     /// The vertices of the cell that extends behind a vertex along all axes, each with the code that the cell has there.
     pub(super) fn top_corners(&self) -> &[(Code, Code)] {
         &self.top_corners
@@ -178,6 +230,11 @@ impl Codes {
         let mut digits = self.digits[code as usize];
         digits[axis] = side;
         self.number(&digits)
+    }
+
+    /// The facet of a cell through the vertex, across an axis.
+    pub(super) fn flattened(&self, code: Code, axis: usize) -> Code {
+        self.extended(code, axis, 0)
     }
 
     /// Whether a cell does not extend along an axis.
@@ -322,6 +379,27 @@ impl Grid {
     pub(super) fn next(&self, vertex: usize, axis: usize, side: i8) -> usize {
         let star = self.star(vertex);
         Self::opposite(star, vertex, self.codes.extended(0, axis, side))
+    }
+
+    /// The number of vertices along the last axis.
+    pub(super) fn row_length(&self) -> usize {
+        self.lengths.last().copied().unwrap_or(1)
+    }
+
+    /// Whether an axis is periodic.
+    pub(super) fn is_periodic(&self) -> bool {
+        self.is_periodic.contains(&true)
+    }
+
+    /// Where the voxel of a vertex lies along an axis; -1 and the number of voxels in the layer around.
+    pub(super) fn along(&self, vertex: usize, axis: usize) -> i64 {
+        let margin = i64::from(!self.is_periodic[axis]);
+        (vertex / self.strides[axis] % self.lengths[axis]) as i64 - margin
+    }
+
+    /// The first vertex of the cell at a place, and a bit for each axis along which the cell extends.
+    pub(super) fn first_vertex(&self, place: usize) -> (usize, usize) {
+        (place >> self.axes(), place & ((1 << self.axes()) - 1))
     }
 
     /// The vertex of a voxel, by its number in the image.

@@ -15,6 +15,7 @@
 //!   with clearing; a matched cell in a column is replaced by the rest of the boundary of its partner as soon as it leads the column.
 
 mod blocks;
+mod cycles;
 mod descent;
 mod diagram;
 mod euler;
@@ -28,5 +29,6 @@ mod pairing;
 mod tests;
 
 pub use blocks::{ImageBlocks, ImagePart};
+pub use cycles::{CubeTerms, ImageCycle, ImageCycles};
 pub use diagram::{ImageDiagram, ImagePair};
 pub use filtration::{ImageConstruction, ImageFiltration};

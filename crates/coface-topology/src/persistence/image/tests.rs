@@ -8,14 +8,14 @@ use coface_algebra::{ErrorKind, SparseMatrix};
 use proptest::prelude::*;
 
 #[derive(Clone, Debug)]
-struct Image {
-    shape: Vec<usize>,
-    is_periodic: Vec<bool>,
-    numbers: Vec<f64>,
+pub(super) struct Image {
+    pub(super) shape: Vec<usize>,
+    pub(super) is_periodic: Vec<bool>,
+    pub(super) numbers: Vec<f64>,
 }
 
 impl Image {
-    fn filtration(&self) -> ImageFiltration {
+    pub(super) fn filtration(&self) -> ImageFiltration {
         let image = ImageFiltration::new(&self.shape, self.numbers.iter().copied()).unwrap();
         image.periodic(&self.is_periodic).unwrap()
     }
@@ -141,7 +141,7 @@ fn shapes() -> impl Strategy<Value = Vec<usize>> {
 }
 
 /// Small images with many ties, some voxels outside, some axes periodic.
-fn images() -> impl Strategy<Value = Image> {
+pub(super) fn images() -> impl Strategy<Value = Image> {
     (
         shapes(),
         any::<[bool; 4]>(),
@@ -160,7 +160,7 @@ fn images() -> impl Strategy<Value = Image> {
         })
 }
 
-fn modulo(p: u64) -> Coefficients {
+pub(super) fn modulo(p: u64) -> Coefficients {
     Coefficients::Modulo(p)
 }
 
