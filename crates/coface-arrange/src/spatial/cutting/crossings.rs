@@ -59,18 +59,21 @@ impl Changed {
         let points = positions.as_flat().as_chunks::<3>().0;
         let changed: Vec<u32> =
             (0..triangles.len() as u32).into_par_iter().filter(|&own| is_changed(own as usize)).collect();
-        let boxes: Vec<_> =
-            changed.par_iter().map(|&own| box_around(points, triangles[own as usize])).collect();
-        let tree = BoxTree::new(&boxes);
-        let is_near = |own: usize| {
-            let mut is_near = is_changed(own);
-            if !is_near {
-                tree.visit(&box_around(points, triangles[own]), |_| is_near = true);
-            }
-            is_near
+        let numbers: Vec<u32> = if changed.len() == triangles.len() {
+            changed
+        } else {
+            let boxes: Vec<_> =
+                changed.par_iter().map(|&own| box_around(points, triangles[own as usize])).collect();
+            let tree = BoxTree::new(&boxes);
+            let is_near = |&own: &u32| {
+                let mut is_near = is_changed(own as usize);
+                if !is_near {
+                    tree.visit(&box_around(points, triangles[own as usize]), |_| is_near = true);
+                }
+                is_near
+            };
+            (0..triangles.len() as u32).into_par_iter().filter(is_near).collect()
         };
-        let numbers: Vec<u32> =
-            (0..triangles.len() as u32).into_par_iter().filter(|&own| is_near(own as usize)).collect();
         let mut number = vec![NONE; points.len()];
         let (mut flat, mut count) = (Vec::new(), 0);
         let mut own_triangles = Vec::with_capacity(numbers.len());
