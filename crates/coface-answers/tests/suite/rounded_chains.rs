@@ -94,6 +94,12 @@ fn a_line_across_the_sweep_comes_to_an_end() {
 fn agree_alone_and_whole(models: &[&Model], request: &SolidRequest) -> Result<(), TestCaseError> {
     let exact = arranged(models);
     let found = SolidBoolean::of(&exact, request).unwrap();
+    // No place is missed by looking at what rounding moved alone.
+    let polygons = found.surface().polygons().clone();
+    let polygons = SpatialPolygons::from_polygons(found.positions().unwrap(), polygons).unwrap();
+    if let Ok(all) = polygons.crossings(1) {
+        prop_assert!(found.crossings().unwrap().count >= all.count);
+    }
     let (Some(alone), Some(whole)) = (found.validly_rounded().unwrap(), exact.validly_rounded().unwrap())
     else {
         return Err(TestCaseError::fail("boxes are rounded validly"));
