@@ -138,7 +138,8 @@ fn install(requirements: &str, record: &str) -> io::Result<()> {
         return Ok(());
     }
     println!("== python: pip install -r {requirements}");
-    let quietly = ["--quiet", "--disable-pip-version-check", "--retries=1"];
+    // Most of what is installed is never imported; Python compiles the rest when it is.
+    let quietly = ["--quiet", "--disable-pip-version-check", "--retries=1", "--no-compile"];
     let install = [&["-m", "pip", "install"], &quietly[..], &["-r", requirements]].concat();
     if !is_done(&mut interpreter(&install)) {
         return Err(io::Error::other("pip failed"));
@@ -147,16 +148,19 @@ fn install(requirements: &str, record: &str) -> io::Result<()> {
     fs::write(&installed, wanted)
 }
 
-/// Python of the environment, in the folder of the package.
 /// The interpreter that has the package, where [`python`] has made it.
 pub(crate) fn with_package() -> Option<Command> {
     program().is_file().then(|| interpreter(&[]))
 }
 
+/// Python of the environment, in the folder of the package. What it compiles is kept in the build folder, and not beside the sources.
 fn interpreter(words: &[&str]) -> Command {
     let mut command = Command::new(program());
     command.args(words).current_dir(root().join(PACKAGE)).env("PYTHONPATH", site());
-    command.env("PYTHONDONTWRITEBYTECODE", "1").env("MPLBACKEND", "Agg").env("NO_COLOR", "1");
+    command
+        .env_remove("PYTHONDONTWRITEBYTECODE")
+        .env("PYTHONPYCACHEPREFIX", target().join("python/bytecode"));
+    command.env("MPLBACKEND", "Agg").env("NO_COLOR", "1");
     command
 }
 

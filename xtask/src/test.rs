@@ -15,8 +15,9 @@ use std::time::Instant;
 /// Runs every check to the end, says what is skipped and why, and closes with the slowest stages and the counts.
 ///
 /// Everything is built once, beside what needs no build. Then three lanes run side by side: the tests in Rust, those in Python and in a
-/// browser, and the lints and docs. These share the build folder, and with it all macros and build scripts, which are a quarter of a build from
-/// nothing; so they start when the tests have been found built and leave them the lock of that folder.
+/// browser, and the lints and docs with the examples in these, which are compiled one crate after the other. Lints and docs share the build
+/// folder, and with it all macros and build scripts, which are a quarter of a build from nothing; so they start when the tests have been found
+/// built and leave them the lock of that folder. In CI the compiler lints and documents what it builds, and of this lane the examples are left.
 pub(crate) fn run() -> ExitCode {
     let begin = Instant::now();
     let mut tally = Tally::default();
@@ -33,7 +34,7 @@ pub(crate) fn run() -> ExitCode {
     };
     side_by_side(&mut tally, &[&building, &beside]);
     let rust = |tally: &mut Tally| {
-        let all = [&["test", "--workspace", "--no-fail-fast"], features()].concat();
+        let all = [&["test", "--workspace", "--no-fail-fast", "--tests"], features()].concat();
         run_counted(tally, "tests", cargo(&all), || has_begun.set());
         // Tests that were not found built did not begin.
         has_begun.set();
@@ -47,7 +48,11 @@ pub(crate) fn run() -> ExitCode {
     };
     let lints = |tally: &mut Tally| {
         has_begun.wait();
-        lints_and_docs(tally);
+        if !is_linted_by_compiler() {
+            lints_and_docs(tally);
+        }
+        let examples = [&["test", "--workspace", "--no-fail-fast", "--doc"], features()].concat();
+        run_counted(tally, "examples in the docs", cargo(&examples), || ());
     };
     if has_built.into_inner() {
         side_by_side(&mut tally, &[&rust, &others, &lints]);
@@ -100,10 +105,23 @@ fn lints_and_docs(tally: &mut Tally) {
 
 /// Builds everything that a test runs; whether that went well.
 pub(crate) fn build(tally: &mut Tally) -> bool {
-    let failed = tally.failed;
     let all = [&["build", "--quiet", "--workspace", "--lib", "--bins", "--tests", "--examples"], features()];
-    check(tally, "build", &mut cargo(&all.concat()));
-    tally.failed == failed
+    let (has_passed, said) = checked(tally, "build", &mut cargo(&all.concat()));
+    if has_passed && is_linted_by_compiler() {
+        let is_clean = !said.contains("warning");
+        tally.count(is_clean);
+        if !is_clean {
+            tally.fail("lints and docs", &said.lines().map(str::to_owned).collect::<Vec<_>>());
+        }
+        println!("== lints and docs: {}, with the build", verdict(is_clean));
+    }
+    has_passed
+}
+
+/// Whether the compiler lints and documents what it builds, and says what it finds as warnings: `.ci/rustc` does.
+fn is_linted_by_compiler() -> bool {
+    let wrapper = std::env::var_os("RUSTC_WORKSPACE_WRAPPER");
+    wrapper.is_some_and(|wrapper| Path::new(&wrapper).ends_with(".ci/rustc"))
 }
 
 /// Runs the checks of one crate: format, lints, docs, tests.
@@ -164,6 +182,11 @@ fn oldest_rust(tally: &mut Tally) {
 
 /// Runs a command and prints what it says when it has ended: lanes do not mix their lines.
 pub(crate) fn check(tally: &mut Tally, name: &str, command: &mut Command) {
+    checked(tally, name, command);
+}
+
+/// The same; whether all went well, and what was said.
+fn checked(tally: &mut Tally, name: &str, command: &mut Command) -> (bool, String) {
     println!("== {name}: {}", words(command));
     let begin = Instant::now();
     let (has_passed, said) = match command.stdin(Stdio::null()).output() {
@@ -181,6 +204,7 @@ pub(crate) fn check(tally: &mut Tally, name: &str, command: &mut Command) {
         tally.fail(name, &lines);
     }
     println!("{said}== {name}: {} in {seconds:.0} s", verdict(has_passed));
+    (has_passed, said)
 }
 
 /// The pages of the guide: each example checks its own answers. The tests before this have built them.

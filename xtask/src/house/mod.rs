@@ -142,6 +142,28 @@ fn all_crates_are_in_the_table() {
 }
 
 #[test]
+fn crates_without_tests_are_linted_in_ci() {
+    // There the compiler of the tests has the lints; what has none is named in its place.
+    let wrapper = std::fs::read_to_string(root().join(".ci/rustc")).expect("what stands before the compiler");
+    for (name, _) in ALLOWED {
+        let manifest = std::fs::read_to_string(root().join("crates").join(name).join("Cargo.toml"));
+        let manifest = manifest.expect("a manifest can be read");
+        if manifest.contains("test = false") {
+            let table = manifest.split("[lib]").nth(1).unwrap_or_default();
+            let table = table.split("\n[").next().unwrap_or_default();
+            let library = table.lines().find_map(|line| line.strip_prefix("name = "));
+            let library =
+                library.map_or_else(|| name.replace('-', "_"), |name| name.trim_matches('"').to_owned());
+            assert!(
+                wrapper.contains(&format!(" --crate-name {library} ")),
+                "{name}: .ci/rustc lints it nowhere"
+            );
+        }
+        assert!(!manifest.contains("[[bench]]"), "{name}: benches are not built for tests, and not linted");
+    }
+}
+
+#[test]
 fn files_of_different_folders_form_no_circles() {
     let mut faults = Vec::new();
     for (name, _) in ALLOWED {
