@@ -180,8 +180,8 @@ impl Corners {
         /// The corners around a square, a bit for the end behind along each of its axes.
         const AROUND: [usize; 4] = [0, 2, 3, 1];
         let degree = place.iter().filter(|&&x| x % 2 == 1).count();
-        for corner in 0..1usize << degree {
-            let corner = if degree == 2 { AROUND[corner] } else { corner };
+        let in_order = |corner: usize| if degree == 2 { AROUND[corner] } else { corner };
+        for corner in (0..1usize << degree).map(in_order) {
             let mut shift = degree;
             found(place.iter().zip(&self.lengths).fold(0, |at, (&x, &(places, count))| {
                 shift -= (x % 2) as usize;
