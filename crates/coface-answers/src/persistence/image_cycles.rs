@@ -175,12 +175,13 @@ impl Corners {
         place.extend(axes.map(|(step, (length, _))| cube / step % length));
     }
 
-    /// The corners of the cube at this place along each axis, in the order of [`CubicalVolume::cell_vertices`], by their numbers among all places of vertices.
+    /// The corners of the cube at this place along each axis, in the order of [`Producer::cell_vertices`], by their numbers among all places of vertices.
     fn of_place(&self, place: &[u64], mut found: impl FnMut(u64)) {
+        /// The corners around a square, a bit for the end behind along each of its axes.
+        const AROUND: [usize; 4] = [0, 2, 3, 1];
         let degree = place.iter().filter(|&&x| x % 2 == 1).count();
-        for corner in 0..1usize << degree {
-            // Around a square the corners run 00, 01, 11, 10.
-            let corner = if degree == 2 { corner ^ corner >> 1 } else { corner };
+        let in_order = |corner: usize| if degree == 2 { AROUND[corner] } else { corner };
+        for corner in (0..1usize << degree).map(in_order) {
             let mut shift = degree;
             found(place.iter().zip(&self.lengths).fold(0, |at, (&x, &(places, count))| {
                 shift -= (x % 2) as usize;
