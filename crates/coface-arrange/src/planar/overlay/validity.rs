@@ -119,11 +119,10 @@ fn is_simple_by_pairs(rings: &Rings) -> Option<bool> {
         };
         !beside(a, b, c, d) && !beside(c, d, a, b)
     };
-    for i in 0..count {
-        let [low, high] = boxes[i];
+    for (i, &[low, high]) in boxes.iter().enumerate() {
         // The last side is a neighbor of the first.
-        for j in i + 2..count - usize::from(i == 0) {
-            let [from, to] = boxes[j];
+        let end = count - usize::from(i == 0);
+        for (j, &[from, to]) in (i + 2..).zip(&boxes[(i + 2).min(end)..end]) {
             let is_apart = (high[0] < from[0]) | (to[0] < low[0]) | (high[1] < from[1]) | (to[1] < low[1]);
             if !is_apart && meet(i, j) {
                 return Some(false);
