@@ -159,21 +159,23 @@ mod tests {
 
     #[test]
     fn what_is_far_apart_is_clear() {
+        // The shift is also the angle, in units of 1e-7, by which a star is turned.
         let star = |shift: u32| {
             let corner = |i: u32| {
-                let (sine, cosine) = (f64::from(i) * 0.2).sin_cos();
-                let radius = if i.is_multiple_of(2) { 90_000.0 } else { 40_000.0 };
-                [cosine, sine].map(|x| 100_000 + shift + (radius * x) as u32)
+                let (sine, cosine) = (f64::from(i) * 0.2 + f64::from(shift) * 1e-7).sin_cos();
+                let radius = if i.is_multiple_of(2) { 9e7 } else { 4e7 };
+                [cosine, sine].map(|x| (1e8 + f64::from(shift) + radius * x) as u32)
             };
             (0..31).map(corner).collect::<Vec<_>>()
         };
-        let found = overlay(&[star(0), star(7_000), star(19_000)]);
-        assert!(found.crossings.len() > 20 && found.rounds_clearly());
+        let shifts = [0, 7_000_000, 19_000_000];
+        let found = overlay(&shifts.map(star));
+        assert!(found.crossings.len() > 20 && found.rounds_clearly(), "{}", found.crossings.len());
         assert!(!found.select(|windings| !windings.is_empty()).unwrap().is_exactly_rounded());
         check(&found);
-        // The same in units that are thousand times as large.
-        let small = |shift: u32| star(shift).into_iter().map(|point| point.map(|x| x / 1000)).collect();
-        assert!(!overlay(&[small(0), small(7_000), small(19_000)]).rounds_clearly());
+        // The same in units that are a million times as large.
+        let small = |shift: u32| star(shift).into_iter().map(|point| point.map(|x| x / 1_000_000)).collect();
+        assert!(!overlay(&shifts.map(small)).rounds_clearly());
     }
 
     proptest! {
