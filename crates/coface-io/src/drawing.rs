@@ -6,8 +6,8 @@
 //! names that have lines or rings, one after the other, and is -1 for what has a name.
 
 use super::arcs;
+use super::equal_corners::weld;
 use super::feature_table::{FeatureTable, FeatureTexts, NO_FEATURE};
-use super::lists::number_by_firsts;
 use super::numbers::Numbers;
 use super::space_faces::SpaceFaces;
 use super::{CellData, Format, Model};
@@ -15,7 +15,6 @@ use super::{Group, GroupKind};
 use crate::{ReferenceSystem, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind, RaggedArray, VertexId};
 use coface_geometry::Positions;
-use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -524,8 +523,10 @@ impl Drawing {
         }
         let (vertices, firsts) = weld(&self.corners, &owners);
         let dimension = if self.heights { 3 } else { 2 };
-        let coordinates: Vec<f64> =
-            firsts.iter().flat_map(|&corner| self.corners[corner as usize][..dimension].to_vec()).collect();
+        let mut coordinates = Vec::with_capacity(dimension * firsts.len());
+        for &corner in &firsts {
+            coordinates.extend_from_slice(&self.corners[corner as usize][..dimension]);
+        }
         let points: Vec<u32> = vertices[line_corners..face_corners].to_vec();
         let place = |vertex: u32| self.corners[firsts[vertex as usize] as usize];
         let (elements, surfaces) = faces.elements(&vertices[face_corners..], place, &mut self.remarks);
@@ -602,23 +603,6 @@ fn groups_of(
         group.members.dedup();
     }
     groups
-}
-
-/// The vertex of each corner, and the first corner of each vertex: corners with one owner and equal coordinates are one.
-fn weld(corners: &[[f64; 3]], owners: &[u32]) -> (Vec<u32>, Vec<u32>) {
-    // Zeros of both signs are equal.
-    let key =
-        |i: u32| (owners[i as usize], corners[i as usize].map(|x| if x == 0.0 { 0 } else { x.to_bits() }));
-    let mut order: Vec<u32> = (0..corners.len() as u32).collect();
-    order.par_sort_unstable_by_key(|&i| (key(i), i));
-    let mut vertices = vec![0; corners.len()];
-    for equal in order.chunk_by(|&a, &b| key(a) == key(b)) {
-        for &corner in equal {
-            vertices[corner as usize] = equal[0];
-        }
-    }
-    let firsts = number_by_firsts(&mut vertices);
-    (vertices, firsts)
 }
 
 impl Model {
@@ -815,7 +799,6 @@ pub(super) fn closed(polygon: &[u32]) -> impl Iterator<Item = u32> + Clone {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use proptest::prelude::*;
 
     fn place(x: f64, y: f64) -> Place {
         Place { x, y, z: None }
@@ -931,21 +914,5 @@ mod tests {
             "the last ring begins at (0, 0) but ends at (1, 0), and is closed"
         );
         assert_eq!(model.remarks[2].message, "7 positions without a height are at height 0");
-    }
-
-    proptest! {
-        #[test]
-        fn welding_agrees_with_comparing_all_pairs(corners in proptest::collection::vec((0..3u32, [-1..2i8, -1..2, 0..1]), 0..40)) {
-            let owners: Vec<u32> = corners.iter().map(|&(owner, _)| owner).collect();
-            let points: Vec<[f64; 3]> = corners.iter().map(|&(_, point)| point.map(f64::from)).collect();
-            let (vertices, firsts) = weld(&points, &owners);
-            let mut seen: Vec<usize> = Vec::new();
-            for i in 0..points.len() {
-                let equal = seen.iter().position(|&j| owners[j] == owners[i] && points[j] == points[i]);
-                let vertex = equal.unwrap_or_else(|| { seen.push(i); seen.len() - 1 });
-                prop_assert_eq!(vertices[i] as usize, vertex);
-            }
-            prop_assert!(firsts.iter().map(|&first| first as usize).eq(seen));
-        }
     }
 }

@@ -34,6 +34,7 @@ mod detection;
 mod drawing;
 mod element_kind;
 mod entries;
+mod equal_corners;
 mod feature_table;
 mod features;
 mod files;

@@ -19,6 +19,9 @@ pub(super) struct Canonical<'a> {
     polygon_numbers: Vec<u32>,
 }
 
+/// Runs that are so long in the mean are found and merged.
+const LONG_RUN: usize = 512;
+
 /// What vertices are sorted by.
 struct Place {
     rounded: [f64; 2],
@@ -63,27 +66,35 @@ impl<'a> Canonical<'a> {
         &self,
         sources_of_side: impl Fn(usize) -> I,
     ) -> (Vec<[u32; 2]>, RaggedArray) {
-        let mut keys: Vec<([u32; 2], u32)> = Vec::with_capacity(self.found.rings().item_count());
+        let mut pairs: Vec<[u32; 2]> = Vec::with_capacity(self.found.rings().item_count());
         for ring in self.found.rings().iter() {
             for (i, &from) in ring.iter().enumerate() {
                 let to = ring[if i + 1 == ring.len() { 0 } else { i + 1 }];
                 let [a, b] = [from, to].map(|vertex| self.number_of[vertex as usize]);
-                keys.push(([a.min(b), a.max(b)], keys.len() as u32));
+                pairs.push([a.min(b), a.max(b)]);
             }
         }
-        keys.par_sort_unstable();
-        let (mut edges, mut sources) = (Vec::with_capacity(keys.len()), RaggedArray::new());
+        // Few sides of rings have the same lower vertex.
+        let mut by_lower = RaggedArray::grouped(self.number_of.len(), pairs.iter().map(|pair| pair[0]));
+        by_lower.change_lists(|sides, _: &mut ()| {
+            if sides.len() > 1 {
+                sides.sort_unstable_by_key(|&side| (pairs[side as usize][1], side));
+            }
+        });
+        let (mut edges, mut sources) = (Vec::with_capacity(pairs.len()), RaggedArray::new());
         let mut list = Vec::new();
-        for same in keys.chunk_by(|a, b| a.0 == b.0) {
-            edges.push(same[0].0);
+        for same in by_lower.items().chunk_by(|&a, &b| pairs[a as usize] == pairs[b as usize]) {
+            edges.push(pairs[same[0] as usize]);
             list.clear();
             list.extend(
                 same.iter()
-                    .flat_map(|&(_, edge)| self.found.sides_of_edge(EdgeId::from_u32(edge)))
+                    .flat_map(|&side| self.found.sides_of_edge(EdgeId::from_u32(side)))
                     .flat_map(&sources_of_side),
             );
-            list.sort_unstable();
-            list.dedup();
+            if list.len() > 1 {
+                list.sort_unstable();
+                list.dedup();
+            }
             sources.push(&list);
         }
         (edges, sources)
@@ -113,11 +124,11 @@ fn order(found: &PlanarPolygons<'_>) -> Vec<u32> {
         .map(|(vertex, rounded)| Place {
             // Zeros of both signs are equal.
             rounded: rounded.map(|x| x + 0.0),
-            is_exact: found.point(VertexId::new(vertex)).is_exactly_rounded(),
+            is_exact: found.is_exactly_rounded_at(VertexId::new(vertex)),
             vertex: vertex as u32,
         })
         .collect();
-    places.par_sort_unstable_by(|a, b| {
+    let compare = |a: &Place, b: &Place| {
         let by_axis = |axis: usize| a.rounded[axis].total_cmp(&b.rounded[axis]);
         by_axis(0).then_with(|| {
             if a.is_exact && b.is_exact {
@@ -127,7 +138,15 @@ fn order(found: &PlanarPolygons<'_>) -> Vec<u32> {
                 p.compare(&q)
             }
         })
-    });
+    };
+    // Long curves rise and fall in long runs.
+    let rises = |pair: &[Place]| pair[0].rounded[0] < pair[1].rounded[0];
+    let turns = places.windows(3).filter(|three| rises(&three[..2]) != rises(&three[1..])).count();
+    if turns < places.len() / LONG_RUN {
+        places.sort_by(compare);
+    } else {
+        places.par_sort_unstable_by(compare);
+    }
     places.into_iter().map(|place| place.vertex).collect()
 }
 

@@ -343,12 +343,18 @@ impl PlanarDrawing {
         self.remarks.extend(remarks_of_file(name, model));
         self.point_count += model.points().len();
         self.vertex_starts.push(first + model.vertex_count() as u32);
-        for point in model.positions().as_flat().chunks_exact(model.positions().dimension().max(1)) {
-            flat.extend_from_slice(&point[..2]);
+        let dimension = model.positions().dimension();
+        let points = || model.positions().as_flat().chunks_exact(dimension.max(1));
+        if dimension == 2 {
+            flat.extend_from_slice(model.positions().as_flat());
+        } else {
+            points().for_each(|point| flat.extend_from_slice(&point[..2]));
         }
-        let has_heights = model.is_map_with_heights();
-        let heights = model.positions().as_flat().chunks_exact(model.positions().dimension().max(1));
-        self.heights.extend(heights.map(|point| if has_heights { point[2] } else { f64::NAN }));
+        if model.is_map_with_heights() {
+            self.heights.extend(points().map(|point| point[2]));
+        } else {
+            self.heights.resize(flat.len() / 2, f64::NAN);
+        }
         let mut regions =
             Regions { source, number, name, of_group: BTreeMap::new(), last_feature: None, feature_count: 0 };
         let features = Features::new(model);

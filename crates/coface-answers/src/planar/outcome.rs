@@ -66,15 +66,16 @@ impl Outcome {
         let regions_of_polygon = canonical.regions(regions);
         let features_of_polygon = canonical.regions(features);
         let flat = found.positions().as_flat().as_chunks::<2>().0;
-        let flat = canonical.order.iter().flat_map(|&vertex| flat[vertex as usize]).collect();
-        let positions = Positions::from_flat(2, flat)?;
+        let places: Vec<[f64; 2]> = canonical.order.iter().map(|&vertex| flat[vertex as usize]).collect();
+        let positions = Positions::from_flat(2, places.into_flattened())?;
         let is_exact = found.is_exactly_rounded();
         let outline = canonical.outline;
         // Polygons of an overlay are valid where they are exactly.
+        let is_clear = is_exact || overlay.rounds_clearly();
         let is_valid =
-            is_exact || are_valid_polygons(&positions, &outline.rings, &outline.polygons, has_walls)?;
+            is_clear || are_valid_polygons(&positions, &outline.rings, &outline.polygons, has_walls)?;
         let is_turned =
-            !is_exact && turned_rings(&positions, &outline.rings, &outline.polygons).contains(&true);
+            !is_clear && turned_rings(&positions, &outline.rings, &outline.polygons).contains(&true);
         Ok(Self {
             outline,
             positions,

@@ -53,10 +53,15 @@ impl<'a> Walks<'a> {
             let mut own = Vec::new();
             for halfsegment in halfsegments {
                 match &snapped {
-                    Some(snapped) => snapped.corners_along(drawing, halfsegment, &mut own),
-                    None => own.push(drawing.segments[halfsegment as usize / 2][halfsegment as usize % 2]),
+                    Some(snapped) => {
+                        snapped.corners_along(drawing, halfsegment, &mut own);
+                        segments.resize(corners.item_count() + own.len(), halfsegment / 2);
+                    }
+                    None => {
+                        own.push(drawing.segments[halfsegment as usize / 2][halfsegment as usize % 2]);
+                        segments.push(halfsegment / 2);
+                    }
                 }
-                segments.resize(corners.item_count() + own.len(), halfsegment / 2);
             }
             corners.push(&own);
             rings.push(ring);

@@ -72,6 +72,23 @@ pub(super) struct Meetings {
     pub(super) equal_points: Vec<[u32; 2]>,
     /// Segments on one line with a common point: those that may run along each other.
     pub(super) collinear: Vec<[u32; 2]>,
+    /// Segments that have no common point, and of which none lies on one side of the other by many units of the last place.
+    pub(super) close: Vec<[u32; 2]>,
+}
+
+/// Units of the last place, of the largest coordinate of the line and the point, that a point off a line is more than away
+/// from it.
+const CLEAR_UNITS: f64 = 16.0;
+
+/// Whether a point lies off a line through two points by more than rounding does to points on it; `false` says nothing.
+pub(super) fn is_clear_of([a, b]: PlanarLine, c: [f64; 2]) -> bool {
+    let [left, right] = [(a[0] - c[0]) * (b[1] - c[1]), (a[1] - c[1]) * (b[0] - c[0])];
+    let largest = [a, b, c].as_flattened().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let reach = (b[0] - a[0]).abs() + (b[1] - a[1]).abs();
+    let moved = CLEAR_UNITS * f64::EPSILON * largest * reach;
+    let lost = 2.0 * f64::EPSILON * (left.abs() + right.abs());
+    // Also false for what is no number.
+    (left - right).abs() > moved + lost + 2.0 * f64::MIN_POSITIVE
 }
 
 impl Meetings {
@@ -103,11 +120,13 @@ impl Meetings {
             all.touches.reserve(more(|part| part.touches.len()));
             all.equal_points.reserve(more(|part| part.equal_points.len()));
             all.collinear.reserve(more(|part| part.collinear.len()));
+            all.close.reserve(more(|part| part.close.len()));
             for part in found {
                 all.crossings.extend(part.crossings);
                 all.touches.extend(part.touches);
                 all.equal_points.extend(part.equal_points);
                 all.collinear.extend(part.collinear);
+                all.close.extend(part.close);
             }
             if let Some(most) = options.max_cells
                 && all.crossings.len() > most / 4
@@ -142,10 +161,14 @@ impl Meetings {
         }
         let of_t = [orientation(a, b, c), orientation(a, b, d)];
         if of_t[0] == of_t[1] && of_t[0].is_ne() {
+            if !(is_clear_of([a, b], c) && is_clear_of([a, b], d)) {
+                self.note_apart([s, t], [[c, d], [a, b]]);
+            }
             return;
         }
         let of_s = [orientation(c, d, a), orientation(c, d, b)];
         if of_s[0] == of_s[1] && of_s[0].is_ne() {
+            self.note_apart([s, t], [[c, d], [a, b]]);
             return;
         }
         if of_s.iter().chain(&of_t).all(|side| side.is_ne()) {
@@ -188,6 +211,14 @@ impl Meetings {
         if self.touches.len() > touch_count || self.equal_points.len() > equal_count {
             let shared = ends_s.into_iter().filter(|end| ends_t.contains(end));
             self.equal_points.extend(shared.map(|end| [end, end]));
+        }
+    }
+
+    /// Two segments have no common point; unless the second lies on one side of the first by many units they are close.
+    fn note_apart(&mut self, pair: [u32; 2], [line, [p, q]]: [PlanarLine; 2]) {
+        let is_beside = orientation(line[0], line[1], p) == orientation(line[0], line[1], q);
+        if !(is_beside && is_clear_of(line, p) && is_clear_of(line, q)) {
+            self.close.push(pair);
         }
     }
 }

@@ -308,7 +308,15 @@ impl<R: Read> Reader<'_, R> {
     fn positions(&mut self, kind: Kind) -> Result<(), Error> {
         let count = self.number()?;
         let mut middle = None;
-        for i in 0..count {
+        let mut i = 0;
+        while i < count {
+            // The positions behind the first, many at a time.
+            if i > 0 && kind.number != ARCS {
+                i += self.corners_at_hand(kind, count - i)?;
+                if i == count {
+                    break;
+                }
+            }
             let Some(place) = self.place(kind)? else {
                 return Err(self.fault("a coordinate is not a finite number"));
             };
@@ -321,6 +329,7 @@ impl<R: Read> Reader<'_, R> {
             } else {
                 middle = Some(place);
             }
+            i += 1;
         }
         if middle.is_some() {
             let message =
@@ -328,6 +337,36 @@ impl<R: Read> Reader<'_, R> {
             return Err(self.fault(message));
         }
         Ok(())
+    }
+
+    /// Adds the positions in bytes that have been read from the stream, at most so many and up to one that is not finite,
+    /// and gives their number.
+    fn corners_at_hand(&mut self, kind: Kind, most: u32) -> Result<u32, Error> {
+        let Site::Byte(byte) = &mut self.place else { return Ok(0) };
+        let width = 8 * (2 + usize::from(kind.has_z) + usize::from(kind.has_m));
+        let given = self.scanner.available(width)?;
+        let is_big = self.is_big;
+        let coordinate = |bytes: &[u8; 8]| {
+            let bits = if is_big { u64::from_be_bytes(*bytes) } else { u64::from_le_bytes(*bytes) };
+            f64::from_bits(bits)
+        };
+        let mut count = 0;
+        for position in given.chunks_exact(width).take(most as usize) {
+            let numbers = position.as_chunks::<8>().0;
+            let [x, y] = [&numbers[0], &numbers[1]].map(coordinate);
+            let z = if kind.has_z { Some(coordinate(&numbers[2])) } else { None };
+            if ![x, y, z.unwrap_or(0.0)].iter().all(|number| number.is_finite()) {
+                break;
+            }
+            self.drawing.corner(Place { x, y, z });
+            if kind.has_m {
+                self.drawing.note_surplus();
+            }
+            count += 1;
+        }
+        self.scanner.consume(width * count as usize);
+        *byte += (width * count as usize) as u64;
+        Ok(count)
     }
 
     /// Ends a line or a ring.

@@ -11,6 +11,7 @@
 //!   [`PlanarArrangement`](super::PlanarArrangement).
 
 mod chains;
+mod clear_rounding;
 mod edges;
 mod jordan_rings;
 mod nodes;

@@ -345,7 +345,17 @@ impl PlanarPolygons<'_> {
     /// # Ok(()) }
     /// ```
     pub fn is_exactly_rounded(&self) -> bool {
-        (0..self.events.len()).into_par_iter().all(|v| self.point(VertexId::new(v)).is_exactly_rounded())
+        (0..self.events.len())
+            .into_par_iter()
+            .with_min_len(1 << 12)
+            .all(|v| self.is_exactly_rounded_at(VertexId::new(v)))
+    }
+
+    /// Whether the rounded position of a vertex is exact.
+    #[doc(hidden)]
+    pub fn is_exactly_rounded_at(&self, vertex: VertexId) -> bool {
+        let is_corner = (self.events[vertex.index()] as usize) < self.overlay.rings.points.len();
+        is_corner || self.point(vertex).is_exactly_rounded()
     }
 
     /// The areas of the polygons, without their holes, in the square of the unit of the input, with relative errors

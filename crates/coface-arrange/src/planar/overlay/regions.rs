@@ -8,6 +8,7 @@ use super::super::tour::{Step, tour};
 use super::super::windings::Windings;
 use super::super::{PlanarOptions, VertexSource};
 use super::chains::{Chain, Chains, Rings};
+use super::clear_rounding::rounds_clearly;
 use super::ring_cells::{ChainEdges, RingCells};
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind};
@@ -55,6 +56,7 @@ pub struct PlanarOverlay {
     pub(super) lowest_corners: Vec<u32>,
     /// Whether each side is there to close a ring only; nothing if none is.
     chords: Vec<bool>,
+    rounds_clearly: bool,
 }
 
 impl std::fmt::Debug for PlanarOverlay {
@@ -172,6 +174,7 @@ impl PlanarOverlay {
                 .with_cure("lay the regions over each other in parts"));
         }
         let chains = Chains::new(&rings, &meetings);
+        let rounds_clearly = rounds_clearly(&rings, &chains, &meetings.crossings, &meetings.close);
         let edges = ChainEdges::new(&rings, &chains, &meetings.collinear);
         let crossings = meetings.crossings;
         let parts = Parts { rings: &rings, crossings: &crossings, chains: &chains, edges: &edges };
@@ -202,7 +205,17 @@ impl PlanarOverlay {
         let regions: Vec<u32> = rings.numbers.iter().map(|&ring| regions[ring as usize]).collect();
         let region_count = regions.iter().max().map_or(0, |&last| last as usize + 1);
         let cells = RingCells { edges, orbits, faces, windings: Windings::default() };
-        let found = Self { rings, region_count, crossings, chains, cells, regions, lowest_corners, chords };
+        let found = Self {
+            rings,
+            region_count,
+            crossings,
+            chains,
+            cells,
+            regions,
+            lowest_corners,
+            chords,
+            rounds_clearly,
+        };
         if options.max_cells.is_some() {
             options.check(found.f_vector().iter().sum(), "in all")?;
         }
@@ -290,6 +303,13 @@ impl PlanarOverlay {
     /// ```
     pub fn meeting_count(&self) -> usize {
         self.chains.meeting_count
+    }
+
+    /// Whether it is clear that polygons of any selection stay valid, with rings that run as they do, when their vertices are
+    /// rounded; `false` says nothing.
+    #[doc(hidden)]
+    pub fn rounds_clearly(&self) -> bool {
+        self.rounds_clearly
     }
 
     /// Goes through all faces.

@@ -20,7 +20,6 @@ use coface_geometry::predicates::{PlanarLine, PlanarPoint, direction_turn, orien
 use rayon::prelude::*;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
-use std::collections::btree_map::Entry;
 
 /// Boxes with so few sides are not cut any more.
 const FEW_SIDES: usize = 6;
@@ -399,20 +398,21 @@ impl UndecidedRings {
 /// What a condition said before.
 struct Decisions<D> {
     condition: D,
-    /// By the box and the winding numbers of the rings that come into it.
-    known: BTreeMap<(*const Branch, Numbers), bool>,
+    /// By the box: winding numbers of the rings that come into it, and what the condition said.
+    known: BTreeMap<*const Branch, BTreeMap<Numbers, bool>>,
 }
 
 impl<D: FnMut(&[(u32, i32)], &[u32]) -> Option<bool>> Decisions<D> {
     /// Whether the condition holds at a place in a box with these winding numbers of the rings that come into it.
     fn at(&mut self, leaf: &Leaf<'_>, windings: &Numbers) -> Option<bool> {
         let branch: *const Branch = *leaf.path.last()?;
-        match self.known.entry((branch, windings.clone())) {
-            Entry::Occupied(found) => Some(*found.get()),
-            Entry::Vacant(place) => {
-                Some(*place.insert((self.condition)(&leaf.with_known(windings.clone()), &[])?))
-            }
+        let known = self.known.entry(branch).or_default();
+        if let Some(&holds) = known.get(windings) {
+            return Some(holds);
         }
+        let holds = (self.condition)(&leaf.with_known(windings.clone()), &[])?;
+        known.insert(windings.clone(), holds);
+        Some(holds)
     }
 }
 
@@ -558,11 +558,16 @@ impl<D: FnMut(&[(u32, i32)], &[u32]) -> Option<bool>, C: Fn() -> D + Sync> Searc
         let mut inside = Vec::new();
         let to = bounds[0];
         let turn = [to[0], from[1]];
+        // Sides of one ring mostly follow each other.
+        let (mut own, mut own_number) = (0, windings.first().map(|&(number, _)| number));
         for &side in sides {
             let (line, number) = (self.sides.lines[side as usize], self.sides.numbers[side as usize]);
+            if own_number != Some(number) {
+                (own, own_number) = (place(&windings, number), Some(number));
+            }
             if may_meet(line, bounds) {
                 inside.push(side);
-                comes_in[place(&windings, number)] = true;
+                comes_in[own] = true;
             }
             // Along the lower side of the box around, then up.
             let mut by = 0;
@@ -572,7 +577,7 @@ impl<D: FnMut(&[(u32, i32)], &[u32]) -> Option<bool>, C: Fn() -> D + Sync> Searc
             if to[1] != from[1] && spans(line, 0, to[0]) {
                 by += i32::from(is_left(line, to)) - i32::from(is_left(line, turn));
             }
-            add(&mut windings, number, by);
+            windings[own].1 += by;
         }
         let mut known = Vec::new();
         let mut is_inside = comes_in.into_iter();

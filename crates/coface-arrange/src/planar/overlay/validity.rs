@@ -7,7 +7,7 @@ use crate::planar::crossings::Meetings;
 use crate::planar::tour::Step;
 use coface_algebra::{Error, RaggedArray, UnionFind};
 use coface_geometry::Positions;
-use coface_geometry::predicates::orientation;
+use coface_geometry::predicates::{PlanarLine, orientation};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
@@ -75,6 +75,15 @@ pub fn is_simple_ring(positions: &Positions, ring: &[u32]) -> bool {
     let mut one = RaggedArray::new();
     one.push(ring);
     let rings = Rings::new(positions, &one);
+    if rings.points.len() <= FEW_SIDES
+        && let Some(is_simple) = is_simple_by_pairs(&rings)
+    {
+        return is_simple;
+    }
+    is_simple_by_tree(&rings)
+}
+
+fn is_simple_by_tree(rings: &Rings) -> bool {
     let Ok(meetings) = Meetings::of(&rings.soup, &rings.soup.tree(), &PlanarOptions::default()) else {
         return false;
     };
@@ -83,6 +92,44 @@ pub fn is_simple_ring(positions: &Positions, ring: &[u32]) -> bool {
         && meetings.touches.is_empty()
         && meetings.equal_points.is_empty()
         && meetings.collinear.is_empty()
+}
+
+/// Sides of so few are compared all with each other.
+const FEW_SIDES: usize = 96;
+
+/// Whether sides of one ring have no common points but those of neighbors; `None` where a ring goes straight on.
+fn is_simple_by_pairs(rings: &Rings) -> Option<bool> {
+    let count = rings.points.len();
+    let lines: Vec<PlanarLine> = (0..count as u32).map(|side| rings.soup.line(side)).collect();
+    let goes_straight = |i: usize| {
+        let [a, b] = lines[i];
+        orientation(a, b, lines[(i + 1) % count][1]).is_eq()
+    };
+    if count < 3 || (0..count).any(goes_straight) {
+        return None;
+    }
+    let boxes: Vec<[[f64; 2]; 2]> = (lines.iter())
+        .map(|[p, q]| [[0, 1].map(|axis| p[axis].min(q[axis])), [0, 1].map(|axis| p[axis].max(q[axis]))])
+        .collect();
+    let meet = |i: usize, j: usize| {
+        let ([a, b], [c, d]) = (lines[i], lines[j]);
+        let beside = |a, b, c, d| {
+            let side = orientation(a, b, c);
+            side.is_ne() && side == orientation(a, b, d)
+        };
+        !beside(a, b, c, d) && !beside(c, d, a, b)
+    };
+    for (i, &[low, high]) in boxes.iter().enumerate() {
+        // The last side is a neighbor of the first.
+        let end = count - usize::from(i == 0);
+        for (j, &[from, to]) in (i + 2..).zip(&boxes[(i + 2).min(end)..end]) {
+            let is_apart = (high[0] < from[0]) | (to[0] < low[0]) | (high[1] < from[1]) | (to[1] < low[1]);
+            if !is_apart && meet(i, j) {
+                return Some(false);
+            }
+        }
+    }
+    Some(true)
 }
 
 /// For each ring whether it runs the other way than outer rings, which run counterclockwise, or holes, which run clockwise.
@@ -184,5 +231,34 @@ impl PlanarOverlay {
         }
         let mut parts = UnionFind::new(ring_count as usize + number_of.len());
         joins.into_iter().all(|[ring, place]| parts.unite(ring, place))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn pairs_and_trees_find_the_same_rings_simple(
+            corners in prop::collection::vec([0i8..7, 0i8..7], 3..24),
+            turn in 0..2usize,
+        ) {
+            // Also stars, most of which are simple.
+            let star = |(i, &[x, _]): (usize, &[i8; 2])| {
+                let (sine, cosine) = (std::f64::consts::TAU * i as f64 / corners.len() as f64).sin_cos();
+                [cosine, sine].map(|part| (1.0 + f64::from(x)) * part)
+            };
+            let flat: Vec<f64> = match turn {
+                0 => corners.as_flattened().iter().map(|&x| f64::from(x)).collect(),
+                _ => corners.iter().enumerate().flat_map(star).collect(),
+            };
+            let all: Vec<u32> = (0..corners.len() as u32).collect();
+            let rings = Rings::new(&Positions::from_flat(2, flat).unwrap(), &RaggedArray::from_lists([all]));
+            if let Some(is_simple) = is_simple_by_pairs(&rings) {
+                prop_assert_eq!(is_simple, is_simple_by_tree(&rings));
+            }
+        }
     }
 }
