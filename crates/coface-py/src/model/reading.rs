@@ -7,7 +7,7 @@ use crate::work::run;
 use coface::io;
 use coface::io::{Format, ReadOptions};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyString};
+use pyo3::types::PyString;
 use std::path::{Path, PathBuf};
 
 /// How a file is read: its format, the distance of chords from curves, whether assumptions are errors and whether a damaged file is read
@@ -37,10 +37,6 @@ pub(super) fn from_bytes(
     options: ReadOptions,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Model> {
-    if let Ok(bytes) = data.cast::<PyBytes>() {
-        let bytes = bytes.as_bytes();
-        return warned(py, run(py, progress, || io::read_with(bytes, &options))?);
-    }
     let bytes = match data.cast::<PyString>() {
         Ok(text) => text.to_str()?.as_bytes().to_vec(),
         Err(_) => data.extract::<Vec<u8>>()?,
