@@ -129,7 +129,7 @@ impl<'a, F: Field> Sum<'a, F> {
     }
 
     /// Takes the terms of ranks above a limit out. Cells that are matched with a cell above are replaced by the rest of the boundary of that, which is told
-    /// with the factor; those that are left are told as the second list. A cell above may be told several times.
+    /// with the factor; those that are left are told as the second list, as are the terms of other ranks. A cell above may be told several times.
     pub(super) fn grow(
         &mut self,
         limit: u32,
@@ -142,7 +142,9 @@ impl<'a, F: Field> Sum<'a, F> {
             self.replace_matched(rank, |code, factor| added(Cell::new(rank, code), factor));
             self.group.iter().for_each(|&(code, unit)| left(Cell::new(rank, code), unit));
         }
-        self.heap.clear();
+        let mut rest = Vec::new();
+        self.drain(&mut rest);
+        rest.into_iter().for_each(|(cell, unit)| left(cell, unit));
     }
 
     /// Adds boundaries to the group, until no cell of it is matched with a cell above. Those cells are told with their factors.

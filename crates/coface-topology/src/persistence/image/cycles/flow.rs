@@ -278,7 +278,7 @@ impl<'a, F: Field> Rise<'a, F> {
     }
 
     /// Takes the terms of ranks below a limit out. Cells that are matched with a facet are removed by the coboundary of that, which is told with the factor;
-    /// those that are left are told as the second list. A facet may be told several times.
+    /// those that are left are told as the second list, as are the terms of other ranks. A facet may be told several times.
     fn grow(
         &mut self,
         limit: u32,
@@ -324,7 +324,9 @@ impl<'a, F: Field> Rise<'a, F> {
             }
             self.group.iter().for_each(|&(code, unit)| left(Cell::new(rank, code), unit));
         }
-        self.heap.clear();
+        let mut rest: Terms<F::Unit> = self.heap.drain().map(|Reverse(term)| term).collect();
+        add_up(field, &mut rest);
+        rest.into_iter().for_each(|(cell, unit)| left(cell, unit));
     }
 
     fn add_to_group(&mut self, code: Code, unit: F::Unit) {

@@ -342,8 +342,9 @@ impl<F: Field, N: Fn(F::Unit) -> i64> Growing<'_, F, N> {
                 let of_degree = morse.grid_degree(degree + 1);
                 let terms = of_grid(degree + 1, bounding.terms());
                 match is_dual {
-                    false => flow.chain(of_degree, terms, OUTSIDE, Some(&mut cycle)),
-                    true => flow.cochain(of_degree, terms, NO_END, Some(&mut cycle)),
+                    // What enters before the class may stay in the cycle.
+                    false => flow.chain(of_degree, terms, birth.rank() - 1, Some(&mut cycle)),
+                    true => flow.cochain(of_degree, terms, birth.rank() + 1, Some(&mut cycle)),
                 }
             }
             None => Vec::new(),
