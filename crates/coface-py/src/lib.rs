@@ -27,6 +27,7 @@ mod grids;
 mod homology;
 mod homology_facts;
 mod image_blocks;
+mod image_cycles;
 mod images;
 mod incidence;
 mod json;

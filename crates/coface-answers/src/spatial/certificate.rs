@@ -1,6 +1,6 @@
 //! Certificates of arrangements and Booleans in space. What is proved here is checked before it is given.
 
-use super::boolean::surface_alone;
+use super::solid_request::surface_alone;
 use super::{SceneArrangement, SolidBoolean};
 use crate::homology::certificate::{Input, Number, checked, number};
 use coface_algebra::{Error, ErrorKind, FaceId, Integer, RaggedArray, Sign, VertexId};

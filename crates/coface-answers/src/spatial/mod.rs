@@ -18,8 +18,9 @@ mod mouths;
 mod request;
 mod scene;
 mod scene_arrangement;
+mod solid_request;
 
-pub use boolean::{SolidBoolean, SolidRequest};
+pub use boolean::SolidBoolean;
 pub use coarse::remarks_of_single_precision;
 pub use congruent::CongruentScene;
 pub use congruent_boolean::CongruentBoolean;
@@ -28,3 +29,4 @@ pub use request::SpatialRequest;
 pub use scene::SpatialScene;
 pub(crate) use scene::closed_walks;
 pub use scene_arrangement::SceneArrangement;
+pub use solid_request::SolidRequest;

@@ -1,7 +1,6 @@
 //! A scene arranged: its cells, and what they are inside of.
 
 use super::arranged::Arranged;
-use super::boolean::surface_alone;
 use super::coarse::{endless, refuse_other_cells};
 use super::enclosed::turned_parts;
 use super::facts::{
@@ -9,6 +8,7 @@ use super::facts::{
     remarks_of_vanished,
 };
 use super::inputs::{Inputs, Membership};
+use super::solid_request::surface_alone;
 use super::{InputState, OpenInputs, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene};
 use crate::answer::{
     DegeneratePolygons, JoinedFeatures, Place, Remark, RemarkCode, SpatialArrangementAnswer, SpatialInput,

@@ -143,7 +143,8 @@ mod tests {
     }
 
     fn check(overlay: &PlanarOverlay) {
-        let conditions: [fn(&[(u32, i32)]) -> bool; 4] = [
+        type Condition = fn(&[(u32, i32)]) -> bool;
+        let conditions: [Condition; 4] = [
             |windings| !windings.is_empty(),
             |windings| windings.len() > 1,
             |windings| windings.iter().map(|&(_, winding)| winding).sum::<i32>() % 2 != 0,
