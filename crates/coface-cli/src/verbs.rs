@@ -46,7 +46,10 @@ impl Arguments {
                 Some(true) => Self::shaped().try_get_matches_from(with_info(&words)),
                 Some(false) => Err(no_such_file(&error)),
                 None => match with_input_first(&error, &words) {
-                    Some(words) => Self::shaped().try_get_matches_from(words),
+                    Some(words) => Self::shaped().try_get_matches_from(words).map_err(|again| {
+                        // The word was the value of the option after all.
+                        if again.kind() == ErrorKind::UnknownArgument { error } else { again }
+                    }),
                     None => Err(error),
                 },
             });

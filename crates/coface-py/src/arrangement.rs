@@ -495,16 +495,16 @@ fn combined(
     let result = SolidBoolean::of(&arrangement, &request)?;
     let rounded = if exact || result.is_valid()? { None } else { result.validly_rounded()? };
     let (answer, provenance, mesh) = match &rounded {
-        None => told(&result, exact)?,
-        Some(rounded) => told(&SolidBoolean::of(rounded, &request)?, exact)?,
+        None => answer_and_mesh(&result, exact)?,
+        Some(rounded) => answer_and_mesh(&SolidBoolean::of(rounded, &request)?, exact)?,
     };
     drop(result);
     let arrangement = rounded.unwrap_or(arrangement);
     Ok((answer, provenance, mesh, Combined::Exact(Box::new(arrangement)), request))
 }
 
-/// What is said of a combination, where everything comes from, and its surface.
-fn told(
+/// The answer about a combination, where everything comes from, and its surface.
+fn answer_and_mesh(
     result: &SolidBoolean<'_>,
     exact: bool,
 ) -> Result<(SolidBooleanAnswer, SolidBooleanProvenance, io::Model), Error> {

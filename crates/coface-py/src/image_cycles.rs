@@ -53,9 +53,9 @@ pub(crate) fn image_cycles(
         naming: Arc::new(Naming::of(names)),
         is_cochain,
     };
-    let told = proved.into_iter().map(|(cycle, bounding, cocycle)| {
+    let classes = proved.into_iter().map(|(cycle, bounding, cocycle)| {
         let bounding = bounding.map(|bounding| chain(degree + 1, bounding, counts[1], false));
         (chain(degree, cycle, counts[0], false), bounding, chain(degree, cocycle, counts[0], true))
     });
-    Ok(told.collect())
+    Ok(classes.collect())
 }

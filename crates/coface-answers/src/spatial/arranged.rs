@@ -82,8 +82,8 @@ impl Arranged {
             SpatialOptions::new().merge_coplanar(request.merge_coplanar).max_cells(request.max_cells);
         let face = |&(face, sign): &(CellId, Sign)| (FaceId::from_u32(face.to_u32()), sign);
         let surface: Vec<(FaceId, Sign)> = surface.iter().map(face).collect();
-        let (arranged, chains) =
-            Self::with_all_chains(scene, self.arrangement.snapped_surface(&surface, &options)?)?;
+        let arranged = Self::of(scene, self.arrangement.snapped_surface(&surface, &options)?)?;
+        let chains = arranged.arrangement.input_chains()?;
         let last = chains.column_count() - 1;
         let own = chains.column(last).iter().map(|(face, m)| (face, 0, i64::from(m)));
         let chain = SparseMatrix::from_entries(chains.row_count(), 1, own)?;
@@ -123,27 +123,18 @@ impl Arranged {
     }
 
     fn of(scene: &SpatialScene, arrangement: SpatialArrangement) -> Result<Self, Error> {
-        Ok(Self::with_all_chains(scene, arrangement)?.0)
-    }
-
-    /// With the chains of all inputs, those that are no models included.
-    fn with_all_chains(
-        scene: &SpatialScene,
-        arrangement: SpatialArrangement,
-    ) -> Result<(Self, SparseMatrix), Error> {
         let (complex, chains) = rayon::join(|| arrangement.coarse_complex(), || arrangement.input_chains());
         let (complex, chains) = (complex?, chains?);
-        // Walls are inputs of their own there, after the models.
+        // Walls, and the surface of a result, are inputs of their own there, after the models.
         let count = scene.names().len();
-        let inputs = if chains.column_count() == count {
-            chains.clone()
-        } else {
-            let columns = chains.columns().take(count).enumerate();
-            let entries = columns
-                .flat_map(|(input, column)| column.iter().map(move |(face, m)| (face, input, i64::from(m))));
-            SparseMatrix::from_entries(chains.row_count(), count, entries)?
-        };
-        Ok((Self { arrangement, complex, volumes: OnceLock::new(), inputs }, chains))
+        if chains.column_count() == count {
+            return Ok(Self { arrangement, complex, volumes: OnceLock::new(), inputs: chains });
+        }
+        let columns = chains.columns().take(count).enumerate();
+        let entries = columns
+            .flat_map(|(input, column)| column.iter().map(move |(face, m)| (face, input, i64::from(m))));
+        let inputs = SparseMatrix::from_entries(chains.row_count(), count, entries)?;
+        Ok(Self { arrangement, complex, volumes: OnceLock::new(), inputs })
     }
 
     pub(super) fn complex(&self) -> &ChainComplex {

@@ -453,15 +453,14 @@ impl<'a> SolidBoolean<'a> {
         if part_counts(&surface.selection, &regions) != self.part_counts() {
             return false;
         }
-        let Some(volume) = self.volume() else { return true };
-        let mut sum = Sum::default();
-        let cells: Vec<CellId> = surface.selection.cells().collect();
-        rounded.arranged.volumes_of(&cells).into_iter().for_each(|volume| sum.add(volume));
+        let Some((before, after)) = self.volume().zip(volume_of(rounded, &surface.selection)) else {
+            return true;
+        };
         let moved =
             rounded.arranged.joined().map_or(0.0, |joined| joined.largest_movement + joined.tolerance);
         let Ok(positions) = self.positions() else { return false };
         let Some(area) = polygon_area(&positions, self.surface.polygons()) else { return false };
-        (sum.value() - volume).abs() <= MOVED_VOLUME * area * moved
+        (after - before).abs() <= MOVED_VOLUME * area * moved
     }
 
     /// The number of vertices that were copied to split pinches.
@@ -499,13 +498,7 @@ impl<'a> SolidBoolean<'a> {
     /// # Ok(()) }
     /// ```
     pub fn volume(&self) -> Option<f64> {
-        if self.selection.has_exterior() {
-            return None;
-        }
-        let mut sum = Sum::default();
-        let cells: Vec<CellId> = self.selection.cells().collect();
-        self.arrangement.arranged.volumes_of(&cells).into_iter().for_each(|volume| sum.add(volume));
-        Some(sum.value())
+        volume_of(self.arrangement, &self.selection)
     }
 
     /// Where the vertices of the surface are.
@@ -764,6 +757,17 @@ pub(super) fn part_counts(selection: &CellSelection, regions: &[u32]) -> [usize;
         list.dedup();
         list.len()
     })
+}
+
+/// The volume of the selected cells, rounded; `None` if the exterior is among them.
+fn volume_of(arrangement: &SceneArrangement, selection: &CellSelection) -> Option<f64> {
+    if selection.has_exterior() {
+        return None;
+    }
+    let mut sum = Sum::default();
+    let cells: Vec<CellId> = selection.cells().collect();
+    arrangement.arranged.volumes_of(&cells).into_iter().for_each(|volume| sum.add(volume));
+    Some(sum.value())
 }
 
 /// The cells behind and in front of each face.

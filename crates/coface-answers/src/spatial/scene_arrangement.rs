@@ -63,12 +63,12 @@ pub struct SceneArrangement {
     pub(super) unrounded: Option<Box<Self>>,
     crossings: OnceLock<Crossings>,
     /// What it is of, where it is the surface of a result alone.
-    pub(super) surface: Option<Box<SurfaceOf>>,
+    pub(super) surface: Option<Box<ResultSurface>>,
 }
 
 /// A result whose surface alone is arranged.
 #[derive(Clone, Debug)]
-pub(super) struct SurfaceOf {
+pub(super) struct ResultSurface {
     pub(super) request: SolidRequest,
     /// The cells within the surface.
     pub(super) selection: CellSelection,
@@ -208,7 +208,7 @@ impl SceneArrangement {
         let (arranged, selection) =
             self.arranged.snapped_surface(&self.scene, &self.request, surface, exterior)?;
         let cell_count = result.selection.cells().count();
-        let surface = SurfaceOf { request: result.request.clone(), selection, cell_count };
+        let surface = ResultSurface { request: result.request.clone(), selection, cell_count };
         Ok(Self {
             scene: self.scene.clone(),
             inputs: self.inputs.clone(),

@@ -2,7 +2,7 @@
 //! formula gives.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
-use crate::turned_boxes::{self, cuboid, operation, through_file};
+use crate::turned_boxes::{self, TurnedBox, cuboid, operation, through_file};
 use coface_answers::answer::RemarkCode;
 use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, are_planar};
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
@@ -10,7 +10,7 @@ use coface_arrange::spatial::SpatialPolygons;
 use coface_io::{Format, Model};
 use proptest::prelude::*;
 
-const BOXES: [([f64; 3], [f64; 3], [f64; 2]); 4] = [
+const BOXES: [TurnedBox; 4] = [
     (
         [-0.25349435344943694, -0.23205870375570914, 0.38825700797558493],
         [0.7147316480821025, 0.4220276164972092, 0.32071784944054155],
@@ -133,10 +133,7 @@ proptest! {
 
     #[test]
     fn a_surface_alone_is_rounded_as_all_cells_are(
-        boxes in prop::collection::vec(
-            (prop::array::uniform3(-1.0..1.0), prop::array::uniform3(0.3..0.9), prop::array::uniform2(0.0..6.3)),
-            2..6,
-        ),
+        boxes in turned_boxes::boxes(2..6),
         formula in prop::sample::select(vec!["a | b", "a & b", "a - b", "a ^ b", "~(a | b)"]),
         triangles in any::<bool>(),
         splits in any::<bool>(),
@@ -161,10 +158,7 @@ proptest! {
 
     #[test]
     fn rounded_chains_are_one_formula(
-        boxes in prop::collection::vec(
-            (prop::array::uniform3(-1.0..1.0), prop::array::uniform3(0.3..0.9), prop::array::uniform2(0.0..6.3)),
-            3..7,
-        ),
+        boxes in turned_boxes::boxes(3..7),
         operations in prop::collection::vec(operation(), 6),
         are_of_one_turn in any::<bool>(),
     ) {

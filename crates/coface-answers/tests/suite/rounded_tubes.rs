@@ -2,7 +2,7 @@
 //! the coordinates of an STL file.
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
-use crate::turned_boxes::{arranged, cuboid, operation, through_file};
+use crate::turned_boxes::{arranged, boxes, cuboid, operation, through_file};
 use coface_algebra::RaggedArray;
 use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest};
 use coface_arrange::CoordinatePrecision;
@@ -103,10 +103,7 @@ proptest! {
     /// Each step of a chain through STL is valid with the 32 bits that the file holds.
     #[test]
     fn chains_through_stl_are_valid(
-        boxes in prop::collection::vec(
-            (prop::array::uniform3(-1.0..1.0), prop::array::uniform3(0.3..0.9), prop::array::uniform2(0.0..6.3)),
-            8..12,
-        ),
+        boxes in boxes(8..12),
         operations in prop::collection::vec(operation(), 11),
     ) {
         let models: Vec<Model> =

@@ -6,6 +6,7 @@ use coface_answers::{SceneArrangement, SpatialRequest};
 use coface_geometry::Positions;
 use coface_io::{self as io, Format, Model};
 use proptest::prelude::*;
+use std::ops::Range;
 
 const SQUARES: [[u32; 4]; 6] =
     [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
@@ -39,6 +40,15 @@ pub(crate) fn through_file(model: &Model, format: Format) -> Model {
     let mut bytes = Vec::new();
     io::write(model, &mut bytes, format).unwrap();
     io::read(&bytes[..], format).unwrap()
+}
+
+/// The middle of a box, halves of its sides, and its turns.
+pub(crate) type TurnedBox = ([f64; 3], [f64; 3], [f64; 2]);
+
+/// Boxes of which most overlap, so many.
+pub(crate) fn boxes(count: Range<usize>) -> impl Strategy<Value = Vec<TurnedBox>> {
+    let middle = prop::array::uniform3(-1.0..1.0);
+    prop::collection::vec((middle, prop::array::uniform3(0.3..0.9), prop::array::uniform2(0.0..6.3)), count)
 }
 
 /// Of the operations of a chain, unions are the most.

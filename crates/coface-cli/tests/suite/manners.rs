@@ -22,6 +22,11 @@ fn an_option_that_needs_no_value_leaves_the_input_alone() {
     // A file that is no input of the line stays a value.
     let missing = coface(&["homology", "--generators", "no-such-file.json"]);
     assert!(missing.fails_with(2).contains("<INPUT>"));
+    // A file that is there is the value still where something else is wrong.
+    let old = folder.path().join("old.json");
+    std::fs::write(&old, "[]").unwrap();
+    let wrong = coface(&["persistence", input, "--cycles", argument(&old), "--coefficients", "4"]);
+    assert!(wrong.fails_with(2).contains("no prime field of 4 elements"), "{}", wrong.stderr);
 }
 
 #[test]

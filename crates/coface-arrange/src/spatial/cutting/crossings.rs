@@ -3,6 +3,7 @@
 use super::cut_triangles::check_input;
 use super::meetings::{Meetings, Place};
 use super::sheets::{Sheets, box_around};
+use crate::near::NONE;
 use coface_algebra::Error;
 use coface_geometry::{BoxTree, Positions};
 use rayon::prelude::*;
@@ -45,9 +46,6 @@ struct Changed {
     numbers: Vec<u32>,
     is_changed: Vec<bool>,
 }
-
-/// No number.
-const NONE: u32 = u32::MAX;
 
 impl Changed {
     fn new(

@@ -232,10 +232,10 @@ fn sides(grid: &Grid) -> Vec<(usize, i8, Code)> {
     both.map(|(axis, side)| (axis, side, grid.codes.extended(0, axis, side))).collect()
 }
 
-/// Sorts terms and adds those of one cell up.
-pub(super) fn add_up<F: Field>(field: &F, terms: &mut Terms<F::Unit>) {
+/// Sorts terms, of cells or of their places, and adds those of one cell up.
+pub(super) fn add_up<F: Field, C: Copy + Ord>(field: &F, terms: &mut Vec<(C, F::Unit)>) {
     terms.sort_unstable();
-    let mut sums: Terms<F::Unit> = Vec::with_capacity(terms.len());
+    let mut sums: Vec<(C, F::Unit)> = Vec::with_capacity(terms.len());
     for &(cell, unit) in terms.iter() {
         match sums.last_mut() {
             Some(sum) if sum.0 == cell => match field.sum(sum.1, unit) {

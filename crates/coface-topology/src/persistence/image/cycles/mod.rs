@@ -21,7 +21,7 @@ use crate::persistence::{PersistencePair, PersistentCycle, persistent_cycles};
 use coface_algebra::progress::stage;
 use coface_algebra::{Binary, CellId, Error, Field, Integer, Odd, memory};
 use cubes::Cubes;
-use flow::{Flow, NO_END, Places, Terms};
+use flow::{Flow, NO_END, Terms, add_up};
 use morse::Morse;
 use rayon::prelude::*;
 use shortening::Shortening;
@@ -370,14 +370,17 @@ impl<F: Field, N: Fn(F::Unit) -> i64> Growing<'_, F, N> {
             let shortening =
                 Shortening { field: self.field, integer: self.integer, gradient: found.gradient, is_dual };
             let added = shortening.shorten(birth, self.last_rank(birth), &mut cycle);
-            add_places(self.field, &mut chain, flow.placed(added));
+            if !added.is_empty() {
+                chain.extend(flow.placed(added));
+                add_up(self.field, &mut chain);
+            }
         }
         if is_middle || death.is_some() {
             cycle_places = flow.placed(cycle);
         }
         let (key, pair) = found.pair(one.pair());
         let (birth_cube, is_turned) = self.cubes.cube(found.gradient.place(birth));
-        let told = ImageCycle {
+        let class = ImageCycle {
             pair,
             birth_cube,
             death_cube: death.map(|cell| self.cubes.cube(found.gradient.place(cell)).0),
@@ -385,7 +388,7 @@ impl<F: Field, N: Fn(F::Unit) -> i64> Growing<'_, F, N> {
             bounding_chain: one.bounding_chain().map(|_| self.terms(&chain, is_turned, &[0])),
             cocycle: self.terms(&cocycle, is_turned, self.cubes.sides()),
         };
-        (key, told)
+        (key, class)
     }
 
     /// The last rank to enter of the voxels that have the value of a class's birth.
@@ -411,37 +414,15 @@ impl<F: Field, N: Fn(F::Unit) -> i64> Growing<'_, F, N> {
 
     /// The terms as cubes, on each of these sides of the axes of a single voxel.
     fn terms(&self, terms: &[(usize, F::Unit)], is_turned: bool, sides: &[u64]) -> CubeTerms {
-        let mut told = Vec::with_capacity(terms.len() * sides.len());
+        let mut cubes = Vec::with_capacity(terms.len() * sides.len());
         for &(place, unit) in terms {
             let (cube, other) = self.cubes.cube(place);
             let x = (self.integer)(unit);
             // One is its own negative over two elements.
             let x = if is_turned != other && self.field.unit(2).is_some() { -x } else { x };
-            told.extend(sides.iter().map(|side| (cube + side, x)));
+            cubes.extend(sides.iter().map(|side| (cube + side, x)));
         }
-        told.sort_unstable();
-        told
+        cubes.sort_unstable();
+        cubes
     }
-}
-
-/// Adds terms to a sum of cells by their places.
-fn add_places<F: Field>(field: &F, sum: &mut Places<F::Unit>, terms: Places<F::Unit>) {
-    if terms.is_empty() {
-        return;
-    }
-    sum.extend(terms);
-    sum.sort_unstable();
-    let mut kept: Places<F::Unit> = Vec::with_capacity(sum.len());
-    for &(place, unit) in sum.iter() {
-        match kept.last_mut() {
-            Some(last) if last.0 == place => match field.sum(last.1, unit) {
-                Some(total) => last.1 = total,
-                None => {
-                    kept.pop();
-                }
-            },
-            _ => kept.push((place, unit)),
-        }
-    }
-    *sum = kept;
 }
