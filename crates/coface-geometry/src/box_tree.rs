@@ -164,6 +164,18 @@ impl BoxTree {
         Self { order, levels }
     }
 
+    /// The boxes by their numbers, along a curve that keeps near ones near each other.
+    ///
+    /// # Examples
+    /// ```
+    /// let place = |x: f64| [[x, x]; 3];
+    /// let tree = coface_geometry::BoxTree::new(&[place(0.0), place(9.0), place(1.0)]);
+    /// assert_eq!(tree.order(), [0, 2, 1]);
+    /// ```
+    pub fn order(&self) -> &[u32] {
+        &self.order
+    }
+
     /// The level of the groups: lower for few boxes.
     fn group_level(&self) -> usize {
         GROUP_LEVEL.min(self.levels.len() - 1)

@@ -491,7 +491,7 @@ fn combined(
     request: SolidRequest,
     exact: bool,
 ) -> Result<(SolidBooleanAnswer, SolidBooleanProvenance, io::Model, Combined, SolidRequest), Error> {
-    let arrangement = SceneArrangement::of_scene(scene, spatial)?;
+    let arrangement = SceneArrangement::for_result(scene, spatial, &request)?;
     let result = SolidBoolean::of(&arrangement, &request)?;
     let rounded = if exact || result.is_valid()? { None } else { result.validly_rounded()? };
     let (answer, provenance, mesh) = match &rounded {

@@ -164,7 +164,8 @@ pub struct SolidBooleanAnswer {
     pub solids: usize,
     /// The number of bounded connected parts of the complement.
     pub voids: usize,
-    /// The number of cells of the arrangement that are selected.
+    /// The number of cells of the arrangement that are selected; where many operands that cover each other were combined some at a
+    /// time, of the last arrangement, in which most of what is inside is left out.
     pub cells: usize,
     /// Whether the exterior is in the result.
     pub unbounded: bool,

@@ -11,7 +11,7 @@ use coface_arrange::spatial::{
 };
 use coface_arrange::{CoordinatePrecision, JoinedFeatures};
 use coface_geometry::Positions;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// Where rounding an arrangement does not come to an end, features of the inputs are put together that are so many units of the
 /// last digit apart.
@@ -29,6 +29,57 @@ pub(super) struct Arranged {
     volumes: OnceLock<Vec<f64>>,
     /// Rows are faces, columns models.
     inputs: SparseMatrix,
+    /// What its polygons are of those of the scene, where they are not the same.
+    origins: Option<Arc<Origins>>,
+}
+
+/// Where the polygons of combinations of models are from.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Origins {
+    /// For each polygon those of the scene that it is part of, packed with 1 for those that run the other way.
+    pub(super) polygons: RaggedArray,
+    /// The polygons of the scene that have no area.
+    without_area: Vec<u32>,
+    /// The polygons of the scene that were split.
+    split: Vec<SplitPolygon>,
+}
+
+impl Origins {
+    /// Polygons that are whole ones of the scene.
+    pub(super) fn of_whole(polygons: &[u32]) -> Self {
+        let polygons = RaggedArray::from_lists(polygons.iter().map(|&polygon| [2 * polygon]));
+        Self { polygons, ..Self::default() }
+    }
+
+    /// Adds polygons behind those that there are.
+    pub(super) fn append(&mut self, other: Self) {
+        other.polygons.iter().for_each(|own| self.polygons.push(own));
+        self.without_area.extend(other.without_area);
+        self.split.extend(other.split);
+    }
+
+    /// Adds what was found of whole polygons when they were arranged.
+    pub(super) fn add_notes(&mut self, without_area: &[u32], split: &[SplitPolygon]) {
+        let whole = |polygon: u32| self.polygons.list(polygon as usize)[0] >> 1;
+        self.without_area.extend(without_area.iter().map(|&polygon| whole(polygon)));
+        self.split.extend(split.iter().cloned().map(|mut own| {
+            own.polygon = whole(own.polygon);
+            own
+        }));
+    }
+
+    /// The polygons of the scene that something is part of that has these of this list, all turned if the sign is minus; rising, and
+    /// packed.
+    pub(super) fn of_polygons(&self, own: Vec<(u32, Sign)>, sign: Sign) -> Vec<u32> {
+        let turned = |own: Sign| u32::from(own.times(sign) == Sign::Minus);
+        let mut found: Vec<u32> = Vec::new();
+        for (polygon, run) in own {
+            found.extend(self.polygons.list(polygon as usize).iter().map(|packed| packed ^ turned(run)));
+        }
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
 }
 
 impl Arranged {
@@ -59,6 +110,20 @@ impl Arranged {
         Self::of(scene, arrangement)
     }
 
+    /// Combinations of models arranged; what they are combinations of is not known of cells.
+    pub(super) fn of_operands(
+        arrangement: SpatialArrangement,
+        complex: ChainComplex,
+        count: usize,
+        mut origins: Origins,
+    ) -> Result<Self, Error> {
+        origins.without_area.sort_unstable();
+        origins.split.sort_unstable_by_key(|own| own.polygon);
+        let inputs = SparseMatrix::from_entries(complex.cell_count(2), count, [])?;
+        let origins = Some(Arc::new(origins));
+        Ok(Self { arrangement, complex, volumes: OnceLock::new(), inputs, origins })
+    }
+
     /// The same with rounded coordinates that are valid.
     pub(super) fn snapped(&self, scene: &SpatialScene, request: &SpatialRequest) -> Result<Self, Error> {
         let options =
@@ -78,11 +143,14 @@ impl Arranged {
         surface: &[(CellId, Sign)],
         exterior: bool,
     ) -> Result<(Self, CellSelection), Error> {
-        let options =
-            SpatialOptions::new().merge_coplanar(request.merge_coplanar).max_cells(request.max_cells);
+        // Faces of all models in a combination are of one input.
+        let options = SpatialOptions::new()
+            .merge_coplanar(request.merge_coplanar && self.origins.is_none())
+            .max_cells(request.max_cells);
         let face = |&(face, sign): &(CellId, Sign)| (FaceId::from_u32(face.to_u32()), sign);
         let surface: Vec<(FaceId, Sign)> = surface.iter().map(face).collect();
-        let arranged = Self::of(scene, self.arrangement.snapped_surface(&surface, &options)?)?;
+        let mut arranged = Self::of(scene, self.arrangement.snapped_surface(&surface, &options)?)?;
+        arranged.origins.clone_from(&self.origins);
         let chains = arranged.arrangement.input_chains()?;
         let last = chains.column_count() - 1;
         let own = chains.column(last).iter().map(|(face, m)| (face, 0, i64::from(m)));
@@ -127,14 +195,15 @@ impl Arranged {
         let (complex, chains) = (complex?, chains?);
         // Walls, and the surface of a result, are inputs of their own there, after the models.
         let count = scene.names().len();
+        let (volumes, origins) = (OnceLock::new(), None);
         if chains.column_count() == count {
-            return Ok(Self { arrangement, complex, volumes: OnceLock::new(), inputs: chains });
+            return Ok(Self { arrangement, complex, volumes, inputs: chains, origins });
         }
         let columns = chains.columns().take(count).enumerate();
         let entries = columns
             .flat_map(|(input, column)| column.iter().map(move |(face, m)| (face, input, i64::from(m))));
         let inputs = SparseMatrix::from_entries(chains.row_count(), count, entries)?;
-        Ok(Self { arrangement, complex, volumes: OnceLock::new(), inputs })
+        Ok(Self { arrangement, complex, volumes, inputs, origins })
     }
 
     pub(super) fn complex(&self) -> &ChainComplex {
@@ -180,7 +249,11 @@ impl Arranged {
 
     /// The polygons that a face is part of, plus where they have its front in front.
     pub(super) fn polygons_of_face(&self, face: CellId) -> Vec<(u32, Sign)> {
-        self.arrangement.polygons_of_face(FaceId::from_u32(face.to_u32()))
+        let own = self.arrangement.polygons_of_face(FaceId::from_u32(face.to_u32()));
+        let Some(origins) = &self.origins else { return own };
+        let sign = |packed: u32| Sign::power_of_minus_one((packed & 1) as usize);
+        let found = origins.of_polygons(own, Sign::Plus).into_iter();
+        found.map(|packed| (packed >> 1, sign(packed))).collect()
     }
 
     /// The walks around a face in drawn vertices, the outer one first.
@@ -307,12 +380,18 @@ impl Arranged {
 
     /// The polygons without area, which are left out.
     pub(super) fn degenerate_polygons(&self) -> &[u32] {
-        self.arrangement.polygons_without_area()
+        match &self.origins {
+            Some(origins) => &origins.without_area,
+            None => self.arrangement.polygons_without_area(),
+        }
     }
 
     /// The polygons that were split because they are not planar.
     pub(super) fn split_polygons(&self) -> &[SplitPolygon] {
-        self.arrangement.split_polygons()
+        match &self.origins {
+            Some(origins) => &origins.split,
+            None => self.arrangement.split_polygons(),
+        }
     }
 }
 

@@ -431,7 +431,7 @@ impl<'a> SolidBoolean<'a> {
         let whole = self.arrangement;
         let is_plain = whole.request.tolerance.is_none()
             && whole.request.precision == CoordinatePrecision::Double
-            && whole.surface.is_none();
+            && !whole.surface.as_ref().is_some_and(|surface| surface.is_rounded);
         if !self.request.keep_walls && is_plain {
             match whole.snapped_surface(self) {
                 Ok(rounded) if self.is_kept_by(&rounded) => return Ok(Some(rounded)),

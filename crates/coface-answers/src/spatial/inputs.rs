@@ -107,6 +107,20 @@ impl Inputs {
         Ok(Self { vanishes, rims, winding, parities })
     }
 
+    /// So many models that are closed and enclose no cell of a complex: nothing more is known of them.
+    pub(super) fn of_closed(count: usize, complex: &ChainComplex) -> Result<Self, Error> {
+        let none = SparseMatrix::from_entries(complex.cell_count(2), count, [])?;
+        let winding = WindingNumbers::of_cycles(complex, &none)?;
+        Ok(Self { vanishes: vec![false; count], rims: vec![None; count], winding, parities: None })
+    }
+
+    /// Whether each is closed, winds once around what it encloses, and encloses something.
+    pub(super) fn are_plain(&self) -> bool {
+        self.rims.iter().all(Option::is_none)
+            && !self.vanishes.contains(&true)
+            && self.odd_cells().iter().all(|own| *own == [0; 2])
+    }
+
     pub(super) fn state(&self, input: usize) -> InputState {
         match &self.rims[input] {
             None => InputState::Closed,

@@ -3,6 +3,7 @@
 mod arranged;
 mod bent;
 mod boolean;
+mod cascade;
 mod certificate;
 mod coarse;
 mod coincident;

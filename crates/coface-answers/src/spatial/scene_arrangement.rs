@@ -66,14 +66,17 @@ pub struct SceneArrangement {
     pub(super) surface: Option<Box<ResultSurface>>,
 }
 
-/// A result whose surface alone is arranged.
+/// A result of which only what its surface needs is arranged.
 #[derive(Clone, Debug)]
 pub(super) struct ResultSurface {
     pub(super) request: SolidRequest,
     /// The cells within the surface.
     pub(super) selection: CellSelection,
-    /// How many cells of the whole arrangement are within it.
+    /// How many cells are within it of the arrangement that it is from.
     pub(super) cell_count: usize,
+    /// Whether it is the surface of a result that was arranged before, with rounded coordinates; otherwise operands were combined
+    /// some at a time, and there may be more than the surface.
+    pub(super) is_rounded: bool,
 }
 
 impl SceneArrangement {
@@ -153,6 +156,9 @@ impl SceneArrangement {
     /// # Ok(()) }
     /// ```
     pub fn snapped(&self) -> Result<Self, Error> {
+        if self.surface.is_some() {
+            return Self::of_scene(self.scene.clone(), &self.request)?.snapped();
+        }
         let arranged = match self.arranged.snapped(&self.scene, &self.request) {
             Err(error) if error.kind() == ErrorKind::InvalidInput => {
                 Arranged::within_rounding(&self.scene, &self.request)?.ok_or(error)?
@@ -208,18 +214,24 @@ impl SceneArrangement {
         let (arranged, selection) =
             self.arranged.snapped_surface(&self.scene, &self.request, surface, exterior)?;
         let cell_count = result.selection.cells().count();
-        let surface = ResultSurface { request: result.request.clone(), selection, cell_count };
-        Ok(Self {
-            scene: self.scene.clone(),
-            inputs: self.inputs.clone(),
-            request: self.request,
-            cells_apart: Some(arranged.complex().cell_count(3)),
-            thin_apart: self.thin_cells(),
-            unrounded: None,
-            crossings: OnceLock::new(),
-            surface: Some(Box::new(surface)),
-            arranged,
-        })
+        let surface =
+            ResultSurface { request: result.request.clone(), selection, cell_count, is_rounded: true };
+        let cells_apart = Some(arranged.complex().cell_count(3));
+        let own = Self::of_surface(self.scene.clone(), arranged, self.inputs.clone(), self.request, surface);
+        Ok(Self { cells_apart, thin_apart: self.thin_cells(), ..own })
+    }
+
+    /// What the surface of a result needs.
+    pub(super) fn of_surface(
+        scene: SpatialScene,
+        arranged: Arranged,
+        inputs: Inputs,
+        request: SpatialRequest,
+        surface: ResultSurface,
+    ) -> Self {
+        let (cells_apart, thin_apart, unrounded) = (None, None, None);
+        let (surface, crossings) = (Some(Box::new(surface)), OnceLock::new());
+        Self { scene, arranged, inputs, request, cells_apart, thin_apart, unrounded, crossings, surface }
     }
 
     /// A corner of each cell that rounding of coordinates made flat or turned inside out; decided exactly for the triangles

@@ -12,6 +12,7 @@ mod gluings;
 mod harmonic;
 mod image_cycles;
 mod lar;
+mod many_solids;
 mod planar_drawings;
 mod planar_files;
 mod planar_properties;

@@ -268,6 +268,13 @@ impl BooleanFormula {
     }
 
     /// The steps, operands before their operators.
+    /// The formula of some steps that leave one operand.
+    pub(super) fn of_steps(steps: Vec<Step>) -> Self {
+        let input = |step: &Step| if let Step::Input(input) = step { *input as usize + 1 } else { 0 };
+        let input_count = steps.iter().map(input).max().unwrap_or(0);
+        Self { steps, input_count }
+    }
+
     pub(super) fn steps(&self) -> &[Step] {
         &self.steps
     }

@@ -38,25 +38,66 @@ impl SpatialArrangement {
     /// # Ok(()) }
     /// ```
     pub fn exact_polygons(&self, surface: &[(FaceId, Sign)], others: &[FaceId]) -> ExactPolygons {
-        let mut fine = Vec::new();
-        for &(face, sign) in surface {
-            let own = self.fine_faces(face);
-            fine.extend(own.map(|(fine, own)| FineFace {
-                face: fine,
-                sign: sign.times(own),
-                is_shared: false,
-            }));
-        }
-        for &face in others {
+        let mut fine = self.fine_faces_of(surface);
+        for (&face, origin) in others.iter().zip(surface.len() as u32..) {
             // All of one triangle run alike.
             fine.extend(self.fine_faces(face).map(|(fine, _)| FineFace {
                 face: fine,
                 sign: Sign::Plus,
                 is_shared: true,
+                origin,
             }));
         }
         fine.sort_unstable_by_key(|fine| fine.face);
-        Exporter { cut: &self.cut, fine: &fine }.polygons()
+        let exporter = Exporter { cut: &self.cut, fine: &fine };
+        let (classes, is_shared) = exporter.classes();
+        exporter.polygons(&classes, is_shared)
+    }
+
+    /// Sides of solids as exact polygons that are not put together, plus where they run as the face does; with the place in
+    /// `surface` that each is from. A face of pieces in several planes is a polygon for each of them.
+    ///
+    /// # Panics
+    /// If there is no such face.
+    ///
+    /// # Complexity
+    /// $O(k \log k)$ for k sides of fine faces.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_algebra::{FaceId, RaggedArray, Sign};
+    /// use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
+    /// use coface_geometry::Positions;
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let corners = Positions::from_flat(3, vec![0., 0., 0., 1., 0., 0., 0., 1., 0., 1., 1., 0.])?;
+    /// let two = RaggedArray::from_lists([[0, 1, 2], [1, 3, 2]]);
+    /// let square = SpatialArrangement::new(&SpatialPolygons::from_polygons(corners, two)?, &SpatialOptions::new())?;
+    /// let faces = [(FaceId::new(1), Sign::Plus), (FaceId::new(0), Sign::Plus)];
+    /// assert_eq!(square.exact_faces(&faces).1, [1, 0]);
+    /// // Both are in one plane and have a side in common.
+    /// assert_eq!(square.exact_polygons(&faces, &[]).shared().len(), 1);
+    /// # Ok(()) }
+    /// ```
+    pub fn exact_faces(&self, surface: &[(FaceId, Sign)]) -> (ExactPolygons, Vec<u32>) {
+        let mut fine = self.fine_faces_of(surface);
+        fine.sort_unstable_by_key(|fine| fine.face);
+        let exporter = Exporter { cut: &self.cut, fine: &fine };
+        let (classes, origins) = exporter.classes_of_origins(surface.len());
+        (exporter.polygons(&classes, vec![false; origins.len()]), origins)
+    }
+
+    /// The fine faces of sides of solids.
+    fn fine_faces_of(&self, surface: &[(FaceId, Sign)]) -> Vec<FineFace> {
+        let mut found = Vec::new();
+        for (&(face, sign), origin) in surface.iter().zip(0..) {
+            found.extend(self.fine_faces(face).map(|(fine, own)| FineFace {
+                face: fine,
+                sign: sign.times(own),
+                is_shared: false,
+                origin,
+            }));
+        }
+        found
     }
 }
 
@@ -66,6 +107,8 @@ struct FineFace {
     /// Plus where the polygon runs as the fine face does.
     sign: Sign,
     is_shared: bool,
+    /// The place of its face among those that are asked for.
+    origin: u32,
 }
 
 struct Exporter<'a> {
@@ -110,6 +153,25 @@ impl Exporter<'_> {
             is_shared[class as usize] = fine.is_shared;
         }
         (numbers, is_shared)
+    }
+
+    /// The number of the polygon of each fine face where faces stay apart, and the place that each polygon is from.
+    fn classes_of_origins(&self, count: usize) -> (Vec<u32>, Vec<u32>) {
+        let mut origins = Vec::with_capacity(count);
+        // For each place its polygons, each by one of its fine faces.
+        let mut known: Vec<Vec<(u32, FaceId)>> = vec![Vec::new(); count];
+        let mut classes = Vec::with_capacity(self.fine.len());
+        for fine in self.fine {
+            let own = &mut known[fine.origin as usize];
+            let known = own.iter().find(|(_, sample)| self.is_one_plane(*sample, fine.face));
+            let class = known.map_or(origins.len() as u32, |&(class, _)| class);
+            if class as usize == origins.len() {
+                origins.push(fine.origin);
+                own.push((class, fine.face));
+            }
+            classes.push(class);
+        }
+        (classes, origins)
     }
 
     fn is_one_plane(&self, f: FaceId, g: FaceId) -> bool {
@@ -158,9 +220,8 @@ impl Exporter<'_> {
         is_corner
     }
 
-    fn polygons(&self) -> ExactPolygons {
-        let (classes, is_shared) = self.classes();
-        let outlines = self.outlines(&classes);
+    fn polygons(&self, classes: &[u32], is_shared: Vec<bool>) -> ExactPolygons {
+        let outlines = self.outlines(classes);
         let is_corner = self.corners(&outlines);
         let mut numbers = Numbers::default();
         let mut number_of_vertex = vec![NONE; self.cut.complex().vertex_count()];

@@ -1,9 +1,11 @@
 //! Polygons in space to make an arrangement of.
 
 use super::exact_polygons::ExactPolygons;
+use super::wanted_parts::walks;
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind};
 use coface_geometry::Positions;
+use coface_geometry::predicates::SpatialPoint;
 use std::sync::Arc;
 
 /// Polygons in space, with holes, that belong to one or more inputs.
@@ -159,6 +161,42 @@ impl SpatialPolygons {
         self.input_count = input_of_polygon.iter().max().map_or(0, |&last| last as usize + 1);
         self.input_of_polygon = input_of_polygon;
         Ok(self)
+    }
+
+    /// Polygons of one input that are known exactly, in their order, with rounded walks around them.
+    ///
+    /// # Errors
+    /// [`ErrorKind::TooLarge`] for 2^32 or more corners.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_arrange::spatial::{ExactPart, ExactPolygons, SpatialPolygons};
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// let points = vec![[0., 0., 0.], [3., 0., 0.], [0., 3., 0.]];
+    /// let part = ExactPart { polygon: 0, triangle: [0, 1, 2], walks: vec![vec![0, 1, 2]] };
+    /// let exact = ExactPolygons::new(points, &[vec![0], vec![1], vec![2]], vec![part], vec![false])?;
+    /// let polygons = SpatialPolygons::from_exact(exact.into())?;
+    /// assert_eq!((polygons.polygon_count(), polygons.walks().list(0)), (1, &[0, 1, 2][..]));
+    /// # Ok(()) }
+    /// ```
+    pub fn from_exact(exact: Arc<ExactPolygons>) -> Result<Self, Error> {
+        let flat = exact.vertex_points().iter().flat_map(SpatialPoint::rounded).collect();
+        let mut sides: Vec<Vec<[u32; 2]>> = vec![Vec::new(); exact.shared().len()];
+        for part in exact.parts() {
+            sides[part.polygon as usize].extend(part.sides());
+        }
+        let is_corner = vec![true; exact.vertices().len()];
+        let (mut lists, mut polygon_of_walk) = (RaggedArray::new(), Vec::new());
+        for (sides, polygon) in sides.iter_mut().zip(0..) {
+            sides.sort_unstable();
+            let is_outer = |&&[a, b]: &&[u32; 2]| sides.binary_search(&[b, a]).is_err();
+            let outline: Vec<[u32; 2]> = sides.iter().filter(is_outer).copied().collect();
+            for walk in walks(&outline, &is_corner) {
+                lists.push(&walk);
+                polygon_of_walk.push(polygon);
+            }
+        }
+        Self::new(Positions::from_flat(3, flat)?, lists, polygon_of_walk)?.with_exact(0, exact)
     }
 
     /// The same, where the polygons from `first` on are known exactly: polygon i of `exact` is polygon `first + i`, whose

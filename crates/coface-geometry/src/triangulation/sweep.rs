@@ -73,7 +73,8 @@ pub fn triangulate<W: AsRef<[u32]>>(
     triangulate_sides(&sides, compare, turn)
 }
 
-/// Triangulates the polygon with these sides, in any order; see [`triangulate`].
+/// Triangulates the polygon with these sides, in any order; see [`triangulate`]. Turns may be called straight that are nearly so, from
+/// which a fault may come, but no panic.
 ///
 /// # Errors
 /// As [`triangulate`].
@@ -131,6 +132,24 @@ pub fn triangulate_sides(
             Err(fault.renumbered(|order| vertices[order as usize]))
         }
     }
+}
+
+/// Sorts numbers by merging. Where the comparison is no total order, as that of turns which are nearly straight, the order is some
+/// order, and nothing breaks.
+fn sort_any(numbers: &mut [u32], compare: impl Fn(u32, u32) -> Ordering + Copy) {
+    if numbers.len() < 2 {
+        return;
+    }
+    let (low, high) = numbers.split_at_mut(numbers.len() / 2);
+    sort_any(low, compare);
+    sort_any(high, compare);
+    let mut merged = Vec::with_capacity(low.len() + high.len());
+    let (mut left, mut right) = (low.iter().peekable(), high.iter().peekable());
+    while let (Some(&&a), Some(&&b)) = (left.peek(), right.peek()) {
+        merged.extend(if compare(a, b).is_le() { left.next() } else { right.next() });
+    }
+    merged.extend(left.chain(right));
+    numbers.copy_from_slice(&merged);
 }
 
 /// The edges that sides run along. Vertices are numbered in lexicographic order.
@@ -313,7 +332,7 @@ impl<T: Fn([u32; 3]) -> Ordering> Sweep<T> {
         end.clear();
         begin.extend(edges.starts[vertex as usize]..edges.starts[vertex as usize + 1]);
         let turn = |low: u32, high: u32| (self.turn)([vertex, edges.ends(low)[1], edges.ends(high)[1]]);
-        begin.sort_by(|&low, &high| turn(low, high).reverse());
+        sort_any(begin, |low, high| turn(low, high).reverse());
         if let Some(pair) = begin.windows(2).find(|pair| turn(pair[0], pair[1]).is_eq()) {
             return Err(TriangulationFault::Crossing([edges.ends(pair[0]), edges.ends(pair[1])]));
         }

@@ -150,6 +150,37 @@ proptest! {
         }
     }
 
+    /// Turns within a tolerance are no total order: a fault may come of them, but no panic and no end without end.
+    #[test]
+    fn coarse_turns_break_nothing(
+        points in prop::collection::vec(prop::array::uniform2(0i64..40), 3..90),
+        lists in prop::collection::vec(prop::collection::vec(any::<prop::sample::Index>(), 3..20), 1..5),
+        coarse in 0i64..300,
+        salt: u64,
+    ) {
+        let at = |v: u32| (points[v as usize], v);
+        let mut sides: Sides = Vec::new();
+        // Fans around the first point, which have many sides at one vertex, beside closed walks.
+        sides.extend((1..points.len() as u32 - 1).flat_map(|v| [[0, v], [v, v + 1], [v + 1, 0]]));
+        for list in &lists {
+            let walk: Vec<u32> = list.iter().map(|index| index.index(points.len()) as u32).collect();
+            sides.extend((0..walk.len()).map(|i| [walk[i], walk[(i + 1) % walk.len()]]));
+        }
+        sides.retain(|[a, b]| a != b);
+        sides.sort_unstable();
+        sides.dedup();
+        let rough = |a: u32, b: u32, c: u32| match twice_area(at(a).0, at(b).0, at(c).0) {
+            small if small.abs() <= coarse => Ordering::Equal,
+            area => area.cmp(&0),
+        };
+        let none = |a: u32, b: u32, c: u32| {
+            let mixed = [a, b, c].iter().fold(salt, |own, &v| (own ^ u64::from(v)).wrapping_mul(0x9E37_79B9_7F4A_7C15));
+            (mixed >> 60).cmp(&8)
+        };
+        let _ = triangulate_sides(&sides, |a, b| at(a).cmp(&at(b)), rough);
+        let _ = triangulate_sides(&sides, |a, b| at(a).cmp(&at(b)), none);
+    }
+
     #[test]
     fn stars_with_a_hole(radii in prop::collection::vec(8..1000i64, 3..200)) {
         // The directions of a square, in order; the hole is the same at an eighth of the size, the other way around.

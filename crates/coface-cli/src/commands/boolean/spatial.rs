@@ -96,8 +96,6 @@ pub(super) fn run(
     let count = scene.names().len();
     // Whose faces are parts of the result alone.
     spatial.merge_coplanar |= !verb.solids.keep_coplanar;
-    let arrangement = SceneArrangement::of_scene(scene, &spatial)?;
-    progress.stage("combining");
     let mut request = SolidRequest::of(task.formula(count));
     request.rule = verb.cells.rule.map(Rule::inside).unwrap_or_default();
     request.triangles = triangles;
@@ -109,6 +107,12 @@ pub(super) fn run(
     // Numbers of 32 bits hold nothing exact.
     let is_exact = verb.cells.exact && !is_stl(output);
     request.merge_coplanar = spatial.merge_coplanar && !is_exact;
+    // A certificate is of all cells.
+    let arrangement = match verb.cells.certificate {
+        Some(_) => SceneArrangement::of_scene(scene, &spatial)?,
+        None => SceneArrangement::for_result(scene, &spatial, &request)?,
+    };
+    progress.stage("combining");
     let rounded;
     let mut combined = &arrangement;
     let mut result = SolidBoolean::of(combined, &request)?;
