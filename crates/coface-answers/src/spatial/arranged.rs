@@ -124,6 +124,16 @@ impl Arranged {
         Ok(Self { arrangement, complex, volumes: OnceLock::new(), inputs, origins })
     }
 
+    /// Combinations of models with rounded coordinates that are valid, and as chains of faces: rows are faces, columns combinations.
+    pub(super) fn snapped_operands(&self, request: &SpatialRequest) -> Result<(Self, SparseMatrix), Error> {
+        let options = SpatialOptions::new().max_cells(request.max_cells);
+        let arrangement = snapped(&self.arrangement, &options, request)?;
+        let (complex, chains) = (arrangement.coarse_complex()?, arrangement.input_chains()?);
+        let inputs = SparseMatrix::from_entries(complex.cell_count(2), self.inputs.column_count(), [])?;
+        let origins = self.origins.clone();
+        Ok((Self { arrangement, complex, volumes: OnceLock::new(), inputs, origins }, chains))
+    }
+
     /// The same with rounded coordinates that are valid.
     pub(super) fn snapped(&self, scene: &SpatialScene, request: &SpatialRequest) -> Result<Self, Error> {
         let options =

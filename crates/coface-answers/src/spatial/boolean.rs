@@ -431,7 +431,7 @@ impl<'a> SolidBoolean<'a> {
         let whole = self.arrangement;
         let is_plain = whole.request.tolerance.is_none()
             && whole.request.precision == CoordinatePrecision::Double
-            && !whole.surface.as_ref().is_some_and(|surface| surface.is_rounded);
+            && whole.surface.as_ref().is_none_or(|surface| surface.operands.is_some());
         if !self.request.keep_walls && is_plain {
             match whole.snapped_surface(self) {
                 Ok(rounded) if self.is_kept_by(&rounded) => return Ok(Some(rounded)),

@@ -8,9 +8,9 @@ use super::{SceneArrangement, SolidRequest, SpatialRequest, SpatialScene};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::progress::{Steps, stage};
 use coface_algebra::{CellId, Error, ErrorKind, FaceId, Sign};
-use coface_algebra::RaggedArray;
+use coface_algebra::{RaggedArray, SparseMatrix};
 use coface_arrange::CoordinatePrecision;
-use coface_arrange::boolean::{CellSelection, FormulaTree, TreeOperator};
+use coface_arrange::boolean::{BooleanFormula, CellSelection, FormulaTree, InsideRule, TreeOperator};
 use coface_arrange::spatial::{SpatialArrangement, SpatialOptions, SpatialPolygons};
 use coface_geometry::{AxisBox, BoxTree, Positions};
 use rayon::prelude::*;
@@ -64,10 +64,11 @@ impl SceneArrangement {
         solid: &SolidRequest,
     ) -> Result<Self, Error> {
         if let Some(cascade) = Cascade::new(&scene, request, solid)
-            && let Some((arranged, selection, inputs)) = cascade.result()?
+            && let Some((arranged, operands, selection, inputs)) = cascade.result()?
         {
             let cell_count = selection.cells().count();
-            let surface = ResultSurface { request: solid.clone(), selection, cell_count, is_rounded: false };
+            let surface =
+                ResultSurface { request: solid.clone(), selection, cell_count, operands: Some(operands) };
             return Ok(Self::of_surface(scene, arranged, inputs, *request, surface));
         }
         Self::of_scene(scene, request)
@@ -118,8 +119,37 @@ struct Cascade<'a> {
 struct Combined {
     arrangement: SpatialArrangement,
     complex: ChainComplex,
+    operands: Operands,
     selection: CellSelection,
     origins: Origins,
+}
+
+/// What is left of a formula where the inputs of an arrangement are combinations of others.
+#[derive(Clone, Debug)]
+pub(super) struct Operands {
+    formula: BooleanFormula,
+    /// The inputs of the arrangement that the operands of the formula are; none for empty ones.
+    columns: Vec<Option<usize>>,
+}
+
+impl Operands {
+    fn selection(&self, inputs: &Inputs, cell_count: usize, rule: InsideRule) -> CellSelection {
+        let membership = inputs.membership_of_closed(rule);
+        let is_inside =
+            |cell, operand: usize| self.columns[operand].is_some_and(|own| membership.is_inside(cell, own));
+        CellSelection::by_membership(cell_count, &self.formula, is_inside)
+    }
+
+    /// The cells for which the formula holds in an arrangement of the same inputs, which has these chains of faces.
+    pub(super) fn selection_of(
+        &self,
+        complex: &ChainComplex,
+        chains: &SparseMatrix,
+        rule: InsideRule,
+    ) -> Result<CellSelection, Error> {
+        let inputs = Inputs::of_chains(chains.column_count(), complex, chains)?;
+        Ok(self.selection(&inputs, complex.cell_count(3), rule))
+    }
 }
 
 impl<'a> Cascade<'a> {
@@ -181,9 +211,9 @@ impl<'a> Cascade<'a> {
         (first..last).map(move |walk| walks.list(walk))
     }
 
-    /// The last arrangement, the cells of the result in it, and the inputs, which are all closed; none if all inputs must be
-    /// arranged at once.
-    fn result(&self) -> Result<Option<(Arranged, CellSelection, Inputs)>, Error> {
+    /// The last arrangement, what is left of the formula, the cells of the result, and the inputs, which are all closed; none if all
+    /// inputs must be arranged at once.
+    fn result(&self) -> Result<Option<(Arranged, Operands, CellSelection, Inputs)>, Error> {
         let steps = stage("combining solids", self.scene.names().len());
         let made = self.operand(&self.tree, &steps).and_then(|whole| self.combined(whole));
         drop(steps);
@@ -195,7 +225,7 @@ impl<'a> Cascade<'a> {
         let count = self.scene.names().len();
         let inputs = Inputs::of_closed(count, &made.complex)?;
         let arranged = Arranged::of_operands(made.arrangement, made.complex, count, made.origins)?;
-        Ok(Some((arranged, made.selection, inputs)))
+        Ok(Some((arranged, made.operands, made.selection, inputs)))
     }
 
     /// A part of the formula, of which unions and intersections have few operands left.
@@ -314,18 +344,16 @@ impl<'a> Cascade<'a> {
         if !inputs.are_plain() {
             return Err(Halt::AllAtOnce);
         }
-        let membership = inputs.membership_of_closed(self.solid.rule);
-        let is_inside =
-            |cell, group: usize| columns[group].is_some_and(|column| membership.is_inside(cell, column));
-        let selection = CellSelection::by_membership(complex.cell_count(3), &formula, is_inside);
-        Ok(Combined { arrangement, complex, selection, origins })
+        let operands = Operands { formula, columns };
+        let selection = operands.selection(&inputs, complex.cell_count(3), self.solid.rule);
+        Ok(Combined { arrangement, complex, operands, selection, origins })
     }
 }
 
 impl Combined {
     /// The surface around the cells that are in it.
     fn group(self) -> Result<Group, Error> {
-        let Self { arrangement, complex, selection, mut origins } = self;
+        let Self { arrangement, complex, selection, mut origins, .. } = self;
         let boundary = selection.boundary_without_pinches(&complex)?;
         let face = |&(face, sign): &(CellId, Sign)| (FaceId::from_u32(face.to_u32()), sign);
         let surface: Vec<(FaceId, Sign)> = boundary.facets().iter().map(face).collect();

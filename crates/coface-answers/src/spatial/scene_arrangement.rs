@@ -1,6 +1,7 @@
 //! A scene arranged: its cells, and what they are inside of.
 
 use super::arranged::Arranged;
+use super::cascade::Operands;
 use super::coarse::{endless, refuse_other_cells};
 use super::enclosed::turned_parts;
 use super::facts::{
@@ -74,9 +75,9 @@ pub(super) struct ResultSurface {
     pub(super) selection: CellSelection,
     /// How many cells are within it of the arrangement that it is from.
     pub(super) cell_count: usize,
-    /// Whether it is the surface of a result that was arranged before, with rounded coordinates; otherwise operands were combined
-    /// some at a time, and there may be more than the surface.
-    pub(super) is_rounded: bool,
+    /// What is left of the formula, where operands were combined some at a time and the last ones are arranged; none where it is the
+    /// surface of a result that was arranged before, with rounded coordinates.
+    pub(super) operands: Option<Operands>,
 }
 
 impl SceneArrangement {
@@ -156,8 +157,10 @@ impl SceneArrangement {
     /// # Ok(()) }
     /// ```
     pub fn snapped(&self) -> Result<Self, Error> {
-        if self.surface.is_some() {
-            return Self::of_scene(self.scene.clone(), &self.request)?.snapped();
+        if let Some(surface) = &self.surface {
+            // A surface alone has been snapped.
+            let operands = surface.operands.as_ref();
+            return operands.map_or_else(|| Ok(self.clone()), |own| self.snapped_operands(surface, own));
         }
         let arranged = match self.arranged.snapped(&self.scene, &self.request) {
             Err(error) if error.kind() == ErrorKind::InvalidInput => {
@@ -215,10 +218,19 @@ impl SceneArrangement {
             self.arranged.snapped_surface(&self.scene, &self.request, surface, exterior)?;
         let cell_count = result.selection.cells().count();
         let surface =
-            ResultSurface { request: result.request.clone(), selection, cell_count, is_rounded: true };
+            ResultSurface { request: result.request.clone(), selection, cell_count, operands: None };
         let cells_apart = Some(arranged.complex().cell_count(3));
         let own = Self::of_surface(self.scene.clone(), arranged, self.inputs.clone(), self.request, surface);
         Ok(Self { cells_apart, thin_apart: self.thin_cells(), ..own })
+    }
+
+    /// The last operands of a combination with rounded coordinates that are valid.
+    fn snapped_operands(&self, surface: &ResultSurface, operands: &Operands) -> Result<Self, Error> {
+        let (arranged, chains) = self.arranged.snapped_operands(&self.request)?;
+        let selection = operands.selection_of(arranged.complex(), &chains, surface.request.rule)?;
+        let surface = ResultSurface { selection, operands: None, ..surface.clone() };
+        let own = Self::of_surface(self.scene.clone(), arranged, self.inputs.clone(), self.request, surface);
+        Ok(Self { cells_apart: Some(self.complex().cell_count(3)), thin_apart: self.thin_cells(), ..own })
     }
 
     /// What the surface of a result needs.

@@ -94,10 +94,16 @@ fn assert_same(models: &[Model], request: &SolidRequest, cells: bool) -> Result<
             prop_assert!(dot * sign as f64 >= -1e-12, "{} {}", dot, sign);
         }
     }
-    let valid = some.validly_rounded().unwrap().expect("boxes of this size can be rounded");
-    let rounded = SolidBoolean::of(&valid, request).unwrap();
-    prop_assert!(rounded.is_valid().unwrap());
-    prop_assert!((rounded.volume().unwrap() - x).abs() < 1e-9);
+    // By its surface alone where that will do, and all that was arranged last.
+    for valid in [some.validly_rounded(), parts.validly_rounded()] {
+        let valid = valid.unwrap().expect("boxes of this size can be rounded");
+        let rounded = SolidBoolean::of(&valid, request).unwrap();
+        prop_assert!(rounded.is_valid().unwrap());
+        prop_assert!((rounded.volume().unwrap() - x).abs() < 1e-9);
+        prop_assert_eq!(rounded.answer().unwrap().files.len(), models.len());
+        let again = valid.snapped().unwrap();
+        prop_assert_eq!(again.volumes(), valid.volumes());
+    }
     Ok(())
 }
 
