@@ -4,32 +4,16 @@ use super::super::descent::Sum;
 use super::super::forest::Forest;
 use super::super::gradient::{Cell, Fate, Gradient, NEVER, OUTSIDE, lower_star};
 use super::super::grid::{Code, Grid};
+use super::cancelling::Numbered;
 use super::cut::ImageBlocks;
 use super::part::{Cells, Chains, ImagePart, Name, OUTSIDE_NAME, Rules, name};
 use coface_algebra::progress::stage;
-use coface_algebra::{Binary, Error, ErrorKind, Field, Odd, memory};
+use coface_algebra::{Binary, Error, ErrorKind, Odd, memory};
 use rayon::prelude::*;
 use std::sync::Arc;
 
 /// So many critical cells flow down at once.
 const BATCH: usize = 4096;
-
-/// A field whose elements are numbers.
-trait Numbered: Field<Unit: Send + Sync> + Sync {
-    fn number(unit: Self::Unit) -> u32;
-}
-
-impl Numbered for Binary {
-    fn number((): ()) -> u32 {
-        1
-    }
-}
-
-impl Numbered for Odd {
-    fn number(unit: u32) -> u32 {
-        unit
-    }
-}
 
 /// A voxel that enters: key, number in the image, vertex of the grid.
 type Entering = (u64, u64, u32);
@@ -70,10 +54,12 @@ impl ImageBlocks {
         }
         let block = self.block(number, &numbers)?;
         drop(numbers);
-        Ok(match self.prime() {
+        let part = match self.prime() {
             2 => block.part(&Binary),
             prime => block.part(&Odd::new(prime)),
-        })
+        };
+        drop(block);
+        part.cancelled()
     }
 
     /// The block with its cells matched.
@@ -225,7 +211,18 @@ impl Block<'_> {
             boundaries,
             rules,
             top_rules,
+            layer: self.layer(),
+            pairs: vec![Vec::new(); axes],
         }
+    }
+
+    /// The voxels of other blocks in the window, each with its key.
+    fn layer(&self) -> Vec<[u64; 2]> {
+        let others = self.entering.iter().filter(|&&(.., vertex)| !self.is_own[vertex as usize]);
+        let mut layer: Vec<[u64; 2]> = others.map(|&(key, voxel, _)| [voxel, key]).collect();
+        layer.sort_unstable();
+        layer.dedup();
+        layer
     }
 
     /// Takes out what a sum flows down to in the block.
@@ -278,7 +275,7 @@ impl Block<'_> {
         self.entering.par_iter().enumerate().filter_map(others).collect()
     }
 
-    /// What the matched cells of a degree at the rim flow to, that are facets of cells of other blocks.
+    /// What the cells of a degree at the rim flow to that are matched with a cell above or critical, and are facets of cells of other blocks.
     fn rules<F: Numbered>(&self, field: &F, degree: usize) -> Rules {
         let (gradient, grid) = (&self.gradient, &self.gradient.grid);
         let codes = &grid.codes;
@@ -289,7 +286,7 @@ impl Block<'_> {
             let owned = lower_star(grid, &gradient.ranks, vertex);
             let is_asked = |&code: &Code| owned >> code & 1 == 1 && codes.degree(code) == degree;
             for code in (1..codes.count() as Code).filter(is_asked) {
-                if !matches!(gradient.fate(grid.place(star, vertex, code)), Fate::Up(..)) {
+                if !matches!(gradient.fate(grid.place(star, vertex, code)), Fate::Up(..) | Fate::Critical) {
                     continue;
                 }
                 let mut askers: Vec<u64> = Vec::new();
@@ -385,7 +382,7 @@ impl<'a> Vertices<'a> {
         let mut rules = Rules::default();
         for (rank, others) in block.rim() {
             let vertex = gradient.vertex(rank);
-            if !matches!(gradient.fate(vertex << grid.axes()), Fate::Up(..)) {
+            if !matches!(gradient.fate(vertex << grid.axes()), Fate::Up(..) | Fate::Critical) {
                 continue;
             }
             // Edges are owned by the end that enters later.
@@ -449,7 +446,7 @@ impl<'a> TopCells<'a> {
             let owned = lower_star(grid, &gradient.ranks, vertex);
             let is_asked = |&code: &Code| owned >> code & 1 == 1 && grid.codes.degree(code) == grid.axes();
             for code in (1..grid.codes.count() as Code).filter(is_asked) {
-                if !matches!(gradient.fate(grid.place(star, vertex, code)), Fate::Down(..)) {
+                if !matches!(gradient.fate(grid.place(star, vertex, code)), Fate::Down(..) | Fate::Critical) {
                     continue;
                 }
                 let corners = grid.codes.corners(code.into()) & others;
