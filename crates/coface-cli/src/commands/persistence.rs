@@ -314,13 +314,13 @@ impl Persistence {
             ("--image-of", !self.image_of.is_empty()),
         ];
         let given = options.iter().find(|(_, is_given)| *is_given).map(|&(option, _)| option);
-        if let Some(option) = given.or_else(|| common.voxels.rule_given()) {
+        if let Some(option) = given.or_else(|| common.voxels.rule_given()).or_else(|| common.points.given()) {
             return Err(Failure::new(format!(
                 "{}: parts give the diagram of the values of a volume alone; leave {option} out, or --parts and --work",
                 input::name(&self.input)
             )));
         }
-        common.points.refuse("persistence in parts")
+        Ok(())
     }
 
     /// The diagram of points, distances or a graph whose complex is not stored, with the positions of points that have some.

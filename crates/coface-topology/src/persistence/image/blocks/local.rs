@@ -87,16 +87,19 @@ impl ImageBlocks {
         // A vertex is own where it is in the layer of no axis.
         let (mut at, mut taken) = (vec![0; along.len()], 0);
         let mut is_own = Vec::with_capacity(grid.vertex_count());
+        let mut is_near = Vec::with_capacity(grid.vertex_count());
         for vertex in 0..grid.vertex_count() {
             let mut voxel = Some(0u64);
-            let mut is_inner = true;
+            let (mut is_inner, mut is_beside) = (true, false);
             for (axis, &place) in at.iter().enumerate() {
                 let length = self.shape()[axis] as u64;
                 voxel = voxel.and_then(|voxel| Some(voxel * length + along[axis][place]? as u64));
                 let is_layered = long.contains(&axis) && !closes(axis);
                 is_inner &= !is_layered || (place > 0 && place + 1 < along[axis].len());
+                is_beside |= is_layered && (place == 1 || place + 2 == along[axis].len());
             }
             is_own.push(is_inner);
+            is_near.push(is_inner && is_beside);
             if let Some(voxel) = voxel {
                 let value = numbers[taken];
                 taken += 1;
@@ -126,7 +129,9 @@ impl ImageBlocks {
         }
         let vertices = entering.iter().map(|&(.., vertex)| vertex).collect();
         let gradient = Gradient::new(grid, ranks, vertices, |vertex| is_own[vertex]);
-        Ok(Block { cut: self, number, gradient, entering, is_own })
+        let mut block = Block { cut: self, number, gradient, entering, is_own, rim: Vec::new() };
+        block.rim = block.found_rim(&is_near);
+        Ok(block)
     }
 
     /// The place of a voxel along each axis.
@@ -156,6 +161,8 @@ struct Block<'a> {
     entering: Vec<Entering>,
     /// For each vertex whether it is of this block.
     is_own: Vec<bool>,
+    /// The vertices of the block, by rank, that have voxels of other blocks beside them; of each a bit for the code of each of these.
+    rim: Vec<(u32, u128)>,
 }
 
 impl Block<'_> {
@@ -255,12 +262,12 @@ impl Block<'_> {
         chains
     }
 
-    /// The vertices of the block, by rank, that have voxels of other blocks beside them; of each a bit for the code of each of these.
-    fn rim(&self) -> Vec<(u32, u128)> {
+    /// The rim, among vertices beside the layer.
+    fn found_rim(&self, is_near: &[bool]) -> Vec<(u32, u128)> {
         let (gradient, grid) = (&self.gradient, &self.gradient.grid);
         let others = |(i, &(.., vertex)): (usize, &Entering)| {
             let vertex = vertex as usize;
-            if !self.is_own[vertex] {
+            if !is_near[vertex] {
                 return None;
             }
             let star = grid.star(vertex);
@@ -280,7 +287,7 @@ impl Block<'_> {
         let (gradient, grid) = (&self.gradient, &self.gradient.grid);
         let codes = &grid.codes;
         let mut asked: Vec<(Cell, Vec<u64>)> = Vec::new();
-        for (rank, _) in self.rim() {
+        for &(rank, _) in &self.rim {
             let vertex = gradient.vertex(rank);
             let star = grid.star(vertex);
             let owned = lower_star(grid, &gradient.ranks, vertex);
@@ -380,7 +387,7 @@ impl<'a> Vertices<'a> {
         let block = self.block;
         let (gradient, grid) = (&block.gradient, &block.gradient.grid);
         let mut rules = Rules::default();
-        for (rank, others) in block.rim() {
+        for &(rank, others) in &block.rim {
             let vertex = gradient.vertex(rank);
             if !matches!(gradient.fate(vertex << grid.axes()), Fate::Up(..) | Fate::Critical) {
                 continue;
@@ -440,7 +447,7 @@ impl<'a> TopCells<'a> {
         let block = self.block;
         let (gradient, grid) = (&block.gradient, &block.gradient.grid);
         let mut rules = Rules::default();
-        for (rank, others) in block.rim() {
+        for &(rank, others) in &block.rim {
             let vertex = gradient.vertex(rank);
             let star = grid.star(vertex);
             let owned = lower_star(grid, &gradient.ranks, vertex);

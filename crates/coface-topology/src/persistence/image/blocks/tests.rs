@@ -181,7 +181,7 @@ fn what_is_left_of_noise_is_its_rim() {
         // Some 6 x 16 x 16 voxels lie at the rim of a block, of 4,096.
         for part in &parts {
             assert!(left(part) < 1536, "{:?}", part.critical_counts());
-            assert!(part.pair_count() > 1000, "{}", part.pair_count());
+            assert!(part.pair_count() > 500, "{}", part.pair_count());
         }
         let half = ImagePart::merged(&parts[..4]).unwrap();
         let sum: usize = parts[..4].iter().map(left).sum();
@@ -189,7 +189,8 @@ fn what_is_left_of_noise_is_its_rim() {
         let pairs: usize = parts[..4].iter().map(ImagePart::pair_count).sum();
         assert!(half.pair_count() > pairs);
         let root = ImagePart::merged(&parts).unwrap();
-        assert_eq!(left(&root), 4);
+        // A component and a loop around the periodic axis.
+        assert_eq!(left(&root), 2);
         let whole = ImageFiltration::new(&image.shape, image.numbers.iter().copied()).unwrap();
         let whole = whole.construction(construction).periodic(&image.is_periodic).unwrap();
         assert_eq!(root.diagram().unwrap(), whole.persistence(Coefficients::Modulo(2)).unwrap());
