@@ -257,7 +257,7 @@ mod tests {
         assert_eq!(shards.diagram().unwrap(), whole);
         std::fs::remove_file(folder.path().join("blocks-2-000000.part")).unwrap();
         assert_eq!(shards.diagram().unwrap_err().kind(), ErrorKind::Io);
-        let other = ImageFolder::new(folder.path(), blocks.superlevel(true), 2).unwrap();
+        let other = ImageFolder::new(folder.path(), blocks.clone().superlevel(true), 2).unwrap();
         assert_eq!(other.merge(1, 0).unwrap_err().kind(), ErrorKind::Parse);
         assert_eq!(all(&other), [true; 7]);
     }
