@@ -76,8 +76,9 @@ impl Arguments {
 
     /// The most memory that this process may hold. The verbs that share memory out to workers keep the limit there.
     pub(crate) fn memory_of_program(&self) -> Option<u64> {
-        match self.verb {
+        match &self.verb {
             Verb::Homology(_) | Verb::Batch(_) | Verb::Worker(_) => None,
+            Verb::Persistence(persistence) if persistence.is_in_parts() => None,
             _ => self.common.memory.and_then(|limit| limit.0),
         }
     }

@@ -151,5 +151,5 @@ pub use table_form::TableForm;
 pub use unpacking::unpacked_bytes;
 #[doc(hidden)]
 pub use volume::VoxelFrame;
-pub use volume::{VolumeReading, VolumeStream, VoxelRule};
+pub use volume::{VolumeReading, VolumeStream, VolumeWindows, VoxelRule};
 pub use witness::{WitnessPoints, WitnessReading};

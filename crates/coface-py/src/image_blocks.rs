@@ -90,6 +90,7 @@ pub(crate) fn _image_part_summary<'py>(py: Python<'py>, part: &[u8]) -> PyResult
     let dict = PyDict::new(py);
     dict.set_item("blocks", (found.blocks().start, found.blocks().end))?;
     dict.set_item("critical", found.critical())?;
+    dict.set_item("pairs", found.pairs())?;
     dict.set_item("rules", found.rules())?;
     dict.set_item("bytes", found.bytes())?;
     dict.set_item("checksum", found.checksum())?;

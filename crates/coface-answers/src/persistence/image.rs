@@ -380,6 +380,25 @@ impl FoundImage {
         }
     }
 
+    /// The same with the axes of a file whose first axis runs fastest: they are numbered the other way round.
+    ///
+    /// # Examples
+    /// ```
+    /// # fn main() -> Result<(), coface_algebra::Error> {
+    /// use coface_answers::FoundImage;
+    /// use coface_topology::{ImageBlocks, ImageConstruction};
+    /// let diagram = ImageBlocks::new(&[1, 3], &[1, 3])?.part(0, [0.0, 5.0, 1.0])?.diagram()?;
+    /// let found = FoundImage::of_diagram("row", ImageConstruction::TopCells, &diagram, false, 0.0).first_fastest();
+    /// assert_eq!(found.voxels(&found.diagram().pairs()[1]), (vec![2, 0], Some(vec![1, 0])));
+    /// # Ok(()) }
+    /// ```
+    #[must_use]
+    pub fn first_fastest(mut self) -> Self {
+        self.axes.shape.reverse();
+        self.axes.is_first_fastest = !self.axes.is_first_fastest;
+        self
+    }
+
     /// The diagram; numbers of voxels are those of an image whose last axis runs fastest.
     ///
     /// # Examples

@@ -1,6 +1,7 @@
 //! `coface persistence`: births and deaths of classes along a filtration.
 
 pub(super) mod image;
+pub(crate) mod parts;
 mod points;
 mod vineyard;
 mod zigzag;
@@ -27,6 +28,7 @@ use coface::geometry::Positions;
 use coface::io::{Format, Model, write_path};
 use coface::topology::Coefficients;
 use image::ImageArguments;
+use parts::{Asked, ImageParts};
 use points::{PointQuestion, stored};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -101,6 +103,8 @@ pub(crate) struct Persistence {
     certificate: Option<PathBuf>,
     #[command(flatten)]
     image: ImageArguments,
+    #[command(flatten)]
+    in_parts: ImageParts,
 }
 
 /// How many pairs of a degree the page for people lists.
@@ -172,6 +176,22 @@ impl Persistence {
             common.points.refuse("persistence of a part of a model")?;
         }
         let progress = Progress::start(common.quiet);
+        if self.in_parts.are_given() {
+            self.check_parts(common)?;
+            let found = self.in_parts.found(
+                &Asked {
+                    input: &self.input,
+                    image: &self.image,
+                    coefficients: self.coefficients,
+                    min_persistence: self.min_persistence,
+                },
+                common,
+                &progress,
+            )?;
+            return self.give(common, output.as_ref(), progress, &found.answer(), |bytes, format| {
+                found.write(bytes, format)
+            });
+        }
         if self.zigzag {
             let zigzag = zigzag::given(&self.input, common, &self.image)?;
             let request = self.request(Growth::Lower(None));
@@ -272,6 +292,35 @@ impl Persistence {
             progress,
             (&name, &producer, request, mesh.as_ref(), false),
         )
+    }
+
+    /// Whether an image is cut into parts, so that --memory is that of workers.
+    pub(crate) fn is_in_parts(&self) -> bool {
+        self.in_parts.are_given()
+    }
+
+    /// Refuses what parts do not answer.
+    fn check_parts(&self, common: &Common) -> Result<(), Failure> {
+        let options = [
+            ("--cycles", self.cycles.is_some()),
+            ("--certificate", self.certificate.is_some()),
+            ("--function", self.function.is_some()),
+            ("--values", self.values.is_some()),
+            ("--upper-star", self.upper_star),
+            ("--extended", self.extended),
+            ("--zigzag", self.zigzag),
+            ("--vineyard", !self.vineyard.is_empty()),
+            ("--relative", !self.relative.is_empty()),
+            ("--image-of", !self.image_of.is_empty()),
+        ];
+        let given = options.iter().find(|(_, is_given)| *is_given).map(|&(option, _)| option);
+        if let Some(option) = given.or_else(|| common.voxels.rule_given()).or_else(|| common.points.given()) {
+            return Err(Failure::new(format!(
+                "{}: parts give the diagram of the values of a volume alone; leave {option} out, or --parts and --work",
+                input::name(&self.input)
+            )));
+        }
+        Ok(())
     }
 
     /// The diagram of points, distances or a graph whose complex is not stored, with the positions of points that have some.

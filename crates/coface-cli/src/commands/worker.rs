@@ -1,6 +1,7 @@
 //! `coface worker`: answers requests of a pool of worker processes.
 
 use crate::commands::homology::parts;
+use crate::commands::persistence;
 use crate::failure::Failure;
 use crate::workers::Task;
 use clap::Args;
@@ -23,6 +24,7 @@ impl Worker {
                 serve(|request| examiner.examine(request))?;
             }
             Task::Shards => serve(parts::answer_request)?,
+            Task::Images => serve(persistence::parts::answer_request)?,
         }
         Ok(())
     }

@@ -291,3 +291,52 @@ fn values_of_voxels_are_not_mistaken_for_heights() {
         assert_eq!((run.status, &run.stderr[..]), (0, ""));
     }
 }
+
+/// The diagram in parts is that without, in the voxels too, whatever the file, and what is finished is not made again.
+#[test]
+fn parts_have_the_diagram_of_the_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    let numbers: Vec<f64> = (0..9 * 7 * 8).map(|i| f64::from(i * i * 31 % 97)).collect();
+    std::fs::write(place.join("text.nrrd"), nrrd(&[9, 7, 8], &numbers)).unwrap();
+    let mask: Vec<f64> = (0..9 * 7 * 8).map(|i| f64::from(u8::from(i % 11 != 0))).collect();
+    std::fs::write(place.join("mask.nrrd"), nrrd(&[9, 7, 8], &mask)).unwrap();
+    let mut raw = b"NRRD0004\ntype: uint8\ndimension: 3\nsizes: 9 7 8\nencoding: raw\n\n".to_vec();
+    raw.extend(numbers.iter().map(|&number| number as u8));
+    std::fs::write(place.join("raw.nrrd"), raw).unwrap();
+    for options in [
+        &["text.nrrd"][..],
+        &["raw.nrrd", "--superlevel", "--periodic", "x,z"],
+        &["raw.nrrd", "--construction", "v", "--coefficients", "f3"],
+        &["raw.nrrd", "--mask", "mask.nrrd", "--min-persistence", "5"],
+    ] {
+        let whole = coface_in(place, &[&["persistence", "--json"], options].concat()).json();
+        for parts in ["1", "9"] {
+            let all = [&["persistence", "--json", "--parts", parts, "--fan-in", "3"], options].concat();
+            assert_eq!(coface_in(place, &all).json(), whole, "{options:?} {parts}");
+        }
+    }
+    let words = ["persistence", "text.nrrd", "--parts", "4", "--work", "work", "--json"];
+    let first = coface_in(place, &words).json();
+    let part = place.join("work/block-000002.part");
+    let written = |path: &Path| std::fs::metadata(path).unwrap().modified().unwrap();
+    let made = written(&part);
+    std::fs::write(place.join("work/block-000001.part"), "cut off").unwrap();
+    assert_eq!(coface_in(place, &words).json(), first);
+    assert_eq!(written(&part), made);
+    // The copy of another volume of the same name is made anew.
+    std::fs::write(place.join("text.nrrd"), nrrd(&[9, 7, 8], &mask)).unwrap();
+    let other = coface_in(place, &words).json();
+    assert_eq!(other, coface_in(place, &["persistence", "text.nrrd", "--json"]).json());
+    let whole =
+        coface_reading(&["persistence", "-", "--json", "--parts", "2"], nrrd(&[4, 3], &CORNERS).as_bytes());
+    std::fs::write(place.join("a.nrrd"), nrrd(&[4, 3], &CORNERS)).unwrap();
+    assert_eq!(
+        whole.json()["diagram"],
+        coface_in(place, &["persistence", "a.nrrd", "--json"]).json()["diagram"]
+    );
+    let infinite = nrrd(&[3, 2], &[0.0, 1.0, f64::NEG_INFINITY, 1.0, 1.0, 1.0]);
+    std::fs::write(place.join("b.nrrd"), infinite).unwrap();
+    let message = coface_in(place, &["persistence", "b.nrrd", "--parts", "2"]).fails_with(1).to_owned();
+    assert!(message.contains("b.nrrd: voxel [2, 0] is at -inf"), "{message}");
+}

@@ -21,6 +21,7 @@ mod rule;
 mod stream;
 #[cfg(test)]
 mod tests;
+mod windows;
 
 pub(super) use metaimage::is_metaimage;
 pub(super) use nifti::is_nifti;
@@ -34,3 +35,4 @@ pub use frame::VoxelFrame;
 pub use rule::{VolumeReading, VoxelRule};
 pub use stream::VolumeStream;
 pub(super) use stream::header_path;
+pub use windows::VolumeWindows;

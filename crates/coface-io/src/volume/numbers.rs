@@ -34,6 +34,11 @@ impl NumberType {
         }
     }
 
+    /// Whether each number is a floating point number of 32 bits.
+    pub(super) fn is_single(self) -> bool {
+        self.size() < 4 || self == Self::F32
+    }
+
     /// The range of integers; `None` for floating point numbers.
     fn range(self) -> Option<(i128, i128)> {
         Some(match self {

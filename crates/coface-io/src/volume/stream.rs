@@ -311,16 +311,44 @@ impl<'r> VolumeStream<'r> {
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn numbers(self) -> Result<(Vec<f64>, Vec<Remark>), Error> {
+        // Grown as numbers come: what the header says may be a lie.
+        let mut numbers = Vec::new();
+        let remarks = self.for_each_number(|_, run| {
+            numbers.extend_from_slice(run);
+            Ok(())
+        })?;
+        Ok((numbers, remarks))
+    }
+
+    /// Goes through all numbers in the order of the file: calls with the first voxel of a run along [`Self::fastest_axis`] and the numbers of the run, as they are
+    /// meant. Gives remarks.
+    ///
+    /// # Errors
+    /// Those of [`Self::for_each_run`].
+    ///
+    /// # Complexity
+    /// Linear in the file; some thousand numbers are held.
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_io::{Format, VolumeStream};
+    /// let text = b"NRRD0004\ntype: double\ndimension: 2\nsizes: 2 2\nencoding: ascii\n\n1 0.5 -2 4";
+    /// let mut sums = Vec::new();
+    /// VolumeStream::new(&text[..], Format::Nrrd)?.for_each_number(|_, run| {
+    ///     sums.push(run.iter().sum::<f64>());
+    ///     Ok(())
+    /// })?;
+    /// assert_eq!(sums, [1.5, 2.0]);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn for_each_number(
+        self,
+        mut visit: impl FnMut(&[u32], &[f64]) -> Result<(), Error>,
+    ) -> Result<Vec<Remark>, Error> {
         let name = self.name.clone();
         let values =
             Values { number_type: self.header.number_type, scale: self.header.scale, rounded: Cell::new(0) };
-        // Grown as numbers come: what the header says may be a lie.
-        let mut numbers = Vec::new();
-        let remarks = self.runs(&values, &mut |_, run| {
-            numbers.extend_from_slice(run);
-            Ok(())
-        });
-        let mut remarks = remarks.map_err(|error| match name {
+        let mut remarks = self.runs(&values, &mut visit).map_err(|error| match name {
             Some(name) => error.in_file(name),
             None => error,
         })?;
@@ -332,7 +360,17 @@ impl<'r> VolumeStream<'r> {
             };
             remarks.push(Remark::new(RemarkCode::NumbersRounded, message).at(rounded, []));
         }
-        Ok((numbers, remarks))
+        Ok(remarks)
+    }
+
+    /// Whether each number is one of 32 bits.
+    pub(super) fn has_single_numbers(&self) -> bool {
+        self.header.scale.is_none() && self.header.number_type.is_single()
+    }
+
+    /// The header, where numbers begin, the files and the remarks.
+    pub(super) fn into_places(self) -> (VolumeHeader, Option<u64>, Vec<PathBuf>, Vec<Remark>) {
+        (self.header, self.first_byte, self.files, self.remarks)
     }
 
     fn runs<D: Decode>(self, decode: &D, visit: &mut Visit<'_, D::Item>) -> Result<Vec<Remark>, Error> {

@@ -235,8 +235,8 @@ def persistence(
 ) -> Persistence:
     """Persistent homology of an image, block by block: the diagram of :func:`coface.cubical`, bit for bit.
 
-    Of each block its critical cells are kept, and what their boundaries flow down to; neighbors are merged level after level. At no time is more than a
-    block held, beside what is left of the others. What is left of white noise takes some four times the image; smooth images leave little.
+    Of each block the pairs are listed that no other block can change, and its other critical cells are kept, with what their boundaries flow down to; neighbors
+    are merged level after level. At no time is more than a block held, beside pairs and what is left of the others, which lies near the sides of blocks.
 
     Parameters
     ----------

@@ -12,6 +12,7 @@ use xxhash_rust::xxh3::Xxh3;
 pub struct ImagePartSummary {
     blocks: Range<u32>,
     critical: Vec<usize>,
+    pairs: usize,
     rules: usize,
     bytes: u64,
     checksum: u64,
@@ -24,12 +25,17 @@ impl ImagePartSummary {
         self.blocks.clone()
     }
 
-    /// The critical cells in each degree.
+    /// The critical cells in each degree that are not paired yet.
     pub fn critical(&self) -> &[usize] {
         &self.critical
     }
 
-    /// The matched cells at the rim that other blocks ask for.
+    /// The pairs that were found, but for those that die as they are born.
+    pub fn pairs(&self) -> usize {
+        self.pairs
+    }
+
+    /// The cells at the rim that other blocks ask for.
     pub fn rules(&self) -> usize {
         self.rules
     }
@@ -78,7 +84,8 @@ pub fn window_checksum(blocks: &ImageBlocks, number: u32, numbers: &[f64]) -> u6
     hash.digest()
 }
 
-fn bytes_of(part: &ImagePart, sources: &[u64]) -> Vec<u8> {
+/// A part as bytes.
+pub(super) fn image_part_of(part: &ImagePart, sources: &[u64]) -> Vec<u8> {
     let words = part.to_words();
     let mut writer = ContainerWriter::new(Kind::Image);
     writer.push(Role::Sources, 0, sources);
@@ -87,7 +94,7 @@ fn bytes_of(part: &ImagePart, sources: &[u64]) -> Vec<u8> {
 }
 
 /// A part, its checksum, and those of its sources.
-fn open(bytes: &[u8]) -> Result<(ImagePart, u64, Vec<u64>), Error> {
+pub(super) fn open_image_part(bytes: &[u8]) -> Result<(ImagePart, u64, Vec<u64>), Error> {
     let container = Container::open(bytes, Kind::Image)?;
     let sources = container.array(Role::Sources, 0)?.into_owned();
     let part = ImagePart::of_words(&container.array(Role::Image, 0)?);
@@ -125,7 +132,7 @@ fn open(bytes: &[u8]) -> Result<(ImagePart, u64, Vec<u64>), Error> {
 /// ```
 pub fn image_part(blocks: &ImageBlocks, number: u32, numbers: &[f64]) -> Result<Vec<u8>, Error> {
     let part = blocks.part(number, numbers.iter().copied())?;
-    Ok(bytes_of(&part, &[window_checksum(blocks, number, numbers)]))
+    Ok(image_part_of(&part, &[window_checksum(blocks, number, numbers)]))
 }
 
 /// The part of the blocks of these parts together, in the order of their numbers.
@@ -142,11 +149,11 @@ pub fn merge_image_parts<B: AsRef<[u8]>>(parts: &[B]) -> Result<Vec<u8>, Error> 
     let mut opened = Vec::with_capacity(parts.len());
     let mut sources = Vec::with_capacity(parts.len());
     for part in parts {
-        let (part, checksum, _) = open(part.as_ref())?;
+        let (part, checksum, _) = open_image_part(part.as_ref())?;
         opened.push(part);
         sources.push(checksum);
     }
-    Ok(bytes_of(&ImagePart::merged(&opened)?, &sources))
+    Ok(image_part_of(&ImagePart::merged(&opened)?, &sources))
 }
 
 /// The diagram of an image, from the part of all its blocks.
@@ -160,7 +167,7 @@ pub fn merge_image_parts<B: AsRef<[u8]>>(parts: &[B]) -> Result<Vec<u8>, Error> 
 /// # Examples
 /// See [`image_part`].
 pub fn image_diagram(part: &[u8]) -> Result<ImageDiagram, Error> {
-    open(part)?.0.diagram()
+    open_image_part(part)?.0.diagram()
 }
 
 /// The counts of a part.
@@ -174,10 +181,11 @@ pub fn image_diagram(part: &[u8]) -> Result<ImageDiagram, Error> {
 /// # Examples
 /// See [`image_part`].
 pub fn image_part_summary(part: &[u8]) -> Result<ImagePartSummary, Error> {
-    let (opened, checksum, sources) = open(part)?;
+    let (opened, checksum, sources) = open_image_part(part)?;
     Ok(ImagePartSummary {
         blocks: opened.blocks(),
         critical: opened.critical_counts(),
+        pairs: opened.pair_count(),
         rules: opened.rule_count(),
         bytes: part.len() as u64,
         checksum,

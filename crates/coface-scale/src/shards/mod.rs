@@ -14,7 +14,8 @@
 //! made again. [`shard_model`] makes the shards of a model, [`shard_mesh_file`] those of a file that is not kept in memory, [`GridShards`] those of grids and
 //! volumes.
 //!
-//! [`image_part`], [`merge_image_parts`] and [`image_diagram`] do the same for the persistence of an image: see [`ImageBlocks`](coface_topology::ImageBlocks).
+//! [`image_part`], [`merge_image_parts`] and [`image_diagram`] do the same for the persistence of an image: see [`ImageBlocks`](coface_topology::ImageBlocks). An
+//! [`ImageFolder`] keeps its parts as files.
 //!
 //! # References
 //! See [`coface_algebra::chains::Part`].
@@ -22,6 +23,7 @@
 mod chains;
 mod folder;
 mod grid;
+mod image_folder;
 mod images;
 mod manifest;
 mod meshes;
@@ -40,6 +42,7 @@ pub use chains::{
 };
 pub use folder::{FolderLevel, FolderSummary, ReducedStep, ShardFolder, reduce_file};
 pub use grid::{GridShards, GridSort};
+pub use image_folder::ImageFolder;
 pub use images::{
     ImagePartSummary, image_diagram, image_part, image_part_summary, merge_image_parts, window_checksum,
 };

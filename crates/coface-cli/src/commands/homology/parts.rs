@@ -8,13 +8,11 @@ use crate::commands::shard::{Cut, CutRequest, GridArguments, cut_input, fingerpr
 use crate::failure::Failure;
 use crate::points::PointArguments;
 use crate::progress::Progress;
-use crate::workers::{Task, core_count, pool};
+use crate::workers::{Sharing, Task, WorkFolder, WorkerReply, line, text_of_path};
 use clap::Args;
-use coface::Error;
 use coface::answers::answer::HomologyAnswer;
-use coface::io::{FolderLock, MadeFolders, TemporaryFolder};
 use coface::scale::shards::ShardFolder;
-use coface::scale::workers::{Limits, Loss, bytes_text};
+use coface::scale::workers::{Loss, bytes_text};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
@@ -45,8 +43,6 @@ pub(super) struct PartsOptions {
 const LEAST: u64 = 64 << 20;
 /// What is advised instead of less.
 const ADVISED: u64 = 96 << 20;
-/// Workers are not started for less each, as long as one can do the work.
-const COMFORT: u64 = 256 << 20;
 
 impl PartsOptions {
     /// Whether work in parts is asked for.
@@ -84,47 +80,6 @@ impl PartsOptions {
         drop(progress);
         drop(work);
         answer.give(question, common)
-    }
-}
-
-/// Where shards stand.
-enum WorkFolder {
-    /// A folder that goes with this run.
-    Temporary(TemporaryFolder),
-    /// A folder of the user, in which no other run works meanwhile. It goes too if it was made for this run and
-    /// stays empty.
-    Given { path: PathBuf, _lock: FolderLock, _made: MadeFolders },
-}
-
-impl WorkFolder {
-    fn new(given: Option<&Path>) -> Result<Self, Failure> {
-        let cure = |error: Error| error.with_cure("name another folder with --work");
-        if let Some(path) = given {
-            let (made, lock) =
-                MadeFolders::with(path, |path| FolderLock::take(path, ".coface-work.lock")).map_err(cure)?;
-            return Ok(Self::Given { path: path.to_path_buf(), _lock: lock, _made: made });
-        }
-        let folder = TemporaryFolder::create_in(&std::env::temp_dir(), "coface-parts-").map_err(cure)?;
-        Ok(Self::Temporary(folder))
-    }
-
-    fn path(&self) -> &Path {
-        match self {
-            Self::Temporary(folder) => folder.path(),
-            Self::Given { path, .. } => path,
-        }
-    }
-
-    /// A file instead of the standard input, which workers do not see.
-    fn standard_input(&self, input: &Path) -> Result<PathBuf, Failure> {
-        if input.as_os_str() != "-" {
-            return Ok(input.to_path_buf());
-        }
-        let path = self.path().join("standard input");
-        let copied = coface::io::replace_file(&path, |out| {
-            Ok(std::io::copy(&mut std::io::stdin().lock(), out).map(|_| ())?)
-        });
-        copied.map(|()| path).map_err(Failure::from)
     }
 }
 
@@ -188,32 +143,26 @@ fn unexpected() -> Failure {
     Failure::new("a worker replied to another request; run the command again")
 }
 
-fn line(message: &impl Serialize) -> String {
-    serde_json::to_string(message).expect("requests and replies have texts as keys")
-}
-
-/// A path as text, which lines are.
-fn text(path: &Path) -> Result<String, Failure> {
-    path.to_str().map(str::to_owned).ok_or_else(|| {
-        Failure::new(format!(
-            "{}: the name is not valid UTF-8, so it cannot be sent to worker processes; rename it",
-            path.display()
-        ))
-    })
+impl WorkerReply for Reply {
+    fn error(&self) -> Option<&str> {
+        match self {
+            Self::Error(message) => Some(message),
+            _ => None,
+        }
+    }
 }
 
 struct Runner<'a> {
     options: &'a PartsOptions,
     folder: &'a Path,
     folder_text: String,
-    workers: usize,
+    sharing: Sharing,
 }
 
 impl<'a> Runner<'a> {
     fn new(options: &'a PartsOptions, common: &Common, folder: &'a Path) -> Result<Self, Failure> {
-        let threads = common.threads.map_or_else(core_count, usize::from);
-        let fit = options.memory().map_or(usize::MAX, |memory| (memory / COMFORT).max(1) as usize);
-        Ok(Self { options, folder, folder_text: text(folder)?, workers: threads.min(fit) })
+        let sharing = Sharing::new(Task::Shards, common.threads, options.memory());
+        Ok(Self { options, folder, folder_text: text_of_path(folder)?, sharing })
     }
 
     /// Has shards made, unless they are there. Gives the number of parts and the fan-in.
@@ -234,12 +183,12 @@ impl<'a> Runner<'a> {
         }
         let request = Request::Shard(Box::new(ShardTask {
             folder: self.folder_text.clone(),
-            input: text(input)?,
+            input: text_of_path(input)?,
             name: name.map(str::to_owned),
             parts: self.options.parts,
-            memory: self.options.memory().map(|memory| memory / self.workers as u64),
+            memory: self.options.memory().map(|memory| memory / self.sharing.workers as u64),
             fan_in: self.options.fan_in,
-            owners: self.options.owners.as_deref().map(text).transpose()?,
+            owners: self.options.owners.as_deref().map(text_of_path).transpose()?,
             format: common.format.map(|format| format.name().to_owned()),
             flatten: common.flatten,
             strict: common.strict,
@@ -251,7 +200,7 @@ impl<'a> Runner<'a> {
             grid: self.options.grid.grid.clone(),
             simplicial: self.options.grid.simplicial,
         }));
-        let answer = self.ask("cutting into shards", 1, 1, |_| line(&request))?.remove(0);
+        let answer = self.sharing.ask::<Reply>("cutting into shards", 1, 1, |_| line(&request))?.remove(0);
         let answer = answer.map_err(|loss| {
             Failure::new(match loss {
                 Loss::Memory { .. } => format!(
@@ -269,7 +218,7 @@ impl<'a> Runner<'a> {
 
     fn reduce(&self, part_count: u32) -> Result<(), Failure> {
         let request = |number: u32| line(&Request::Reduce { folder: self.folder_text.clone(), number });
-        self.ask_all("reducing parts", part_count, request, |number, loss| match loss {
+        self.sharing.ask_all::<Reply>("reducing parts", part_count, request, |number, loss| match loss {
             Loss::Memory { limit } => format!(
                 "part {number} of {part_count} needs more than {} of memory; cut into more by --parts {}, or allow more",
                 limit.map_or("all".to_owned(), bytes_text),
@@ -291,7 +240,7 @@ impl<'a> Runner<'a> {
             let request =
                 |number: u32| line(&Request::Merge { folder: self.folder_text.clone(), level, number });
             let stage = format!("merging parts to level {level}");
-            self.ask_all(&stage, width, request, |number, loss| match loss {
+            self.sharing.ask_all::<Reply>(&stage, width, request, |number, loss| match loss {
                 Loss::Memory { limit } => format!(
                     "merging to part {number} of level {level} needs more than {} of memory; merge fewer at once by --fan-in 2, or cut so that parts \
                      have smaller common boundaries: by --owners positions, or into fewer",
@@ -305,7 +254,7 @@ impl<'a> Runner<'a> {
 
     fn is_root(&self, level: u32) -> Result<bool, Failure> {
         let request = |_| line(&Request::Look { folder: self.folder_text.clone(), level });
-        let answers = self.ask_all("looking at what is left", 1, request, |_, loss| {
+        let answers = self.sharing.ask_all::<Reply>("looking at what is left", 1, request, |_, loss| {
             format!("what is left could not be looked at: {loss}; {}", loss.cure())
         })?;
         match answers.first() {
@@ -321,7 +270,7 @@ impl<'a> Runner<'a> {
             cohomology: question.cohomology,
             generators: question.generators.is_some(),
         };
-        let answers = self.ask_all(
+        let answers = self.sharing.ask_all::<Reply>(
             "asking what is left",
             1,
             |_| line(&request),
@@ -331,59 +280,6 @@ impl<'a> Runner<'a> {
             Some(Reply::Answered { object, page }) => Ok(Answer { object: *object, page }),
             _ => Err(unexpected()),
         }
-    }
-
-    /// Asks workers side by side, and those requests again that need more memory than one has then, alone with all of it.
-    fn ask_all(
-        &self,
-        stage: &str,
-        count: u32,
-        request: impl Fn(u32) -> String + Sync,
-        fault: impl Fn(u32, Loss) -> String,
-    ) -> Result<Vec<Reply>, Failure> {
-        let first = self.ask(stage, self.workers, count as usize, |number| request(number as u32))?;
-        let mut answers = Vec::with_capacity(first.len());
-        for (number, outcome) in (0..).zip(first) {
-            answers.push(
-                match outcome {
-                    Err(Loss::Memory { .. }) if self.workers > 1 => {
-                        self.ask(stage, 1, 1, |_| request(number))?.remove(0)
-                    }
-                    outcome => outcome,
-                }
-                .map_err(|loss| Failure::new(fault(number, loss)))?,
-            );
-        }
-        Ok(answers)
-    }
-
-    /// What so many workers, that share the memory, say to requests.
-    fn ask(
-        &self,
-        stage: &str,
-        workers: usize,
-        count: usize,
-        request: impl Fn(usize) -> String + Sync,
-    ) -> Result<Vec<Result<Reply, Loss>>, Failure> {
-        let workers = workers.min(count).max(1);
-        let limits =
-            Limits { time: None, memory: self.options.memory().map(|memory| memory / workers as u64) };
-        let mut answers = Vec::with_capacity(count);
-        pool(Task::Shards, workers, 1, limits)?.run_in_order(stage, count, request, |_, outcome| {
-            answers.push(match outcome {
-                Ok(answer) => {
-                    let reply: Reply = serde_json::from_str(&answer.line)
-                        .map_err(|error| Error::parse(format!("a worker gave no reply: {error}")))?;
-                    if let Reply::Error(message) = reply {
-                        return Err(Error::invalid(message));
-                    }
-                    Ok(reply)
-                }
-                Err(loss) => Err(loss),
-            });
-            Ok(())
-        })?;
-        Ok(answers)
     }
 }
 

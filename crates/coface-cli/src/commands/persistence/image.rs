@@ -40,6 +40,26 @@ impl ImageArguments {
         given.into_iter().find(|&(_, is_given)| is_given).map(|(name, _)| name)
     }
 
+    /// What voxels are.
+    pub(super) fn construction(&self) -> ImageConstruction {
+        self.construction.unwrap_or_default()
+    }
+
+    pub(super) fn is_superlevel(&self) -> bool {
+        self.superlevel
+    }
+
+    pub(super) fn mask(&self) -> Option<&Path> {
+        self.mask.as_deref()
+    }
+
+    /// A mask that is no volume.
+    pub(super) fn no_mask(mask_name: &str) -> Failure {
+        Failure::new(format!(
+            "{mask_name}: is no volume of voxels; give a mask as .npy, NRRD, NIfTI, MetaImage, PGM or PNG"
+        ))
+    }
+
     /// Refuses these options for an input that is no image.
     pub(crate) fn refuse(&self, input: &Path) -> Result<(), Failure> {
         match self.given() {
@@ -68,9 +88,7 @@ impl ImageArguments {
             let mask_name = input::name(path);
             let mask = input::read(path, common.reading(), progress)?;
             let Some(Structure::Volume(volume)) = mask.model.structure() else {
-                return Err(Failure::new(format!(
-                    "{mask_name}: is no volume of voxels; give a mask as .npy, NRRD, NIfTI, MetaImage, PGM or PNG"
-                )));
+                return Err(Self::no_mask(&mask_name));
             };
             image = image.mask(volume).map_err(|error| error.in_file(mask_name))?;
         }

@@ -271,6 +271,16 @@ const EXCEPTIONS: &[(&str, &str, &str)] = &[
         "needs parts with a common boundary of 64 MiB",
     ),
     (
+        "persistence/parts.rs",
+        "cut into more by --parts {}, or allow more by --memory",
+        "needs a block of a million voxels",
+    ),
+    (
+        "persistence/parts.rs",
+        "merge fewer at once by --fan-in 2, or allow more by --memory",
+        "needs parts whose common sides take 64 MiB",
+    ),
+    (
         "commands/cut.rs",
         "are not made shorter; --rounds 1 does it",
         "needs a surface that takes minutes to be cut",

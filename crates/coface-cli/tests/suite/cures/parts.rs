@@ -30,6 +30,25 @@ pub(super) const CASES: &[Case] = &[
         .files(BOOK)
         .refused("coface homology book.json --parts 2 --work book.json")
         .cured(&[&["coface homology book.json --parts 2 --work work"]]),
+    Case::new(
+        "persistence.rs",
+        "parts give the diagram of the values of a volume alone; leave {option} out, or --parts and --work",
+    )
+    .files(VOXELS)
+    .refused("coface persistence voxels.nrrd --parts 2 --cycles")
+    .cured(&[&["coface persistence voxels.nrrd --parts 2"], &["coface persistence voxels.nrrd --cycles"]]),
+    Case::new("persistence/parts.rs", "and this is none; leave --parts and --work out")
+        .files(BOOK)
+        .refused("coface persistence book.json --parts 2 --work w")
+        .cured(&[&["coface persistence book.json"]]),
+    Case::new("persistence/parts.rs", "is too little for any part; give --memory")
+        .files(VOXELS)
+        .refused("coface persistence voxels.nrrd --parts 2 --memory 1M")
+        .cured(&[&["coface persistence voxels.nrrd --parts 2 --memory 96M"]]),
+    Case::new("persistence/parts.rs", "which would meet itself; leave it out of --periodic")
+        .files(&[("row.pgm", "P2\n4 1\n9\n1 2 4 3\n")])
+        .refused("coface persistence row.pgm --parts 2 --periodic x,y")
+        .cured(&[&["coface persistence row.pgm --parts 2 --periodic x"]]),
     Case::new("commands/merge.rs", "leave --coefficients and --cohomology away")
         .files(BOOK)
         .before(&[SHARDED, "coface reduce parts"])

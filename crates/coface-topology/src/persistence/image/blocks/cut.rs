@@ -111,6 +111,35 @@ impl ImageBlocks {
         })
     }
 
+    /// An image of this shape cut into so many blocks or a few more, as far as there are voxels: the longest blocks are cut again, until there are enough.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`].
+    ///
+    /// # Examples
+    /// ```
+    /// use coface_topology::ImageBlocks;
+    /// let blocks = ImageBlocks::at_least(&[40, 20], 3)?;
+    /// assert_eq!(blocks, ImageBlocks::new(&[40, 20], &[10, 20])?);
+    /// assert_eq!(ImageBlocks::at_least(&[2, 2], 9)?.count(), 4);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn at_least(shape: &[usize], count: u32) -> Result<Self, Error> {
+        let mut sides: Vec<usize> = shape.iter().map(|&length| length.max(1)).collect();
+        let blocks = |sides: &[usize]| {
+            let along = shape.iter().zip(sides).map(|(length, &side)| length.div_ceil(side).max(1));
+            along.fold(1usize, usize::saturating_mul)
+        };
+        while blocks(&sides) < count as usize {
+            // Of equal sides that of the slowest axis is cut, so that rows stay long.
+            match (0..sides.len()).rev().max_by_key(|&axis| sides[axis]) {
+                Some(axis) if sides[axis] > 1 => sides[axis] = sides[axis].div_ceil(2),
+                _ => break,
+            }
+        }
+        Self::new(shape, &sides)
+    }
+
     /// What voxels are.
     ///
     /// # Examples
@@ -352,7 +381,8 @@ impl ImageBlocks {
     }
 
     /// What [`Self::to_words`] has made numbers of, from the first of these; takes them away.
-    pub(super) fn of_words(words: &mut &[u64]) -> Option<Self> {
+    #[doc(hidden)]
+    pub fn of_words(words: &mut &[u64]) -> Option<Self> {
         let (&axes, rest) = words.split_first()?;
         let axes = usize::try_from(axes).ok().filter(|&axes| axes <= rest.len() / 3)?;
         let (lists, rest) = rest.split_at_checked(3 * axes)?;

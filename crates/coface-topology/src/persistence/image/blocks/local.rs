@@ -4,32 +4,16 @@ use super::super::descent::Sum;
 use super::super::forest::Forest;
 use super::super::gradient::{Cell, Fate, Gradient, NEVER, OUTSIDE, lower_star};
 use super::super::grid::{Code, Grid};
+use super::cancelling::Numbered;
 use super::cut::ImageBlocks;
 use super::part::{Cells, Chains, ImagePart, Name, OUTSIDE_NAME, Rules, name};
 use coface_algebra::progress::stage;
-use coface_algebra::{Binary, Error, ErrorKind, Field, Odd, memory};
+use coface_algebra::{Binary, Error, ErrorKind, Odd, memory};
 use rayon::prelude::*;
 use std::sync::Arc;
 
 /// So many critical cells flow down at once.
 const BATCH: usize = 4096;
-
-/// A field whose elements are numbers.
-trait Numbered: Field<Unit: Send + Sync> + Sync {
-    fn number(unit: Self::Unit) -> u32;
-}
-
-impl Numbered for Binary {
-    fn number((): ()) -> u32 {
-        1
-    }
-}
-
-impl Numbered for Odd {
-    fn number(unit: u32) -> u32 {
-        unit
-    }
-}
 
 /// A voxel that enters: key, number in the image, vertex of the grid.
 type Entering = (u64, u64, u32);
@@ -70,10 +54,12 @@ impl ImageBlocks {
         }
         let block = self.block(number, &numbers)?;
         drop(numbers);
-        Ok(match self.prime() {
+        let part = match self.prime() {
             2 => block.part(&Binary),
             prime => block.part(&Odd::new(prime)),
-        })
+        };
+        drop(block);
+        part.cancelled()
     }
 
     /// The block with its cells matched.
@@ -101,16 +87,19 @@ impl ImageBlocks {
         // A vertex is own where it is in the layer of no axis.
         let (mut at, mut taken) = (vec![0; along.len()], 0);
         let mut is_own = Vec::with_capacity(grid.vertex_count());
+        let mut is_near = Vec::with_capacity(grid.vertex_count());
         for vertex in 0..grid.vertex_count() {
             let mut voxel = Some(0u64);
-            let mut is_inner = true;
+            let (mut is_inner, mut is_beside) = (true, false);
             for (axis, &place) in at.iter().enumerate() {
                 let length = self.shape()[axis] as u64;
                 voxel = voxel.and_then(|voxel| Some(voxel * length + along[axis][place]? as u64));
                 let is_layered = long.contains(&axis) && !closes(axis);
                 is_inner &= !is_layered || (place > 0 && place + 1 < along[axis].len());
+                is_beside |= is_layered && (place == 1 || place + 2 == along[axis].len());
             }
             is_own.push(is_inner);
+            is_near.push(is_inner && is_beside);
             if let Some(voxel) = voxel {
                 let value = numbers[taken];
                 taken += 1;
@@ -140,7 +129,9 @@ impl ImageBlocks {
         }
         let vertices = entering.iter().map(|&(.., vertex)| vertex).collect();
         let gradient = Gradient::new(grid, ranks, vertices, |vertex| is_own[vertex]);
-        Ok(Block { cut: self, number, gradient, entering, is_own })
+        let mut block = Block { cut: self, number, gradient, entering, is_own, rim: Vec::new() };
+        block.rim = block.found_rim(&is_near);
+        Ok(block)
     }
 
     /// The place of a voxel along each axis.
@@ -170,6 +161,8 @@ struct Block<'a> {
     entering: Vec<Entering>,
     /// For each vertex whether it is of this block.
     is_own: Vec<bool>,
+    /// The vertices of the block, by rank, that have voxels of other blocks beside them; of each a bit for the code of each of these.
+    rim: Vec<(u32, u128)>,
 }
 
 impl Block<'_> {
@@ -225,7 +218,18 @@ impl Block<'_> {
             boundaries,
             rules,
             top_rules,
+            layer: self.layer(),
+            pairs: vec![Vec::new(); axes],
         }
+    }
+
+    /// The voxels of other blocks in the window, each with its key.
+    fn layer(&self) -> Vec<[u64; 2]> {
+        let others = self.entering.iter().filter(|&&(.., vertex)| !self.is_own[vertex as usize]);
+        let mut layer: Vec<[u64; 2]> = others.map(|&(key, voxel, _)| [voxel, key]).collect();
+        layer.sort_unstable();
+        layer.dedup();
+        layer
     }
 
     /// Takes out what a sum flows down to in the block.
@@ -258,12 +262,12 @@ impl Block<'_> {
         chains
     }
 
-    /// The vertices of the block, by rank, that have voxels of other blocks beside them; of each a bit for the code of each of these.
-    fn rim(&self) -> Vec<(u32, u128)> {
+    /// The rim, among vertices beside the layer.
+    fn found_rim(&self, is_near: &[bool]) -> Vec<(u32, u128)> {
         let (gradient, grid) = (&self.gradient, &self.gradient.grid);
         let others = |(i, &(.., vertex)): (usize, &Entering)| {
             let vertex = vertex as usize;
-            if !self.is_own[vertex] {
+            if !is_near[vertex] {
                 return None;
             }
             let star = grid.star(vertex);
@@ -278,18 +282,18 @@ impl Block<'_> {
         self.entering.par_iter().enumerate().filter_map(others).collect()
     }
 
-    /// What the matched cells of a degree at the rim flow to, that are facets of cells of other blocks.
+    /// What the cells of a degree at the rim flow to that are matched with a cell above or critical, and are facets of cells of other blocks.
     fn rules<F: Numbered>(&self, field: &F, degree: usize) -> Rules {
         let (gradient, grid) = (&self.gradient, &self.gradient.grid);
         let codes = &grid.codes;
         let mut asked: Vec<(Cell, Vec<u64>)> = Vec::new();
-        for (rank, _) in self.rim() {
+        for &(rank, _) in &self.rim {
             let vertex = gradient.vertex(rank);
             let star = grid.star(vertex);
             let owned = lower_star(grid, &gradient.ranks, vertex);
             let is_asked = |&code: &Code| owned >> code & 1 == 1 && codes.degree(code) == degree;
             for code in (1..codes.count() as Code).filter(is_asked) {
-                if !matches!(gradient.fate(grid.place(star, vertex, code)), Fate::Up(..)) {
+                if !matches!(gradient.fate(grid.place(star, vertex, code)), Fate::Up(..) | Fate::Critical) {
                     continue;
                 }
                 let mut askers: Vec<u64> = Vec::new();
@@ -383,9 +387,9 @@ impl<'a> Vertices<'a> {
         let block = self.block;
         let (gradient, grid) = (&block.gradient, &block.gradient.grid);
         let mut rules = Rules::default();
-        for (rank, others) in block.rim() {
+        for &(rank, others) in &block.rim {
             let vertex = gradient.vertex(rank);
-            if !matches!(gradient.fate(vertex << grid.axes()), Fate::Up(..)) {
+            if !matches!(gradient.fate(vertex << grid.axes()), Fate::Up(..) | Fate::Critical) {
                 continue;
             }
             // Edges are owned by the end that enters later.
@@ -443,13 +447,13 @@ impl<'a> TopCells<'a> {
         let block = self.block;
         let (gradient, grid) = (&block.gradient, &block.gradient.grid);
         let mut rules = Rules::default();
-        for (rank, others) in block.rim() {
+        for &(rank, others) in &block.rim {
             let vertex = gradient.vertex(rank);
             let star = grid.star(vertex);
             let owned = lower_star(grid, &gradient.ranks, vertex);
             let is_asked = |&code: &Code| owned >> code & 1 == 1 && grid.codes.degree(code) == grid.axes();
             for code in (1..grid.codes.count() as Code).filter(is_asked) {
-                if !matches!(gradient.fate(grid.place(star, vertex, code)), Fate::Down(..)) {
+                if !matches!(gradient.fate(grid.place(star, vertex, code)), Fate::Down(..) | Fate::Critical) {
                     continue;
                 }
                 let corners = grid.codes.corners(code.into()) & others;

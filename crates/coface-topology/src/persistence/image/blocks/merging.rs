@@ -1,4 +1,4 @@
-//! Parts of an image merged to one: open ends in the union are replaced by what they flow to.
+//! Parts of an image merged to one: open ends in the union are replaced by what they flow to, then pairs are taken out.
 
 use super::cut::ImageBlocks;
 use super::part::{Cells, Chains, ImagePart, Name, OUTSIDE_NAME, Rules, owner};
@@ -15,7 +15,8 @@ impl ImagePart {
     /// other; [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) for parts whose paths run in circles, as parts of other numbers may.
     ///
     /// # Complexity
-    /// Near-linear in the parts and in the chains that replace open ends.
+    /// Near-linear in the parts and in the chains that replace open ends, but for the degrees strictly between 0 and the last one, in which the boundaries of critical
+    /// cells are reduced: cubic in their number at worst.
     ///
     /// # Examples
     /// See [`ImagePart`].
@@ -71,7 +72,17 @@ impl ImagePart {
             1 => Vec::new(),
             _ => orders[axes - 1].iter().map(|&(_, place)| facets[place as usize]).collect(),
         };
-        Ok(Self { blocks, critical, edges, facets, boundaries, rules, top_rules, cut: Arc::clone(&cut) })
+        let layers = parts.iter().flat_map(|part| &part.layer);
+        let mut layer: Vec<[u64; 2]> =
+            layers.filter(|&&[voxel, _]| !union.has_voxel(voxel)).copied().collect();
+        layer.sort_unstable();
+        layer.dedup_by_key(|place| place[0]);
+        let pairs = |degree: usize| parts.iter().flat_map(move |part| &part.pairs[degree]).copied().collect();
+        let pairs = (0..axes).map(pairs).collect();
+        let cut = Arc::clone(&cut);
+        let merged =
+            Self { blocks, critical, edges, facets, boundaries, rules, top_rules, layer, pairs, cut };
+        merged.cancelled()
     }
 }
 
@@ -108,7 +119,10 @@ struct Union<'a> {
 
 impl Union<'_> {
     fn owns(&self, name: Name) -> bool {
-        let voxel = owner(name);
+        self.has_voxel(owner(name))
+    }
+
+    fn has_voxel(&self, voxel: u64) -> bool {
         let voxels: usize = self.cut.shape().iter().product();
         (voxel as usize) < voxels && self.blocks.contains(&self.cut.block_of(voxel))
     }
@@ -128,7 +142,11 @@ impl Union<'_> {
         let mut next: SpreadMap<Name, Name> = SpreadMap::default();
         for rules in rules.clone() {
             for (i, &name) in rules.cells.names.iter().enumerate() {
-                next.insert(name, rules.chains.names(i).first().copied().unwrap_or(OUTSIDE_NAME));
+                let end = rules.chains.names(i).first().copied().unwrap_or(OUTSIDE_NAME);
+                // A critical cell flows to itself.
+                if end != name {
+                    next.insert(name, end);
+                }
             }
         }
         let mut path = Vec::new();
@@ -194,12 +212,18 @@ impl<'a> Flow<'a> {
         parts: &'a [&'a Rules],
         chains: &[&Chains],
     ) -> Result<Self, Error> {
+        let mut known: SpreadMap<Name, Option<u32>> =
+            critical.names.iter().map(|&name| (name, None)).collect();
         let mut places: SpreadMap<Name, Origin> = SpreadMap::default();
         let mut stack: Vec<Name> = Vec::new();
         for (number, rules) in (0..).zip(parts) {
             for (i, &name) in rules.cells.names.iter().enumerate() {
-                places.insert(name, (number, i as u32));
-                if !union.askers(rules, i).is_empty() {
+                let is_asked = !union.askers(rules, i).is_empty();
+                // A critical cell flows to itself.
+                if is_asked || !known.contains_key(&name) {
+                    places.insert(name, (number, i as u32));
+                }
+                if is_asked {
                     stack.push(name);
                 }
             }
@@ -216,16 +240,19 @@ impl<'a> Flow<'a> {
             stack.extend(rules.chains.names(i).iter().filter(|name| places.contains_key(name)));
         }
         needed.sort_unstable_by_key(|rule| (rule.key, rule.name));
-        let mut known: SpreadMap<Name, Option<u32>> =
-            critical.names.iter().map(|&name| (name, None)).collect();
-        known.extend((0..).zip(&needed).map(|(number, rule)| (rule.name, Some(number))));
+        for (number, rule) in (0..).zip(&needed) {
+            known.entry(rule.name).or_insert(Some(number));
+        }
         let mut flow = Self { union, parts, prime: union.cut.prime().into(), known, needed };
         // What a rule flows to in another block has entered before it.
         for number in 0..flow.needed.len() {
             let (part, i) = flow.needed[number].origin;
+            let name = flow.needed[number].name;
             let terms = parts[part as usize].chains.terms(i as usize);
-            let followed = flow.followed(terms, number)?;
-            flow.needed[number].terms = followed;
+            flow.needed[number].terms = match flow.known.get(&name) {
+                Some(None) => vec![(name, 1)],
+                _ => flow.followed(terms, number)?,
+            };
         }
         Ok(flow)
     }

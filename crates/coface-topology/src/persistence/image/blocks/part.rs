@@ -4,6 +4,9 @@ use super::cut::ImageBlocks;
 use std::ops::Range;
 use std::sync::Arc;
 
+/// The first word of a part: parts of other versions begin with another one.
+const FORM: u64 = 2 << 32;
+
 /// A cell by the voxel that owns it and its code there.
 pub(super) type Name = u64;
 
@@ -109,7 +112,7 @@ impl Chains {
     }
 }
 
-/// What matched cells at a rim flow to.
+/// What cells at a rim flow to.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Rules {
     pub(super) cells: Cells,
@@ -132,7 +135,8 @@ impl Rules {
     }
 }
 
-/// What is left of a block of an image, or of several that were merged: critical cells, with what their boundaries flow down to.
+/// What is left of a block of an image, or of several that were merged: the pairs that no other block can change, and the other critical cells, with what
+/// their boundaries flow down to.
 ///
 /// # Examples
 /// ```
@@ -157,10 +161,15 @@ pub struct ImagePart {
     pub(super) facets: Vec<[Name; 2]>,
     /// What the boundaries of the critical cells of a degree flow to, from degree 2 to one below the last.
     pub(super) boundaries: Vec<Chains>,
-    /// What matched cells at the rim flow to: by degree, from 0 to two below the last.
+    /// What cells at the rim flow to: by degree, from 0 to two below the last. A critical cell flows to itself.
     pub(super) rules: Vec<Rules>,
-    /// What matched top cells at the rim flow to.
+    /// What top cells at the rim flow to.
     pub(super) top_rules: Rules,
+    /// The voxels of other blocks at which paths end so far, each with its key.
+    pub(super) layer: Vec<[u64; 2]>,
+    /// The pairs that were found, by the degree of the cell that makes the class: the key and the voxel of that cell, then those of the one that ends it.
+    /// Those that die as they are born are left out.
+    pub(super) pairs: Vec<Vec<[u64; 4]>>,
 }
 
 impl ImagePart {
@@ -190,21 +199,39 @@ impl ImagePart {
         &self.cut
     }
 
-    /// The number of critical cells in each degree. In the T-construction degrees are counted from the other end: see [`ImageConstruction`](crate::ImageConstruction).
+    /// The number of critical cells in each degree that are not paired yet. In the T-construction degrees are counted from the other end: see
+    /// [`ImageConstruction`](crate::ImageConstruction).
     ///
     /// # Examples
-    /// Two valleys and the pass between them.
+    /// Two valleys and the pass between them, of which nothing outside can be a part. The deeper valley stays.
     /// ```
     /// use coface_topology::{ImageBlocks, ImageConstruction};
     /// let blocks = ImageBlocks::new(&[4], &[4])?.construction(ImageConstruction::Vertices);
-    /// assert_eq!(blocks.part(0, [0.0, 5.0, 1.0, 2.0])?.critical_counts(), [2, 1]);
+    /// let part = blocks.part(0, [0.0, 5.0, 1.0, 2.0])?;
+    /// assert_eq!((part.critical_counts(), part.pair_count()), (vec![1, 0], 1));
     /// # Ok::<(), coface_algebra::Error>(())
     /// ```
     pub fn critical_counts(&self) -> Vec<usize> {
         self.critical.iter().map(Cells::len).collect()
     }
 
-    /// The number of matched cells at the rim that other blocks ask for.
+    /// The number of pairs that were found, but for those that die as they are born.
+    ///
+    /// # Examples
+    /// A shallow valley whose ways to other blocks are higher than the pass to the deep one is paired in its block; where one is lower, another pass may lie
+    /// outside.
+    /// ```
+    /// use coface_topology::{ImageBlocks, ImageConstruction};
+    /// let blocks = ImageBlocks::new(&[6], &[4])?.construction(ImageConstruction::Vertices);
+    /// assert_eq!(blocks.part(0, [0.0, 5.0, 1.0, 9.0, 3.0])?.pair_count(), 1);
+    /// assert_eq!(blocks.part(0, [0.0, 5.0, 1.0, 2.0, 3.0])?.pair_count(), 0);
+    /// # Ok::<(), coface_algebra::Error>(())
+    /// ```
+    pub fn pair_count(&self) -> usize {
+        self.pairs.iter().map(Vec::len).sum()
+    }
+
+    /// The number of cells at the rim that other blocks ask for.
     ///
     /// # Examples
     /// A row that falls over the end of its first block, in which voxel 1 flows to voxel 2.
@@ -219,10 +246,31 @@ impl ImagePart {
         self.rules.iter().chain([&self.top_rules]).map(|rules| rules.cells.len()).sum()
     }
 
+    /// Takes the pairs out, as numbers.
+    #[doc(hidden)]
+    pub fn take_pairs(&mut self) -> Vec<u64> {
+        let mut words = Vec::with_capacity(4 * self.pair_count() + self.pairs.len());
+        for pairs in &mut self.pairs {
+            words.push(4 * pairs.len() as u64);
+            words.extend_from_slice(std::mem::take(pairs).as_flattened());
+        }
+        words
+    }
+
+    /// Adds the pairs that [`Self::take_pairs`] has taken out of another part of the same image; whether they are such.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn add_pairs(&mut self, words: &[u64]) -> bool {
+        let mut reader = Reader { words };
+        self.pairs.iter_mut().all(|pairs| reader.quadruples().map(|more| pairs.extend(more)).is_some())
+            && reader.words.is_empty()
+    }
+
     /// All of it as numbers.
     #[doc(hidden)]
     pub fn to_words(&self) -> Vec<u64> {
-        let mut words = self.cut.to_words();
+        let mut words = vec![FORM];
+        words.extend(self.cut.to_words());
         words.extend([self.blocks.start, self.blocks.end].map(u64::from));
         let mut put = |list: &[u64]| {
             words.push(list.len() as u64);
@@ -241,12 +289,17 @@ impl ImagePart {
             put_lists(&mut put, &rules.askers);
             put_chains(&mut put, &rules.chains);
         }
+        put(self.layer.as_flattened());
+        for pairs in &self.pairs {
+            put(pairs.as_flattened());
+        }
         words
     }
 
     /// What [`Self::to_words`] has made numbers of.
     #[doc(hidden)]
     pub fn of_words(mut words: &[u64]) -> Option<Self> {
+        words = words.split_first().filter(|(form, _)| **form == FORM)?.1;
         let cut = ImageBlocks::of_words(&mut words)?;
         let (&[start, end], rest) = words.split_first_chunk()?;
         let blocks = u32::try_from(start).ok()?..u32::try_from(end).ok()?;
@@ -264,8 +317,11 @@ impl ImagePart {
         let rules = (0..axes.saturating_sub(1).max(1)).map(|degree| reader.rules(prime_of(degree)));
         let rules = rules.collect::<Option<Vec<_>>>()?;
         let top_rules = reader.rules(prime_of(0))?;
+        let layer = reader.couples()?;
+        let pairs = (0..axes).map(|_| reader.quadruples()).collect::<Option<Vec<_>>>()?;
         let facet_count = if axes > 1 { critical[axes - 1].len() } else { 0 };
         let is_whole = reader.words.is_empty()
+            && layer.is_sorted_by(|[a, _], [b, _]| a < b)
             && edges.len() == critical[1].len()
             && facets.len() == facet_count
             && boundaries.iter().zip(&critical[2..]).all(|(chains, cells)| chains.len() == cells.len());
@@ -278,6 +334,8 @@ impl ImagePart {
             boundaries,
             rules,
             top_rules,
+            layer,
+            pairs,
         })
     }
 }
@@ -314,6 +372,12 @@ impl Reader<'_> {
         let list = self.list()?;
         let (couples, rest) = list.as_chunks::<2>();
         rest.is_empty().then(|| couples.to_vec())
+    }
+
+    fn quadruples(&mut self) -> Option<Vec<[u64; 4]>> {
+        let list = self.list()?;
+        let (quadruples, rest) = list.as_chunks::<4>();
+        rest.is_empty().then(|| quadruples.to_vec())
     }
 
     fn cells(&mut self) -> Option<Cells> {

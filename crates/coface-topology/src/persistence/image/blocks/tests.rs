@@ -158,6 +158,61 @@ fn faults_are_named() {
     assert!(first.diagram().is_err());
 }
 
+/// Pairs that no other block can change are taken out as soon as they are seen, whatever the order in which parts are merged: what is left of white noise is
+/// its rim.
+#[test]
+fn what_is_left_of_noise_is_its_rim() {
+    let mut lot = 1u64;
+    let mut number = || {
+        lot = lot.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        f64::from((lot >> 40) as u32)
+    };
+    let image = Image {
+        shape: vec![32, 32, 32],
+        is_periodic: vec![false, true, false],
+        numbers: (0..1 << 15).map(|_| number()).collect(),
+        block: vec![16; 3],
+    };
+    for construction in [ImageConstruction::Vertices, ImageConstruction::TopCells] {
+        let blocks = ImageBlocks::new(&image.shape, &image.block).unwrap().construction(construction);
+        let blocks = blocks.periodic(&image.is_periodic).unwrap();
+        let parts = image.parts(&blocks);
+        let left = |part: &ImagePart| part.critical_counts().iter().sum::<usize>();
+        // Some 6 x 16 x 16 voxels lie at the rim of a block, of 4,096.
+        for part in &parts {
+            assert!(left(part) < 1536, "{:?}", part.critical_counts());
+            assert!(part.pair_count() > 500, "{}", part.pair_count());
+        }
+        let half = ImagePart::merged(&parts[..4]).unwrap();
+        let sum: usize = parts[..4].iter().map(left).sum();
+        assert!(left(&half) * 3 < sum * 2, "{} of {sum}", left(&half));
+        let pairs: usize = parts[..4].iter().map(ImagePart::pair_count).sum();
+        assert!(half.pair_count() > pairs);
+        let root = ImagePart::merged(&parts).unwrap();
+        // A component and a loop around the periodic axis.
+        assert_eq!(left(&root), 2);
+        let whole = ImageFiltration::new(&image.shape, image.numbers.iter().copied()).unwrap();
+        let whole = whole.construction(construction).periodic(&image.is_periodic).unwrap();
+        assert_eq!(root.diagram().unwrap(), whole.persistence(Coefficients::Modulo(2)).unwrap());
+    }
+}
+
+/// Pairs that are kept elsewhere are those of the diagram.
+#[test]
+fn pairs_may_be_kept_elsewhere() {
+    let row = [3.0, 0.0, 5.0, 1.0, 2.0, 7.0, 4.0, 6.0];
+    let blocks = ImageBlocks::new(&[8], &[4]).unwrap();
+    let window = |number: u32| blocks.window(number)[0].iter().map(|&voxel| row[voxel]).collect::<Vec<_>>();
+    let mut parts = [0, 1].map(|number| blocks.part(number, window(number)).unwrap());
+    let whole = ImagePart::merged(&parts).unwrap();
+    let kept: Vec<Vec<u64>> = parts.iter_mut().map(ImagePart::take_pairs).collect();
+    let mut root = ImagePart::merged(&parts).unwrap();
+    assert!(root.pair_count() < whole.pair_count());
+    assert!(kept.iter().all(|words| root.add_pairs(words)));
+    assert_eq!(root.diagram().unwrap(), whole.diagram().unwrap());
+    assert!(!root.add_pairs(&[1, 2]) && !root.add_pairs(&[]) && !root.add_pairs(&[4, 0, 0, 0, 0, 9]));
+}
+
 /// Rules of blocks within a union are dropped, and long paths are followed through many blocks.
 #[test]
 fn a_slope_through_all_blocks_flows_to_its_end() {
