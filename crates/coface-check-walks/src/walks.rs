@@ -15,7 +15,7 @@ const PAIR_KEYS: [&str; 4] = ["walks", "homotopic", "freely_homotopic", "homolog
 /// All words together have at most so many letters.
 const MOST_LETTERS: usize = 1 << 26;
 /// All pairs of walks have at most so many letters together.
-const MOST_WORK: usize = 1 << 34;
+const MOST_WORK: u64 = 1 << 34;
 /// So many letters are looked at to find out which words are conjugate.
 const MOST_CONJUGATES: u64 = 1 << 28;
 
@@ -210,7 +210,7 @@ fn walks(
         let (word, component) = (group.reduced(&word), (!is_isolated).then_some(place));
         walks.push(Walk { start, component, word, sums, is_contractible, bounds });
     }
-    match letters.checked_mul(walks.len()).is_none_or(|work| work > MOST_WORK) {
+    match (letters as u64).checked_mul(walks.len() as u64).is_none_or(|work| work > MOST_WORK) {
         true => Err(Fault::new(step, "there are too many walks to compare")),
         false => Ok(walks),
     }

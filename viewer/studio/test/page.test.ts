@@ -50,7 +50,7 @@ test("a torus is shown, reported on, and its loops are a layer", async () => {
   const frame = page.frameLocator("iframe");
   await expect.poll(() => frame.locator("#panel").textContent()).toContain("H1");
   // Within the studio the view has no address that could be shared.
-  await expect(frame.getByRole("button", { name: "PNG" }).count()).resolves.toBe(1);
+  await expect.poll(() => frame.getByRole("button", { name: "PNG" }).count()).toBe(1);
   await expect(frame.getByRole("button", { name: "share" }).count()).resolves.toBe(0);
   await frame.locator("#canvas").press("l");
 });

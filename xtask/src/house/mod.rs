@@ -58,6 +58,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
         ],
     ),
     ("coface-mapped", &[]),
+    ("coface-parallel", &[]),
     ("coface-allocator", &[]),
     (
         "coface-scale",

@@ -72,7 +72,7 @@ impl ImageBlocks {
         let counts: Vec<usize> =
             shape.iter().zip(&sides).map(|(length, side)| length.div_ceil(*side).max(1)).collect();
         let voxels = shape.iter().try_fold(1usize, |count, &length| count.checked_mul(length));
-        if voxels.is_none_or(|count| count >> 57 != 0) {
+        if voxels.is_none_or(|count| count as u64 >> 57 != 0) {
             return Err(Error::new(
                 ErrorKind::TooLarge,
                 format!("an image of shape {shape:?} has too many voxels"),
