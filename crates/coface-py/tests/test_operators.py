@@ -101,7 +101,7 @@ class Tensors:
         return array
 
     @staticmethod
-    def sparse_coo_tensor(indices, values, shape):
+    def sparse_coo_tensor(indices, values, shape, check_invariants):
         from scipy.sparse import coo_array
 
         found = coo_array((values, tuple(indices)), shape=shape)
@@ -109,7 +109,7 @@ class Tensors:
         return found
 
     @staticmethod
-    def sparse_csr_tensor(starts, columns, values, size):
+    def sparse_csr_tensor(starts, columns, values, size, check_invariants):
         from scipy.sparse import csr_array
 
         return csr_array((values, columns, starts), shape=size)

@@ -62,7 +62,7 @@ impl Origins {
     pub(super) fn add_notes(&mut self, without_area: &[u32], split: &[SplitPolygon]) {
         let whole = |polygon: u32| self.polygons.list(polygon as usize)[0] >> 1;
         self.without_area.extend(without_area.iter().map(|&polygon| whole(polygon)));
-        self.split.extend(split.iter().cloned().map(|mut own| {
+        self.split.extend(split.iter().copied().map(|mut own| {
             own.polygon = whole(own.polygon);
             own
         }));

@@ -86,7 +86,7 @@ struct Group {
 
 /// What stands in a formula for something that has been combined.
 enum Operand {
-    Group(Group),
+    Group(Box<Group>),
     Operation(TreeOperator, Vec<Operand>),
 }
 
@@ -231,7 +231,7 @@ impl<'a> Cascade<'a> {
     /// A part of the formula, of which unions and intersections have few operands left.
     fn operand(&self, tree: &FormulaTree, steps: &Steps) -> Result<Operand, Halt> {
         let (operator, operands) = match tree {
-            FormulaTree::Input(input) => return Ok(Operand::Group(self.group_of_input(*input)?)),
+            FormulaTree::Input(input) => return Ok(Operand::Group(Box::new(self.group_of_input(*input)?))),
             FormulaTree::Complement(_) => return Err(Halt::AllAtOnce),
             FormulaTree::Operation(operator, operands) => (*operator, operands),
         };
@@ -267,7 +267,7 @@ impl<'a> Cascade<'a> {
                 let inputs = lot.iter().filter(|own| own.is_input()).count();
                 let made = self.combined(Operand::Operation(operator, lot))?.group()?;
                 steps.advance(inputs);
-                Ok(Operand::Group(made))
+                Ok(Operand::Group(Box::new(made)))
             };
             let made: Vec<Result<Operand, Halt>> = lots.into_par_iter().map(combine).collect();
             operands = made.into_iter().collect::<Result<_, _>>()?;
@@ -405,7 +405,7 @@ fn order_along_curve(operands: Vec<Operand>) -> Vec<Operand> {
 fn tree_of(operand: Operand, groups: &mut Vec<Group>) -> FormulaTree {
     match operand {
         Operand::Group(group) => {
-            groups.push(group);
+            groups.push(*group);
             FormulaTree::Input(groups.len() - 1)
         }
         Operand::Operation(operator, operands) => {

@@ -1,9 +1,12 @@
 //! Combinations of many solids, some at a time, beside all at once.
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use crate::turned_boxes::{TurnedBox, boxes, cuboid};
 use coface_algebra::ErrorKind;
 use coface_answers::answer::{RemarkCode, SolidBooleanAnswer};
-use coface_answers::{OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene};
+use coface_answers::{
+    OpenInputs, SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, SpatialScene,
+};
 use coface_arrange::boolean::BooleanFormula;
 use coface_io::Model;
 use proptest::prelude::*;
@@ -157,7 +160,8 @@ fn what_covers_itself_is_combined_in_parts() {
     let union = |count: usize| SolidRequest::of(BooleanFormula::union(count));
     assert!(is_in_parts(&heap(40), &union(40)));
     assert!(!is_in_parts(&heap(8), &union(8)), "few are arranged at once");
-    let apart: Vec<TurnedBox> = (0..40).map(|i| ([3.0 * f64::from(i), 0.0, 0.0], [1.0; 3], [0.0; 2])).collect();
+    let apart: Vec<TurnedBox> =
+        (0..40).map(|i| ([3.0 * f64::from(i), 0.0, 0.0], [1.0; 3], [0.0; 2])).collect();
     assert!(!is_in_parts(&models(&apart, true), &union(40)), "nothing is covered");
     // The exterior is in it; and an input that is not named cuts others.
     let other = |text: &str| SolidRequest::of(BooleanFormula::parse(text, &[]).unwrap());
@@ -181,7 +185,8 @@ fn odd_inputs_are_told_of() {
     let turned: Vec<Vec<u32>> =
         models[7].polygons().iter().map(|own| own.iter().rev().copied().collect()).collect();
     let positions = models[7].positions().clone();
-    models[7] = Model::from_polygons(positions.clone(), coface_algebra::RaggedArray::from_lists(turned)).unwrap();
+    models[7] =
+        Model::from_polygons(positions.clone(), coface_algebra::RaggedArray::from_lists(turned)).unwrap();
     let made = SceneArrangement::for_result(scene(&models), &SpatialRequest::default(), &request).unwrap();
     let answer = SolidBoolean::of(&made, &request).unwrap().answer().unwrap();
     assert!(answer.files[7].reversed_cells > 0);

@@ -7,7 +7,8 @@ use coface_answers::answer::RemarkCode;
 use coface_answers::{SceneArrangement, SolidBoolean, SolidRequest, SpatialRequest, are_planar};
 use coface_arrange::boolean::{BooleanFormula, InsideRule};
 use coface_arrange::spatial::SpatialPolygons;
-use coface_io::{Format, Model};
+use coface_geometry::Positions;
+use coface_io::{self as io, Format, Model};
 use proptest::prelude::*;
 
 const BOXES: [TurnedBox; 4] = [
@@ -201,4 +202,28 @@ fn nothing_is_an_input() {
         let alone = arranged(&[nothing]);
         assert_eq!(SolidBoolean::of(&alone, &request("a")).unwrap().f_vector(), [0; 3]);
     }
+}
+
+/// Copies of a mesh, each turned a little more around an axis that goes through them: faces lie along each other where two copies pass.
+#[test]
+fn turned_copies_of_a_mesh_are_rounded() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/spot.obj");
+    let mesh = io::read(&std::fs::read(path).unwrap()[..], Format::Obj).unwrap();
+    let turned = |i: u32| {
+        let (s, c) = (std::f64::consts::TAU * f64::from(i) / 30.0).sin_cos();
+        let points = mesh.positions().as_flat().as_chunks::<3>().0.iter();
+        let flat = points.flat_map(|&[x, y, z]| [c * x + s * z, y, c * z - s * x]).collect();
+        Model::from_polygons(Positions::from_flat(3, flat).unwrap(), mesh.polygons().clone()).unwrap()
+    };
+    let copies: Vec<Model> = (0..8).map(turned).collect();
+    let scene = arranged(&copies.iter().collect::<Vec<_>>());
+    let mut request = SolidRequest::of(BooleanFormula::union(copies.len()));
+    request.triangles = true;
+    let exact = SolidBoolean::of(&scene, &request).unwrap();
+    assert!(!exact.is_valid().unwrap());
+    let rounded = exact.validly_rounded().unwrap().expect("a few units of the last place are enough");
+    let result = SolidBoolean::of(&rounded, &request).unwrap();
+    assert!(result.is_valid().unwrap());
+    assert!((result.volume().unwrap() - exact.volume().unwrap()).abs() < 1e-12);
+    assert!(result.answer().unwrap().joined.unwrap().largest_movement < 1e-13);
 }

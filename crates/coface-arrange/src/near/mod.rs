@@ -45,6 +45,8 @@ pub(crate) struct NearChains {
     hot: Option<HotPlaces>,
     /// How far points may go in all, where that is bounded.
     bound: Option<MovementBound>,
+    /// With more points features are not put together any more, where that is bounded.
+    pub(crate) most_points: Option<usize>,
 }
 
 /// Sides, of which no two cancel.
@@ -103,6 +105,9 @@ impl NearChains {
     /// $O(n \log n)$ a pass for n sides that are near few others; a few passes.
     pub(crate) fn join(&mut self, tolerance: f64, go_on: impl Fn(&mut Self) -> bool) -> bool {
         for _ in 0..MOST_PASSES {
+            if self.has_too_many_points() {
+                return false;
+            }
             let joined = self.join_vertices(tolerance);
             let went_on = self.put_vertices_on_edges(tolerance) || self.cross_edges(tolerance) || go_on(self);
             if !joined && !went_on {
@@ -110,6 +115,11 @@ impl NearChains {
             }
         }
         false
+    }
+
+    /// Whether there are more points than there may be.
+    pub(crate) fn has_too_many_points(&self) -> bool {
+        self.most_points.is_some_and(|most| self.points.len() > most)
     }
 
     /// The vertices that there are and that may be put together, rising.

@@ -16,6 +16,8 @@ use std::cmp::Ordering;
 
 /// Where a tolerance is given, it is given up after so many rounds; what was joined until then is cut.
 const ROUNDS_WITH_TOLERANCE: usize = 12;
+/// To make rounding valid features are put together within so many times the least tolerance, in so many rounds each, before more is done.
+const FIRST_ATTEMPTS: [(f64, usize); 3] = [(1.0, STEADY_ROUNDS), (4.0, 4), (32.0, 4)];
 /// Where a tolerance is given, no point goes further than so many times that.
 const MOST_WAY: f64 = 2.0;
 
@@ -205,7 +207,9 @@ impl Drawing {
     /// The arrangement of the drawing, drawn and arranged again until there are no new vertices or, where rounding is
     /// all that is asked for, none that is not exactly at its rounded coordinates.
     ///
-    /// Features within the tolerance are put together everywhere. When rounding is all that is asked for, those that are
+    /// Features within the tolerance are put together everywhere. When rounding is all that is asked for, a few rounds with that are
+    /// followed by a few with somewhat more, from the beginning: two faces along each other cross anew wherever one of them is
+    /// bent, more often in each round, and are one face at once when they are put together. Where that is not enough, features that are
     /// farther apart are put together too after some rounds, but only around the places where faces still cross: within a
     /// reach that is twice that of the round before, and boxes around these places that grow with it. When the reach is
     /// that of the whole drawing, all of it is one point, and no faces are left that cross: so this ends. Where a
@@ -222,13 +226,35 @@ impl Drawing {
         tolerance: f64,
         is_rounding: bool,
     ) -> Result<SpatialArrangement, Error> {
+        if !is_rounding {
+            return self.settled_in(options, tolerance, false, ROUNDS_WITH_TOLERANCE);
+        }
+        for (units, rounds) in FIRST_ATTEMPTS {
+            let wider = units * tolerance;
+            match self.clone().settled_in(options, wider, units == 1.0, rounds) {
+                Ok(found) if found.is_exactly_rounded() && found.is_held(options.precision) => {
+                    return Ok(found);
+                }
+                Ok(_) => {}
+                Err(error) if error.kind() == ErrorKind::InvalidInput => {}
+                Err(error) => return Err(error),
+            }
+        }
+        let most = rounds_to_an_end(&self.points, tolerance);
+        self.settled_in(options, tolerance, true, most)
+    }
+
+    /// The same in so many rounds.
+    fn settled_in(
+        self,
+        options: &SpatialOptions,
+        tolerance: f64,
+        is_rounding: bool,
+        most: usize,
+    ) -> Result<SpatialArrangement, Error> {
         let mut drawing = self;
         let precision = options.precision;
         let mut joined = JoinedFeatures { tolerance, ..JoinedFeatures::default() };
-        let most = match is_rounding {
-            true => rounds_to_an_end(&drawing.points, tolerance),
-            false => ROUNDS_WITH_TOLERANCE,
-        };
         let most_way = (!is_rounding).then_some(MOST_WAY * tolerance);
         let most_vertices = GROWTH * drawing.points.len() + GROWTH_OF_SMALL;
         let given_up = |makes: String, tolerance: f64, points: usize| {
@@ -248,7 +274,13 @@ impl Drawing {
             }
             let is_local = is_rounding && round >= STEADY_ROUNDS;
             let places = is_local.then(|| HotPlaces::new(&hot, joined.tolerance));
-            joined.counts.add(&drawing.join(tolerance, places, joined.tolerance, (precision, most_way)));
+            let most_points = is_rounding.then(|| drawing.points.len() + most_vertices);
+            let bounds = (most_way, most_points);
+            let Some(counts) = drawing.join(tolerance, places, joined.tolerance, precision, bounds) else {
+                let makes = format!("more than {most_vertices} new vertices");
+                return Err(given_up(makes, joined.tolerance, drawing.first.len()));
+            };
+            joined.counts.add(&counts);
             let Self { points, triangles, patches, first, place, .. } = drawing;
             let positions = Positions::from_flat(3, points.into_flattened())?;
             // Faces of different polygons become one in the end alone: a round that draws them with less vertices than their
@@ -303,14 +335,15 @@ impl Drawing {
 
     /// Puts together what is near, and leaves out points that nothing has any more.
     ///
-    /// Within the tolerance everywhere, then within `reach` near some places.
+    /// Within the tolerance everywhere, then within `reach` near some places. None where there are more points then than there may be.
     fn join(
         &mut self,
         tolerance: f64,
         places: Option<HotPlaces>,
         reach: f64,
-        (precision, most_way): (CoordinatePrecision, Option<f64>),
-    ) -> NearCounts {
+        precision: CoordinatePrecision,
+        (most_way, most_points): (Option<f64>, Option<usize>),
+    ) -> Option<NearCounts> {
         let ways = most_way.map(|_| self.ways());
         let mut near = NearChains::of_panels(
             std::mem::take(&mut self.points),
@@ -320,7 +353,7 @@ impl Drawing {
             std::mem::take(&mut self.patches.is_passing),
             tolerance,
         );
-        near.precision = precision;
+        (near.precision, near.most_points) = (precision, most_points);
         if let Some((most, ways)) = most_way.zip(ways) {
             near.bound_movements(most, ways);
         }
@@ -328,6 +361,9 @@ impl Drawing {
         if let Some(places) = places {
             near.stay_near(places);
             near.join(reach, |near| near.put_vertices_on_panels(reach));
+        }
+        if near.has_too_many_points() {
+            return None;
         }
         let (triangles, patch_of_triangle) = near.triangles(tolerance, reach);
         let mut number = vec![NONE; near.points.len()];
@@ -346,7 +382,7 @@ impl Drawing {
         self.triangles = triangles.into_iter().map(renumbered).collect();
         self.patches.patch_of_triangle = patch_of_triangle;
         self.fold();
-        near.counts
+        Some(near.counts)
     }
 
     /// How far the points that became each vertex went, the longest way of each.

@@ -33,10 +33,11 @@ def tensor(x: Any, name: str, degree: int, *, layout: str = "coo") -> Any:
     library = needed("torch", "coface.interop.torch")
     if layout == "coo":
         indices, values, shape = coo(x, name, degree)
-        return library.sparse_coo_tensor(library.from_numpy(indices), library.from_numpy(values), shape).coalesce()
+        indices, values = library.from_numpy(indices), library.from_numpy(values)
+        return library.sparse_coo_tensor(indices, values, shape, check_invariants=False).coalesce()
     if layout == "csr":
         parts = csr(x, name, degree)
-        return library.sparse_csr_tensor(*map(library.from_numpy, parts[:3]), size=parts[3])
+        return library.sparse_csr_tensor(*map(library.from_numpy, parts[:3]), size=parts[3], check_invariants=False)
     raise_invalid(f"layout is {layout!r}", 'give "coo" or "csr"')
 
 
