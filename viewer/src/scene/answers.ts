@@ -2359,7 +2359,10 @@ export interface SimplifyAnswer {
 export interface SolidBooleanAnswer {
   /** The area of the surface, in the square of the unit of the inputs; null beyond the range of numbers. */
   area?: number | null;
-  /** The number of cells of the arrangement that are selected. */
+  /**
+   * The number of cells of the arrangement that are selected; where many operands that cover each other were combined some at a
+   * time, of the last arrangement, in which most of what is inside is left out.
+   */
   cells: number;
   /** Whether the surface is closed. */
   closed: boolean;

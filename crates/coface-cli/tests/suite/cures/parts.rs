@@ -26,7 +26,7 @@ pub(super) const CASES: &[Case] = &[
         .files(BOOK)
         .refused("coface homology book.json --memory 1M")
         .cured(&[&["coface homology book.json --memory 96M"]]),
-    Case::new("homology/parts.rs", "name another folder with --work")
+    Case::new("workers.rs", "name another folder with --work")
         .files(BOOK)
         .refused("coface homology book.json --parts 2 --work book.json")
         .cured(&[&["coface homology book.json --parts 2 --work work"]]),
@@ -35,7 +35,7 @@ pub(super) const CASES: &[Case] = &[
         "parts give the diagram of the values of a volume alone; leave {option} out, or --parts and --work",
     )
     .files(VOXELS)
-    .refused("coface persistence voxels.nrrd --parts 2 --cycles")
+    .refused("coface persistence voxels.nrrd --parts 2 --work w --cycles")
     .cured(&[&["coface persistence voxels.nrrd --parts 2"], &["coface persistence voxels.nrrd --cycles"]]),
     Case::new("persistence/parts.rs", "and this is none; leave --parts and --work out")
         .files(BOOK)
