@@ -34,11 +34,6 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
         "coface persistence points.csv --alpha --min-persistence 0.1",
         "by balls that grow around points",
     ),
-    (
-        "persistence",
-        "coface persistence scan.nii --parts 64 --work parts -o scan.pers",
-        "a volume in 64 blocks; goes on where it ended",
-    ),
     ("diagram", "coface diagram distance a.json b.json", "how far two diagrams are from each other"),
     ("diagram", "coface diagram landscape a.json -o landscape.csv", "landscapes as columns of a table"),
     (

@@ -162,7 +162,7 @@ fn an_older_output_survives_a_full_disk() {
     fs::write(folder.path().join("pages/coface.1"), "precious").unwrap();
     // The first page fits, a later one does not.
     let sizes: Vec<usize> = before.values().map(Vec::len).collect();
-    let blocks = sizes.iter().max().unwrap() / 512;
+    let blocks = (sizes.iter().max().unwrap() - 1) / 512;
     assert_eq!(on_full_disk(folder.path(), blocks as u32, &["man", "-o", "pages"]).status.code(), Some(1));
     assert_eq!(fs::read(folder.path().join("pages/coface.1")).unwrap(), b"precious");
     assert_eq!(files(&folder.path().join("pages")).len(), before.len());

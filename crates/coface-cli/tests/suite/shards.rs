@@ -387,7 +387,7 @@ mod killed {
         let work = folder.path().join("work");
         let shards = coface(&["shard", argument(&input), "-o", argument(&work), "--parts", "1"]);
         assert_eq!(shards.status, 0, "{}", shards.stderr);
-        let run = coface(&["homology", "--memory", "80M", "--parts", "1", argument(&input)]);
+        let run = coface(&["homology", "--memory", "70M", "--parts", "1", argument(&input)]);
         let message = run.fails_with(1);
         assert!(
             message.contains("memory") && (message.contains("--parts 2") || message.contains("cut")),
