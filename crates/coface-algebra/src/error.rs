@@ -331,6 +331,18 @@ impl Error {
         self
     }
 
+    /// Whether memory was asked for that there is not.
+    ///
+    /// # Examples
+    /// ```
+    /// let error = coface_algebra::Error::from(std::io::Error::from(std::io::ErrorKind::OutOfMemory));
+    /// assert!(error.is_out_of_memory() && error.in_file("a.off").is_out_of_memory());
+    /// assert!(!coface_algebra::Error::parse("the file is empty").is_out_of_memory());
+    /// ```
+    pub fn is_out_of_memory(&self) -> bool {
+        self.0.kind == ErrorKind::TooLarge && self.0.message == OUT_OF_MEMORY
+    }
+
     /// The kind of the fault.
     ///
     /// # Examples
@@ -448,11 +460,14 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
+/// What is said where memory is asked for that there is not.
+const OUT_OF_MEMORY: &str = "there is not enough memory";
+
 impl From<std::io::Error> for Error {
     fn from(error: std::io::Error) -> Self {
         match error.kind() {
             std::io::ErrorKind::OutOfMemory => {
-                Self::new(ErrorKind::TooLarge, "there is not enough memory").with_cure("allow more memory")
+                Self::new(ErrorKind::TooLarge, OUT_OF_MEMORY).with_cure("allow more memory")
             }
             std::io::ErrorKind::NotFound => {
                 Self::new(ErrorKind::Io, "there is no such file or folder").with_cure("check the path")

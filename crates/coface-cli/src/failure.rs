@@ -9,6 +9,8 @@ use std::io::Write;
 pub(crate) enum Failure {
     /// One message for the user, with place, fault and cure.
     Message(String),
+    /// The same where there is not enough memory.
+    Memory(String),
     /// Every message has been said already; the exit status is all that is left.
     Said,
     /// The command line asks for what there is not; the exit status is 2.
@@ -32,7 +34,7 @@ impl Failure {
 
     /// Prints `error: ...` on standard error.
     pub(crate) fn say(&self) {
-        if let Self::Message(message) = self {
+        if let Self::Message(message) | Self::Memory(message) = self {
             let style = anstyle::AnsiColor::Red.on_default().bold();
             // A closed standard error leaves nobody to tell.
             let _ = writeln!(anstream::stderr(), "{style}error:{style:#} {}", escaped(message));
@@ -42,6 +44,9 @@ impl Failure {
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
+        if error.is_out_of_memory() {
+            return Self::Memory(error.to_string());
+        }
         Self::Message(in_words(error).to_string())
     }
 }

@@ -7,9 +7,10 @@ use crate::failure::Failure;
 use clap::ValueEnum;
 use coface::Error;
 use coface::io::{FolderLock, MadeFolders, TemporaryFolder};
-use coface::scale::workers::{Limits, Loss, WorkerCommand, WorkerPool};
+use coface::scale::workers::{Limits, Loss, WorkerCommand, WorkerPool, bytes_text};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use std::alloc::{Layout, handle_alloc_error};
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
 
@@ -38,6 +39,10 @@ pub(crate) fn core_count() -> usize {
     available_parallelism().map_or(1, usize::from)
 }
 
+/// A worker that does anything at all takes so much.
+const LEAST: u64 = 64 << 20;
+/// What is advised instead of less.
+const ADVISED: u64 = 96 << 20;
 /// Workers are not started for less each, as long as one can do the work.
 const COMFORT: u64 = 256 << 20;
 
@@ -51,17 +56,42 @@ pub(crate) struct Sharing {
 }
 
 /// What workers reply, a line each.
-pub(crate) trait WorkerReply: DeserializeOwned {
+pub(crate) trait WorkerReply: Serialize + DeserializeOwned {
+    /// Says that the request cannot be served.
+    fn of_error(message: String) -> Self;
+
     /// The message, if this says that the request cannot be served.
     fn error(&self) -> Option<&str>;
 }
 
+/// What a worker replies to the line of a request. One that has not enough memory ends, as where an allocation fails: the process that asked says what that means.
+pub(crate) fn reply_to<Q: DeserializeOwned, R: WorkerReply>(
+    request: &str,
+    answer: impl FnOnce(Q) -> Result<R, Failure>,
+) -> String {
+    let request = serde_json::from_str(request)
+        .map_err(|error| Failure::new(format!("a worker was asked what it does not know: {error}")));
+    line(&match request.and_then(answer) {
+        Ok(reply) => reply,
+        Err(Failure::Message(message)) => R::of_error(message),
+        Err(Failure::Memory(_)) => handle_alloc_error(Layout::new::<u8>()),
+        Err(_) => R::of_error("the request could not be answered".to_owned()),
+    })
+}
+
 impl Sharing {
     /// As many workers as there are threads, but no more than the memory is enough for.
-    pub(crate) fn new(task: Task, threads: Option<u16>, memory: Option<u64>) -> Self {
+    pub(crate) fn new(task: Task, threads: Option<u16>, memory: Option<u64>) -> Result<Self, Failure> {
+        if let Some(memory) = memory.filter(|&memory| memory < LEAST) {
+            return Err(Failure::new(format!(
+                "{} of memory is too little for any part; give --memory {}M or more",
+                bytes_text(memory),
+                ADVISED >> 20
+            )));
+        }
         let threads = threads.map_or_else(core_count, usize::from);
         let fit = memory.map_or(usize::MAX, |memory| (memory / COMFORT).max(1) as usize);
-        Self { task, workers: threads.min(fit), memory }
+        Ok(Self { task, workers: threads.min(fit), memory })
     }
 
     /// Asks workers side by side, and those requests again that need more memory than one has then, alone with all of it.

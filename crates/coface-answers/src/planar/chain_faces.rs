@@ -1,8 +1,8 @@
 //! Faces of chain complexes in the plane as polygons.
 
-use crate::spatial::closed_walks;
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{Error, ErrorKind, RaggedArray};
+use coface_arrange::spatial::closed_walks;
 
 /// So many sides of faces at most run along one edge, counted with its coefficients.
 const MOST_SIDES: u32 = 1 << 16;

@@ -7,7 +7,6 @@ use super::facts::{
 };
 use super::inputs::{Inputs, Membership};
 use super::models::{NO_CELL, group_names};
-use super::scene::closed_walks;
 use super::{OpenInputs, SpatialScene};
 use crate::answer::{
     CongruentPieces, DegeneratePolygons, JoinedFeatures, Place, Remark, RemarkCode, SpatialArrangementAnswer,
@@ -20,7 +19,7 @@ use coface_algebra::{CellId, EdgeId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
 use coface_arrange::boolean::InsideRule;
 use coface_arrange::spatial::{
-    CongruenceArrangement, Crossings, NonPlanar, SpatialPolygons, arrange_by_congruence,
+    CongruenceArrangement, Crossings, NonPlanar, SpatialPolygons, arrange_by_congruence, closed_walks,
 };
 use coface_geometry::Positions;
 use coface_geometry::predicates::orientation;

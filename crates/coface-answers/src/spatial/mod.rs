@@ -28,6 +28,5 @@ pub use congruent_boolean::CongruentBoolean;
 pub use inputs::{InputState, OpenInputs};
 pub use request::SpatialRequest;
 pub use scene::SpatialScene;
-pub(crate) use scene::closed_walks;
 pub use scene_arrangement::SceneArrangement;
 pub use solid_request::SolidRequest;

@@ -2,13 +2,13 @@
 
 use super::arranged::Arranged;
 use super::inputs::{InputState, Inputs};
-use super::scene::closed_walks;
 use super::{SpatialRequest, SpatialScene};
 use crate::answer::{Place, Remark, RemarkCode};
 use crate::near::{in_one_digit, rounded_up};
 use crate::repair::near_vertices;
 use crate::text;
 use coface_algebra::{Error, ErrorKind};
+use coface_arrange::spatial::closed_walks;
 use coface_geometry::predicates::orientation;
 use coface_geometry::{AxisBox, BoxTree, cross, dot};
 

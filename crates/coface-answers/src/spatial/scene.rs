@@ -8,10 +8,9 @@ use crate::parts::{Part, closed_objects, parts_of};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{CellId, Error, ErrorKind, FaceId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
-use coface_arrange::spatial::{ExactPolygons, NonPlanar, SpatialPolygons};
+use coface_arrange::spatial::{ExactPolygons, NonPlanar, SpatialPolygons, closed_walks};
 use coface_complexes::cell_mesh::CellMesh;
 use coface_geometry::Positions;
-use coface_geometry::predicates::SpatialPoint;
 use coface_io::{Format, GroupKind, Model, StatedSurfaces, Structure};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -316,9 +315,9 @@ impl SpatialScene {
     fn add_exact(&mut self, name: &str, exact: &Arc<ExactPolygons>, walls: bool) -> Result<(), Error> {
         let wanted: Vec<bool> = exact.shared().iter().map(|&is_wall| walls || !is_wall).collect();
         let exact = if wanted.contains(&false) { Arc::new(exact.with(&wanted)) } else { Arc::clone(exact) };
-        let corners: usize = exact.parts().iter().flat_map(|part| &part.walks).map(Vec::len).sum();
-        let points = exact.vertex_points();
-        if u32::try_from(self.walks.item_count() + corners).is_err()
+        let rounded = SpatialPolygons::from_exact(Arc::clone(&exact))?;
+        let points = rounded.positions();
+        if u32::try_from(self.walks.item_count() + rounded.walks().item_count()).is_err()
             || self.flat.len() / 3 + points.len() >= 1 << 31
         {
             return Err(too_large());
@@ -329,18 +328,13 @@ impl SpatialScene {
         }
         let first = (self.flat.len() / 3) as u32;
         self.point_starts.push(first);
-        self.flat.extend(points.iter().flat_map(SpatialPoint::rounded));
+        self.flat.extend_from_slice(points.as_flat());
         self.exact.push((self.is_wall.len() as u32, Arc::clone(&exact)));
-        let mut sides: Vec<Vec<[u32; 2]>> = vec![Vec::new(); exact.shared().len()];
-        for part in exact.parts() {
-            sides[part.polygon as usize].extend(part.sides());
-        }
-        for (polygon, (mut sides, &is_wall)) in sides.into_iter().zip(exact.shared()).enumerate() {
-            sides.sort_unstable();
-            let outline = sides.iter().filter(|&&[a, b]| sides.binary_search(&[b, a]).is_err());
-            let walks = closed_walks(&mut outline.copied().collect::<Vec<_>>());
-            let multiplicity = i32::from(!is_wall);
-            self.push(polygon, multiplicity, first, &(0..walks.len()).map(|walk| walks.list(walk)));
+        let walks_of_polygon =
+            RaggedArray::grouped(exact.shared().len(), rounded.polygon_of_walk().iter().copied());
+        for (polygon, &is_wall) in exact.shared().iter().enumerate() {
+            let own = walks_of_polygon.list(polygon).iter().map(|&walk| rounded.walks().list(walk as usize));
+            self.push(polygon, i32::from(!is_wall), first, &own);
         }
         self.end_input(name, None);
         Ok(())
@@ -901,35 +895,4 @@ fn surfaces_of(model: &Model) -> Vec<u32> {
 
 fn too_large() -> Error {
     Error::new(ErrorKind::TooLarge, "2^31 or more vertices, or 2^32 or more corners")
-}
-
-/// Directed edges that close up, as walks that pass no vertex twice.
-pub(crate) fn closed_walks(sides: &mut [[u32; 2]]) -> RaggedArray {
-    sides.sort_unstable();
-    let mut is_used = vec![false; sides.len()];
-    let mut walks = RaggedArray::new();
-    let mut path: Vec<u32> = Vec::new();
-    let mut places: BTreeMap<u32, usize> = BTreeMap::new();
-    for first in 0..sides.len() {
-        let mut here = sides[first][0];
-        while let Some(side) = (sides.partition_point(|side| side[0] < here)..sides.len())
-            .take_while(|&i| sides[i][0] == here)
-            .find(|&i| !is_used[i])
-        {
-            is_used[side] = true;
-            places.insert(here, path.len());
-            path.push(here);
-            here = sides[side][1];
-            if let Some(&at) = places.get(&here) {
-                walks.push(&path[at..]);
-                for vertex in path.drain(at..) {
-                    places.remove(&vertex);
-                }
-            }
-        }
-        // Sides that do not close up are no part of a face of a complex.
-        path.clear();
-        places.clear();
-    }
-    walks
 }

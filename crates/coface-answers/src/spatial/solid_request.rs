@@ -66,6 +66,6 @@ impl SolidRequest {
 
 /// Refuses to answer other questions from the surface of a result.
 pub(super) fn surface_alone() -> Error {
-    Error::invalid("this arrangement has the surface of one result alone, not the cells of its inputs")
-        .with_cure("ask the arrangement that it was made of")
+    Error::invalid("this arrangement has what one result needs, not the cells of all its inputs")
+        .with_cure("arrange the inputs for every question: SceneArrangement::of")
 }

@@ -1,7 +1,7 @@
 //! Polygons in space to make an arrangement of.
 
+use super::closed_walks;
 use super::exact_polygons::ExactPolygons;
-use super::wanted_parts::walks;
 use coface_algebra::RaggedArray;
 use coface_algebra::{Error, ErrorKind};
 use coface_geometry::Positions;
@@ -185,16 +185,14 @@ impl SpatialPolygons {
         for part in exact.parts() {
             sides[part.polygon as usize].extend(part.sides());
         }
-        let is_corner = vec![true; exact.vertices().len()];
         let (mut lists, mut polygon_of_walk) = (RaggedArray::new(), Vec::new());
         for (sides, polygon) in sides.iter_mut().zip(0..) {
             sides.sort_unstable();
             let is_outer = |&&[a, b]: &&[u32; 2]| sides.binary_search(&[b, a]).is_err();
-            let outline: Vec<[u32; 2]> = sides.iter().filter(is_outer).copied().collect();
-            for walk in walks(&outline, &is_corner) {
-                lists.push(&walk);
-                polygon_of_walk.push(polygon);
-            }
+            let mut outline: Vec<[u32; 2]> = sides.iter().filter(is_outer).copied().collect();
+            let walks = closed_walks(&mut outline);
+            polygon_of_walk.extend(walks.iter().map(|_| polygon));
+            walks.iter().for_each(|walk| lists.push(walk));
         }
         Self::new(Positions::from_flat(3, flat)?, lists, polygon_of_walk)?.with_exact(0, exact)
     }

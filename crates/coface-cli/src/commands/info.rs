@@ -142,7 +142,7 @@ impl Info {
                 Err(failure) if self.inputs.len() == 1 => return Err(failure),
                 Err(failure) => {
                     failed = true;
-                    if let Failure::Message(message) = &failure {
+                    if let Failure::Message(message) | Failure::Memory(message) = &failure {
                         let (file, error) = (input::name(path), message.clone());
                         entries.push(InfoEntry::Failed(FailedInput { file, error }));
                     }

@@ -387,12 +387,15 @@ mod killed {
         let work = folder.path().join("work");
         let shards = coface(&["shard", argument(&input), "-o", argument(&work), "--parts", "1"]);
         assert_eq!(shards.status, 0, "{}", shards.stderr);
-        let run = coface(&["homology", "--memory", "70M", "--parts", "1", argument(&input)]);
-        let message = run.fails_with(1);
-        assert!(
-            message.contains("memory") && (message.contains("--parts 2") || message.contains("cut")),
-            "{message}"
-        );
+        // An allocation may fail as a reader asks for it, and is an error there, or anywhere, and ends the worker.
+        for memory in ["70M", "75M", "80M", "85M"] {
+            let run = coface(&["homology", "--memory", memory, "--parts", "1", argument(&input)]);
+            let message = run.fails_with(1);
+            assert!(
+                message.contains("memory") && (message.contains("--parts 2") || message.contains("cut")),
+                "{message}"
+            );
+        }
         // As many as memory asks for.
         let answer = coface(&["homology", "--json", "--memory", "700M", argument(&input)]).json();
         assert_eq!(

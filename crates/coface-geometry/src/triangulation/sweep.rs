@@ -134,10 +134,17 @@ pub fn triangulate_sides(
     }
 }
 
+/// So many numbers are sorted by insertion.
+const FEW: usize = 8;
+
 /// Sorts numbers by merging. Where the comparison is no total order, as that of turns which are nearly straight, the order is some
 /// order, and nothing breaks.
 fn sort_any(numbers: &mut [u32], compare: impl Fn(u32, u32) -> Ordering + Copy) {
-    if numbers.len() < 2 {
+    if numbers.len() <= FEW {
+        for end in 1..numbers.len() {
+            let place = numbers[..end].iter().position(|&other| compare(other, numbers[end]).is_gt());
+            numbers[place.unwrap_or(end)..=end].rotate_right(1);
+        }
         return;
     }
     let (low, high) = numbers.split_at_mut(numbers.len() / 2);

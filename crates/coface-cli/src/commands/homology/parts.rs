@@ -8,7 +8,7 @@ use crate::commands::shard::{Cut, CutRequest, GridArguments, cut_input, fingerpr
 use crate::failure::Failure;
 use crate::points::PointArguments;
 use crate::progress::Progress;
-use crate::workers::{Sharing, Task, WorkFolder, WorkerReply, line, text_of_path};
+use crate::workers::{Sharing, Task, WorkFolder, WorkerReply, line, reply_to, text_of_path};
 use clap::Args;
 use coface::answers::answer::HomologyAnswer;
 use coface::scale::shards::ShardFolder;
@@ -39,11 +39,6 @@ pub(super) struct PartsOptions {
     grid: GridArguments,
 }
 
-/// A worker that does anything at all takes so much, and a little more for small inputs.
-const LEAST: u64 = 64 << 20;
-/// What is advised instead of less.
-const ADVISED: u64 = 96 << 20;
-
 impl PartsOptions {
     /// Whether work in parts is asked for.
     pub(super) fn are_given(&self) -> bool {
@@ -60,13 +55,6 @@ impl PartsOptions {
     pub(super) fn run(&self, input: &Path, question: &Question, common: &Common) -> Result<(), Failure> {
         question.check()?;
         common.points.refuse("homology in parts")?;
-        if let Some(memory) = self.memory().filter(|&memory| memory < LEAST) {
-            return Err(Failure::new(format!(
-                "{} of memory is too little for any part; give --memory {}M or more",
-                bytes_text(memory),
-                ADVISED >> 20
-            )));
-        }
         let progress = Progress::start(common.quiet);
         let work = WorkFolder::new(self.work.as_deref())?;
         let runner = Runner::new(self, common, work.path())?;
@@ -144,6 +132,10 @@ fn unexpected() -> Failure {
 }
 
 impl WorkerReply for Reply {
+    fn of_error(message: String) -> Self {
+        Self::Error(message)
+    }
+
     fn error(&self) -> Option<&str> {
         match self {
             Self::Error(message) => Some(message),
@@ -161,7 +153,7 @@ struct Runner<'a> {
 
 impl<'a> Runner<'a> {
     fn new(options: &'a PartsOptions, common: &Common, folder: &'a Path) -> Result<Self, Failure> {
-        let sharing = Sharing::new(Task::Shards, common.threads, options.memory());
+        let sharing = Sharing::new(Task::Shards, common.threads, options.memory())?;
         Ok(Self { options, folder, folder_text: text_of_path(folder)?, sharing })
     }
 
@@ -285,16 +277,10 @@ impl<'a> Runner<'a> {
 
 /// What a worker replies to the line of a request.
 pub(crate) fn answer_request(request: &str) -> String {
-    line(&match answered(request) {
-        Ok(reply) => reply,
-        Err(Failure::Message(message)) => Reply::Error(message),
-        Err(_) => Reply::Error("the request could not be answered".to_owned()),
-    })
+    reply_to(request, answered)
 }
 
-fn answered(request: &str) -> Result<Reply, Failure> {
-    let request: Request = serde_json::from_str(request)
-        .map_err(|error| Failure::new(format!("a worker was asked what it does not know: {error}")))?;
+fn answered(request: Request) -> Result<Reply, Failure> {
     match request {
         Request::Shard(task) => shard(&task),
         Request::Reduce { folder, number } => {

@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use crate::input::{self, Source};
 use crate::progress::Progress;
 use crate::remarks;
-use crate::workers::{Sharing, Task, WorkFolder, WorkerReply, line, text_of_path};
+use crate::workers::{Sharing, Task, WorkFolder, WorkerReply, line, reply_to, text_of_path};
 use clap::Args;
 use coface::answers::FoundImage;
 use coface::io::{self, ReadOptions, Structure, VolumeStream, content_hash, replace_file};
@@ -33,10 +33,6 @@ pub(crate) struct ImageParts {
     fan_in: u32,
 }
 
-/// A worker that does anything at all takes so much.
-const LEAST: u64 = 64 << 20;
-/// What is advised instead of less.
-const ADVISED: u64 = 96 << 20;
 /// So many voxels a block, if nothing asks for others.
 const USUAL: usize = 1 << 21;
 
@@ -82,6 +78,10 @@ enum Reply {
 }
 
 impl WorkerReply for Reply {
+    fn of_error(message: String) -> Self {
+        Self::Error(message)
+    }
+
     fn error(&self) -> Option<&str> {
         match self {
             Self::Error(message) => Some(message),
@@ -104,13 +104,7 @@ impl ImageParts {
         progress: &Progress,
     ) -> Result<FoundImage, Failure> {
         let memory = common.memory.and_then(|limit| limit.0);
-        if let Some(memory) = memory.filter(|&memory| memory < LEAST) {
-            return Err(Failure::new(format!(
-                "{} of memory is too little for any part; give --memory {}M or more",
-                bytes_text(memory),
-                ADVISED >> 20
-            )));
-        }
+        let sharing = Sharing::new(Task::Images, common.threads, memory)?;
         let name = input::name(asked.input);
         let work = WorkFolder::new(self.work.as_deref())?;
         let volume = work.standard_input(asked.input)?;
@@ -121,7 +115,6 @@ impl ImageParts {
             )));
         };
         let is_first_fastest = stream.shape().len() > 1 && stream.fastest_axis() == 0;
-        let sharing = Sharing::new(Task::Images, common.threads, memory);
         let blocks = self.blocks(asked, common, &stream, &sharing)?;
         let mut task = ImageTask {
             folder: text_of_path(work.path())?,
@@ -302,16 +295,10 @@ impl ImageParts {
 
 /// What a worker replies to the line of a request.
 pub(crate) fn answer_request(request: &str) -> String {
-    line(&match answered(request) {
-        Ok(reply) => reply,
-        Err(Failure::Message(message)) => Reply::Error(message),
-        Err(_) => Reply::Error("the request could not be answered".to_owned()),
-    })
+    reply_to(request, answered)
 }
 
-fn answered(request: &str) -> Result<Reply, Failure> {
-    let request: Request = serde_json::from_str(request)
-        .map_err(|error| Failure::new(format!("a worker was asked what it does not know: {error}")))?;
+fn answered(request: Request) -> Result<Reply, Failure> {
     match request {
         Request::Block { task, number } => {
             let folder = task.image_folder()?;

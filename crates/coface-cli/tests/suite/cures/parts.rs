@@ -22,7 +22,7 @@ pub(super) const CASES: &[Case] = &[
     Case::new("homology/mod.rs", "needs the whole complex in memory; leave {option} out, or --parts")
         .refused("coface homology --grid 2,2 --simplicial --cup 1 1")
         .cured(&[&["coface homology --grid 2,2 --simplicial"]]),
-    Case::new("homology/parts.rs", "is too little for any part; give --memory")
+    Case::new("workers.rs", "is too little for any part; give --memory")
         .files(BOOK)
         .refused("coface homology book.json --memory 1M")
         .cured(&[&["coface homology book.json --memory 96M"]]),
@@ -41,7 +41,7 @@ pub(super) const CASES: &[Case] = &[
         .files(BOOK)
         .refused("coface persistence book.json --parts 2 --work w")
         .cured(&[&["coface persistence book.json"]]),
-    Case::new("persistence/parts.rs", "is too little for any part; give --memory")
+    Case::new("workers.rs", "is too little for any part; give --memory")
         .files(VOXELS)
         .refused("coface persistence voxels.nrrd --parts 2 --memory 1M")
         .cured(&[&["coface persistence voxels.nrrd --parts 2 --memory 96M"]]),
