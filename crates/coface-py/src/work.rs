@@ -6,10 +6,11 @@ use coface::algebra::progress::Watch;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::PyBool;
-use rayon::{ThreadPool, ThreadPoolBuilder};
+use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::panic::resume_unwind;
 use std::process;
-use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::thread;
 use std::time::Duration;
@@ -23,28 +24,56 @@ const STACK: usize = 64 << 20;
 /// The process that loaded the module.
 static HOME: OnceLock<u32> = OnceLock::new();
 
-/// The threads of a process that was forked: those of its parent are not in it.
-static FORKED: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
+/// The threads of this process: those of a parent are not in a process that was forked.
+static TEAM: Mutex<Option<Arc<Team>>> = Mutex::new(None);
+
+/// Threads that stay for the next call, so that a small one starts none. One call at a time has them: where two shared them, a thread that
+/// waits for parts of one could begin the other.
+struct Team {
+    process: u32,
+    threads: ThreadPool,
+    is_busy: AtomicBool,
+}
+
+impl Team {
+    /// The threads of this process, `None` where they cannot be started.
+    fn of_process() -> Option<Arc<Self>> {
+        let process = process::id();
+        let mut known = TEAM.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(team) = known.as_ref().filter(|team| team.process == process) {
+            return Some(Arc::clone(team));
+        }
+        let team = Arc::new(Self { process, threads: threads().ok()?, is_busy: AtomicBool::new(false) });
+        // The threads of the parent are not here to be waited for.
+        std::mem::forget(known.replace(Arc::clone(&team)));
+        Some(team)
+    }
+
+    /// Has all threads until it is dropped, unless another call has them.
+    fn turn(&self) -> Option<Turn<'_>> {
+        (!self.is_busy.swap(true, Ordering::Acquire)).then_some(Turn(self))
+    }
+
+    fn is_forked(&self) -> bool {
+        HOME.get().is_some_and(|&home| home != self.process)
+    }
+}
+
+struct Turn<'a>(&'a Team);
+
+impl Drop for Turn<'_> {
+    fn drop(&mut self) {
+        self.0.is_busy.store(false, Ordering::Release);
+    }
+}
+
+fn threads() -> Result<ThreadPool, ThreadPoolBuildError> {
+    ThreadPoolBuilder::new().stack_size(STACK).thread_name(|number| format!("coface {number}")).build()
+}
 
 /// Remembers which process loaded the module.
 pub(crate) fn remember_process() {
     HOME.get_or_init(process::id);
-}
-
-/// The threads for parallel work where the usual ones are not there.
-fn threads_after_fork() -> Option<Arc<ThreadPool>> {
-    let id = process::id();
-    if HOME.get().is_none_or(|&home| home == id) {
-        return None;
-    }
-    let mut forked = FORKED.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some((_, pool)) = forked.as_ref().filter(|(owner, _)| *owner == id) {
-        return Some(Arc::clone(pool));
-    }
-    let pool = Arc::new(ThreadPoolBuilder::new().stack_size(STACK).build().ok()?);
-    // The threads of the parent's are not here to be waited for.
-    std::mem::forget(forked.replace((id, Arc::clone(&pool))));
-    Some(pool)
 }
 
 /// Who receives progress.
@@ -89,7 +118,25 @@ impl<'py> Listener<'py> {
     }
 }
 
-/// Does long work in a thread of its own, without the lock of the interpreter. Meanwhile signals are looked for: Ctrl-C stops the work at its
+/// Waits for the end of work, looks for signals and shows progress meanwhile. The first fault of these stops the work; it has ended when
+/// this returns.
+fn watched(py: Python<'_>, listener: &Listener<'_>, watch: &Watch, end: Receiver<()>) -> PyResult<()> {
+    // Only this thread waits; the lock is for the compiler.
+    let end = Mutex::new(end);
+    let wait = || end.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(PERIOD);
+    let mut outcome = Ok(());
+    while py.detach(wait) == Err(RecvTimeoutError::Timeout) {
+        if outcome.is_ok() {
+            outcome = py.check_signals().and_then(|()| listener.tell(watch));
+            if outcome.is_err() {
+                watch.stop();
+            }
+        }
+    }
+    outcome
+}
+
+/// Does long work in another thread, without the lock of the interpreter. Meanwhile signals are looked for: Ctrl-C stops the work at its
 /// next step. `progress` is `True` for a bar, or a function that is called with the stage, what is done of it and all of it.
 pub(crate) fn run<'py, T: Send>(
     py: Python<'py>,
@@ -98,39 +145,42 @@ pub(crate) fn run<'py, T: Send>(
 ) -> PyResult<T> {
     let listener = Listener::of(py, progress)?;
     let watch = Arc::new(Watch::new());
-    let outcome = thread::scope(|scope| -> PyResult<_> {
-        let (ended, end) = channel::<()>();
-        let worker = {
-            let watch = &watch;
-            let work = move || {
-                let _ended = ended;
-                match threads_after_fork() {
-                    Some(pool) => pool.install(|| watch.run(work)),
+    let (ending, end) = channel::<()>();
+    let team = Team::of_process();
+    let mut outcome = None;
+    let seen = if let Some((team, _turn)) = team.as_deref().and_then(|team| Some((team, team.turn()?))) {
+        team.threads.in_place_scope(|scope| {
+            scope.spawn(|_| {
+                // Dropped last.
+                let _ending = ending;
+                outcome = Some(watch.run(work));
+            });
+            watched(py, &listener, &watch, end)
+        })
+    } else {
+        thread::scope(|scope| {
+            let own = || {
+                let _ending = ending;
+                // The usual threads are not there after a fork, and those of the team may wait for this very call.
+                let threads = team.as_deref().filter(|team| team.is_forked()).and_then(|_| threads().ok());
+                outcome = Some(match threads {
+                    Some(threads) => threads.install(|| watch.run(work)),
                     None => watch.run(work),
-                }
+                });
             };
             let worker = thread::Builder::new().name("coface".into()).stack_size(STACK);
-            worker.spawn_scoped(scope, work).map_err(PyErr::from)?
-        };
-        let mut fault = None;
-        // Only this thread waits; the lock is for the compiler.
-        let end = Mutex::new(end);
-        let wait = || end.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(PERIOD);
-        while py.detach(wait) == Err(RecvTimeoutError::Timeout) {
-            let seen = py.check_signals().and_then(|()| listener.tell(&watch));
-            if let Err(error) = seen {
-                watch.stop();
-                fault = Some(error);
-                break;
-            }
-        }
-        let outcome = py.detach(|| worker.join()).unwrap_or_else(|payload| resume_unwind(payload));
-        fault.map_or(Ok(outcome), Err)
-    });
+            let worker = worker.spawn_scoped(scope, own).map_err(PyErr::from)?;
+            let seen = watched(py, &listener, &watch, end);
+            py.detach(|| worker.join()).unwrap_or_else(|payload| resume_unwind(payload));
+            seen
+        })
+    };
     listener.close()?;
-    match outcome? {
-        Ok(Ok(value)) => Ok(value),
-        Ok(Err(error)) => Err(raised(py, &error)),
-        Err(stopped) => Err(PyRuntimeError::new_err(stopped.to_string())),
+    seen?;
+    match outcome {
+        Some(Ok(Ok(value))) => Ok(value),
+        Some(Ok(Err(error))) => Err(raised(py, &error)),
+        Some(Err(stopped)) => Err(PyRuntimeError::new_err(stopped.to_string())),
+        None => Err(PyRuntimeError::new_err("the work ended without an answer")),
     }
 }

@@ -122,6 +122,34 @@ def test_eight_threads_have_one_answer(spot) -> None:
     assert np.isclose(float(answers[0][2]), 0.718258788)
 
 
+def test_small_calls_start_no_threads() -> None:
+    disc = coface.YinSet.from_rings([[(0, 0), (1, 0), (1, 1), (0, 1)]])
+    seen = set()
+
+    def flow(points, time):
+        seen.add(threading.get_native_id())
+        return np.zeros_like(points)
+
+    for _ in range(3 * (os.cpu_count() or 1)):
+        disc.advected(flow, 0.1, spacing=0.5)
+    # A flow is tried here first.
+    others = seen - {threading.get_native_id()}
+    assert 1 <= len(others) <= (os.cpu_count() or 1), "each call had a thread of its own"
+
+
+def test_a_call_within_a_call_has_threads(torus) -> None:
+    disc = coface.YinSet.from_rings([[(0, 0), (1, 0), (1, 1), (0, 1)]])
+    complex = coface.as_complex(torus)
+    seen = set()
+
+    def flow(points, time):
+        seen.add(str(coface.homology(complex)[1]))
+        return np.zeros_like(points)
+
+    disc.advected(flow, 0.1, spacing=0.5)
+    assert seen == {"Z^2"}
+
+
 def test_processes_have_one_answer(torus) -> None:
     import multiprocessing
 
