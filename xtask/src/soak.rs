@@ -115,13 +115,16 @@ fn prepare(folder: &Path, program: PathBuf, interpreter: Option<PathBuf>) -> std
         &["klein-grid"],
         &["lens", "--p", "7", "--q", "2"],
         &["cuboids", "--shape", "4,3,2"],
-        &["sphere", "--dimension", "4"],
+        &["cross-polytope", "--dimension", "5"],
         &["rp2"],
         &["grid", "--shape", "3,3,3"],
     ];
     for (number, words) in made.iter().enumerate() {
         let path = folder.join(format!("in/made{number}.json"));
-        Command::new(&program).args(["generate", "-q", "-o"]).arg(path).args(*words).status()?;
+        let status = Command::new(&program).args(["generate", "-q", "-o"]).arg(path).args(*words).status()?;
+        if !status.success() {
+            return Err(std::io::Error::other(format!("{} was not made: {status}", words.join(" "))));
+        }
     }
     let mut folders = vec![folder.join("in"), root().join("data")];
     folders.extend(std::env::var_os("COFACE_DATA").map(PathBuf::from));

@@ -275,7 +275,7 @@ impl SpatialArrangement {
             return !self.patches.are_torn(&x) || are_coplanar(f, g);
         }
         self.options.merge_coplanar
-            && self.patches.inputs(&x, Sign::Plus) == self.patches.inputs(&y, Sign::Plus)
+            && self.patches.have_same_inputs(&x, &y, Sign::Plus)
             && self.patches.fold(&x).is_none()
             && self.patches.fold(&y).is_none()
             && are_coplanar(f, g)

@@ -123,7 +123,7 @@ impl Patches {
     }
 
     /// The inputs of some patches, sorted, packed with 1 for those that run the other way, turned if the sign is minus.
-    pub(super) fn inputs(&self, patches: &[u32], sign: Sign) -> Vec<u32> {
+    fn inputs(&self, patches: &[u32], sign: Sign) -> Vec<u32> {
         let turned = u32::from(sign == Sign::Minus);
         let mut inputs = Vec::new();
         self.for_each_polygon(patches, |polygon| {
@@ -131,6 +131,15 @@ impl Patches {
         });
         inputs.sort_unstable();
         inputs
+    }
+
+    /// Whether some patches and others, turned if the sign is minus, are of the same inputs.
+    pub(super) fn have_same_inputs(&self, some: &[u32], others: &[u32], sign: Sign) -> bool {
+        if let (None, &[x], &[y]) = (&self.polygons_of_patch, some, others) {
+            let input = |patch: u32| self.input_of_polygon[(patch >> 1) as usize];
+            return input(x) == input(y) && (x ^ y) & 1 == u32::from(sign == Sign::Minus);
+        }
+        self.inputs(some, Sign::Plus) == self.inputs(others, sign)
     }
 }
 
@@ -203,7 +212,7 @@ impl<P: SpatialPredicates> MergeRules for SameOrigin<'_, P> {
         }
         let [own, other] = faces.map(|face| self.patches_of_face.list(face as usize));
         let [f, g] = faces.map(|face| self.cut.plane(FaceId::from_u32(face)));
-        self.patches.inputs(own, Sign::Plus) == self.patches.inputs(other, sign)
+        self.patches.have_same_inputs(own, other, sign)
             && self.patches.fold(own).is_none()
             && self.patches.fold(other).is_none()
             && are_coplanar(f, g)

@@ -125,5 +125,6 @@ pub fn plane_axis(plane: SpatialPlane) -> (usize, Ordering) {
 /// assert!(!are_coplanar(ground, [[7., 7., 0.], [1e300, 0., 1e-300], [0., 0., 0.]]));
 /// ```
 pub fn are_coplanar(f: SpatialPlane, g: SpatialPlane) -> bool {
-    g.iter().all(|&point| spatial_orientation(f[0], f[1], f[2], point).is_eq())
+    // Triangles with a common side have two common points, for which no filter would decide.
+    g.iter().all(|&point| f.contains(&point) || spatial_orientation(f[0], f[1], f[2], point).is_eq())
 }
