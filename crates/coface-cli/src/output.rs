@@ -4,7 +4,7 @@ use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::remarks::object;
 use coface::algebra::escaped;
-use coface::io::replace_file;
+use coface::io::{Format, replace_file};
 use serde::Serialize;
 use std::borrow::Cow;
 use std::io::{self, BufWriter, Write};
@@ -107,13 +107,31 @@ pub(crate) fn is_json(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"))
 }
 
+/// Refuses the name of a file for text whose extension is that of models, tables or pictures.
+pub(crate) fn check_text(path: &Path) -> Result<(), Failure> {
+    const NO_MODELS: [&str; 7] = ["pdf", "gif", "webp", "html", "htm", "parquet", "arrow"];
+    let Some(extension) = path.extension().and_then(|extension| extension.to_str()) else { return Ok(()) };
+    let is_other = NO_MODELS.iter().any(|other| extension.eq_ignore_ascii_case(other))
+        || Format::from_path(path).is_some();
+    match is_other {
+        true => Err(Failure::new(format!(
+            "{}: this answer is written as text or JSON; end the name in .txt or .json",
+            path.display()
+        ))),
+        false => Ok(()),
+    }
+}
+
 /// Gives an answer as the command line asks: to the file of -o, as the object or as the page without colors by its
 /// extension; and on standard output as the object with --json, as the page if no file was named.
 pub(crate) fn give(common: &Common, object: &(impl Serialize + ?Sized), page: &str) -> Result<(), Failure> {
     if let Some(path) = &common.output {
         match is_json(path) {
             true => write_json(path, object)?,
-            false => write_file(path, anstream::adapter::strip_str(page).to_string().as_bytes())?,
+            false => {
+                check_text(path)?;
+                write_file(path, anstream::adapter::strip_str(page).to_string().as_bytes())?;
+            }
         }
     }
     match (common.json, &common.output) {

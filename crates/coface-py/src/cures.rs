@@ -1,7 +1,8 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 55] = [
+const PHRASES: [(&str, &str); 56] = [
+    ("coface view MODEL --with ANSWER shows both", "coface.view([model, answer]) shows both"),
     ("by ChainComplex::of_points", "by coface.ChainComplex.of_points(n)"),
     ("ask with HomologyRequest::certified(true)", "ask with generators=True"),
     (
@@ -31,7 +32,7 @@ const PHRASES: [(&str, &str); 55] = [
         "give a diagram that coface persistence INPUT -o DIAGRAM.json writes, or a table of births and deaths",
         "give a Persistence, or an array of births and deaths",
     ),
-    ("--end T lets them die at T", "end=t lets them die at t"),
+    ("--end T takes T for the death", "end=t takes t for the death"),
     ("leave --certificate out, or write the domain", "write the domain"),
     ("leave --certificate out, or give a facet list", "give the file of a facet list"),
     ("leave --certificate out, or give WKT", "give WKT"),

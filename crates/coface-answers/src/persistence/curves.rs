@@ -280,8 +280,11 @@ fn ended(barcodes: &[Barcode], end: Option<f64>) -> Result<Vec<Barcode>, Error> 
 
 /// That classes which never die are left out.
 fn left_out(essential: usize) -> Option<Remark> {
-    let message =
-        format!("{} that never die left out; --end T lets them die at T", text::count(essential, "class"));
+    let which = match essential {
+        1 => "1 class that never dies".to_owned(),
+        _ => format!("{} that never die", text::count(essential, "class")),
+    };
+    let message = format!("{which} left out; --end T takes T for the death");
     (essential > 0).then(|| Remark::new(RemarkCode::InputReading, message).at(essential, []))
 }
 

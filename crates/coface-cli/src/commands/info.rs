@@ -5,7 +5,7 @@ use crate::arguments::Common;
 use crate::certified;
 use crate::failure::Failure;
 use crate::input;
-use crate::output::{check_page, give, is_html, is_json, print_json, write_file};
+use crate::output::{check_page, check_text, give, is_html, is_json, print_json, write_file};
 use crate::progress::Progress;
 use crate::remarks::{accept, are_on_the_page};
 use clap::{Args, ValueEnum};
@@ -118,6 +118,9 @@ impl Info {
         let as_json = common.json || common.output.as_deref().is_some_and(is_json);
         let page_file = common.output.as_deref().filter(|path| is_html(path));
         let text_file = common.output.as_deref().is_some_and(|path| !is_json(path) && !is_html(path));
+        if let Some(path) = common.output.as_deref().filter(|_| text_file) {
+            check_text(path)?;
+        }
         let is_shown = text_file || !as_json && common.output.is_none() && self.html.is_none();
         let (mut entries, mut page, mut failed) = (Vec::new(), String::new(), false);
         let mut sections = Vec::new();
@@ -179,6 +182,9 @@ impl Info {
             }
         }
         drop(progress);
+        if failed && page.is_empty() && !as_json {
+            return Err(Failure::Said);
+        }
         let is_given = is_shown || common.output.as_deref().is_some_and(is_json);
         if is_shown {
             are_on_the_page();

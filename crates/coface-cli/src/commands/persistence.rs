@@ -146,7 +146,8 @@ impl Persistence {
             };
             let unknown = || {
                 Failure::new(format!(
-                    "{}: a diagram is written as .pers, .txt, .csv or .json; name the file so",
+                    "{}: a diagram is written as .pers, .txt, .csv or .json; name the file so, and draw the picture of \
+                     that file with coface render FILE --diagram, or cycles on the model with --cycles OUT",
                     path.display()
                 ))
             };

@@ -496,3 +496,28 @@ fn workers_end_when_their_parent_is_killed() {
         }
     }
 }
+
+#[test]
+fn text_has_no_name_of_another_format() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("sphere.json"), SPHERE).unwrap();
+    for verb in ["info", "homology", "pi1", "subgroups"] {
+        for name in ["answer.off", "answer.PDF", "answer.csv"] {
+            let run = coface_in(folder.path(), &[verb, "sphere.json", "-o", name]);
+            let said = run.fails_with(1);
+            assert!(said.contains(name) && !folder.path().join(name).exists(), "{verb} {said}");
+        }
+        for name in ["answer.txt", "answer.json", "answer"] {
+            assert_eq!(coface_in(folder.path(), &[verb, "sphere.json", "-o", name]).status, 0);
+            fs::remove_file(folder.path().join(name)).unwrap();
+        }
+    }
+}
+
+#[test]
+fn nothing_is_written_of_inputs_that_all_failed() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = coface_in(folder.path(), &["info", "no.off", "none.off", "-o", "answer.txt"]);
+    assert_eq!((run.status, run.stdout.as_str()), (1, ""));
+    assert_eq!(files(folder.path()), BTreeMap::new());
+}

@@ -47,7 +47,10 @@ pub(super) enum Content {
     Boundary(BoundaryDrawing),
     Interface(Box<Interface>),
     /// None of these; some of the keys that stand there instead.
-    Unknown(Vec<String>),
+    Unknown {
+        keys: Vec<String>,
+        is_answer: bool,
+    },
 }
 
 /// What the file is.
@@ -175,6 +178,7 @@ fn visit_object<'de, A: MapAccess<'de>>(
     let (mut gluings, mut points, mut coboundaries, mut others) = (None, None, Vec::new(), Vec::new());
     let (mut curves, mut pieces, mut outer) = (CurveKeys::default(), None, Vec::new());
     let (mut exact, mut segments, mut interface) = (None, None, InterfaceKeys::default());
+    let mut is_answer = false;
     while let Some(key) = map.next_key::<String>()? {
         match key.as_str() {
             "name" => name = map.next_value_seed(Name)?,
@@ -206,6 +210,7 @@ fn visit_object<'de, A: MapAccess<'de>>(
             }
             _ => {
                 interface.has_junctions |= key == "junctions";
+                is_answer |= key == "remarks";
                 if let Some(degree) = degree_of_key(&key) {
                     coboundaries.push((degree, map.next_value_seed(CoboundaryOf { degree, faults })?));
                     continue;
@@ -238,7 +243,7 @@ fn visit_object<'de, A: MapAccess<'de>>(
             let order = curves.order.as_ref().and_then(Value::as_u64);
             match interface.into_interface(order, positions) {
                 Some(found) => Content::Interface(Box::new(found.map_err(|fault| faults.raise(fault))?)),
-                None => Content::Unknown(others),
+                None => Content::Unknown { keys: others, is_answer },
             }
         }
         _ => return Err(several(faults)),

@@ -96,7 +96,7 @@ pub(crate) fn read_boundary(input: impl Read, name: Option<&str>) -> Result<Boun
             )
             .with_cure("read it as an interface"));
         }
-        content @ Content::Unknown(_) => {
+        content @ Content::Unknown { .. } => {
             return Err(to_model(content, None).expect_err("nothing is known of it"));
         }
     };
@@ -245,13 +245,17 @@ fn to_model(content: Content, tolerance: Option<f64>) -> Result<Model, Error> {
         Content::Gluings(table) => Structure::Gluings(table),
         Content::Boundary(drawing) => return model_of_drawing(&drawing, tolerance),
         Content::Interface(interface) => return model_of_drawing(&interface.phases()?, tolerance),
-        Content::Unknown(keys) if keys.is_empty() => {
+        Content::Unknown { is_answer: true, .. } => {
+            return Err(Error::parse("this is an answer of coface, and not a model")
+                .with_cure("give the model that it is about; coface view MODEL --with ANSWER shows both"));
+        }
+        Content::Unknown { keys, .. } if keys.is_empty() => {
             return Err(Error::parse(
                 "the object has none of the keys \"facets\", \"next\", \"boundaries\", \"d0\", \"gluings\", \"curves\"",
             )
             .with_cure("give one of them"));
         }
-        Content::Unknown(keys) => {
+        Content::Unknown { keys, .. } => {
             let keys: Vec<String> = keys.iter().map(|key| format!("\"{}\"", shortened(key))).collect();
             return Err(Error::parse(format!(
                 "the object has the keys {}, but none of \"facets\", \"next\", \"boundaries\", \"d0\", \"gluings\", \"curves\"",

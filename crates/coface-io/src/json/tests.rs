@@ -130,6 +130,7 @@ fn faults_name_key_and_entry() {
         (r#"{"d0":[[0,0,-1],[0,1,1]],"d1":[[0,0,1]]}"#, "boundary"),
         (r#"{"vertices":[[0]],"boundaries":[{"rows":2,"cols":0,"entries":[]}]}"#, "1 points for 2 vertices"),
         (r#"{"vertices":[[0]]}"#, "but none of"),
+        (r#"{"homology":[],"remarks":[]}"#, "an answer of coface, and not a model"),
         (
             &exact("[[0],[1],[2]]", "[0,1,2]", "[0,1,7]"),
             "\"exact_polygons\": part 0 names 7, which is not there",

@@ -17,7 +17,7 @@ pub(super) const CASES: &[Case] = &[
         .files(LINE)
         .refused("coface diagram image line.csv --degree 0")
         .cured(&[&["coface diagram image line.csv --degree 0 --births 0 1 --persistences 0 1"]]),
-    Case::new("persistence/curves.rs", "--end T lets them die at T")
+    Case::new("persistence/curves.rs", "--end T takes T for the death")
         .files(TWO)
         .answered("coface diagram silhouette a.csv")
         .cured(&[&["coface diagram silhouette a.csv --end 4"]]),
@@ -59,6 +59,13 @@ pub(super) const CASES: &[Case] = &[
         .cured(&[
             &["coface persistence image.pgm --superlevel"],
             &["coface persistence image.pgm --upper-star --function y"],
+        ]),
+    Case::new("commands/persistence.rs", "with coface render FILE --diagram, or cycles on the model with --cycles OUT")
+        .files(LINE)
+        .refused("coface persistence model.off -o a.svg")
+        .cured(&[
+            &["coface persistence model.off -o a.json", "coface render a.json --diagram -o a.svg"],
+            &["coface persistence model.off --cycles a.obj"],
         ]),
     Case::new("commands/persistence.rs", "--extended is for functions on vertices")
         .files(&[("image.pgm", "P2\n2 2\n9\n1 2\n3 4\n")])

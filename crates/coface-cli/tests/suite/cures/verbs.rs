@@ -205,6 +205,11 @@ pub(super) const CASES: &[Case] = &[
         .before(&["coface generate torus -o a.off", "coface cut a.off -o cut.json"])
         .refused("coface render a.off --with cut.json --pane=nothing -o a.svg")
         .cured(&[&["coface render a.off --with cut.json --pane=domain -o a.svg"]]),
+    Case::new("json/reading.rs", "give the model that it is about; coface view MODEL --with ANSWER shows both")
+        .files(TRIANGLE)
+        .before(&["coface persistence triangle.off -o p.json"])
+        .refused("coface view p.json -o a.html")
+        .cured(&[&["coface view triangle.off --with p.json -o a.html"]]),
     Case::new("render/diagram.rs", "give what coface persistence wrote")
         .files(TRIANGLE)
         .with(&[("diagram.json", "{\"diagram\":[{}]}")])
