@@ -34,10 +34,12 @@ def test_falling_values_are_rising_ones_of_the_negative() -> None:
     for first, second in zip(rising, falling, strict=True):
         for up, down in zip(first, second, strict=True):
             assert np.array_equal(down[:, 0], -up[:, 0])
-            assert np.array_equal(down[:, 1], np.where(np.isinf(up[:, 1]), np.inf, -up[:, 1]))
+            assert np.array_equal(down[:, 1], -up[:, 1])
     path = [[0, 1], [1, 2]]
     of_image, of_space = Diagrams(degrees=(0,), upper=True).fit_transform([[[1.0, 0.0, 3.0]], (path, [1.0, 0.0, 3.0])])
-    assert sorted(map(tuple, of_image[0])) == sorted(map(tuple, of_space[0])) == [(1.0, 0.0), (3.0, np.inf)]
+    assert sorted(map(tuple, of_image[0])) == sorted(map(tuple, of_space[0])) == [(1.0, 0.0), (3.0, -np.inf)]
+    (deep,) = Diagrams(degrees=(0,), upper=True).fit_transform([np.array([1.0, 0.0, 3.0]).reshape(1, 1, 1, 1, 3)])
+    assert sorted(map(tuple, deep[0])) == [(1.0, 0.0), (3.0, -np.inf)]
 
 
 def test_curves_count_what_lives() -> None:
@@ -124,3 +126,5 @@ def test_masked_voxels_are_outside() -> None:
         assert found[1].tolist() == [[1.0, np.inf]]
     with pytest.raises(coface.InvalidInputError, match="masked entries"):
         PointDiagrams().fit_transform([np.ma.array([[0.0, 0], [1, 1]], mask=[[0, 0], [1, 1]])])
+    with pytest.raises(coface.InvalidInputError, match="masked entries"):
+        Diagrams().fit_transform([([[0, 1]], np.ma.array([0.0, 1.0], mask=[0, 1]))])

@@ -154,7 +154,7 @@ impl SpatialScene {
             others.map(|side| self.distance(vertex, side.1)).fold(f64::INFINITY, f64::min)
         };
         // A vertex in which a crack ends is far from the rest.
-        let crack = CRACK_PART * self.extent();
+        let crack = CRACK_PART * self.extent_of(input);
         let gap = vertices.iter().map(gap).filter(|&gap| gap <= crack).fold(0.0, f64::max);
         let points = vertices.iter().map(|&vertex| self.point(vertex));
         let largest = points.flatten().fold(f64::MIN_POSITIVE, |most: f64, x| most.max(x.abs()));
@@ -181,12 +181,12 @@ impl SpatialScene {
             self.rims(&self.classes_of_points(), is_own).iter().map(|side| side.1[0]).collect();
         vertices.sort_unstable();
         vertices.dedup();
-        let crack = CRACK_PART * self.extent();
+        let crack = CRACK_PART * self.extent_of(input);
         let closes = |radius: f64| {
             self.welded_points(input, radius).is_ok_and(|class| self.rims(&class, is_own).is_empty())
         };
         if vertices.len() > MOST_PAIRS {
-            return least_radius(LEAST_PART * self.extent(), crack, closes);
+            return least_radius(LEAST_PART * self.extent_of(input), crack, closes);
         }
         let mut gaps: Vec<f64> = Vec::new();
         for (place, &a) in vertices.iter().enumerate() {
@@ -424,16 +424,6 @@ impl SpatialScene {
         let part = (dot(to, along) / dot(along, along)).clamp(0.0, 1.0);
         let off = [0, 1, 2].map(|axis| to[axis] - part * along[axis]);
         dot(off, off).sqrt()
-    }
-
-    fn extent(&self) -> f64 {
-        let axis = |axis: usize| {
-            let all = self.flat.iter().skip(axis).step_by(3);
-            let (low, high) =
-                all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &x| (low.min(x), high.max(x)));
-            high - low
-        };
-        (0..3).map(axis).fold(0.0, f64::max)
     }
 }
 

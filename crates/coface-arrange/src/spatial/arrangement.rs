@@ -824,11 +824,14 @@ impl SpatialArrangement {
         &self.split
     }
 
+    /// The picture of a face that is not planar with its front towards the eye.
+    pub(super) fn fold(&self, face: FaceId) -> Option<AxisView> {
+        self.patches.fold(self.patches_of_face.list(self.first_fine_face(face).index()))
+    }
+
     /// The picture of a face with its front towards the eye.
     pub(super) fn view(&self, face: FaceId) -> AxisView {
-        let fine = self.first_fine_face(face);
-        let fold = self.patches.fold(self.patches_of_face.list(fine.index()));
-        fold.unwrap_or_else(|| self.plane_view(fine))
+        self.fold(face).unwrap_or_else(|| self.plane_view(self.first_fine_face(face)))
     }
 
     /// The picture of a fine face with its front towards the eye.

@@ -11,7 +11,7 @@ use super::cutting::crossing_triangles;
 use super::predicates::{GivenPoints, SpatialPredicates};
 use crate::near::{minus, plus};
 use coface_algebra::{Error, RaggedArray, Sign};
-use coface_geometry::triangulation::triangulate_sides;
+use coface_geometry::triangulation::{flip_to_delaunay, triangulate_sides};
 use coface_geometry::{Positions, cross, dot};
 use rayon::prelude::*;
 use std::cmp::Ordering;
@@ -645,7 +645,8 @@ impl<'a> Drawing<'a> {
         let points = &self.surface.points;
         let compare = |a: u32, b: u32| view.compare(points, a, b);
         let turn = |a: u32, b: u32, c: u32| view.turn(points, [a, b, c]);
-        let found = triangulate_sides(&sides, compare, turn).map_err(|_| ())?;
+        let mut found = triangulate_sides(&sides, compare, turn).map_err(|_| ())?;
+        flip_to_delaunay(&mut found, &sides, |vertex| points.point(vertex), turn);
         if found.len() >= members.len() && !is_changed {
             return Ok(None);
         }

@@ -5,7 +5,7 @@ use super::axis_view::AxisView;
 use super::face_walks::{Path, face_walks, vertices_of_walks};
 use coface_algebra::{Error, FaceId};
 use coface_algebra::{RaggedArray, Sign};
-use coface_geometry::triangulation::triangulate_sides;
+use coface_geometry::triangulation::{flip_to_delaunay, triangulate_sides};
 use rayon::prelude::*;
 
 /// Triangles that faces of an arrangement are drawn with.
@@ -158,7 +158,8 @@ impl SpatialArrangement {
             let paths = self.paths(face);
             let kept = paths.iter().map(|path| kept(path, is_left_out));
             let sides: Vec<[u32; 2]> = kept.flat_map(|path| pairs(&path)).collect();
-            if let Ok(found) = self.triangles(&sides, self.view(face)) {
+            let is_planar = self.fold(face).is_none();
+            if let Ok(found) = self.triangles(&sides, self.view(face), is_planar) {
                 return Ok(found);
             }
         }
@@ -173,7 +174,8 @@ impl SpatialArrangement {
     fn triangulated_by_fine_faces(&self, face: FaceId, is_left_out: &[bool]) -> Result<Vec<[u32; 3]>, Error> {
         let mut all = Vec::new();
         for (fine, sign) in self.fine_faces(face) {
-            let mut own = self.triangles(&self.sides_without(fine, is_left_out), self.plane_view(fine))?;
+            let mut own =
+                self.triangles(&self.sides_without(fine, is_left_out), self.plane_view(fine), true)?;
             if sign == Sign::Minus {
                 own.iter_mut().for_each(|triangle| triangle.swap(1, 2));
             }
@@ -187,7 +189,7 @@ impl SpatialArrangement {
     #[doc(hidden)]
     pub fn single_triangle(&self, face: FaceId) -> Option<[u32; 3]> {
         let &[x, y, z] = self.complex().packed_sides().list(face.index()) else { return None };
-        if self.patches.fold(self.patches_of_face.list(self.first_fine_face(face).index())).is_some() {
+        if self.fold(face).is_some() {
             return None;
         }
         let fine = |side: u32| match &self.merged {
@@ -233,8 +235,8 @@ impl SpatialArrangement {
         Ok(drawn)
     }
 
-    /// Triangles within these sides, as they are seen.
-    fn triangles(&self, sides: &[[u32; 2]], view: AxisView) -> Result<Vec<[u32; 3]>, Error> {
+    /// Triangles within these sides, as they are seen; if these are in one plane, no thinner than need be.
+    fn triangles(&self, sides: &[[u32; 2]], view: AxisView, is_planar: bool) -> Result<Vec<[u32; 3]>, Error> {
         if let &[x, y, z] = sides
             && let Some(corners) = corners_of_walk([x, y, z])
         {
@@ -243,7 +245,12 @@ impl SpatialArrangement {
         let predicates = self.cut.predicates();
         let compare = |a: u32, b: u32| view.compare(&predicates, a, b);
         let turn = |a: u32, b: u32, c: u32| view.turn(&predicates, [a, b, c]);
-        Ok(triangulate_sides(sides, compare, turn)?)
+        let mut found = triangulate_sides(sides, compare, turn)?;
+        if is_planar {
+            let flat = self.cut.positions().as_flat().as_chunks::<3>().0;
+            flip_to_delaunay(&mut found, sides, |vertex| flat[vertex as usize], turn);
+        }
+        Ok(found)
     }
 
     pub(super) fn is_omitted(&self, fine: u32) -> bool {

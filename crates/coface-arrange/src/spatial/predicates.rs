@@ -104,7 +104,7 @@ impl<'a> GivenPoints<'a> {
         Ok(Self(positions))
     }
 
-    fn point(&self, vertex: u32) -> [f64; 3] {
+    pub(super) fn point(&self, vertex: u32) -> [f64; 3] {
         let point = self.0.point(VertexId::from_u32(vertex));
         [point[0], point[1], point[2]]
     }

@@ -14,10 +14,12 @@
 //! [`TriangulationFault`].
 
 mod fault;
+mod flips;
 mod status;
 mod sweep;
 #[cfg(test)]
 mod tests;
 
 pub use fault::TriangulationFault;
+pub use flips::flip_to_delaunay;
 pub use sweep::{triangulate, triangulate_sides};

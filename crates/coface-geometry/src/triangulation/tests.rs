@@ -1,6 +1,6 @@
 //! Triangulations against their definition, and refusals against all pairs of sides.
 
-use super::{TriangulationFault, triangulate, triangulate_sides};
+use super::{TriangulationFault, flip_to_delaunay, triangulate, triangulate_sides};
 use crate::predicates::orientation;
 use proptest::prelude::*;
 use std::cmp::Ordering;
@@ -99,6 +99,41 @@ fn cross(points: &[[i64; 2]], s: [u32; 2], t: [u32; 2]) -> bool {
     apart(s, t) && apart(t, s)
 }
 
+/// Whether the last point is inside the circle through the first three, which run counterclockwise.
+fn is_inside_circle(corners: [[i64; 2]; 3], last: [i64; 2]) -> bool {
+    let [a, b, c] = corners.map(|corner| {
+        let way = [corner[0] - last[0], corner[1] - last[1]];
+        [way[0], way[1], way[0] * way[0] + way[1] * way[1]]
+    });
+    let minor = |x: [i64; 3], y: [i64; 3]| x[0] * y[1] - x[1] * y[0];
+    minor(a, b) * c[2] + minor(b, c) * a[2] + minor(c, a) * b[2] > 0
+}
+
+/// No side between two triangles has the fourth corner of both in the circle of one, unless it is one of the polygon.
+fn check_delaunay(
+    points: &[[i64; 2]],
+    sides: &[[u32; 2]],
+    triangles: &[[u32; 3]],
+) -> Result<(), TestCaseError> {
+    let mut opposite: BTreeMap<[u32; 2], u32> = BTreeMap::new();
+    for &[a, b, c] in triangles {
+        opposite.extend([([a, b], c), ([b, c], a), ([c, a], b)]);
+    }
+    for (&[a, b], &c) in &opposite {
+        let Some(&d) = opposite.get(&[b, a]).filter(|_| !sides.contains(&[a, b])) else { continue };
+        let corners = [a, b, c].map(|v| points[v as usize]);
+        prop_assert!(!is_inside_circle(corners, points[d as usize]), "{:?}", [a, b, c, d]);
+    }
+    Ok(())
+}
+
+fn flipped(points: &[[i64; 2]], sides: &[[u32; 2]], mut triangles: Vec<[u32; 3]>) -> Vec<[u32; 3]> {
+    let at = |v: u32| points[v as usize];
+    let point = |v: u32| [at(v)[0] as f64, at(v)[1] as f64, 7.0];
+    flip_to_delaunay(&mut triangles, sides, point, |a, b, c| turn(at(a), at(b), at(c)));
+    triangles
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(400))]
 
@@ -116,6 +151,9 @@ proptest! {
         let points: Vec<[i64; 2]> = points.iter().map(|&[x, y]| [a * x + b * y, c * x + d * y]).collect();
         let triangles = run(&points, &sides).map_err(|fault| TestCaseError::fail(fault.to_string()))?;
         check(&points, &sides, &triangles)?;
+        let triangles = flipped(&points, &sides, triangles);
+        check(&points, &sides, &triangles)?;
+        check_delaunay(&points, &sides, &triangles)?;
         let inside = cells.iter().filter(|cell| **cell).count() as i64;
         prop_assert_eq!(twice_enclosed(&points, &sides), 2 * inside * (a * d - b * c));
     }
@@ -205,6 +243,8 @@ proptest! {
         let triangles = run(&points, &sides).map_err(|fault| TestCaseError::fail(fault.to_string()))?;
         prop_assert_eq!(triangles.len(), 2 * count);
         check(&points, &sides, &triangles)?;
+        // Circles through points that are so far apart may be the same within rounding.
+        check(&points, &sides, &flipped(&points, &sides, triangles))?;
     }
 }
 

@@ -91,7 +91,7 @@ class Diagrams(_ListsOfDiagrams):
     def _diagrams(self, sample: Any) -> list[NDArray[np.float64]]:
         options: dict[str, Any] = {"coefficients": self.coefficients, "least": self.least}
         if isinstance(sample, tuple) and len(sample) == 2:
-            answer = persistence(sample[0], sample[1], upper=self.upper, **options)
+            answer = persistence(sample[0], plain(sample[1]), upper=self.upper, **options)
             return [answer.diagram(degree) for degree in self.degrees]
         is_masked = np.ma.is_masked(sample)
         image = np.asarray(np.ma.filled(sample, 0) if is_masked else plain(sample))
@@ -158,7 +158,7 @@ class PointDiagrams(_ListsOfDiagrams):
                 "a sample is a row of numbers, and no cloud of points",
                 "give a list of clouds, each an array of shape (points, coordinates); one cloud is [points]",
             )
-        answers = (rips(sample, dimension=top, **options) for sample in samples)
+        answers = (rips(plain(sample), dimension=top, **options) for sample in samples)
         return [[answer.diagram(degree) for degree in self.degrees] for answer in answers]
 
 
@@ -170,10 +170,9 @@ def _is_row(sample: Any) -> bool:
 
 
 def _falling(diagram: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The diagram of values whose negative this one is about; what never dies dies at infinity here too."""
+    """The diagram of values whose negative this one is about; what never dies dies at minus infinity, as everywhere where values fall."""
     # Taken from 0, since the negative of 0.0 is -0.0.
     found: NDArray[np.float64] = 0.0 - diagram
-    found[np.isneginf(found[:, 1]), 1] = np.inf
     return found
 
 
