@@ -738,3 +738,15 @@ fn a_tube_that_lies_on_itself_three_times_ends_with_a_remark() {
         rounded["remarks"].as_array().unwrap().iter().any(|remark| remark["code"] == "rounded-invalid");
     assert_eq!(rounded["rounding"]["valid"] == json!(false), is_told, "{}", rounded["remarks"]);
 }
+
+#[test]
+fn cures_for_an_open_input_are_small_beside_it_and_not_beside_others() {
+    let folder = tempfile::tempdir().unwrap();
+    coface_in(folder.path(), &["generate", "cylinder", "-o", "open.off"]);
+    let large =
+        "OFF\n4 4 0\n0 0 0\n90000 0 0\n0 90000 0\n0 0 90000\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+    fs::write(folder.path().join("large.off"), large).unwrap();
+    let run = coface_in(folder.path(), &["boolean", "union", "open.off", "large.off", "-o", "out.off"]);
+    let said = run.fails_with(1);
+    assert!(said.contains("(--open close)") && !said.contains("--weld"), "{said}");
+}
