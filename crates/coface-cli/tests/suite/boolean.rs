@@ -741,12 +741,11 @@ fn a_tube_that_lies_on_itself_three_times_ends_with_a_remark() {
 
 #[test]
 fn cures_for_an_open_input_are_small_beside_it_and_not_beside_others() {
-    let folder = tempfile::tempdir().unwrap();
-    coface_in(folder.path(), &["generate", "cylinder", "-o", "open.off"]);
-    let large =
-        "OFF\n4 4 0\n0 0 0\n90000 0 0\n0 90000 0\n0 0 90000\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
-    fs::write(folder.path().join("large.off"), large).unwrap();
-    let run = coface_in(folder.path(), &["boolean", "union", "open.off", "large.off", "-o", "out.off"]);
+    let folder = Folder::new();
+    let open = folder.path("open.off");
+    assert_eq!(coface(&["generate", "cylinder", "-o", argument(&open)]).status, 0);
+    let large = folder.cube("large.obj", [0.0; 3], 90_000.0);
+    let run = run(&["boolean", "union"], &[&open, &large], &["-o", argument(&folder.path("out.off"))]);
     let said = run.fails_with(1);
     assert!(said.contains("(--open close)") && !said.contains("--weld"), "{said}");
 }
