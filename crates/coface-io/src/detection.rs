@@ -64,6 +64,7 @@ impl Format {
             Self::Gltf => certain_if(is_gltf(start)),
             Self::ThreeMf => certain_if(is_three_mf(start)),
             Self::Collada => certain_if(is_collada(start)),
+            Self::Amf => certain_if(is_amf(start)),
             Self::Abaqus if abaqus::is_likely(start) && is_text(start) => Likeness::Possible,
             // Numbers alone are many things: the name tells these.
             Self::Abaqus | Self::TetGen | Self::Points => Likeness::No,
@@ -157,7 +158,7 @@ pub(super) fn decide(
         Format::TetGen => is_text(start) && first_line(start).iter().all(|byte| !byte.is_ascii_alphabetic()),
         Format::Points => is_text(start) && points_text::is_likely(start),
         Format::Gltf => !whole && start.trim_ascii_start().starts_with(b"{"),
-        Format::ThreeMf => start.starts_with(b"PK"),
+        Format::ThreeMf | Format::Amf => start.starts_with(b"PK"),
         _ => false,
     };
     if is_told && sure.is_none_or(|sure| matches!(sure, Format::Lines | Format::Json)) {
@@ -255,7 +256,11 @@ fn is_msh(start: &[u8]) -> bool {
 
 /// What a file is that is surely none of ours, and what to do about it.
 fn foreign(start: &[u8]) -> Option<(&'static str, &'static str)> {
-    let is_read = is_svg(start) || vtk_xml_kind(start).is_some() || is_collada(start) || is_three_mf(start);
+    let is_read = is_svg(start)
+        || vtk_xml_kind(start).is_some()
+        || is_collada(start)
+        || is_amf(start)
+        || is_three_mf(start);
     foreign::perhaps(start).filter(|_| !is_read)
 }
 
@@ -276,6 +281,24 @@ fn is_three_mf(start: &[u8]) -> bool {
 
 fn is_collada(start: &[u8]) -> bool {
     start.trim_ascii_start().starts_with(b"<") && memchr::memmem::find(start, b"<COLLADA").is_some()
+}
+
+/// Whether the start is that of XML with the element `amf`, or of an archive whose first file has a name of such a file.
+fn is_amf(start: &[u8]) -> bool {
+    let text = start.trim_ascii_start();
+    if text.starts_with(b"<") {
+        let found = memchr::memmem::find_iter(text, b"<amf");
+        return found
+            .map(|at| text.get(at + 4))
+            .any(|next| next.is_some_and(|byte| byte.is_ascii_whitespace() || matches!(byte, b'>' | b'/')));
+    }
+    if !start.starts_with(b"PK\x03\x04") {
+        return false;
+    }
+    // The length of the name stands in bytes 26 and 27 of the header, the name from byte 30 on.
+    let length =
+        start.get(26..28).map_or(0, |length| usize::from(u16::from_le_bytes([length[0], length[1]])));
+    start.get(30..30 + length).is_some_and(|name| name.to_ascii_lowercase().ends_with(b".amf"))
 }
 
 /// Whether the start is that of XML with an element `svg` that nothing but comments and declarations stand before.

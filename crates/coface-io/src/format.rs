@@ -65,6 +65,8 @@ pub enum Format {
     ThreeMf,
     /// COLLADA: placed meshes, read only.
     Collada,
+    /// AMF: placed meshes, plain or in an archive, read only.
+    Amf,
     /// Abaqus input: nodes, elements and sets, read only.
     Abaqus,
     /// Text files of TetGen and Triangle: nodes, elements, facets, read only.
@@ -79,7 +81,7 @@ pub enum Format {
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 33] = [
+    pub const ALL: [Self; 34] = [
         Self::Off,
         Self::Obj,
         Self::Ply,
@@ -108,6 +110,7 @@ impl Format {
         Self::Gltf,
         Self::ThreeMf,
         Self::Collada,
+        Self::Amf,
         Self::Abaqus,
         Self::TetGen,
         Self::Points,
@@ -182,6 +185,7 @@ impl Format {
             Self::Gltf => &["gltf", "glb"],
             Self::ThreeMf => &["3mf"],
             Self::Collada => &["dae"],
+            Self::Amf => &["amf"],
             Self::Abaqus => &["inp"],
             Self::TetGen => &["node", "ele", "face", "edge", "poly"],
             Self::Points => &["xyz", "csv", "pts", "asc"],
@@ -227,6 +231,7 @@ impl Format {
             Self::Gltf => "glTF",
             Self::ThreeMf => "3MF",
             Self::Collada => "COLLADA",
+            Self::Amf => "AMF",
             Self::Abaqus => "Abaqus input",
             Self::TetGen => "TetGen text",
             Self::Points => "points as text",
@@ -346,6 +351,7 @@ impl Format {
             Self::Gltf
                 | Self::ThreeMf
                 | Self::Collada
+                | Self::Amf
                 | Self::Abaqus
                 | Self::TetGen
                 | Self::Points

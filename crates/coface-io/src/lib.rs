@@ -5,7 +5,7 @@
 //! [`write_path`] detect the format.
 //!
 //! # Features
-//! * `xml` (default): SVG, VTK XML and COLLADA are read. The first two are written without it.
+//! * `xml` (default): SVG, VTK XML, COLLADA and AMF are read. The first two are written without it.
 //! * `compression` (default): compressed files of all formats and compressed arrays of VTK XML are read.
 //! * `gltf` (default): glTF and GLB are read.
 //! * `images` (default): images as PNG are read.
@@ -17,6 +17,7 @@
 
 pub mod abaqus;
 mod alpha;
+pub mod amf;
 mod arcs;
 mod assembly;
 mod blocks;

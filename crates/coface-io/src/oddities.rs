@@ -18,6 +18,10 @@ pub(crate) enum Oddity {
     Fraction,
     /// A vertex has a coordinate that is not finite.
     Unplaced,
+    /// A line has more words than its record.
+    MoreWords,
+    /// A line is no statement of the format.
+    NoStatement,
 }
 
 impl Oddity {
@@ -27,6 +31,8 @@ impl Oddity {
             Self::Collapsed | Self::FaceIsEdge | Self::CellIsSimpler => RemarkCode::CollapsedCell,
             Self::Fraction => RemarkCode::FractionalLabel,
             Self::Unplaced => RemarkCode::NonfiniteCoordinate,
+            Self::MoreWords => RemarkCode::TrailingContent,
+            Self::NoStatement => RemarkCode::UnknownSection,
         }
     }
 
@@ -52,6 +58,14 @@ impl Oddity {
                 format!(
                     "{count} reference{s} {is} written as a fraction, such as 0.0, and {is} taken as a whole number"
                 )
+            }
+            Self::MoreWords => {
+                format!("{count} line{s} {has} more words than belong there, which are left out")
+            }
+            Self::NoStatement => {
+                let [are, statements] =
+                    if count == 1 { ["is", "no statement"] } else { ["are", "no statements"] };
+                format!("{count} line{s} {are} {statements} of the format and {is} passed over")
             }
             Self::Unplaced => {
                 let (what, has, position) = match count {

@@ -6,7 +6,7 @@ use super::scratch_mesh::{self, ScratchMesh, ScratchStream};
 use super::stream_start::{unpacked_start, without_mark};
 use super::tail::Tail;
 use super::{
-    Format, Model, Remark, Structure, VolumeReading, VolumeStream, abaqus, cityjson, collada,
+    Format, Model, Remark, Structure, VolumeReading, VolumeStream, abaqus, amf, cityjson, collada,
     complex_reading, container, detection, format, geojson, gltf, isosig, json, lines_text, matrix_market,
     medit, msh, obj, off, parts, ply, points_text, stl, svg, tetgen, three_mf, volume, vtk, wkb, wkt, yin,
 };
@@ -715,6 +715,7 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
         Format::Gltf
         | Format::ThreeMf
         | Format::Collada
+        | Format::Amf
         | Format::Abaqus
         | Format::TetGen
         | Format::Points
@@ -943,6 +944,7 @@ fn read_mesh(
         Format::Gltf => gltf::read_in(input, companions.as_ref())?,
         Format::ThreeMf => three_mf::read(input)?,
         Format::Collada => collada::read(input)?,
+        Format::Amf => amf::read(input)?,
         Format::Abaqus => abaqus::read(input)?,
         Format::TetGen => tetgen::read_beside(input, path, companions.as_ref())?,
         Format::Points => points_text::read(input)?,

@@ -160,6 +160,34 @@ impl<R: Read> Scanner<R> {
         Ok(Some(&self.buffer[start..start + length]))
     }
 
+    /// The line of the next token, which is not taken; at the end of the stream the last line.
+    pub(crate) fn next_token_line(&mut self) -> Result<u64, Error> {
+        loop {
+            while self.at < self.end && self.buffer[self.at].is_ascii_whitespace() {
+                self.line += u64::from(self.buffer[self.at] == b'\n');
+                self.at += 1;
+            }
+            if self.at < self.end || !self.fill()? {
+                return Ok(self.line);
+            }
+        }
+    }
+
+    /// Whether more than white space stands between the token that was given last and the end of its line.
+    pub(crate) fn line_goes_on(&mut self) -> Result<bool, Error> {
+        loop {
+            while self.at < self.end && self.buffer[self.at].is_ascii_whitespace() {
+                if self.buffer[self.at] == b'\n' {
+                    return Ok(false);
+                }
+                self.at += 1;
+            }
+            if self.at < self.end || !self.fill()? {
+                return Ok(self.at < self.end);
+            }
+        }
+    }
+
     /// The next token, which must be there; `what` says what it was to be.
     pub(crate) fn expect_token(&mut self, what: &str) -> Result<&[u8], Error> {
         // The borrow checker cannot see that an early return ends the borrow, hence the second slice.

@@ -144,9 +144,10 @@ impl Scene {
                 .with_cure("export fewer copies of them"));
         };
         self.left = left;
-        for &point in &mesh.points {
-            let point = placement.apply(point);
-            if point.iter().any(|x| !x.is_finite()) {
+        for &given in &mesh.points {
+            let point = placement.apply(given);
+            // A point that has no place of its own is kept without one.
+            if given.iter().all(|x| x.is_finite()) && point.iter().any(|x| !x.is_finite()) {
                 return Err(Error::invalid("a transformation moves a point to where no number is")
                     .with_cure("export the mesh again"));
             }

@@ -24,9 +24,9 @@ pub use containers::{read_chains, read_container, read_manifest, read_reduced_sh
 pub use gluings::glue_simplices;
 pub use packed::{read_compressed, read_three_mf, read_vtk_appended};
 pub use readers::{
-    read_abaqus, read_any, read_collada, read_geojson, read_gltf, read_isosig, read_json, read_lines,
-    read_matrix_market, read_mesh, read_msh, read_nifti, read_npy, read_nrrd, read_obj, read_off, read_ply,
-    read_points, read_stl, read_svg, read_tetgen, read_unknown, read_vtk, read_vtk_xml, read_wkt,
+    read_abaqus, read_amf, read_any, read_collada, read_geojson, read_gltf, read_isosig, read_json,
+    read_lines, read_matrix_market, read_mesh, read_msh, read_nifti, read_npy, read_nrrd, read_obj, read_off,
+    read_ply, read_points, read_stl, read_svg, read_tetgen, read_unknown, read_vtk, read_vtk_xml, read_wkt,
 };
 pub use requests::{ask_facets, ask_polygons, ask_voxels};
 pub use sets::{boolean_yin, read_factories, read_yin_dat, read_yin_json};
@@ -51,6 +51,7 @@ pub const CHECKS: &[(&str, Check)] = &[
     ("glue_simplices", glue_simplices),
     ("parse_words", parse_words),
     ("read_abaqus", read_abaqus),
+    ("read_amf", read_amf),
     ("read_any", read_any),
     ("read_chains", read_chains),
     ("read_collada", read_collada),

@@ -97,6 +97,11 @@ pub fn read_collada(bytes: &[u8]) {
     check_reader(bytes, Format::Collada);
 }
 
+/// The reader of AMF.
+pub fn read_amf(bytes: &[u8]) {
+    check_reader(bytes, Format::Amf);
+}
+
 /// The reader of Abaqus input.
 pub fn read_abaqus(bytes: &[u8]) {
     check_reader(bytes, Format::Abaqus);

@@ -18,11 +18,11 @@ use std::sync::Arc;
 ///
 /// Polygons belong to a [`Group`](crate::Group) for each name that `g`, `o` or `usemtl` gives them, lines and the vertices of `p` to others of that name. A vertex that a face or
 /// line repeats is dropped; what two different vertices are left of is an edge, and what is less is left out. Coordinates that are NaN or infinite are
-/// [partial positions](Model::partial_positions). A remark says so.
+/// [partial positions](Model::partial_positions). A remark says so, and how many lines that are no statements were passed over.
 ///
 /// # Errors
-/// [`ErrorKind::Parse`] or [`ErrorKind::InvalidInput`] with the line: a statement that is none, a number that is
-/// none, a face without vertices, index 0 or an index of a vertex that the file lacks; [`ErrorKind::TooLarge`] beyond 2^32 - 1 vertices or 64 names in one `g`; [`ErrorKind::Io`] if the
+/// [`ErrorKind::Parse`] or [`ErrorKind::InvalidInput`] with the line: a line of numbers alone, or of words that are no statement
+/// in a file without vertices, a number that is none, a face without vertices, index 0 or an index of a vertex that the file lacks; [`ErrorKind::TooLarge`] beyond 2^32 - 1 vertices or 64 names in one `g`; [`ErrorKind::Io`] if the
 /// stream fails.
 ///
 /// # Complexity
@@ -51,6 +51,7 @@ pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model
     let mut groups = Groups::default();
     let mut ahead: Vec<(u32, u64)> = Vec::new();
     let mut seen = false;
+    let mut foreign = None;
     let mut oddities = Oddities::default();
     let (mut colors, mut passed) = (Vec::new(), Passed::default());
     let parsed = Blocks::new(input).ending_behind(|line| !is_continued(line)).parse(
@@ -62,6 +63,7 @@ pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model
             elements.append(&piece.elements)?;
             ahead.extend(piece.ahead);
             seen |= piece.seen;
+            foreign = foreign.take().or(piece.foreign);
             oddities.append(piece.oddities);
             colors.extend_from_slice(&piece.colors);
             passed.add(piece.passed);
@@ -81,6 +83,9 @@ pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model
             .with_cure("an OBJ file has a line \"v x y z\" for each vertex"));
     }
     let vertex_count = coordinates.len() / 3;
+    if let Some(foreign) = foreign.filter(|_| vertex_count == 0) {
+        return Err(foreign);
+    }
     if let Some(&(vertex, line)) = ahead.iter().find(|&&(vertex, _)| vertex as usize >= vertex_count) {
         let missing = out_of_range(i64::from(vertex) + 1, vertex_count as u64).at_line(line);
         if !options.partial {
@@ -152,6 +157,8 @@ struct Piece {
     seen: bool,
     oddities: Oddities,
     fault: Option<Error>,
+    /// The fault of a file that has nothing but such lines: the first one that is no statement.
+    foreign: Option<Error>,
     /// Three numbers for each vertex that has a color.
     colors: Vec<f64>,
     passed: Passed,
@@ -424,8 +431,19 @@ fn read_statement(statement: &[u8], before: u64, line: u64, piece: &mut Piece) -
             Ok(())
         }
         _ if is_keyword(keyword) => Ok(()),
-        _ => Err(Error::parse(format!("{} is not an OBJ statement", quoted(keyword)))
-            .with_cure("correct the line, or tell the format if this is no OBJ file")),
+        _ => {
+            let error = Error::parse(format!("{} is not an OBJ statement", quoted(keyword)))
+                .with_cure("correct the line, or tell the format if this is no OBJ file");
+            // Numbers may be the rest of a statement, which would be wrong without them.
+            let is_remark = !matches!(keyword[0], b'0'..=b'9' | b'+' | b'-' | b'.')
+                && !statement.iter().any(|byte| byte.is_ascii_control() && !byte.is_ascii_whitespace());
+            if !is_remark {
+                return Err(error);
+            }
+            piece.oddities.note(Oddity::NoStatement, || Place::line(line));
+            piece.foreign.get_or_insert_with(|| error.at_line(line));
+            Ok(())
+        }
     }
 }
 

@@ -99,6 +99,11 @@ impl Scalar {
 }
 
 impl Element {
+    /// How many records the data have of it: those without properties are not there.
+    pub(super) fn rows(&self) -> u64 {
+        if self.properties.is_empty() { 0 } else { self.count }
+    }
+
     /// The length of one such thing in bytes, if it has no lists.
     pub(super) fn stride(&self) -> Option<usize> {
         self.properties.iter().map(|p| if p.count.is_none() { Some(p.value.size()) } else { None }).sum()

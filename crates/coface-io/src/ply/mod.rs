@@ -10,6 +10,7 @@
 mod columns;
 mod header;
 mod read;
+mod rows;
 mod write;
 
 pub use read::read;

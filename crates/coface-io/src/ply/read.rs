@@ -3,6 +3,7 @@
 use super::Encoding;
 use super::columns::Columns;
 use super::header::{Element, Header, Property, Scalar, read_header};
+use super::rows::Rows;
 use crate::data::without_repeated_names;
 use crate::lists::Elements;
 use crate::oddities::{Oddities, Oddity};
@@ -15,7 +16,8 @@ use std::io::Read;
 ///
 /// Other numbers that are said of vertices, faces and edges become data of the same name: `red`, `nx`, `quality`. What
 /// follow each other as `name_0`, `name_1`, .. are the components of one array. What is said of faces that are lines or
-/// points is not kept, and lines and polygons that other elements make have zeros.
+/// points is not kept, and lines and polygons that other elements make have zeros. Words behind a record on its line, of which the header
+/// says nothing, are left out with a remark.
 ///
 /// # Errors
 /// [`ErrorKind::Parse`] or [`ErrorKind::InvalidInput`] with the line or the byte: a header that is none, a number that is
@@ -44,7 +46,7 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
 pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model, Error> {
     let mut scanner = Scanner::new(input);
     let Header { encoding, elements, unknown } = read_header(&mut scanner)?;
-    let mut reader = Reader { scanner, encoding };
+    let mut reader = Reader::new(scanner, encoding);
     let vertex_count =
         elements.iter().find(|element| element.name == "vertex").map_or(0, |vertex| vertex.count);
     if vertex_count > u64::from(u32::MAX) {
@@ -55,8 +57,11 @@ pub(crate) fn read_with(input: impl Read, options: &ReadOptions) -> Result<Model
         .with_cure("write the number of vertices that are there, or divide the model"));
     }
     let mut found = Found::default();
-    let mut fault =
-        elements.iter().find_map(|element| reader.element(element, vertex_count, &mut found).err());
+    let mut fault = (0..elements.len()).find_map(|i| {
+        reader.rows.behind = elements[i + 1..].iter().map(Element::rows).fold(0, u64::saturating_add);
+        reader.element(&elements[i], vertex_count, &mut found).err()
+    });
+    found.oddities.append(std::mem::take(&mut reader.rows.oddities));
     let mut model = Model { vertex_count: vertex_count as usize, ..Model::default() };
     if let Some(fault) = fault.take() {
         let vertices_read = found.coordinates.len().checked_div(found.dimension).unwrap_or(0);
@@ -119,9 +124,31 @@ impl Found {
 struct Reader<R> {
     scanner: Scanner<R>,
     encoding: Encoding,
+    rows: Rows,
 }
 
 impl<R: Read> Reader<R> {
+    fn new(scanner: Scanner<R>, encoding: Encoding) -> Self {
+        Self { scanner, encoding, rows: Rows::default() }
+    }
+
+    /// Marks the start of a record.
+    fn start_record(&mut self) -> Result<(), Error> {
+        if self.encoding == Encoding::Ascii && self.rows.are_lines.is_none() {
+            self.rows.start = self.scanner.next_token_line()?;
+        }
+        Ok(())
+    }
+
+    /// Marks the end of record `i` of an element.
+    fn end_record(&mut self, element: &Element, i: u64) -> Result<(), Error> {
+        if self.encoding == Encoding::Ascii {
+            let left = (element.count - i - 1).saturating_add(self.rows.behind);
+            self.rows.end_record(&mut self.scanner, left)?;
+        }
+        Ok(())
+    }
+
     fn big(&self) -> bool {
         self.encoding == Encoding::BigEndian
     }
@@ -242,9 +269,11 @@ impl<R: Read> Reader<R> {
             return Ok(());
         }
         for i in 0..element.count {
+            self.start_record()?;
             for property in &element.properties {
                 self.skip(property).map_err(|error| Self::in_record(&error, element, i))?;
             }
+            self.end_record(element, i)?;
         }
         Ok(())
     }
@@ -275,9 +304,11 @@ impl<R: Read> Reader<R> {
         }
         let mut point = vec![0.0; axes.len()];
         for i in 0..element.count {
+            self.start_record()?;
             self.vertex(element, &axes, &mut point, found.columns())
                 .map_err(|error| Self::in_record(&error, element, i))?;
             let line = (self.encoding == Encoding::Ascii).then(|| self.scanner.line_number());
+            self.end_record(element, i)?;
             found.oddities.note_unplaced(&point, i, line);
             found.coordinates.extend_from_slice(&point);
         }
@@ -383,6 +414,7 @@ impl<R: Read> Reader<R> {
                     break;
                 }
             }
+            self.start_record()?;
             let Found { elements, columns, oddities, .. } = &mut *found;
             let columns = &mut columns.last_mut().expect("columns were begun").2;
             self.list_record(element, list, Some(&mut *columns), |vertex| {
@@ -397,6 +429,7 @@ impl<R: Read> Reader<R> {
             elements.finish_face(oddities, place);
             // What is said of a face that is a line, a point or nothing is not kept.
             columns.truncate(elements.polygons.len() - first);
+            self.end_record(element, read)?;
             read += 1;
         }
         Ok(())
@@ -464,6 +497,7 @@ impl<R: Read> Reader<R> {
         for i in 0..element.count {
             let mut last: [Option<u32>; 2] = [None; 2];
             let mut turned = false;
+            self.start_record()?;
             self.list_record(element, list, None, |vertex| {
                 if vertex == -1.0 {
                     (last, turned) = ([None; 2], false);
@@ -480,6 +514,7 @@ impl<R: Read> Reader<R> {
                 Ok(())
             })
             .map_err(|error| Self::in_record(&error, element, i))?;
+            self.end_record(element, i)?;
         }
         Ok(())
     }
@@ -494,7 +529,9 @@ impl<R: Read> Reader<R> {
         let first = found.elements.lines.len();
         found.begin(GroupKind::Lines, first, Columns::new(element, &ends));
         for i in 0..element.count {
+            self.start_record()?;
             self.edge(element, ends, vertices, found).map_err(|error| Self::in_record(&error, element, i))?;
+            self.end_record(element, i)?;
             let count = found.elements.lines.len() - first;
             found.columns().truncate(count);
         }

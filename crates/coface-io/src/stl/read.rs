@@ -4,9 +4,9 @@ use super::weld::{Corner, bits, weld};
 use crate::blocks::{Block, Blocks};
 use crate::decimal::is_blank;
 use crate::lists::Lists;
-use crate::oddities::Oddities;
+use crate::oddities::{Oddities, Oddity};
 use crate::scanner::{Scanner, parse_coordinate, quoted};
-use crate::{Group, GroupKind, Model, ReadOptions, Remark, RemarkCode};
+use crate::{Group, GroupKind, Model, Place, ReadOptions, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind};
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -164,6 +164,7 @@ struct Piece {
     /// The number of lines in the file up to the end of this piece, and where its last statement leaves the reader.
     lines: u64,
     state: State,
+    oddities: Oddities,
     fault: Option<Error>,
 }
 
@@ -181,6 +182,7 @@ enum State {
 fn read_text<R: Read>(blocks: Blocks<R>, soup: &mut Soup) -> Result<(), Error> {
     let mut lines = 0;
     let mut state = State::Solid;
+    let mut oddities = Oddities::default();
     blocks.parse(
         |_| 0,
         parse_block,
@@ -190,10 +192,12 @@ fn read_text<R: Read>(blocks: Blocks<R>, soup: &mut Soup) -> Result<(), Error> {
             soup.corners.extend_from_slice(&piece.corners);
             soup.solids.extend(piece.solids.into_iter().map(|(at, name)| (before + at, name)));
             (lines, state) = (piece.lines, piece.state);
+            oddities.append(piece.oddities);
             check_count(soup.corners.len())?;
             piece.fault.map_or(Ok(()), Err)
         },
     )?;
+    soup.remarks.extend(oddities.into_remarks());
     let open = soup.solids.last().is_some_and(|(_, name)| name.is_some());
     if state != State::Solid {
         return Err(Error::parse("the file ends where endfacet should be")
@@ -276,11 +280,10 @@ fn read_line(line: &[u8], piece: &mut Piece) -> Result<(), Error> {
                 .with_cure("a facet is: facet normal, outer loop, three vertices, endloop, endfacet"));
         }
     }
-    if rest.trim_ascii().is_empty() {
-        return Ok(());
+    if !rest.trim_ascii().is_empty() {
+        piece.oddities.note(Oddity::MoreWords, || Place::line(piece.lines));
     }
-    Err(Error::parse(format!("{} behind {}", quoted(rest.trim_ascii()), quoted(keyword)))
-        .with_cure("remove it"))
+    Ok(())
 }
 
 fn read_corner(rest: &[u8]) -> Result<Corner, Error> {

@@ -9,6 +9,9 @@ use crate::oddities::Oddity;
 use crate::{Place, Remark, RemarkCode};
 use coface_algebra::Error;
 
+/// The most points that a cell of a fixed number has.
+const MOST_POINTS: usize = 27;
+
 /// A mesh in the making, and what each cell of the file became.
 #[derive(Debug)]
 pub(super) struct Elements {
@@ -71,14 +74,15 @@ impl Elements {
             CellType::QuadraticPolygon => {
                 (Kind::Polygon, self.assembly.add(Kind::Polygon, count / 2, vertices, number)?)
             }
-            CellType::Fixed { vertex_count, .. } if count != vertex_count => {
+            // More points than the type has are those of a type of higher order.
+            CellType::Fixed { vertex_count, .. } if count < vertex_count || count > MOST_POINTS => {
                 return Err(Error::invalid(format!(
                     "a cell has {count} points, but its type needs {vertex_count}"
                 ))
                 .with_cure("give it another type, or the points that are missing"));
             }
             CellType::Fixed { kind, corners, .. } => {
-                let mut ordered = [0; 27];
+                let mut ordered = [0; MOST_POINTS];
                 ordered[..count].copy_from_slice(vertices);
                 for (place, &corner) in ordered.iter_mut().zip(corners) {
                     *place = vertices[corner];

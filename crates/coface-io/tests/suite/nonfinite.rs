@@ -165,6 +165,32 @@ fn binary_files_keep_such_coordinates() {
 }
 
 #[test]
+fn placed_meshes_of_gltf_keep_them_too() {
+    let numbers = [0f32, 0.0, 0.0, 1.0, f32::NEG_INFINITY, 0.0, 0.0, 1.0, 0.0];
+    // The bytes of the buffer stand in the file in base 64.
+    let bytes: Vec<u8> = numbers.iter().flat_map(|x| x.to_le_bytes()).collect();
+    let digits = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let data: String = bytes
+        .chunks_exact(3)
+        .flat_map(|three| {
+            let all = u32::from(three[0]) << 16 | u32::from(three[1]) << 8 | u32::from(three[2]);
+            [18, 12, 6, 0].map(|shift| char::from(digits[(all >> shift & 63) as usize]))
+        })
+        .collect();
+    let text = format!(
+        "{{\"asset\":{{\"version\":\"2.0\"}},\"scenes\":[{{\"nodes\":[0]}}],\"nodes\":[{{\"mesh\":0,\"translation\":[1,2,3]}}],\
+         \"buffers\":[{{\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64,{data}\"}}],\
+         \"bufferViews\":[{{\"buffer\":0,\"byteLength\":36}}],\
+         \"accessors\":[{{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}}],\
+         \"meshes\":[{{\"primitives\":[{{\"attributes\":{{\"POSITION\":0}}}}]}}]}}"
+    );
+    let model = read(text.as_bytes(), Format::Gltf);
+    assert_eq!(model.polygons().len(), 1);
+    check(&model, 1, None);
+    refused(text.as_bytes(), Format::Gltf, "the first is v1");
+}
+
+#[test]
 fn words_in_any_layout_and_other_formats_keep_them_too() {
     let off = "OFF 3 1 0 0 0 0 1,nan 0\n0 1 0 3 0 1 2";
     let model = io::read(off.as_bytes(), Format::Off).unwrap();

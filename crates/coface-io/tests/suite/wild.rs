@@ -41,6 +41,142 @@ fn comments_of_ply_without_their_word_are_passed_over() {
 }
 
 #[test]
+fn lines_of_ply_that_go_on_behind_their_record_do_not_shift_the_next() {
+    let head = |faces: &str| {
+        format!(
+            "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n{faces}end_header\n"
+        )
+    };
+    let faces = "element face 4\nproperty list uchar int vertex_indices\n";
+    // Points with colors of which the header says nothing: no color is a point.
+    let points = "0 0 0 255 0 0\n1 0 0 255 0 0\n\n0 1 0 255 0 0 \n0 0 1 255 0 0";
+    let cloud = read((head("") + points).as_bytes(), Format::Ply, RemarkCode::TrailingContent);
+    let corners = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
+    assert_eq!(cloud.positions().as_flat(), corners);
+    let remark = &cloud.remarks()[0];
+    assert_eq!((remark.count, remark.places[2].line), (4, Some(11)), "{}", remark.message);
+    // More numbers behind a face, which would be faces too.
+    let places = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+    let all = "3 0 2 1 3 0 0 1\n3 0 1 3 3 0 0 2\n3 1 2 3\n3 2 0 3 0 0 1\n";
+    let text = head(faces) + places + all;
+    let solid = read(text.as_bytes(), Format::Ply, RemarkCode::TrailingContent);
+    assert_eq!(lists(solid.polygons()), [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    assert_eq!(solid.remarks().len(), 1);
+    // Records that are broken over lines, or stand several on one, are read as they were.
+    let all = "3 0 2 1 3 0 1 3\n3 1 2\n3 3\n2 0 3\n";
+    for places in
+        ["0 0 0 1 0 0\n0 1 0 0 0 1\n", "0 0\n0 1 0 0 0 1\n0 0\n0 1\n", "0\n0\n0 1\n0\n0 0\n1\n0 0\n0\n1\n"]
+    {
+        let text = head(faces) + places + all;
+        let other = io::read(text.as_bytes(), Format::Ply).unwrap_or_else(|error| panic!("{text}: {error}"));
+        assert_eq!(
+            (other.positions(), other.polygons(), other.remarks().len()),
+            (solid.positions(), solid.polygons(), 0)
+        );
+    }
+}
+
+#[test]
+fn lines_of_obj_that_are_no_statements_are_passed_over() {
+    let text = "# cow\n$ Contributed to a server\nv 0 0 0\nv 1 0 0\nv 0 1 0\n// a face:\nf 1 2 3\n";
+    let model = read(text.as_bytes(), Format::Obj, RemarkCode::UnknownSection);
+    assert_eq!((model.vertex_count(), lists(model.polygons())), (3, vec![vec![0, 1, 2]]));
+    assert_eq!(
+        model.remarks()[0].places.iter().map(|place| place.line).collect::<Vec<_>>(),
+        [Some(2), Some(6)]
+    );
+    // Numbers alone may be the rest of the line before; what is no text is no remark.
+    let error =
+        io::read(text.replace("f 1 2 3", "f 1 2\n3").as_bytes(), Format::Obj).unwrap_err().to_string();
+    assert!(error.starts_with("line 8") && error.contains("is not an OBJ statement"), "{error}");
+    assert!(io::read(text.replace("//", "\u{1}").as_bytes(), Format::Obj).is_err());
+}
+
+#[test]
+fn words_behind_the_end_of_a_facet_of_stl_are_passed_over() {
+    let text = "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop foo\nendfacet bar \nendsolid\n";
+    let model = read(text.as_bytes(), Format::Stl, RemarkCode::TrailingContent);
+    assert_eq!(model.polygons().len(), 1);
+    assert_eq!(
+        (model.remarks().len(), model.remarks()[0].count, model.remarks()[0].places[1].line),
+        (1, 2, Some(8))
+    );
+    // Statements that share a line are none.
+    assert!(io::read(text.replace("foo\nendfacet bar", "endfacet").as_bytes(), Format::Stl).is_err());
+}
+
+#[test]
+fn cells_of_vtk_with_more_points_than_their_type_are_read_by_their_corners() {
+    let head = "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 10 float\n";
+    let points = "0 0 0\n2 0 0\n0 2 0\n0 0 2\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n0 1 1\n";
+    let text = |cell: &str, size: u32| format!("{head}{points}CELLS 1 {size}\n{cell}\nCELL_TYPES 1\n10\n");
+    let quadratic = text("10 0 1 2 3 4 5 6 7 8 9", 11);
+    let model = read(quadratic.as_bytes(), Format::Vtk, RemarkCode::HigherOrder);
+    assert_eq!((model.vertex_count(), model.cells().len()), (4, 1));
+    let error = io::read(text("3 0 1 2", 4).as_bytes(), Format::Vtk).unwrap_err().to_string();
+    assert!(error.contains("a cell has 3 points, but its type needs 4"), "{error}");
+}
+
+#[test]
+fn constellations_of_amf_are_placed() {
+    use std::io::Write;
+    let vertex = |x: i32, y: i32, z: i32| {
+        format!("<vertex><coordinates><x>{x}</x><y> {y}.0 </y><z>{z}e0</z></coordinates></vertex>")
+    };
+    let triangle =
+        |a: u32, b: u32, c: u32| format!("<triangle><v1>{a}</v1><v2>{b}</v2><v3>{c}</v3></triangle>");
+    let object = format!(
+        "<?xml version=\"1.0\"?>\n<amf unit=\"millimeter\" version=\"1.1\"><metadata type=\"author\">a</metadata>\
+         <object id=\"0\"><metadata type=\"name\">tetrahedron</metadata><mesh><vertices>{}{}{}{}</vertices>\
+         <volume materialid=\"1\">{}{}</volume><volume>{}{}</volume></mesh></object>",
+        vertex(0, 0, 0),
+        vertex(1, 0, 0),
+        vertex(0, 1, 0),
+        vertex(0, 0, 1),
+        triangle(0, 2, 1),
+        triangle(0, 1, 3),
+        triangle(1, 2, 3),
+        triangle(2, 0, 3)
+    );
+    let plain = format!("{object}</amf>");
+    let model = io::read_unknown(plain.as_bytes()).unwrap();
+    assert_eq!((model.format(), model.vertex_count(), model.remarks().len()), (Some(Format::Amf), 4, 0));
+    assert_eq!(lists(model.polygons()), [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    assert_eq!((model.groups()[0].name(), model.groups()[0].members().len()), ("tetrahedron", 4));
+    // A pair, one of it turned about x and then z and moved, and the pair again 10 higher.
+    let constellations = "<constellation id=\"p\"><instance objectid=\"0\"/>\
+         <instance objectid=\"0\"><deltax>5</deltax><rx>90</rx><rz>90</rz></instance></constellation>\
+         <constellation id=\"q\"><instance objectid=\"p\"/><instance objectid=\"p\"><deltaz>10</deltaz></instance></constellation>";
+    let placed = format!("{object}{constellations}</amf>");
+    let model = io::read(placed.as_bytes(), Format::Amf).unwrap();
+    assert_eq!((model.vertex_count(), model.polygons().len()), (16, 16));
+    let turned = |i: usize| model.positions().as_flat()[3 * i..3 * i + 3].to_vec();
+    // x goes to y, y to z, z to -y and that to x.
+    assert_eq!(
+        [turned(4), turned(5), turned(6), turned(7)],
+        [[5., 0., 0.], [5., 1., 0.], [5., 0., 1.], [6., 0., 0.]]
+    );
+    assert_eq!([turned(8), turned(15)], [[0., 0., 10.], [6., 0., 10.]]);
+    // Packed as slicers do.
+    let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    archive.start_file("part.amf", zip::write::SimpleFileOptions::default()).unwrap();
+    archive.write_all(placed.as_bytes()).unwrap();
+    let packed = archive.finish().unwrap().into_inner();
+    let same = io::read_unknown(&packed[..]).unwrap();
+    assert_eq!((same.format(), same.positions()), (Some(Format::Amf), model.positions()));
+    for (from, to, fault) in [
+        ("<v1>0</v1>", "<v1>4</v1>", "line 2: a triangle names vertex 4, but its object has 4 vertices"),
+        ("<x>1</x>", "<x>one</x>", "line 2: \"one\" is no finite number, as x must be"),
+        ("<x>1</x>", "", "line 2: a coordinates without x"),
+        ("objectid=\"0\"/>", "objectid=\"7\"/>", "the object \"7\" is not there"),
+        ("objectid=\"0\"/>", "objectid=\"q\"/>", "contains itself"),
+    ] {
+        let error = io::read(placed.replace(from, to).as_bytes(), Format::Amf).unwrap_err();
+        assert!(error.to_string().contains(fault) && error.cure().is_some(), "{error}");
+    }
+}
+
+#[test]
 fn columns_of_words_are_left_out_of_points() {
     let text = "x,y,kind\n1,2,setosa\n3,4,virginica\n";
     let model = io::read(text.as_bytes(), Format::Points).unwrap();

@@ -95,6 +95,7 @@ corpora! {
     glue_simplices
     parse_words
     read_abaqus
+    read_amf
     read_any
     read_chains
     read_collada

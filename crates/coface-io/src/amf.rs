@@ -1,0 +1,266 @@
+//! AMF: meshes in XML, plain or in a ZIP archive, with constellations that place them.
+
+use crate::Model;
+use coface_algebra::Error;
+use std::io::Read;
+
+/// Reads all constellations that no other one names, with their objects where they place them, and the objects that none places as they
+/// stand. An object with a name is a [`Group`](crate::Group) of polygons; volumes of an object are put together. Triangles are flat: normals
+/// and edges that curve them are read over. The unit is that of the file.
+///
+/// # Errors
+/// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) for what is no XML or a number out of place;
+/// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for an object that is not there, a constellation that contains itself,
+/// or a triangle of a vertex that is not there;
+/// [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat) for an archive without such a file.
+///
+/// # Complexity
+/// Linear in the unpacked file and the placed meshes.
+///
+/// # References
+/// ISO/ASTM 52915, *Specification for additive manufacturing file format (AMF)*, version 1.2.
+///
+/// # Examples
+/// ```
+/// # #[cfg(feature = "xml")]
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let point = |x, y| format!("<vertex><coordinates><x>{x}</x><y>{y}</y><z>0</z></coordinates></vertex>");
+/// let text = format!(
+///     "<amf><object id='1'><mesh><vertices>{}{}{}</vertices>\
+///      <volume><triangle><v1>0</v1><v2>1</v2><v3>2</v3></triangle></volume></mesh></object></amf>",
+///     point(0, 0), point(1, 0), point(0, 1)
+/// );
+/// assert_eq!(coface_io::amf::read(text.as_bytes())?.polygons().list(0), [0, 1, 2]);
+/// # Ok(()) }
+/// # #[cfg(not(feature = "xml"))]
+/// # fn main() {}
+/// ```
+#[cfg(feature = "xml")]
+pub fn read(input: impl Read) -> Result<Model, Error> {
+    reading::read(input)
+}
+
+/// Refuses every file: this build lacks the feature `xml`.
+///
+/// # Errors
+/// [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat), always.
+#[cfg(not(feature = "xml"))]
+pub fn read(_input: impl Read) -> Result<Model, Error> {
+    Err(crate::features::without_xml("AMF"))
+}
+
+#[cfg(feature = "xml")]
+mod reading {
+    use crate::Model;
+    use crate::scanner::quoted;
+    use crate::scene::{LooseMesh, Placement, Scene};
+    use crate::xml_text::document;
+    use coface_algebra::Error;
+    use roxmltree::Node;
+    use std::collections::{BTreeMap, HashSet};
+    use std::io::Read;
+
+    pub(super) fn read(mut input: impl Read) -> Result<Model, Error> {
+        let mut bytes = Vec::new();
+        input.read_to_end(&mut bytes)?;
+        if bytes.starts_with(b"PK") {
+            bytes = unpacked(bytes)?;
+        }
+        let text = String::from_utf8(bytes).map_err(|error| {
+            Error::parse("the file is no text in UTF-8")
+                .at_byte(error.utf8_error().valid_up_to() as u64)
+                .with_cure("write it again in UTF-8")
+        })?;
+        let document = document(&text)?;
+        let mut things = BTreeMap::new();
+        let mut order = Vec::new();
+        for node in document.root_element().children() {
+            let thing = match node.tag_name().name() {
+                "object" => Thing::Object(name(node), mesh(node)?),
+                "constellation" => Thing::Constellation(instances(node)?),
+                _ => continue,
+            };
+            let id = node.attribute("id").unwrap_or_default();
+            order.push(id);
+            things.insert(id, thing);
+        }
+        let named: HashSet<&str> = things
+            .values()
+            .flat_map(|thing| match thing {
+                Thing::Constellation(instances) => instances.as_slice(),
+                Thing::Object(..) => &[],
+            })
+            .map(|&(id, _)| id)
+            .collect();
+        let mut scene = Scene::of_size(text.len());
+        let mut placed = HashSet::new();
+        for id in order.iter().copied().filter(|id| !named.contains(id)) {
+            place(&things, id, Placement::IDENTITY, 0, &mut scene, &mut placed)?;
+        }
+        // What is named and still not placed is named in a circle, and the way along that ends in an error.
+        for id in order {
+            if !placed.contains(id) {
+                place(&things, id, Placement::IDENTITY, 0, &mut scene, &mut placed)?;
+            }
+        }
+        scene.finish()
+    }
+
+    /// The file in an archive.
+    #[cfg(feature = "archives")]
+    fn unpacked(bytes: Vec<u8>) -> Result<Vec<u8>, Error> {
+        use coface_algebra::ErrorKind;
+        let most = crate::unpacking::most_unpacked(bytes.len() as u64);
+        let damaged = |error: zip::result::ZipError| {
+            Error::parse(format!("the ZIP archive is damaged: {error}")).with_cure("write it again")
+        };
+        let mut archive = zip::ZipArchive::new(std::io::Cursor::new(bytes)).map_err(damaged)?;
+        let name = archive.file_names().find(|name| name.to_ascii_lowercase().ends_with(".amf"));
+        let Some(name) = name.map(str::to_owned) else {
+            let message = "this is a ZIP archive without an AMF file in it";
+            return Err(Error::new(ErrorKind::UnsupportedFormat, message)
+                .with_cure("unpack it and name the file of the model"));
+        };
+        let mut text = Vec::new();
+        archive.by_name(&name).map_err(damaged)?.take(most + 1).read_to_end(&mut text).map_err(|error| {
+            Error::parse(format!("the part {} cannot be read: {error}", name.escape_debug()))
+                .with_cure("write the file again")
+        })?;
+        if text.len() as u64 > most {
+            return Err(Error::new(ErrorKind::TooLarge, "the file is far larger than its archive")
+                .with_cure("the file is no model: check where it comes from"));
+        }
+        Ok(text)
+    }
+
+    #[cfg(not(feature = "archives"))]
+    fn unpacked(_bytes: Vec<u8>) -> Result<Vec<u8>, Error> {
+        Err(crate::features::without_feature("AMF in an archive", "archives"))
+    }
+
+    enum Thing<'t> {
+        Object(String, LooseMesh),
+        Constellation(Vec<(&'t str, Placement)>),
+    }
+
+    /// The elements of this name right below one.
+    fn parts<'a, 'i>(node: Node<'a, 'i>, name: &'static str) -> impl Iterator<Item = Node<'a, 'i>> {
+        node.children().filter(move |part| part.tag_name().name() == name)
+    }
+
+    /// What the metadata call an object.
+    fn name(node: Node<'_, '_>) -> String {
+        let name = parts(node, "metadata").find(|part| part.attribute("type") == Some("name"));
+        name.and_then(|part| part.text()).unwrap_or_default().trim().to_owned()
+    }
+
+    /// The number in the first part of this name, if there is one.
+    fn number(node: Node<'_, '_>, name: &'static str) -> Result<Option<f64>, Error> {
+        let Some(part) = parts(node, name).next() else { return Ok(None) };
+        let word = part.text().unwrap_or_default().trim();
+        match word.parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(Some(number)),
+            _ => Err(at(part, format!("{} is no finite number, as {name} must be", quoted(word.as_bytes())))
+                .with_cure("write the file again")),
+        }
+    }
+
+    fn at(node: Node<'_, '_>, message: String) -> Error {
+        let row = node.document().text_pos_at(node.range().start).row;
+        Error::parse(message).at_line(u64::from(row))
+    }
+
+    fn missing(node: Node<'_, '_>, name: &str) -> Error {
+        at(node, format!("a {} without {name}", node.tag_name().name())).with_cure("write the file again")
+    }
+
+    fn mesh(object: Node<'_, '_>) -> Result<LooseMesh, Error> {
+        let mut mesh = LooseMesh::default();
+        let meshes: Vec<Node<'_, '_>> = parts(object, "mesh").collect();
+        let all = |list: &'static str, item: &'static str| {
+            meshes.iter().flat_map(move |&mesh| parts(mesh, list)).flat_map(move |list| parts(list, item))
+        };
+        for vertex in all("vertices", "vertex") {
+            let place = parts(vertex, "coordinates").next().ok_or_else(|| missing(vertex, "coordinates"))?;
+            let mut point = [0.0; 3];
+            for (axis, x) in ["x", "y", "z"].into_iter().zip(&mut point) {
+                *x = number(place, axis)?.ok_or_else(|| missing(place, axis))?;
+            }
+            mesh.points.push(point);
+        }
+        let count = mesh.points.len();
+        for triangle in all("volume", "triangle") {
+            let mut corners = Vec::with_capacity(3);
+            for corner in ["v1", "v2", "v3"] {
+                let vertex = number(triangle, corner)?.ok_or_else(|| missing(triangle, corner))?;
+                if !(vertex >= 0.0 && vertex < count as f64 && vertex.fract() == 0.0) {
+                    let row = triangle.document().text_pos_at(triangle.range().start).row;
+                    return Err(Error::invalid(format!(
+                        "a triangle names vertex {vertex}, but its object has {count} vertices, numbered from 0"
+                    ))
+                    .at_line(u64::from(row))
+                    .with_cure("correct the index"));
+                }
+                corners.push(vertex as u32);
+            }
+            mesh.polygons.push(corners);
+        }
+        Ok(mesh)
+    }
+
+    /// The objects that a constellation places, and where: turned about x, y and z, then moved.
+    fn instances<'t>(node: Node<'t, '_>) -> Result<Vec<(&'t str, Placement)>, Error> {
+        let mut instances = Vec::new();
+        for instance in parts(node, "instance") {
+            let of = |name| Ok::<f64, Error>(number(instance, name)?.unwrap_or(0.0));
+            let mut placement = Placement::IDENTITY;
+            for (name, axis) in [("rx", 0), ("ry", 1), ("rz", 2)] {
+                placement = turn(axis, of(name)?).after(placement);
+            }
+            for (row, name) in ["deltax", "deltay", "deltaz"].into_iter().enumerate() {
+                placement.0[row][3] = of(name)?;
+            }
+            let id = instance.attribute("objectid").ok_or_else(|| missing(instance, "objectid"))?;
+            instances.push((id, placement));
+        }
+        Ok(instances)
+    }
+
+    /// The turn about an axis by so many degrees; quarters of a turn are exact.
+    fn turn(axis: usize, degrees: f64) -> Placement {
+        let (sine, cosine) = match degrees.rem_euclid(360.0) {
+            0.0 => (0.0, 1.0),
+            90.0 => (1.0, 0.0),
+            180.0 => (0.0, -1.0),
+            270.0 => (-1.0, 0.0),
+            _ => degrees.to_radians().sin_cos(),
+        };
+        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+        let mut turn = Placement::IDENTITY;
+        turn.0[next][next] = cosine;
+        turn.0[next][last] = -sine;
+        turn.0[last][next] = sine;
+        turn.0[last][last] = cosine;
+        turn
+    }
+
+    fn place<'t>(
+        things: &BTreeMap<&str, Thing<'t>>,
+        id: &'t str,
+        placement: Placement,
+        depth: usize,
+        scene: &mut Scene,
+        placed: &mut HashSet<&'t str>,
+    ) -> Result<(), Error> {
+        scene.step(depth)?;
+        placed.insert(id);
+        match things.get(id) {
+            Some(Thing::Object(name, mesh)) => scene.place(mesh, placement, name),
+            Some(Thing::Constellation(instances)) => instances.iter().try_for_each(|&(inner, at)| {
+                place(things, inner, placement.after(at), depth + 1, scene, placed)
+            }),
+            None => Err(Error::invalid(format!("the object {} is not there", quoted(id.as_bytes())))
+                .with_cure("write the file again")),
+        }
+    }
+}

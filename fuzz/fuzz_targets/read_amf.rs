@@ -1,0 +1,3 @@
+#![no_main]
+
+coface_fuzz::target!(read_amf);
