@@ -67,7 +67,8 @@ pub use persistence::{
 pub use planar::{
     ArrangementMethod, ArrangementRequest, BooleanRequest, BufferCaps, BufferJoins, BufferOptions,
     DissolveRequest, Dissolved, DrawingArrangement, DrawingOptions, FaceAttributes, LineOptions, MapResult,
-    MapTask, PlanarDrawing, RegionBoolean, RepairMethod, are_planar, is_planar, reference_loss,
+    MapTask, PlanarDrawing, RegionBoolean, RepairMethod, are_planar, is_planar, polygons_of_fill_rules,
+    reference_loss,
 };
 pub use producer::{CellNames, OrderedSimplices, Pair, Producer, Term, group_chain, named_groups};
 pub use repair::{

@@ -44,5 +44,8 @@ pub use boolean::{BooleanRequest, RegionBoolean};
 pub use dissolve::{DissolveRequest, Dissolved};
 pub use drawing::{PlanarDrawing, are_planar, is_planar};
 pub use drawing_options::DrawingOptions;
-pub use maps::{BufferCaps, BufferJoins, BufferOptions, LineOptions, MapResult, MapTask, RepairMethod};
+pub use maps::{
+    BufferCaps, BufferJoins, BufferOptions, LineOptions, MapResult, MapTask, RepairMethod,
+    polygons_of_fill_rules,
+};
 pub use writing::reference_loss;

@@ -22,7 +22,8 @@ impl PlanarSet {
     ///
     /// * JSON and `.dat`: as [`yin`] says; JSON keeps everything.
     /// * SVG: a path with curves, filled; what is unbounded within a frame.
-    /// * GeoJSON, WKT: a polygon with holes for each component; a polygon of GeoJSON has the properties `polygon` and `area`.
+    /// * GeoJSON: a polygon with holes for each component, a feature with the properties `polygon` and `area`.
+    /// * WKT and WKB: the same polygons as one geometry; the empty set is an empty polygon.
     /// * Others: the curves as closed lines.
     ///
     /// But for JSON and `.dat`, curves of order 6 and more, and for all but SVG also cubics, become chords within `flatten`.
@@ -41,7 +42,7 @@ impl PlanarSet {
     /// let square = PlanarSet::of(&drawing, &SetRequest::default())?;
     /// let mut text = Vec::new();
     /// square.write(&mut text, Format::Wkt, None)?;
-    /// assert!(text.starts_with(b"POLYGON"));
+    /// assert_eq!(text, b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n");
     /// # Ok(()) }
     /// ```
     pub fn write(&self, out: &mut dyn Write, format: Format, flatten: Option<f64>) -> Result<(), Error> {
@@ -90,9 +91,14 @@ impl PlanarSet {
             areas.push(area);
         }
         let model = Model::from_lines(Positions::from_flat(2, flat)?, lines)?;
-        if !matches!(format, Format::GeoJson | Format::Wkt) {
+        let is_well_known = matches!(format, Format::Wkt | Format::Wkb | Format::WkbHex);
+        if is_well_known && model.vertex_count() == 0 {
+            return io::write_empty_polygon(None, out, format);
+        }
+        if !is_well_known && format != Format::GeoJson {
             return io::write(&model, out, format);
         }
+        let count = polygons.len();
         let model = model
             .with_data(CellData::integers("polygon", GroupKind::Lines, 1, polygons)?)?
             .with_data(CellData::integers("ring", GroupKind::Lines, 1, rings)?)?;
@@ -102,6 +108,8 @@ impl PlanarSet {
                 area: areas.get(polygon).copied(),
             });
         }
+        // One set is one geometry.
+        let model = model.with_data(CellData::integers("feature", GroupKind::Lines, 1, vec![0; count])?)?;
         io::write(&model, out, format)
     }
 
@@ -131,5 +139,43 @@ impl PlanarSet {
             Error::new(fault.kind(), message).with_cure("allow less: chords that are nearer to the curves")
         })?;
         Ok(Self { names: self.names.clone(), ..flat })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::SetRequest;
+
+    /// One set is one geometry of well-known text and bytes, with its areas.
+    #[test]
+    fn sets_are_one_geometry() -> Result<(), Error> {
+        let set = |json: &str| {
+            let drawing = io::read_boundary(json.as_bytes(), Format::Json, &io::ReadOptions::default())?;
+            PlanarSet::of(&drawing, &SetRequest::default())
+        };
+        let written = |set: &PlanarSet, format: Format| -> Result<Vec<u8>, Error> {
+            let mut bytes = Vec::new();
+            set.write(&mut bytes, format, None)?;
+            Ok(bytes)
+        };
+        // A square with a hole, and a triangle beside it.
+        let two = set(
+            r#"{"order":2,"curves":[{"points":[[0,0],[3,0],[3,3],[0,3]]},{"points":[[1,1],[1,2],[2,2],[2,1]]},
+            {"points":[[5,0],[7,0],[5,2]]}]}"#,
+        )?;
+        let text = written(&two, Format::Wkt)?;
+        assert_eq!(
+            String::from_utf8_lossy(&text),
+            "MULTIPOLYGON (((0 0, 3 0, 3 3, 0 3, 0 0), (1 1, 1 2, 2 2, 2 1, 1 1)), ((5 0, 7 0, 5 2, 5 0)))\n"
+        );
+        for format in [Format::Wkt, Format::Wkb, Format::WkbHex] {
+            let bytes = written(&two, format)?;
+            let drawing = io::read_boundary(&bytes[..], format, &io::ReadOptions::default())?;
+            assert_eq!(PlanarSet::of(&drawing, &SetRequest::default())?.set().area(), Some(10.0));
+        }
+        let nothing = set(r#"{"curves":[]}"#)?;
+        assert_eq!(written(&nothing, Format::Wkt)?, b"POLYGON EMPTY\n");
+        Ok(())
     }
 }

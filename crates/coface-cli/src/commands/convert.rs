@@ -15,8 +15,8 @@ use coface::answers::answer::{
 };
 use coface::answers::{
     MapResult, MapTask, PlanarSet, RepairMethod, RepairRequest, SetRequest, SurfaceRepairRequest,
-    dual_graph_model, dual_model, gluing_model, halfedge_model, losses_of, polygon_model, repaired,
-    repaired_surface, triangulated, truncated, welded,
+    dual_graph_model, dual_model, gluing_model, halfedge_model, losses_of, polygon_model,
+    polygons_of_fill_rules, repaired, repaired_surface, triangulated, truncated, welded,
 };
 use coface::complexes::surface::FacesAtEdge;
 use coface::io;
@@ -185,6 +185,14 @@ impl Convert {
             loaded.model = Model::from_polygons(positions, squares).map_err(in_file)?;
         }
         let valid = self.valid_map(&mut loaded, &progress)?;
+        // These have no rule for what is inside of rings.
+        if let Target::Model(Format::Wkt | Format::Wkb | Format::WkbHex | Format::GeoJson) = format {
+            let in_file = |error: coface::Error| error.in_file(loaded.name.clone());
+            if let Some((model, remark)) = polygons_of_fill_rules(&loaded.model).map_err(in_file)? {
+                loaded.model = model;
+                reshaped.push(remark);
+            }
+        }
         if let Some(radius) = self.weld.filter(|_| self.repair.is_none()) {
             progress.stage("merging vertices");
             let (model, done) =

@@ -349,3 +349,36 @@ fn map_keeps_features_and_writes_what_is_asked_for() {
         coface_in(folder, &words).fails_with(status);
     }
 }
+
+#[test]
+fn compound_paths_of_drawings_are_polygons_of_what_they_fill() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    // A head beside shoulders with a hole, as an icon has them in one path.
+    let path = "M4 0H6V2H4Z M0 4H10V9H0Z M1 5V8H9V5Z";
+    let text = format!("<svg xmlns='http://www.w3.org/2000/svg'><path d='{path}'/></svg>");
+    file(folder, "icon.svg", &text);
+    for format in ["wkt", "wkb", "hex", "geojson"] {
+        let made = answer(folder, &format!("convert icon.svg -o icon.{format}"));
+        assert!(codes(&made).contains(&"model-repaired"), "{made}");
+        let united = answer(folder, &format!("boolean union icon.{format}"));
+        assert_eq!((united["measure"].as_f64(), codes(&united).len()), (Some(30.0), 0), "{united}");
+    }
+    let text = std::fs::read_to_string(folder.join("icon.wkt")).unwrap();
+    assert!(text.starts_with("MULTIPOLYGON (((") && text.lines().count() == 1, "{text}");
+    for line in [
+        "map repair icon.svg",
+        "map clip icon.svg --box 0,0,10,10",
+        "map simplify icon.svg --tolerance 0.001",
+    ] {
+        assert_eq!(answer(folder, line)["measure"], json!(30.0), "{line}");
+    }
+    // A set with two components is two polygons, not a polygon with a hole outside of it.
+    let two = r#"{"order":2,"curves":[{"points":[[0,0],[2,0],[2,2]]},{"points":[[5,0],[9,0],[9,2]]}]}"#;
+    file(folder, "two.json", two);
+    answer(folder, "convert two.json -o two.wkt");
+    answer(folder, "yin join two.json -o joined.wkb");
+    for name in ["two.wkt", "joined.wkb"] {
+        assert_eq!(answer(folder, &format!("boolean union {name}"))["measure"], json!(6.0), "{name}");
+    }
+}

@@ -192,6 +192,10 @@ fn arrays_of_labels_are_images() {
     let same = interface(&[argument(&image)]);
     assert_eq!((&found["phases"], &found["edges"]), (&same["phases"], &same["edges"]));
     assert_eq!(found["phases"][1]["area"], json!(3.0));
+    // The order and the kinks that are asked for are those of the phases.
+    let cubic = interface(&[argument(&labels), "--order", "4"]);
+    let smooth = interface(&[argument(&labels), "--order", "6", "--kinks", "none"]);
+    assert_eq!([&found["order"], &cubic["order"], &smooth["order"]], [&json!(2), &json!(4), &json!(6)]);
     let one = folder.path().join("line.npy");
     std::fs::write(&one, b"\x93NUMPY\x01\x00damaged").unwrap();
     assert_eq!(coface(&["yin", "interface", argument(&one)]).status, 1);

@@ -96,6 +96,9 @@ pub(super) struct Pen {
     pub(super) at: [f64; 2],
     start: [f64; 2],
     is_drawing: bool,
+    /// How far the ends of its lines and curves are at most from the origin along an axis, and how many there are.
+    reach: f64,
+    end_count: usize,
     /// The chords of its curves.
     chord_count: usize,
 }
@@ -109,6 +112,8 @@ impl Pen {
             at: [0.0; 2],
             start: [0.0; 2],
             is_drawing: false,
+            reach: 0.0,
+            end_count: 0,
             chord_count: 0,
         }
     }
@@ -120,9 +125,25 @@ impl Pen {
     }
 
     pub(super) fn line_to(&mut self, to: [f64; 2]) {
+        let to = self.end(to);
         self.begin();
         self.push_line(self.map.point(to));
         self.at = to;
+    }
+
+    /// Where a line or curve ends: where the subpath began if this is all that rounding tells from it.
+    ///
+    /// Distances from one point to the next are added up, so an end may be farther from where it should be by half a unit in the
+    /// last place of the largest coordinate for each point before it; the numbers themselves have that error once more.
+    fn end(&mut self, to: [f64; 2]) -> [f64; 2] {
+        let start = if self.is_drawing { self.start } else { self.at };
+        if !self.is_drawing {
+            (self.reach, self.end_count) = (0.0, 1);
+        }
+        self.end_count += 1;
+        self.reach = [start, to].as_flattened().iter().fold(self.reach, |reach, x| reach.max(x.abs()));
+        let error = self.end_count as f64 * f64::EPSILON * self.reach;
+        if (0..2).all(|axis| (to[axis] - start[axis]).abs() <= error) { start } else { to }
     }
 
     /// Closes the subpath; the pen is where it began.
@@ -187,9 +208,10 @@ impl Pen {
     /// Chords between points at equal steps of the parameter are within an eighth of the square of the step times the greatest
     /// second derivative.
     pub(super) fn curve_to(&mut self, controls: &[[f64; 2]]) -> Result<(), String> {
-        let to = controls.last().copied().unwrap_or(self.at);
+        let to = self.end(controls.last().copied().unwrap_or(self.at));
+        let inner = &controls[..controls.len().saturating_sub(1)];
         let points: Vec<[f64; 2]> =
-            [self.at].iter().chain(controls).map(|&control| self.map.point(control)).collect();
+            [self.at].iter().chain(inner).chain([&to]).map(|&control| self.map.point(control)).collect();
         if self.curves == Curves::Kept {
             self.begin();
             let raised =
@@ -387,6 +409,10 @@ impl Pen {
     ) -> Result<(), String> {
         let [mut rx, mut ry] = radii.map(f64::abs);
         let from = self.at;
+        if from == to {
+            return Ok(());
+        }
+        let to = self.end(to);
         if from == to {
             return Ok(());
         }

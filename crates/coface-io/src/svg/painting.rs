@@ -49,6 +49,28 @@ impl Color {
     }
 }
 
+/// Whether a paint leaves nothing to be seen: `none`, `transparent`, or a color without opacity.
+fn is_clear(paint: &str) -> bool {
+    let paint = paint.trim().to_ascii_lowercase();
+    if let Some(digits) = paint.strip_prefix('#') {
+        let alpha = match digits.len() {
+            4 => digits.get(3..),
+            8 => digits.get(6..),
+            _ => None,
+        };
+        return alpha.is_some_and(|alpha| alpha.chars().all(|digit| digit == '0'));
+    }
+    let Some((name, rest)) = paint.split_once('(') else {
+        return matches!(&paint[..], "none" | "transparent");
+    };
+    let numbers = rest.strip_suffix(')').filter(|_| matches!(name, "rgb" | "rgba" | "hsl" | "hsla"));
+    let alpha = numbers.and_then(|numbers| match numbers.split_once('/') {
+        Some((_, alpha)) => Some(alpha),
+        None => numbers.split(',').nth(3),
+    });
+    alpha.is_some_and(|alpha| alpha.trim().trim_end_matches('%').parse().is_ok_and(|alpha: f64| alpha <= 0.0))
+}
+
 /// What a shape in a mask does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum MaskPaint {
@@ -97,9 +119,7 @@ impl Painting {
                 Some("nonzero" | "initial") => FillRule::Nonzero,
                 _ => self.rule,
             },
-            is_filled: own(Property::Fill).map_or(self.is_filled, |paint| {
-                !paint.eq_ignore_ascii_case("none") && !paint.eq_ignore_ascii_case("transparent")
-            }),
+            is_filled: own(Property::Fill).map_or(self.is_filled, |paint| !is_clear(paint)),
             is_opaque: own(Property::FillOpacity).map_or(self.is_opaque, |opacity| {
                 opacity.trim_end_matches('%').trim().parse().map_or(true, |opacity: f64| opacity > 0.0)
             }),

@@ -125,6 +125,7 @@ fn closed_curve(subpath: &Subpath, order: Order) -> Result<BoundaryCurve, Error>
     if first != last {
         corners.push(first);
     }
+    let cubics = counted_sides(&mut corners, &subpath.cubics);
     let count = corners.len() - 1;
     let mut curve = BoundaryCurve::new(corners[..count].to_vec());
     if order > Order::LINEAR {
@@ -133,12 +134,45 @@ fn closed_curve(subpath: &Subpath, order: Order) -> Result<BoundaryCurve, Error>
         let straight = Curve::polyline(&corners)?;
         let raised = straight.raised(order)?;
         let mut controls = raised.controls().to_vec();
-        for &(side, inner) in &subpath.cubics {
+        for (side, inner) in cubics {
             controls[3 * side + 1..3 * side + 3].copy_from_slice(&inner);
         }
         curve.set_curve(Curve::from_controls(order, controls, straight.knots().to_vec())?);
     }
     Ok(curve)
+}
+
+/// Leaves out the sides of a closed path that are too short to count beside the length before them, as programs leave them where curves
+/// meet; gives the sides that are cubics by their new numbers.
+fn counted_sides(
+    corners: &mut Vec<[f64; 2]>,
+    cubics: &[(usize, [[f64; 2]; 2])],
+) -> Vec<(usize, [[f64; 2]; 2])> {
+    let distance = |a: [f64; 2], b: [f64; 2]| (b[0] - a[0]).hypot(b[1] - a[1]);
+    let size: f64 = corners.windows(2).map(|side| distance(side[0], side[1])).sum();
+    let least = 4.0 * f64::EPSILON * size;
+    let mut next_cubic = cubics.iter().peekable();
+    let mut counted = Vec::with_capacity(cubics.len());
+    let mut kept = vec![corners[0]];
+    for (side, ends) in corners.windows(2).enumerate() {
+        let inner = next_cubic.next_if(|cubic| cubic.0 == side).map(|cubic| cubic.1);
+        let reach = |point: &[f64; 2]| distance(ends[0], *point) <= least;
+        if reach(&ends[1]) && inner.iter().flatten().all(reach) {
+            continue;
+        }
+        counted.extend(inner.map(|inner| (kept.len() - 1, inner)));
+        kept.push(ends[1]);
+    }
+    // What is left ends where it begins.
+    if kept.len() > 2 {
+        let first = kept[0];
+        kept.pop();
+        kept.push(first);
+        *corners = kept;
+        counted
+    } else {
+        cubics.to_vec()
+    }
 }
 
 /// The clips of a drawing as sets with curved boundaries.

@@ -309,6 +309,18 @@ fn what_is_filled_is_rings() {
         ("<rect width='9' height='9' style='fill: none !important; fill: red'/>", vec![-1, 0]),
         ("<rect width='9' height='9' fill='transparent'/>", vec![-1, 0]),
         (
+            "<rect width='9' height='9' fill='#0f00'/><rect width='9' height='9' fill='#0F0F0F00'/>",
+            vec![-1, -1, 0],
+        ),
+        (
+            "<rect width='9' height='9' fill='rgba(0, 0, 0, 0)'/><rect width='9' height='9' fill='rgb(0 0 0 / 0%)'/>",
+            vec![-1, -1, 0],
+        ),
+        (
+            "<rect width='9' height='9' fill='hsla(0, 0%, 0%, 0.1)'/><rect width='9' height='9' fill='#0008'/>",
+            vec![0, 0, 0],
+        ),
+        (
             "<g fill='none'><rect width='9' height='9'/><rect width='1' height='1' fill='red'/></g>",
             vec![-1, 0, 0],
         ),
@@ -391,5 +403,50 @@ fn what_is_not_done_has_one_remark() {
         "<g clip-path='none'><rect width='8' height='8'/></g>",
     ] {
         assert!(said(whole).is_empty(), "{whole}");
+    }
+}
+
+#[test]
+fn paths_that_come_back_within_rounding_are_closed() {
+    // Tenths added up: the last command ends next to where the path began.
+    let data = "M.1 .1h.7v.7h-.7v-.3v-.4";
+    let model = parsed(&format!("<path d='{data}'/>"));
+    assert_eq!((model.lines().len(), model.vertex_count()), (1, 5));
+    assert!(model.remarks.is_empty(), "{:?}", model.remarks);
+    // A chevron of arcs and lines, as drawing programs write it; Z finds the pen where it began.
+    let chevron = "M1.646 4.646a.5.5 0 0 1 .708 0L8 10.293l5.646-5.647a.5.5 0 0 1 .708.708l-6 6a.5.5 0 0 1-.708 0l-6-6a.5.5 0 0 1 0-.708";
+    for end in ["", "z"] {
+        let text = svg(&format!("<path fill-rule='evenodd' d='{chevron}{end}'/>"));
+        let drawing =
+            crate::read_boundary(text.as_bytes(), crate::Format::Svg, &crate::ReadOptions::default())
+                .unwrap();
+        drawing.check().unwrap();
+        let [curve] = drawing.curves() else { panic!("{drawing:?}") };
+        let ends = coface_yin::EndCondition::NotAKnot;
+        let area = curve.curve(drawing.order(), &ends).unwrap().signed_area();
+        // Two bars of width 1/sqrt(2) with round ends, by chords of 1e-6.
+        let flat = read_flattened(text.as_bytes(), 1e-6).unwrap();
+        assert!((area.abs() - self::area(&flat).abs()).abs() < 1e-4, "{area}");
+        assert!(drawing.remarks().iter().all(|remark| remark.code != RemarkCode::UnclosedRing));
+    }
+    // What is farther away than rounding stays apart.
+    let open = parsed("<path d='M.1 .1h.7v.7h-.7v-.6999999'/>");
+    assert_eq!(open.vertex_count(), 5);
+    assert_eq!(open.remarks()[0].code, RemarkCode::UnclosedRing);
+}
+
+#[test]
+fn sides_without_a_length_that_counts_are_left_out() {
+    // Between two curves a line of a unit in the last place, and a curve that is no longer.
+    let x = 10.0f64.next_up();
+    for between in [format!("L{x} 10"), format!("C10 10 {x} 10 {x} 10")] {
+        let text = svg(&format!("<path d='M0 0C5 -1 10 5 10 10{between}C9 11 1 9 0 10Z'/>"));
+        let drawing =
+            crate::read_boundary(text.as_bytes(), crate::Format::Svg, &crate::ReadOptions::default())
+                .unwrap();
+        drawing.check().unwrap();
+        let [curve] = drawing.curves() else { panic!("{drawing:?}") };
+        assert_eq!(curve.points(), [[0., 0.], [10., 10.], [0., 10.]]);
+        assert!(curve.curve(drawing.order(), &coface_yin::EndCondition::NotAKnot).is_ok());
     }
 }

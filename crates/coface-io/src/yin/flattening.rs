@@ -39,7 +39,8 @@ pub fn flattened(curve: &Curve<'_>, tolerance: f64) -> Result<Vec<[f64; 2]>, Err
         }
         let degree = curve.order().degree() as f64;
         let bends = controls.windows(3).map(|p| {
-            let bend = |axis: usize| p[0][axis] - 2.0 * p[1][axis] + p[2][axis];
+            // Neither this nor the points depend on the direction: arcs that sets have in common get the same chords.
+            let bend = |axis: usize| (p[0][axis] + p[2][axis]) - 2.0 * p[1][axis];
             bend(0).hypot(bend(1))
         });
         let bend = degree
@@ -54,12 +55,12 @@ pub fn flattened(curve: &Curve<'_>, tolerance: f64) -> Result<Vec<[f64; 2]>, Err
             .with_cure("allow chords to be farther from the curve: a larger tolerance"));
         }
         for i in 1..count as usize {
-            let t = i as f64 / count;
+            let [t, rest] = [i as f64, count - i as f64].map(|part| part / count);
             level.clear();
             level.extend_from_slice(controls);
             for last in (0..controls.len() - 1).rev() {
                 for j in 0..=last {
-                    level[j] = [0, 1].map(|axis| level[j][axis] * (1.0 - t) + level[j + 1][axis] * t);
+                    level[j] = [0, 1].map(|axis| level[j][axis] * rest + level[j + 1][axis] * t);
                 }
             }
             if corners.last() != Some(&level[0]) {

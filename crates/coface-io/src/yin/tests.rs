@@ -285,3 +285,21 @@ proptest! {
         }
     }
 }
+
+/// Sets that have an arc in common get the same chords for it, though one has it in the other direction.
+#[test]
+fn chords_do_not_depend_on_the_direction() {
+    let mut random = 12345u64;
+    let mut number = || {
+        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (random >> 40) as f64 / 1e5
+    };
+    for _ in 0..300 {
+        let mut controls: Vec<[f64; 2]> = (0..7).map(|_| [number(), number()]).collect();
+        controls[6] = controls[0];
+        let curve = Curve::from_controls(Order::CUBIC, controls, vec![0., 1., 2.5]).unwrap();
+        let mut back = flattened(&curve.reversed(), 1e-2).unwrap();
+        back[1..].reverse();
+        assert_eq!(flattened(&curve, 1e-2).unwrap(), back);
+    }
+}

@@ -1,6 +1,7 @@
 //! Models made of a model: the mesh of a volume, triangles of polygons.
 
 use coface::algebra::RaggedArray;
+use coface::answers::polygons_of_fill_rules;
 use coface::complexes::cell_mesh::CellShape;
 use coface::geometry::Positions;
 use coface::geometry::predicates::orientation;
@@ -61,7 +62,8 @@ pub(super) fn mesh_of_volume(
     Model::from_parts(positions.len(), positions, polygons, (shapes, cells), lines, Vec::new())
 }
 
-/// The model as a format holds it: of a volume the squares around its voxels, where the format has meshes alone.
+/// The model as a format holds it: of a volume the squares around its voxels, where the format has meshes alone; of a drawing with fill
+/// rules outer rings and holes, where the format has these alone.
 pub(super) fn writable(model: &Model, format: Option<Format>) -> Result<Cow<'_, Model>, Error> {
     match (model.structure(), format) {
         (Some(Structure::Volume(_)), Some(format))
@@ -70,6 +72,11 @@ pub(super) fn writable(model: &Model, format: Option<Format>) -> Result<Cow<'_, 
             let surface = mesh_of_volume(model, true, None, None)?;
             // This format has triangles alone.
             if format == Format::Stl { triangulated(&surface) } else { Ok(surface) }.map(Cow::Owned)
+        }
+        // These have no rule for what is inside of rings.
+        (None, Some(Format::Wkt | Format::Wkb | Format::WkbHex | Format::GeoJson)) => {
+            let polygons = polygons_of_fill_rules(model)?;
+            Ok(polygons.map_or(Cow::Borrowed(model), |(polygons, _)| Cow::Owned(polygons)))
         }
         _ => Ok(Cow::Borrowed(model)),
     }

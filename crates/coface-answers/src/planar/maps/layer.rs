@@ -3,6 +3,7 @@
 use super::super::chain_faces::ChainFaces;
 use super::super::drawing::{Filling, NO_FEATURE, PlanarDrawing, Polygon, Region, Ring};
 use super::super::drawing_options::DrawingOptions;
+use super::fill_rules::{FillRules, polygons_by_rule};
 use crate::answer::{DrawingInput, Remark};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{Error, VertexId};
@@ -82,7 +83,7 @@ impl MapLayer {
             let coarse = model.coarse().map_err(|error| error.in_file(name))?;
             let model = coarse.as_ref().unwrap_or(model);
             match model.structure() {
-                None => add_features(model, &mut features),
+                None => add_features(model, &mut features).map_err(|error| error.in_file(name))?,
                 Some(Structure::Chains(complex)) if !model.positions().is_empty() => {
                     add_cells(model, complex, &mut features).map_err(|error| error.in_file(name))?;
                 }
@@ -139,7 +140,8 @@ fn add_cells(model: &Model, complex: &ChainComplex, features: &mut Vec<MapFeatur
     Ok(())
 }
 
-fn add_features(model: &Model, features: &mut Vec<MapFeature>) {
+fn add_features(model: &Model, features: &mut Vec<MapFeature>) -> Result<(), Error> {
+    let rules = FillRules::of(model);
     let table = model.features();
     let numbers = Features::new(model);
     let mut known: BTreeMap<Key, usize> = BTreeMap::new();
@@ -192,7 +194,12 @@ fn add_features(model: &Model, features: &mut Vec<MapFeature>) {
                     let corners = model.lines().list(line);
                     corners[..corners.len().saturating_sub(1)].iter().map(|&vertex| point(vertex)).collect()
                 };
-                geometry.polygons.push(lines.map(ring).collect());
+                let rule = rules.of_polygon(&lines);
+                let rings: Rings = lines.map(ring).collect();
+                match rule.map(|rule| polygons_by_rule(&rings, rule)).transpose()?.flatten() {
+                    Some(polygons) => geometry.polygons.extend(polygons),
+                    None => geometry.polygons.push(rings),
+                }
             }
             Shape::Face(face) => {
                 let ring = model.polygons().list(face).iter().map(|&vertex| point(vertex)).collect();
@@ -201,6 +208,7 @@ fn add_features(model: &Model, features: &mut Vec<MapFeature>) {
             Shape::Point(vertex) => geometry.points.push(point(vertex.to_u32())),
         }
     }
+    Ok(())
 }
 
 /// A drawing in which each list of polygons is a region, with what is inside of these.

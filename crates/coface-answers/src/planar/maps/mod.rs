@@ -12,6 +12,7 @@ mod borders;
 mod buffer;
 mod clip;
 mod coverage;
+mod fill_rules;
 mod layer;
 mod lines;
 mod linework;
@@ -23,5 +24,6 @@ mod task;
 #[cfg(test)]
 mod tests;
 
+pub use fill_rules::polygons_of_fill_rules;
 pub use result::MapResult;
 pub use task::{BufferCaps, BufferJoins, BufferOptions, LineOptions, MapTask, RepairMethod};

@@ -61,7 +61,7 @@ pub(super) fn repaired(polygons: &[Rings], method: RepairMethod) -> Result<Repai
 }
 
 /// Whether a simple ring runs clockwise: it turns so at its lowest corner.
-fn runs_clockwise(ring: &Corners) -> bool {
+pub(super) fn runs_clockwise(ring: &Corners) -> bool {
     let key = |&i: &usize| (ring[i][0] + 0.0, ring[i][1] + 0.0);
     let lowest =
         (0..ring.len()).min_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal));

@@ -424,3 +424,51 @@ fn lines_that_nearly_meet_bound_faces_within_a_tolerance() {
     let wrong = MapResult::new([("lines", &lines)], &MapTask::Node(LineOptions::new().grid(Some(-1.0))));
     assert!(wrong.is_err());
 }
+
+/// What SVG fills of paths is what maps of them have.
+#[test]
+fn fill_rules_of_drawings_say_what_is_inside() {
+    let drawing = |rule: &str, data: &str| {
+        let text = format!(
+            "<svg xmlns='http://www.w3.org/2000/svg'><path id='a' fill-rule='{rule}' d='{data}'/></svg>"
+        );
+        coface_io::read(text.as_bytes(), Format::Svg).unwrap()
+    };
+    // Beside each other, in each other alike and against each other, an island in a hole, and a bow tie.
+    let (square, other) = ("M0 0H6V6H0Z", "M8 0H9V1H8Z");
+    let (alike, against, island) = ("M1 1H5V5H1Z", "M1 1V5H5V1Z", "M2 2H4V4H2Z");
+    let cases = [
+        (format!("{square}{other}"), 37.0, 37.0, 2),
+        (format!("{square}{alike}"), 36.0, 20.0, 1),
+        (format!("{square}{against}"), 20.0, 20.0, 1),
+        (format!("{square}{against}{island}"), 24.0, 24.0, 2),
+        (format!("{island}{against}{square}"), 24.0, 24.0, 2),
+        ("M0 0H4V4H2V-2H0Z".to_owned(), 12.0, 12.0, 2),
+    ];
+    for (data, nonzero, odd, parts) in cases {
+        for (rule, area) in [("nonzero", nonzero), ("evenodd", odd)] {
+            let model = drawing(rule, &data);
+            let (answer, repaired) = after(&model, &MapTask::Repair(RepairMethod::Structure));
+            let filled = PlanarDrawing::new([("drawing", &model)], RegionSource::Models).unwrap();
+            let request = crate::BooleanRequest::default();
+            let formula = coface_arrange::boolean::BooleanFormula::union(1);
+            let expected = crate::RegionBoolean::new(filled, &formula, &request).unwrap();
+            assert_eq!(answer.measure, expected.area(), "{rule} {data}");
+            assert_eq!(answer.measure, area, "{rule} {data}");
+            assert!(is_valid(&repaired), "{rule} {data}");
+            let wide = after(&model, &MapTask::Clip([-3.0, -3.0, 20.0, 20.0])).0;
+            assert_eq!(wide.measure, area, "{rule} {data}");
+            let written = match crate::polygons_of_fill_rules(&model).unwrap() {
+                Some((model, remark)) => {
+                    assert!(remark.message.starts_with("1 shape is written"), "{}", remark.message);
+                    model
+                }
+                None => model,
+            };
+            let back = read(&self::written(&written));
+            let back = after(&back, &MapTask::Repair(RepairMethod::Structure)).0;
+            assert_eq!((back.measure, back.repair.unwrap().features), (area, 0), "{rule} {data}");
+            assert_eq!(polygons_of(&written).len(), parts, "{rule} {data}");
+        }
+    }
+}

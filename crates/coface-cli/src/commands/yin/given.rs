@@ -8,7 +8,7 @@ use crate::output::is_json;
 use crate::progress::Progress;
 use crate::remarks::{accept, take};
 use coface::answers::answer::YinInterfaceAnswer;
-use coface::answers::{PlanarInterface, PlanarSet};
+use coface::answers::{NamedSet, PlanarInterface, PlanarSet};
 use coface::io;
 use coface::io::yin::BoundaryDrawing;
 use coface::io::{Format, ReadOptions};
@@ -128,6 +128,23 @@ impl SetOptions {
         accept(set.remarks(), common)?;
         take(&name, set.remarks());
         Ok(set)
+    }
+
+    /// Sets that an image gives, with the order and the kinks that these options ask for.
+    pub(super) fn applied(
+        &self,
+        sets: Vec<NamedSet>,
+        common: &Common,
+    ) -> Result<Vec<NamedSet>, coface::Error> {
+        if self.order.is_none() && self.kinks.is_none() {
+            return Ok(sets);
+        }
+        let request = self.request(common);
+        let apply = |one: NamedSet| {
+            let drawing = drawing_of(&one.set, &ReadOptions::default())?;
+            Ok(NamedSet::new(one.name, PlanarSet::of(&drawing, &request)?))
+        };
+        sets.into_iter().map(apply).collect()
     }
 
     /// Reads what a file says about the boundary of one set.

@@ -258,6 +258,7 @@ impl PhaseOptions {
                     }
                 };
                 let found = image.and_then(|image| image.sets());
+                let found = found.and_then(|sets| options.applied(sets, common));
                 sets.extend(found.map_err(|error| error.in_file(name.clone()))?);
                 continue;
             }
