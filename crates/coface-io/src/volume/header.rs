@@ -132,6 +132,7 @@ pub(super) fn shape_of(lengths: &[u64]) -> Result<Vec<u32>, Error> {
     let shape: Result<Vec<u32>, _> = lengths.iter().map(|&length| u32::try_from(length)).collect();
     shape.map_err(|_| {
         Error::new(ErrorKind::TooLarge, format!("an axis of {lengths:?} is longer than 2^32 - 1"))
+            .with_cure("take a part of it that is shorter along that axis")
     })
 }
 
