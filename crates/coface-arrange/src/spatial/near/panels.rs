@@ -3,7 +3,7 @@
 use crate::near::{Chain, NearChains, compare, minus, plus, squared};
 use crate::spatial::predicates::{GivenPoints, SpatialPredicates};
 use coface_algebra::RaggedArray;
-use coface_geometry::triangulation::{flip_to_delaunay, triangulate_sides};
+use coface_geometry::triangulation::triangulate_sides;
 use coface_geometry::{AxisBox, BoxTree, Positions, cross, dot};
 use rayon::prelude::*;
 use std::cmp::Ordering;
@@ -258,8 +258,6 @@ impl NearChains {
                 own = pieces;
             }
         }
-        let kept: Vec<[u32; 2]> = panel.sides.iter().chain(&inner).map(turned).collect();
-        flip_to_delaunay(&mut own, &kept, |vertex| self.point(vertex), turn);
         let mut fixed: Vec<[u32; 2]> =
             panel.sides.iter().chain(&inner).map(|&[a, b]| [a.min(b), a.max(b)]).collect();
         fixed.sort_unstable();
