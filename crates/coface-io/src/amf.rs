@@ -82,7 +82,12 @@ mod reading {
             };
             let id = node.attribute("id").unwrap_or_default();
             order.push(id);
-            things.insert(id, thing);
+            if things.insert(id, thing).is_some() {
+                let message = format!("two things have the id {}", quoted(id.as_bytes()));
+                return Err(
+                    at(node, message).with_cure("give each object and constellation an id of its own")
+                );
+            }
         }
         let named: HashSet<&str> = things
             .values()

@@ -22,6 +22,8 @@ pub(crate) enum Oddity {
     MoreWords,
     /// A line is no statement of the format.
     NoStatement,
+    /// A line is of geometry that is not read.
+    FreeForm,
 }
 
 impl Oddity {
@@ -32,7 +34,7 @@ impl Oddity {
             Self::Fraction => RemarkCode::FractionalLabel,
             Self::Unplaced => RemarkCode::NonfiniteCoordinate,
             Self::MoreWords => RemarkCode::TrailingContent,
-            Self::NoStatement => RemarkCode::UnknownSection,
+            Self::NoStatement | Self::FreeForm => RemarkCode::UnknownSection,
         }
     }
 
@@ -63,9 +65,10 @@ impl Oddity {
                 format!("{count} line{s} {has} more words than belong there, which are left out")
             }
             Self::NoStatement => {
-                let [are, statements] =
-                    if count == 1 { ["is", "no statement"] } else { ["are", "no statements"] };
-                format!("{count} line{s} {are} {statements} of the format and {is} passed over")
+                format!("{count} line{s} {is} no statement{s} of the format and {is} passed over")
+            }
+            Self::FreeForm => {
+                format!("{count} line{s} {is} of free-form geometry or of other files, and {is} passed over")
             }
             Self::Unplaced => {
                 let (what, has, position) = match count {

@@ -25,7 +25,7 @@ use coface_topology::{
     AbelianGroup, EdgePathGroups, Effort, GroupName, HomomorphismCount, PermutationGroup, Presentation,
     Simplification, SubgroupClass, SurfaceGroup, homology,
 };
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Asks for the fundamental groups of the components of a model, and for more about loops on its surface.
 ///
@@ -268,9 +268,9 @@ impl GroupsRequest {
         check(&groups.first_homology(), &producer.chain_complex()?)?;
         drop(steps);
         let _steps = stage("simplifying presentations", 0);
-        let effort = Effort::new().time_limit(self.time_limit);
+        let effort = self.efforts();
         let shown = (0..groups.component_count()).map(|component| -> Result<Shown, Error> {
-            let mut shown = self.shown(groups.presentation(component), effort);
+            let mut shown = self.shown(groups.presentation(component), &effort);
             shown.base = number(groups.base(component));
             if self.has_loops {
                 let words = shown.generators.iter();
@@ -298,9 +298,15 @@ impl GroupsRequest {
         EdgePathGroups::with_base(skeleton, vertex.ok_or_else(|| no_vertex(base, "to be the base"))?)
     }
 
-    fn shown(&self, presentation: &Presentation, effort: Effort) -> Shown {
-        let simpler = Simplification::new(presentation, effort);
-        let name = simpler.presentation().recognized(effort);
+    /// What may be spent on each part of the work: of the time limit, which is for all parts together, what is left then.
+    fn efforts(&self) -> impl Fn() -> Effort + use<> {
+        let timed = self.time_limit.map(|limit| (limit, Instant::now()));
+        move || Effort::new().time_limit(timed.map(|(limit, start)| limit.saturating_sub(start.elapsed())))
+    }
+
+    fn shown(&self, presentation: &Presentation, effort: impl Fn() -> Effort) -> Shown {
+        let simpler = Simplification::new(presentation, effort());
+        let name = simpler.presentation().recognized(effort());
         let counts = self.highest_index.map(|highest| Counts::new(simpler.presentation(), highest, effort));
         let letters = |count: usize| (1..=count as i32).map(|letter| Word::from_letters([letter]));
         let (presentation, generators) = if self.is_simplified {
@@ -399,18 +405,18 @@ struct Counts {
 }
 
 impl Counts {
-    fn new(group: &Presentation, highest: usize, effort: Effort) -> Self {
+    fn new(group: &Presentation, highest: usize, effort: impl Fn() -> Effort) -> Self {
         let targets = [
             PermutationGroup::Symmetric(3),
             PermutationGroup::Symmetric(4),
             PermutationGroup::Alternating(5),
         ];
-        let subgroups = group.subgroups_up_to(highest, effort).map(|classes| {
+        let subgroups = group.subgroups_up_to(highest, effort()).map(|classes| {
             let of_index = |index| classes.iter().filter(move |class| class.index() == index);
             let count = |index| of_index(index).map(SubgroupClass::conjugate_count).sum();
             (1..=highest).map(|index| [count(index), of_index(index).count()]).collect()
         });
-        let homomorphisms = targets.map(|target| (target, group.homomorphisms_to(target, effort)));
+        let homomorphisms = targets.map(|target| (target, group.homomorphisms_to(target, effort())));
         Self { subgroups, homomorphisms: homomorphisms.to_vec() }
     }
 

@@ -8,7 +8,7 @@ use coface_algebra::progress::stage;
 use coface_algebra::{CellId, Error, VertexId, Word};
 use coface_complexes::surface::GeneralizedMap;
 use coface_topology::{
-    AbelianGroup, ClosedWalk, CycleKind, EdgeRole, Effort, Presentation, ShortestCycle, SurfaceGroup,
+    AbelianGroup, ClosedWalk, CycleKind, EdgeRole, Presentation, ShortestCycle, SurfaceGroup,
     SurfaceHomotopy, TreeCotree, shortest_cycle, shortest_cycle_through, shortest_cycle_until,
     shortest_homology_basis, shortest_loops,
 };
@@ -81,7 +81,7 @@ pub(super) fn found(request: &GroupsRequest, producer: &Producer) -> Result<Foun
     let torsion = groups.iter().flat_map(|group| group.torsion().to_vec()).collect();
     check(&AbelianGroup::new(betti, torsion), &producer.chain_complex()?)?;
     drop(steps);
-    let effort = Effort::new().time_limit(request.time_limit);
+    let effort = request.efforts();
     let mut shown = Vec::new();
     for (i, (found, group)) in components.iter().zip(surface.homotopy.groups()).enumerate() {
         let length = |walk: &ClosedWalk| {
@@ -95,7 +95,7 @@ pub(super) fn found(request: &GroupsRequest, producer: &Producer) -> Result<Foun
             presentation: found.presentation.clone(),
             generators: Vec::new(),
             name: Some(group.name()),
-            counts: request.highest_index.map(|highest| Counts::new(&found.presentation, highest, effort)),
+            counts: request.highest_index.map(|highest| Counts::new(&found.presentation, highest, &effort)),
             lengths: Some(found.loops.iter().map(length).collect()),
             base: number(trees.components()[i].base()),
             loops,

@@ -3,6 +3,7 @@
 use super::chain_faces::{ChainFaces, has_faces};
 use super::drawing_options::DrawingOptions;
 use super::exact::{ExactPart, points_rounded};
+use super::fill_rules::FillRules;
 use super::properties::DrawnFeatures;
 use crate::RegionSource;
 use crate::answer::{DrawingInput, Place, Remark, RemarkCode, VertexOrigin, remarks_of_file};
@@ -364,7 +365,7 @@ impl PlanarDrawing {
         }
         let first_feature = self.features.add_table(model.features(), self.segments.len())?;
         let mut polygon_number = 0;
-        let fill_rules = model.data_named("fill_rule", GroupKind::Lines);
+        let fill_rules = FillRules::of(model);
         let shapes = shapes(model);
         for (feature, (shape, group)) in features_of_shapes(model, &shapes).into_iter().zip(shapes) {
             let described = self.features.described(first_feature, feature);
@@ -380,11 +381,9 @@ impl PlanarDrawing {
                 self.closed_line_count += usize::from(is_closed(model.lines().list(line)));
             }
             let filling = match &shape {
-                Shape::Rings(lines) => match fill_rules.and_then(|rules| rules.integer_row(lines.start)) {
-                    Some(rule) if rule[0] == 0 => Filling::Stated(InsideRule::Nonzero),
-                    Some(rule) if rule[0] == 1 => Filling::Stated(InsideRule::Odd),
-                    _ => Filling::OuterWithoutHoles,
-                },
+                Shape::Rings(lines) => {
+                    fill_rules.of_polygon(lines).map_or(Filling::OuterWithoutHoles, Filling::Stated)
+                }
                 _ => Filling::OuterWithoutHoles,
             };
             if matches!(shape, Shape::Rings(_) | Shape::Face(_)) {

@@ -28,6 +28,7 @@ mod drawing;
 mod drawing_options;
 mod exact;
 mod feature_model;
+mod fill_rules;
 mod heights;
 mod maps;
 mod outcome;

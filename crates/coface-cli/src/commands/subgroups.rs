@@ -29,7 +29,7 @@ pub(crate) struct Subgroups {
     /// Print every component, not just the first few
     #[arg(long)]
     all: bool,
-    /// Stop simplifying after this time (500ms, 60s, 5m; a number alone is seconds) and say what is known then; without it, results do
+    /// Stop simplifying and counting after this time, for all components together (500ms, 60s, 5m; a number alone is seconds) and say what is known then; without it, results do
     /// not depend on the machine
     #[arg(long, value_name = "TIME", value_parser = groups::effort)]
     time_limit: Option<Limit<Duration>>,

@@ -430,12 +430,18 @@ fn read_statement(statement: &[u8], before: u64, line: u64, piece: &mut Piece) -
             piece.passed.libraries += 1;
             Ok(())
         }
-        _ if is_keyword(keyword) => Ok(()),
+        _ if READ_OVER.contains(&keyword) => Ok(()),
+        _ if FREE_FORM.contains(&keyword) => {
+            piece.oddities.note(Oddity::FreeForm, || Place::line(line));
+            Ok(())
+        }
         _ => {
             let error = Error::parse(format!("{} is not an OBJ statement", quoted(keyword)))
                 .with_cure("correct the line, or tell the format if this is no OBJ file");
-            // Numbers may be the rest of a statement, which would be wrong without them.
+            // Numbers may be the rest of a statement, and a letter in capitals one that is meant: the model would be wrong without them.
+            let is_statement = [&b"v"[..], b"vt", b"vn", b"f", b"l", b"p", b"o", b"g"];
             let is_remark = !matches!(keyword[0], b'0'..=b'9' | b'+' | b'-' | b'.')
+                && !is_statement.iter().any(|known| known.eq_ignore_ascii_case(keyword))
                 && !statement.iter().any(|byte| byte.is_ascii_control() && !byte.is_ascii_whitespace());
             if !is_remark {
                 return Err(error);
@@ -447,11 +453,28 @@ fn read_statement(statement: &[u8], before: u64, line: u64, piece: &mut Piece) -
     }
 }
 
-/// Whether a word could be the keyword of a statement that is read over.
-fn is_keyword(word: &[u8]) -> bool {
-    word.first().is_some_and(u8::is_ascii_alphabetic)
-        && word.iter().all(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'-'))
-}
+/// Statements of how a model looks.
+const READ_OVER: [&[u8]; 13] = [
+    b"s",
+    b"mg",
+    b"lod",
+    b"bevel",
+    b"c_interp",
+    b"d_interp",
+    b"usemap",
+    b"maplib",
+    b"shadow_obj",
+    b"trace_obj",
+    b"ctech",
+    b"stech",
+    b"usemat",
+];
+
+/// Statements of curved geometry, superseded ones among them, and of other files.
+const FREE_FORM: [&[u8]; 22] = [
+    b"vp", b"cstype", b"deg", b"bmat", b"step", b"curv", b"curv2", b"surf", b"parm", b"trim", b"hole",
+    b"scrv", b"sp", b"end", b"con", b"bzp", b"bsp", b"cdc", b"cdp", b"res", b"call", b"csh",
+];
 
 fn read_names(statement: Statement, rest: &[u8], piece: &mut Piece) -> Result<(), Error> {
     piece.changes.push((counts(&piece.elements), Change::new(statement, rest)?));

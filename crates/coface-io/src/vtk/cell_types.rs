@@ -82,6 +82,14 @@ impl CellType {
     }
 }
 
+/// Whether a type of higher order than the linear one has the same corners and so many points.
+pub(super) fn is_of_higher_order(kind: Kind, corner_count: usize, point_count: usize) -> bool {
+    (21..=37).filter_map(CellType::from_number).any(|other| {
+        matches!(other, CellType::Fixed { kind: own, corners, vertex_count }
+            if own == kind && corners.len() == corner_count && vertex_count == point_count)
+    })
+}
+
 /// The name of a type that is not read.
 fn unread_name(number: i64) -> &'static str {
     match number {

@@ -1,7 +1,7 @@
 //! The points and cells of a mesh as they are read, whatever the encoding.
 
 use super::cell_runs::Cells;
-use super::cell_types::CellType;
+use super::cell_types::{CellType, is_of_higher_order};
 use crate::assembly::Assembly;
 use crate::element_kind::Kind;
 use crate::numbers::Numbers;
@@ -74,8 +74,10 @@ impl Elements {
             CellType::QuadraticPolygon => {
                 (Kind::Polygon, self.assembly.add(Kind::Polygon, count / 2, vertices, number)?)
             }
-            // More points than the type has are those of a type of higher order.
-            CellType::Fixed { vertex_count, .. } if count < vertex_count || count > MOST_POINTS => {
+            // More points than a linear type has may be those of a type of higher order.
+            CellType::Fixed { kind, corners, vertex_count }
+                if count != vertex_count && !is_of_higher_order(kind, corners.len(), count) =>
+            {
                 return Err(Error::invalid(format!(
                     "a cell has {count} points, but its type needs {vertex_count}"
                 ))

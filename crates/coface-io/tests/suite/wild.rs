@@ -90,6 +90,22 @@ fn lines_of_obj_that_are_no_statements_are_passed_over() {
         io::read(text.replace("f 1 2 3", "f 1 2\n3").as_bytes(), Format::Obj).unwrap_err().to_string();
     assert!(error.starts_with("line 8") && error.contains("is not an OBJ statement"), "{error}");
     assert!(io::read(text.replace("//", "\u{1}").as_bytes(), Format::Obj).is_err());
+    // A face in capitals would be lost.
+    for word in ["F", "V", "Vn"] {
+        let text = text.replace("// a face:", &format!("{word} 1 2 3"));
+        let error = io::read(text.as_bytes(), Format::Obj).unwrap_err().to_string();
+        assert!(error.starts_with("line 6") && error.contains("is not an OBJ statement"), "{error}");
+    }
+    for (line, said) in [
+        ("face 1 2 3", Some("1 line is no statement of the format and is passed over")),
+        ("curv 0 1 1 2", Some("1 line is of free-form geometry or of other files, and is passed over")),
+        ("s off", None),
+    ] {
+        let text = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{line}\nf 1 2 3\n");
+        let model = io::read(text.as_bytes(), Format::Obj).unwrap();
+        let said = said.map(|said: &str| format!("{said}; the first is on line 4"));
+        assert_eq!(model.remarks().first().map(|remark| remark.message.clone()), said, "{line}");
+    }
 }
 
 #[test]
@@ -115,6 +131,9 @@ fn cells_of_vtk_with_more_points_than_their_type_are_read_by_their_corners() {
     assert_eq!((model.vertex_count(), model.cells().len()), (4, 1));
     let error = io::read(text("3 0 1 2", 4).as_bytes(), Format::Vtk).unwrap_err().to_string();
     assert!(error.contains("a cell has 3 points, but its type needs 4"), "{error}");
+    // No tetrahedron of higher order has five points.
+    let error = io::read(text("5 0 1 2 3 4", 6).as_bytes(), Format::Vtk).unwrap_err().to_string();
+    assert!(error.contains("a cell has 5 points, but its type needs 4"), "{error}");
 }
 
 #[test]

@@ -3,7 +3,8 @@
 use super::super::chain_faces::ChainFaces;
 use super::super::drawing::{Filling, NO_FEATURE, PlanarDrawing, Polygon, Region, Ring};
 use super::super::drawing_options::DrawingOptions;
-use super::fill_rules::{FillRules, polygons_by_rule};
+use super::super::fill_rules::FillRules;
+use super::filled_polygons::polygons_by_rule;
 use crate::answer::{DrawingInput, Remark};
 use coface_algebra::chains::ChainComplex;
 use coface_algebra::{Error, VertexId};
@@ -60,6 +61,8 @@ pub(super) struct MapFeature {
 #[derive(Clone, Debug)]
 pub(super) struct MapLayer {
     pub(super) features: Vec<MapFeature>,
+    /// How many polygons of drawings have others in their place, since their rule fills something else.
+    pub(super) filled_count: usize,
     pub(super) inputs: Vec<DrawingInput>,
     pub(super) reference: Option<ReferenceSystem>,
     pub(super) has_heights: bool,
@@ -78,12 +81,15 @@ impl MapLayer {
     /// The features of models with their names.
     pub(super) fn new(models: &[(&str, &Model)]) -> Result<Self, Error> {
         let drawing = PlanarDrawing::with_options(models.iter().copied(), &DrawingOptions::of_map())?;
-        let mut features = Vec::new();
+        let (mut features, mut filled_count) = (Vec::new(), 0);
         for &(name, model) in models {
             let coarse = model.coarse().map_err(|error| error.in_file(name))?;
             let model = coarse.as_ref().unwrap_or(model);
             match model.structure() {
-                None => add_features(model, &mut features).map_err(|error| error.in_file(name))?,
+                None => {
+                    filled_count +=
+                        add_features(model, &mut features).map_err(|error| error.in_file(name))?;
+                }
                 Some(Structure::Chains(complex)) if !model.positions().is_empty() => {
                     add_cells(model, complex, &mut features).map_err(|error| error.in_file(name))?;
                 }
@@ -95,6 +101,7 @@ impl MapLayer {
         }
         Ok(Self {
             features,
+            filled_count,
             inputs: drawing.input_answers(),
             has_heights: !drawing.heights.is_empty(),
             remarks: drawing.remarks,
@@ -140,8 +147,10 @@ fn add_cells(model: &Model, complex: &ChainComplex, features: &mut Vec<MapFeatur
     Ok(())
 }
 
-fn add_features(model: &Model, features: &mut Vec<MapFeature>) -> Result<(), Error> {
+/// The shapes of a model as features; how many polygons have others in their place, since their drawing fills something else.
+fn add_features(model: &Model, features: &mut Vec<MapFeature>) -> Result<usize, Error> {
     let rules = FillRules::of(model);
+    let mut filled_count = 0;
     let table = model.features();
     let numbers = Features::new(model);
     let mut known: BTreeMap<Key, usize> = BTreeMap::new();
@@ -197,7 +206,10 @@ fn add_features(model: &Model, features: &mut Vec<MapFeature>) -> Result<(), Err
                 let rule = rules.of_polygon(&lines);
                 let rings: Rings = lines.map(ring).collect();
                 match rule.map(|rule| polygons_by_rule(&rings, rule)).transpose()?.flatten() {
-                    Some(polygons) => geometry.polygons.extend(polygons),
+                    Some(polygons) => {
+                        filled_count += 1;
+                        geometry.polygons.extend(polygons);
+                    }
                     None => geometry.polygons.push(rings),
                 }
             }
@@ -208,7 +220,7 @@ fn add_features(model: &Model, features: &mut Vec<MapFeature>) -> Result<(), Err
             Shape::Point(vertex) => geometry.points.push(point(vertex.to_u32())),
         }
     }
-    Ok(())
+    Ok(filled_count)
 }
 
 /// A drawing in which each list of polygons is a region, with what is inside of these.

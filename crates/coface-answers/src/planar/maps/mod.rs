@@ -12,7 +12,7 @@ mod borders;
 mod buffer;
 mod clip;
 mod coverage;
-mod fill_rules;
+mod filled_polygons;
 mod layer;
 mod lines;
 mod linework;
@@ -24,6 +24,6 @@ mod task;
 #[cfg(test)]
 mod tests;
 
-pub use fill_rules::polygons_of_fill_rules;
+pub use filled_polygons::polygons_of_fill_rules;
 pub use result::MapResult;
 pub use task::{BufferCaps, BufferJoins, BufferOptions, LineOptions, MapTask, RepairMethod};

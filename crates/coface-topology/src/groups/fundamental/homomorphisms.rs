@@ -1,9 +1,11 @@
 //! How many homomorphisms a group has to small permutation groups.
 
+use super::tietze::is_past;
 use super::{Effort, Presentation};
 use coface_algebra::{Permutation, Sign, Word};
 use std::collections::BTreeMap;
 use std::fmt;
+use std::time::Instant;
 
 /// A symmetric or an alternating group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -136,6 +138,7 @@ impl Presentation {
             relators,
             images: Vec::new(),
             steps: effort.steps,
+            deadline: effort.deadline(),
             found: HomomorphismCount { all: 0, onto: 0 },
         };
         count.choose(self.generator_count())?;
@@ -149,6 +152,7 @@ struct Count<'a> {
     relators: Vec<Vec<&'a Word>>,
     images: Vec<u32>,
     steps: u64,
+    deadline: Option<Instant>,
     found: HomomorphismCount,
 }
 
@@ -158,6 +162,9 @@ impl Count<'_> {
         let chosen = self.images.len();
         let letters: usize = self.relators[chosen].iter().map(|relator| relator.len()).sum();
         self.steps = self.steps.checked_sub(1 + letters as u64)?;
+        if is_past(self.deadline) {
+            return None;
+        }
         if self.relators[chosen].iter().any(|relator| self.table.value(relator, &self.images) != 0) {
             return Some(());
         }
@@ -189,6 +196,9 @@ mod tests {
         assert_eq!(count(PermutationGroup::Symmetric(4)), HomomorphismCount { all: 576, onto: 9 * 24 });
         assert_eq!(count(PermutationGroup::Symmetric(3)), HomomorphismCount { all: 36, onto: 3 * 6 });
         assert_eq!(free.homomorphisms_to(PermutationGroup::Symmetric(7), Effort::default()), None);
+        let over = Effort::new().time_limit(std::time::Duration::ZERO);
+        assert_eq!(free.homomorphisms_to(PermutationGroup::Symmetric(3), over), None);
+        assert_eq!(free.subgroups_up_to(2, over), None);
         let few = Effort::new().max_steps(10);
         assert_eq!(free.homomorphisms_to(PermutationGroup::Symmetric(3), few), None);
         assert_eq!(PermutationGroup::Alternating(5).to_string(), "A5");

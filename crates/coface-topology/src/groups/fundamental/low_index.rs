@@ -1,7 +1,9 @@
 //! Subgroups of low index.
 
+use super::tietze::is_past;
 use super::{CosetTable, Effort, Presentation};
 use coface_algebra::Word;
+use std::time::Instant;
 
 /// No coset yet.
 const NONE: u32 = u32::MAX;
@@ -100,6 +102,7 @@ impl Presentation {
             trail: Vec::new(),
             found: Vec::new(),
             steps: effort.steps,
+            deadline: effort.deadline(),
         };
         if highest > 0 && search.close() {
             search.descend(0)?;
@@ -125,6 +128,7 @@ struct Search {
     trail: Vec<(u32, u32)>,
     found: Vec<SubgroupClass>,
     steps: u64,
+    deadline: Option<Instant>,
 }
 
 impl Search {
@@ -197,7 +201,7 @@ impl Search {
 
     /// Goes through all tables that continue the one at hand from this entry on; `None` when the effort is used up.
     fn descend(&mut self, from: usize) -> Option<()> {
-        if self.steps == 0 {
+        if self.steps == 0 || is_past(self.deadline) {
             return None;
         }
         let Some(conjugates) = self.conjugates() else { return Some(()) };

@@ -65,6 +65,16 @@ impl Effort {
         self.time = limit.into();
         self
     }
+
+    /// When the work that begins now has to end.
+    pub(crate) fn deadline(self) -> Option<Instant> {
+        self.time.and_then(|limit| Instant::now().checked_add(limit))
+    }
+}
+
+/// Whether a deadline is there and has passed.
+pub(crate) fn is_past(deadline: Option<Instant>) -> bool {
+    deadline.is_some_and(|end| Instant::now() >= end)
 }
 
 impl Default for Effort {
@@ -136,7 +146,7 @@ impl Simplification {
             moves: Vec::new(),
             replaced: Vec::new(),
             effort,
-            start: Instant::now(),
+            deadline: effort.deadline(),
         };
         search.run();
         let Search { work, moves, replaced, .. } = search;
@@ -337,7 +347,7 @@ struct Search {
     moves: Vec<TietzeMove>,
     replaced: Vec<(u32, Word)>,
     effort: Effort,
-    start: Instant,
+    deadline: Option<Instant>,
 }
 
 impl Search {
@@ -365,8 +375,7 @@ impl Search {
     }
 
     fn is_over(&self) -> bool {
-        self.work.effort >= self.effort.steps
-            || self.effort.time.is_some_and(|limit| self.start.elapsed() >= limit)
+        self.work.effort >= self.effort.steps || is_past(self.deadline)
     }
 
     fn apply(&mut self, step: TietzeMove) {

@@ -1,32 +1,14 @@
 //! Drawings that state what is inside of their rings, as SVG does, in polygons of outer rings and holes.
 
 use super::super::drawing::Filling;
+use super::super::fill_rules::FillRules;
 use super::layer::{MapLayer, Rings};
 use super::map_builder::MapBuilder;
 use super::repair::{faults_of, polygons_of, runs_clockwise, union_of};
 use crate::answer::{Remark, RemarkCode};
-use coface_algebra::{Error, VertexId};
+use coface_algebra::Error;
 use coface_arrange::boolean::InsideRule;
-use coface_io::{CellData, GroupKind, Model, Shape, shapes};
-use std::ops::Range;
-
-/// What polygons of a drawing state to be inside of their rings.
-pub(super) struct FillRules<'a>(Option<&'a CellData>);
-
-impl<'a> FillRules<'a> {
-    pub(super) fn of(model: &'a Model) -> Self {
-        Self(model.data_named("fill_rule", GroupKind::Lines))
-    }
-
-    /// That of a polygon, by the lines that are its rings; `None` if what is inside is an outer ring without holes.
-    pub(super) fn of_polygon(&self, lines: &Range<usize>) -> Option<InsideRule> {
-        match self.0?.integer_row(lines.start)?.first()? {
-            0 => Some(InsideRule::Nonzero),
-            1 => Some(InsideRule::Odd),
-            _ => None,
-        }
-    }
-}
+use coface_io::Model;
 
 /// The polygons that rings bound by a rule; `None` if this is the first ring without the others.
 pub(super) fn polygons_by_rule(rings: &Rings, rule: InsideRule) -> Result<Option<Vec<Rings>>, Error> {
@@ -69,30 +51,14 @@ pub(super) fn polygons_by_rule(rings: &Rings, rule: InsideRule) -> Result<Option
 /// # Ok(()) }
 /// ```
 pub fn polygons_of_fill_rules(model: &Model) -> Result<Option<(Model, Remark)>, Error> {
-    let rules = FillRules::of(model);
-    if rules.0.is_none() {
-        return Ok(None);
-    }
-    let mut changed = 0;
-    for (shape, _) in shapes(model) {
-        if let Shape::Rings(lines) = shape
-            && let Some(rule) = rules.of_polygon(&lines)
-        {
-            let corner = |&vertex: &u32| {
-                let point = model.positions().point(VertexId::from_u32(vertex));
-                [point[0], point[1], f64::NAN]
-            };
-            let ring = |line: usize| {
-                let corners = model.lines().list(line);
-                corners[..corners.len().saturating_sub(1)].iter().map(corner).collect()
-            };
-            changed += usize::from(polygons_by_rule(&lines.map(ring).collect(), rule)?.is_some());
-        }
-    }
-    if changed == 0 {
+    if FillRules::of(model).are_none() {
         return Ok(None);
     }
     let layer = MapLayer::new(&[("drawing", model)])?;
+    let changed = layer.filled_count;
+    if changed == 0 {
+        return Ok(None);
+    }
     let mut builder = MapBuilder::new(layer.has_heights);
     for feature in &layer.features {
         builder.add(&feature.geometry, &feature.properties, &feature.id);
