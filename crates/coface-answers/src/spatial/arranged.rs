@@ -7,7 +7,8 @@ use coface_algebra::{CellId, EdgeId, Error, ErrorKind, FaceId, VertexId};
 use coface_algebra::{RaggedArray, Sign, SparseMatrix};
 use coface_arrange::boolean::{CellSelection, WindingNumbers};
 use coface_arrange::spatial::{
-    BallComplex, BallRules, Crossings, ExactPolygons, SpatialArrangement, SpatialOptions, SplitPolygon,
+    BallComplex, BallRules, Crossings, ExactPolygons, SpatialArrangement, SpatialOptions, SpatialPolygons,
+    SplitPolygon,
 };
 use coface_arrange::{CoordinatePrecision, JoinedFeatures};
 use coface_geometry::Positions;
@@ -31,6 +32,15 @@ pub(super) struct Arranged {
     inputs: SparseMatrix,
     /// What its polygons are of those of the scene, where they are not the same.
     origins: Option<Arc<Origins>>,
+    /// Positions rounded to numbers of 32 bits, where nothing that makes them valid was found.
+    coarse: Option<Arc<CoarsePositions>>,
+}
+
+/// Positions rounded as they are, without a look at what crosses then.
+#[derive(Clone, Debug)]
+struct CoarsePositions {
+    of_vertices: Positions,
+    of_drawn: Positions,
 }
 
 /// Where the polygons of combinations of models are from.
@@ -121,7 +131,7 @@ impl Arranged {
         origins.split.sort_unstable_by_key(|own| own.polygon);
         let inputs = SparseMatrix::from_entries(complex.cell_count(2), count, [])?;
         let origins = Some(Arc::new(origins));
-        Ok(Self { arrangement, complex, volumes: OnceLock::new(), inputs, origins })
+        Ok(Self { arrangement, complex, volumes: OnceLock::new(), inputs, origins, coarse: None })
     }
 
     /// Combinations of models with rounded coordinates that are valid, and as chains of faces: rows are faces, columns combinations.
@@ -131,7 +141,7 @@ impl Arranged {
         let (complex, chains) = (arrangement.coarse_complex()?, arrangement.input_chains()?);
         let inputs = SparseMatrix::from_entries(complex.cell_count(2), self.inputs.column_count(), [])?;
         let origins = self.origins.clone();
-        Ok((Self { arrangement, complex, volumes: OnceLock::new(), inputs, origins }, chains))
+        Ok((Self { arrangement, complex, volumes: OnceLock::new(), inputs, origins, coarse: None }, chains))
     }
 
     /// The same with rounded coordinates that are valid.
@@ -207,13 +217,13 @@ impl Arranged {
         let count = scene.names().len();
         let (volumes, origins) = (OnceLock::new(), None);
         if chains.column_count() == count {
-            return Ok(Self { arrangement, complex, volumes, inputs: chains, origins });
+            return Ok(Self { arrangement, complex, volumes, inputs: chains, origins, coarse: None });
         }
         let columns = chains.columns().take(count).enumerate();
         let entries = columns
             .flat_map(|(input, column)| column.iter().map(move |(face, m)| (face, input, i64::from(m))));
         let inputs = SparseMatrix::from_entries(chains.row_count(), count, entries)?;
-        Ok(Self { arrangement, complex, volumes, inputs, origins })
+        Ok(Self { arrangement, complex, volumes, inputs, origins, coarse: None })
     }
 
     pub(super) fn complex(&self) -> &ChainComplex {
@@ -227,12 +237,14 @@ impl Arranged {
 
     /// Where the vertices of the complex are.
     pub(super) fn positions(&self) -> &Positions {
-        self.arrangement.positions()
+        self.coarse.as_ref().map_or_else(|| self.arrangement.positions(), |coarse| &coarse.of_vertices)
     }
 
     /// Where drawn vertices are.
     pub(super) fn drawn_positions(&self) -> &Positions {
-        self.arrangement.fine_triangles().positions()
+        self.coarse
+            .as_ref()
+            .map_or_else(|| self.arrangement.fine_triangles().positions(), |coarse| &coarse.of_drawn)
     }
 
     pub(super) fn volumes(&self) -> &[f64] {
@@ -360,17 +372,43 @@ impl Arranged {
 
     /// Whether a coordinate of this vertex was rounded.
     pub(super) fn is_rounded(&self, vertex: CellId) -> bool {
-        !self.arrangement.point(VertexId::from_u32(vertex.to_u32())).is_exactly_rounded()
+        let vertex = VertexId::from_u32(vertex.to_u32());
+        let is_moved = |coarse: &Arc<CoarsePositions>| {
+            coarse.of_vertices.point(vertex) != self.arrangement.positions().point(vertex)
+        };
+        !self.arrangement.point(vertex).is_exactly_rounded() || self.coarse.as_ref().is_some_and(is_moved)
     }
 
     /// Whether the rounded coordinates of all vertices are their exact ones.
     pub(super) fn is_exactly_rounded(&self) -> bool {
-        self.arrangement.is_exactly_rounded()
+        self.coarse.is_none() && self.arrangement.is_exactly_rounded()
     }
 
     /// Whether rounding moves each drawn vertex, or faces at it may be drawn otherwise than they were cut.
     pub(super) fn rounded_vertices(&self) -> Vec<bool> {
-        self.arrangement.rounded_vertices()
+        let mut is_rounded = self.arrangement.rounded_vertices();
+        if let Some(coarse) = &self.coarse {
+            let before = self.arrangement.fine_triangles().positions().as_flat().as_chunks::<3>().0;
+            let after = coarse.of_drawn.as_flat().as_chunks::<3>().0;
+            for ((is_rounded, before), after) in is_rounded.iter_mut().zip(before).zip(after) {
+                *is_rounded |= before != after;
+            }
+        }
+        is_rounded
+    }
+
+    /// The same with positions rounded to a precision as they are: nothing is put together, and faces may cross.
+    ///
+    /// # Errors
+    /// [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat) where that moves points by a part of the extent that
+    /// is seen.
+    pub(super) fn coarsely_rounded(&self, precision: CoordinatePrecision) -> Result<Self, Error> {
+        refuse_rounding(self.drawn_positions(), precision)?;
+        let rounded = |positions: &Positions| {
+            Positions::from_flat(3, positions.as_flat().iter().map(|&x| precision.rounded(x)).collect())
+        };
+        let (of_vertices, of_drawn) = (rounded(self.positions())?, rounded(self.drawn_positions())?);
+        Ok(Self { coarse: Some(Arc::new(CoarsePositions { of_vertices, of_drawn })), ..self.clone() })
     }
 
     /// What was put together.
@@ -380,6 +418,11 @@ impl Arranged {
 
     /// Where faces on rounded positions meet otherwise than in common corners and sides.
     pub(super) fn crossings(&self, most_listed: usize) -> Result<Crossings, Error> {
+        if self.coarse.is_some() {
+            let triangles = RaggedArray::from_lists(self.arrangement.drawn_triangles()?.triangles);
+            let polygons = SpatialPolygons::from_polygons(self.drawn_positions().clone(), triangles)?;
+            return polygons.crossings_of_changed(|_| true, most_listed);
+        }
         self.arrangement.crossings_of_rounded(most_listed)
     }
 

@@ -62,11 +62,6 @@ pub(super) fn refuse_rounding(positions: &Positions, precision: CoordinatePrecis
     refuse_movement(positions, moved)
 }
 
-/// Refuses an arrangement that numbers of 32 bits do not come to an end with.
-pub(super) fn endless(positions: &Positions) -> Error {
-    too_coarse("faces cross again and again however their corners are rounded", positions)
-}
-
 /// What rounding the coordinates of a model to 32 bits changes, as remarks; nothing is put together.
 ///
 /// # Errors

@@ -2,7 +2,7 @@
 
 use super::arranged::Arranged;
 use super::cascade::Operands;
-use super::coarse::{endless, refuse_other_cells};
+use super::coarse::refuse_other_cells;
 use super::enclosed::turned_parts;
 use super::facts::{
     component_count, dangling_face_count, input_answers, input_state, products_are_zero, remarks_of_inputs,
@@ -163,7 +163,10 @@ impl SceneArrangement {
             return operands.map_or_else(|| Ok(self.clone()), |own| self.snapped_operands(surface, own));
         }
         let arranged = match self.arranged.snapped(&self.scene, &self.request) {
-            Err(error) if error.kind() == ErrorKind::InvalidInput => {
+            Err(error)
+                if error.kind() == ErrorKind::InvalidInput
+                    && self.request.precision == CoordinatePrecision::Double =>
+            {
                 Arranged::within_rounding(&self.scene, &self.request)?.ok_or(error)?
             }
             other => other?,
@@ -183,10 +186,12 @@ impl SceneArrangement {
     }
 
     /// The same scene [snapped](Self::snapped) so that its rounded coordinates are valid; none where no distance within
-    /// reach does that.
+    /// reach does that. With numbers of 32 bits coordinates are then the nearest ones, and [`Self::crossings`] tells where that is not
+    /// valid.
     ///
     /// # Errors
-    /// [`ErrorKind::TooLarge`] for more cells than the request takes.
+    /// [`ErrorKind::TooLarge`] for more cells than the request takes; [`ErrorKind::UnsupportedFormat`] where numbers of 32 bits are too
+    /// coarse for the scene.
     ///
     /// # Examples
     /// ```
@@ -202,10 +207,15 @@ impl SceneArrangement {
     /// ```
     pub fn validly_rounded(&self) -> Result<Option<Self>, Error> {
         match self.snapped() {
-            Err(error) if error.kind() == ErrorKind::InvalidInput => match self.request.precision {
-                CoordinatePrecision::Double => Ok(None),
-                CoordinatePrecision::Single => Err(endless(self.positions())),
-            },
+            Err(error) if matches!(error.kind(), ErrorKind::InvalidInput | ErrorKind::NotACycle) => {
+                match self.request.precision {
+                    CoordinatePrecision::Double => Ok(None),
+                    precision @ CoordinatePrecision::Single => {
+                        let arranged = self.arranged.coarsely_rounded(precision)?;
+                        Ok(Some(Self { arranged, crossings: OnceLock::new(), ..self.clone() }))
+                    }
+                }
+            }
             other => other.map(Some),
         }
     }
@@ -703,5 +713,38 @@ impl SceneArrangement {
         };
         let thin: Vec<f64> = suspects.filter_map(thickness).filter(|&own| own < least).collect();
         bounds.remark(&thin, "cell")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::SolidBoolean;
+    use crate::SolidRequest;
+    use coface_arrange::boolean::BooleanFormula;
+    use coface_io::Format;
+
+    #[test]
+    fn coordinates_that_nothing_makes_valid_are_the_nearest_ones() {
+        // A tetrahedron with a notch narrower than the distance of numbers of 32 bits there.
+        let text = "v 8 8 8\nv 9 8 8\nv 8 9 8\nv 8.1 8.1 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+        let notch =
+            "v 8.3 7 7\nv 8.3000001 7 7\nv 8.3 9 7\nv 8.3 8.2 10\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+        let [solid, notch] = [text, notch].map(|text| coface_io::read(text.as_bytes(), Format::Obj).unwrap());
+        let precision = CoordinatePrecision::Single;
+        let request = SpatialRequest { precision, ..SpatialRequest::default() };
+        let exact = SceneArrangement::of([("solid", &solid), ("notch", &notch)], &request).unwrap();
+        let arranged = exact.arranged.coarsely_rounded(precision).unwrap();
+        let coarse = SceneArrangement { arranged, crossings: OnceLock::new(), ..exact };
+        assert!(coarse.positions().as_flat().iter().all(|&x| precision.holds(x)));
+        assert!(coarse.crossings().unwrap().count > 0);
+        let answer = coarse.answer(InsideRule::default()).unwrap();
+        assert!(!answer.rounding.valid && !answer.rounding.exact);
+        assert!(answer.remarks.iter().any(|remark| remark.code == RemarkCode::RoundedInvalid));
+        let difference = SolidRequest::of(BooleanFormula::parse("a - b", &[]).unwrap());
+        let result = SolidBoolean::of(&coarse, &difference).unwrap();
+        assert!(result.positions().unwrap().as_flat().iter().all(|&x| precision.holds(x)));
+        assert!(!result.is_valid().unwrap());
+        assert!(!result.answer().unwrap().rounding.valid);
     }
 }

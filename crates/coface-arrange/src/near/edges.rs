@@ -150,7 +150,14 @@ impl NearChains {
         });
         let mut paths = RaggedArray::grouped(edges.len(), on.iter().map(|own| own.edge));
         paths.items_mut().iter_mut().for_each(|item| *item = on[*item as usize].vertex);
+        let mut is_at_divided = vec![false; self.points.len()];
+        for own in &on {
+            edges[own.edge as usize].iter().for_each(|&end| is_at_divided[end as usize] = true);
+        }
         let path = |[from, to]: [u32; 2]| {
+            if !is_at_divided[from as usize] || !is_at_divided[to as usize] {
+                return &[][..];
+            }
             let edge = edges.binary_search(&[from.min(to), from.max(to)]);
             edge.map_or(&[][..], |edge| paths.list(edge))
         };

@@ -223,6 +223,15 @@ impl Chain {
     }
 }
 
+/// Whether some sides are the boundary of triangles.
+pub(crate) fn is_boundary(sides: impl IntoIterator<Item = [u32; 2]>, triangles: &[[u32; 3]]) -> bool {
+    let of_triangles = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let back = sides.into_iter().map(|[a, b]| [b, a]);
+    let mut rest = Chain::new(0, of_triangles.chain(back).collect());
+    rest.cancel();
+    rest.sides.is_empty()
+}
+
 /// Sides as paths through the vertices that are given for them, from the lower end on.
 fn divided<'a>(sides: &[[u32; 2]], path: impl Fn([u32; 2]) -> &'a [u32]) -> Vec<[u32; 2]> {
     let mut divided = Vec::with_capacity(2 * sides.len());

@@ -3,6 +3,7 @@
 use super::SpatialArrangement;
 use super::axis_view::AxisView;
 use super::face_walks::{Path, face_walks, vertices_of_walks};
+use crate::near::is_boundary;
 use coface_algebra::{Error, FaceId};
 use coface_algebra::{RaggedArray, Sign};
 use coface_geometry::triangulation::{flip_to_delaunay, triangulate_sides};
@@ -154,16 +155,21 @@ impl SpatialArrangement {
         if let Some(corners) = self.single_triangle(face) {
             return Ok(vec![corners]);
         }
+        let paths = self.paths(face);
+        let kept = paths.iter().map(|path| kept(path, is_left_out));
+        let sides: Vec<[u32; 2]> = kept.flat_map(|path| pairs(&path)).collect();
         if is_flat {
-            let paths = self.paths(face);
-            let kept = paths.iter().map(|path| kept(path, is_left_out));
-            let sides: Vec<[u32; 2]> = kept.flat_map(|path| pairs(&path)).collect();
             let is_planar = self.fold(face).is_none();
             if let Ok(found) = self.triangles(&sides, self.view(face), is_planar) {
                 return Ok(found);
             }
         }
-        self.triangulated_by_fine_faces(face, is_left_out)
+        let found = self.triangulated_by_fine_faces(face, is_left_out)?;
+        // A vertex that is left out of an edge may be where sides inside the face end.
+        match is_boundary(sides, &found) {
+            true => Ok(found),
+            false => Err(Error::invalid("a face needs a vertex that is left out")),
+        }
     }
 
     /// The triangles of all fine faces of a face, with all vertices.
@@ -246,6 +252,10 @@ impl SpatialArrangement {
         let compare = |a: u32, b: u32| view.compare(&predicates, a, b);
         let turn = |a: u32, b: u32, c: u32| view.turn(&predicates, [a, b, c]);
         let mut found = triangulate_sides(sides, compare, turn)?;
+        // What is seen in line and is not leaves a gap.
+        if !is_boundary(sides.iter().copied(), &found) {
+            return Err(Error::invalid("a part of the face is seen as a line"));
+        }
         if is_planar {
             let flat = self.cut.positions().as_flat().as_chunks::<3>().0;
             flip_to_delaunay(&mut found, sides, |vertex| flat[vertex as usize], turn);

@@ -18,6 +18,11 @@ use std::cmp::Ordering;
 const ROUNDS_WITH_TOLERANCE: usize = 12;
 /// To make rounding valid features are put together within so many times the least tolerance, in so many rounds each, before more is done.
 const FIRST_ATTEMPTS: [(f64, usize); 3] = [(1.0, STEADY_ROUNDS), (4.0, 4), (32.0, 4)];
+/// Such an attempt is given up where faces cross in so many times the places of the first round of all, and some more.
+const GROWTH_OF_PLACES: usize = 2;
+const GROWTH_OF_FEW_PLACES: usize = 1 << 6;
+/// Numbers of 32 bits are too coarse for a drawing in which features so far apart would be put together, as a part of its extent.
+const COARSE_PART: f64 = 1.0 / 16384.0;
 /// Where a tolerance is given, no point goes further than so many times that.
 const MOST_WAY: f64 = 2.0;
 
@@ -27,6 +32,25 @@ const GROWTH_OF_SMALL: usize = 1 << 10;
 
 /// A round may make so many cells for each vertex that it may have. Tetrahedra that fill space have 26: 1 vertex, 7 edges, 12 triangles, 6 tetrahedra.
 const CELLS_OF_VERTEX: usize = 32;
+
+/// How features are put together in rounds.
+#[derive(Clone, Copy, Debug)]
+struct Attempt {
+    /// Whether features are put together within longer distances after some rounds, where faces cross; else what is left in the end is cut
+    /// as it is.
+    is_rounding: bool,
+    /// Whether the attempt is given up where faces cross in more and more places, since others follow.
+    is_first: bool,
+    rounds: usize,
+    /// The attempt is given up before features farther apart are put together.
+    longest: f64,
+}
+
+impl Default for Attempt {
+    fn default() -> Self {
+        Self { is_rounding: false, is_first: false, rounds: 0, longest: f64::INFINITY }
+    }
+}
 
 /// Triangles in patches that are to be arranged.
 #[derive(Clone, Debug)]
@@ -109,7 +133,8 @@ impl Drawing {
             for (&face, _) in due.iter().zip(&own).filter(|(_, own)| own.is_none()) {
                 for vertex in arrangement.fine_vertices(FaceId::new(face)) {
                     let is_left_out = is_left_out.get_mut(vertex as usize).map(std::mem::take);
-                    is_kept[vertex as usize] = is_left_out.unwrap_or(false);
+                    // Of several faces the first says that it was left out.
+                    is_kept[vertex as usize] |= is_left_out.unwrap_or(false);
                 }
             }
             let needs = |face: &usize| {
@@ -212,7 +237,8 @@ impl Drawing {
     /// bent, more often in each round, and are one face at once when they are put together. Where that is not enough, features that are
     /// farther apart are put together too after some rounds, but only around the places where faces still cross: within a
     /// reach that is twice that of the round before, and boxes around these places that grow with it. When the reach is
-    /// that of the whole drawing, all of it is one point, and no faces are left that cross: so this ends. Where a
+    /// that of the whole drawing, all of it is one point, and no faces are left that cross: so this ends. With numbers of 32 bits,
+    /// which are too coarse for it then, it ends before that with an error. Where a
     /// tolerance is asked for, it stays what it is, and no point goes further than twice that; after some rounds
     /// what was joined is cut as it is, and [`JoinedFeatures::unsettled`] counts the places that were cut anew.
     ///
@@ -227,11 +253,13 @@ impl Drawing {
         is_rounding: bool,
     ) -> Result<SpatialArrangement, Error> {
         if !is_rounding {
-            return self.settled_in(options, tolerance, false, ROUNDS_WITH_TOLERANCE);
+            let attempt = Attempt { rounds: ROUNDS_WITH_TOLERANCE, ..Attempt::default() };
+            return self.settled_in(options, tolerance, attempt, &mut None);
         }
+        let mut first_places = None;
         for (units, rounds) in FIRST_ATTEMPTS {
-            let wider = units * tolerance;
-            match self.clone().settled_in(options, wider, units == 1.0, rounds) {
+            let attempt = Attempt { is_rounding: units == 1.0, is_first: true, rounds, ..Attempt::default() };
+            match self.clone().settled_in(options, units * tolerance, attempt, &mut first_places) {
                 Ok(found) if found.is_exactly_rounded() && found.is_held(options.precision) => {
                     return Ok(found);
                 }
@@ -240,18 +268,25 @@ impl Drawing {
                 Err(error) => return Err(error),
             }
         }
-        let most = rounds_to_an_end(&self.points, tolerance);
-        self.settled_in(options, tolerance, true, most)
+        let diagonal = diagonal(&self.points);
+        let longest = match options.precision {
+            CoordinatePrecision::Double => f64::INFINITY,
+            CoordinatePrecision::Single => COARSE_PART * diagonal,
+        };
+        let rounds = rounds_to_an_end(diagonal, tolerance);
+        let attempt = Attempt { is_rounding: true, rounds, longest, ..Attempt::default() };
+        self.settled_in(options, tolerance, attempt, &mut first_places)
     }
 
-    /// The same in so many rounds.
+    /// The same in one attempt. `first_places` is the number of places where faces cross in the first round of the first one.
     fn settled_in(
         self,
         options: &SpatialOptions,
         tolerance: f64,
-        is_rounding: bool,
-        most: usize,
+        attempt: Attempt,
+        first_places: &mut Option<usize>,
     ) -> Result<SpatialArrangement, Error> {
+        let Attempt { is_rounding, is_first, rounds: most, longest } = attempt;
         let mut drawing = self;
         let precision = options.precision;
         let mut joined = JoinedFeatures { tolerance, ..JoinedFeatures::default() };
@@ -271,6 +306,9 @@ impl Drawing {
         for round in 0..most {
             if is_rounding {
                 joined.tolerance = reach(tolerance, round);
+            }
+            if joined.tolerance > longest {
+                break;
             }
             let is_local = is_rounding && round >= STEADY_ROUNDS;
             let places = is_local.then(|| HotPlaces::new(&hot, joined.tolerance));
@@ -306,6 +344,12 @@ impl Drawing {
             let vertex_count = arrangement.cut.complex().vertex_count();
             if !is_settled && is_rounding && vertex_count > most_vertices {
                 return Err(given_up(format!("{vertex_count} vertices"), joined.tolerance, first.len()));
+            }
+            let most_places =
+                GROWTH_OF_PLACES * *first_places.get_or_insert(hot.len()) + GROWTH_OF_FEW_PLACES;
+            if !is_settled && is_first && hot.len() > most_places {
+                let makes = format!("faces cross in {} places", hot.len());
+                return Err(given_up(makes, joined.tolerance, first.len()));
             }
             let is_last = !is_rounding && (round + 1 == most || vertex_count > most_vertices);
             if is_settled || is_last {
@@ -436,10 +480,14 @@ impl Drawing {
     }
 }
 
-/// So many rounds until features are put together that are as far apart as anything in the drawing.
-fn rounds_to_an_end(points: &[[f64; 3]], tolerance: f64) -> usize {
+/// The diagonal of the box around points.
+fn diagonal(points: &[[f64; 3]]) -> f64 {
     let frame = frame_around(points.len(), |i| points[i].map(|x| [x; 2]));
-    let diagonal = squared(minus(frame.map(|side| side[1]), frame.map(|side| side[0]))).sqrt();
+    squared(minus(frame.map(|side| side[1]), frame.map(|side| side[0]))).sqrt()
+}
+
+/// So many rounds until features are put together that are as far apart as anything in a drawing.
+fn rounds_to_an_end(diagonal: f64, tolerance: f64) -> usize {
     let doublings = (diagonal / tolerance).log2().ceil().max(0.0);
     // Two more, since distances are rounded.
     if doublings.is_finite() { STEADY_ROUNDS.max(ROUNDS_WITH_TOLERANCE) + doublings as usize + 2 } else { 1 }
@@ -633,5 +681,100 @@ impl SpatialArrangement {
             }
         }
         is_left_out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::near::least_tolerance;
+    use crate::spatial::SpatialPolygons;
+    use std::collections::HashMap;
+
+    const PRECISION: CoordinatePrecision = CoordinatePrecision::Single;
+
+    /// Numbers from 0 to 1 that look random.
+    fn noise(seed: u64) -> impl FnMut() -> f64 {
+        let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
+        move || {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            (state >> 11) as f64 / (1u64 << 53) as f64
+        }
+    }
+
+    /// A sphere of quadrangles that are cut into triangles, with rough points about (90, 90, 90), and copies of it a little aside.
+    fn nearly_equal_spheres(seed: u64) -> SpatialPolygons {
+        let (rows, columns) = (6u32, 10u32);
+        let mut random = noise(seed);
+        let mut points = vec![[90.0, 90.0, 91.0], [90.0, 90.0, 89.0]];
+        for row in 1..rows {
+            for column in 0..columns {
+                let (up, around) = (f64::from(row) / f64::from(rows), f64::from(column) / f64::from(columns));
+                let (up, around) = (up * std::f64::consts::PI, around * std::f64::consts::TAU);
+                let away = 1.0 + 0.05 * random();
+                let out = [up.sin() * around.cos(), up.sin() * around.sin(), up.cos()];
+                points.push(out.map(|x| 90.0 + away * x));
+            }
+        }
+        let at = |row: u32, column: u32| 2 + (row - 1) * columns + column % columns;
+        let mut triangles = Vec::new();
+        for column in 0..columns {
+            triangles.push([0, at(1, column), at(1, column + 1)]);
+            triangles.push([1, at(rows - 1, column + 1), at(rows - 1, column)]);
+            for row in 1..rows - 1 {
+                let (a, b) = (at(row, column), at(row + 1, column));
+                let (c, d) = (at(row + 1, column + 1), at(row, column + 1));
+                triangles.extend([[a, b, c], [a, c, d]]);
+            }
+        }
+        let mut moved = |copy: usize| {
+            let far = if copy == 0 { 0.0 } else { 2e-3 };
+            let flat = points.iter().flat_map(|point| point.map(|x| x + far * (random() - 0.5))).collect();
+            let positions = Positions::from_flat(3, flat).unwrap();
+            SpatialPolygons::from_polygons(positions, RaggedArray::from_lists(&triangles)).unwrap()
+        };
+        let copies: Vec<SpatialPolygons> = (0..3).map(&mut moved).collect();
+        SpatialPolygons::joined(&copies).unwrap()
+    }
+
+    /// The number of sides that triangles of an input have more often one way than the other.
+    fn open_side_count(drawing: &Drawing) -> usize {
+        let mut balance: HashMap<(u32, [u32; 2]), i32> = HashMap::new();
+        for (&[a, b, c], &patch) in drawing.triangles.iter().zip(&drawing.patches.patch_of_triangle) {
+            drawing.patches.for_each_polygon(&[patch << 1], |polygon| {
+                let input = drawing.patches.input_of_polygon[(polygon >> 1) as usize];
+                let sign = if polygon & 1 == 0 { 1 } else { -1 };
+                for [from, to] in [[a, b], [b, c], [c, a]] {
+                    let run = if from < to { sign } else { -sign };
+                    *balance.entry((input, [from.min(to), from.max(to)])).or_default() += run;
+                }
+            });
+        }
+        balance.values().filter(|&&own| own != 0).count()
+    }
+
+    #[test]
+    fn drawings_of_closed_inputs_are_closed_in_each_round() {
+        for seed in 20..26 {
+            let polygons = nearly_equal_spheres(seed);
+            let options = SpatialOptions::new().precision(PRECISION).merge_coplanar(seed % 2 == 0);
+            let exact = SpatialArrangement::new(&polygons, &options).unwrap();
+            let tolerance = 20.0 * least_tolerance(polygons.positions().as_flat().as_chunks().0, PRECISION);
+            let mut drawing = Drawing::of(&exact, tolerance, PRECISION).unwrap();
+            for round in 0..4 {
+                assert_eq!(open_side_count(&drawing), 0, "seed {seed}, before round {round}");
+                drawing.join(tolerance, None, tolerance, PRECISION, (None, None)).unwrap();
+                assert_eq!(open_side_count(&drawing), 0, "seed {seed}, in round {round}");
+                let Drawing { points, triangles, patches, .. } = drawing;
+                let positions = Positions::from_flat(3, points.into_flattened()).unwrap();
+                let plain = options.merge_coplanar(false);
+                let found = SpatialArrangement::of_triangles(&positions, &triangles, patches, None, &plain);
+                let found = found.unwrap();
+                assert!(found.open_inputs().unwrap().is_empty(), "seed {seed}, after round {round}");
+                drawing = Drawing::of(&found, tolerance, PRECISION).unwrap();
+            }
+        }
     }
 }

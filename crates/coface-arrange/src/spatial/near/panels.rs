@@ -1,6 +1,6 @@
 //! Panels: flat faces by their sides, with what lies on them.
 
-use crate::near::{Chain, NearChains, compare, minus, plus, squared};
+use crate::near::{Chain, NearChains, compare, is_boundary, minus, plus, squared};
 use crate::spatial::predicates::{GivenPoints, SpatialPredicates};
 use coface_algebra::RaggedArray;
 use coface_geometry::triangulation::triangulate_sides;
@@ -235,7 +235,7 @@ impl NearChains {
             };
             // Where all of a part is in line, it may be left out: then there would be a gap.
             let own = found.ok()?;
-            bounds(&own, panel, is_turned).then_some(own)
+            is_boundary(panel.sides.iter().map(turned), &own).then_some(own)
         };
         let roughly = SWEEP_SLOPES.iter().find_map(|&slope| attempt(&inner, slope, true));
         let found = roughly.or_else(|| attempt(&inner, 0.0, false)).or_else(|| attempt(&[], 0.0, false));
@@ -252,7 +252,7 @@ impl NearChains {
                     true => divided_at(&own, vertex, rough_turn),
                     false => divided_at(&own, vertex, turn),
                 };
-                bounds(&pieces, panel, is_turned).then_some(pieces)
+                is_boundary(panel.sides.iter().map(turned), &pieces).then_some(pieces)
             });
             if let Some(pieces) = found {
                 own = pieces;
@@ -324,16 +324,6 @@ fn divided_at(
         pieces.extend(sides.filter(|(_, turn)| turn.is_gt()).map(|([x, y], _)| [x, y, vertex]));
     }
     pieces
-}
-
-/// Whether triangles, which may all be turned, have the sides of a panel as their boundary.
-fn bounds(triangles: &[[u32; 3]], panel: &Chain, is_turned: bool) -> bool {
-    let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-    let turned = |[a, b]: [u32; 2]| if is_turned { [b, a] } else { [a, b] };
-    let back = panel.sides.iter().map(|&[a, b]| [b, a]);
-    let mut rest = Chain::new(panel.owner, sides.map(turned).chain(back).collect());
-    rest.cancel();
-    rest.sides.is_empty()
 }
 
 /// The triangle that three sides are.
