@@ -98,7 +98,8 @@ pub(crate) struct Persistence {
     #[arg(long, value_name = "OUT", num_args = 0..=1)]
     cycles: Option<Option<PathBuf>>,
     /// A certificate of the pairs, which coface check verifies against the input; of a facet list, a chain complex, or a surface as plain OFF or OBJ; with --rips of
-    /// rows of points or distances; of other complexes of points, whose simplices it lists; of small volumes as .npy or .pgm; in the binary form if OUT ends in .bin
+    /// rows of points or distances; of other complexes of points, whose simplices it lists; of small volumes as .npy or .pgm; in the binary form if OUT ends in .bin. With
+    /// --relative or --image-of FILE it is of both files, and coface check takes FILE behind the input
     #[arg(long, value_name = "OUT")]
     certificate: Option<PathBuf>,
     #[command(flatten)]
