@@ -6,7 +6,7 @@ use crate::answer::PersistenceAnswer;
 use crate::homology::certificate::{Input, Number, checked, number, refused};
 use crate::producer::Cells;
 use coface_algebra::chains::ChainComplex;
-use coface_algebra::{CellId, Error, Integer, SparseMatrix};
+use coface_algebra::{CellId, Error, ErrorKind, Integer, SparseMatrix};
 use coface_topology::{Coefficients, Filtration, persistence, persistent_cycles};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -83,6 +83,7 @@ impl<'a> Certificate<'a> {
 impl FoundDiagram<'_> {
     /// A certificate of the diagram, from the name and the bytes of the file that the model was read from: an answer without cycles, and chains that
     /// prove it, which [`coface_check_plane::check`] follows without any code of this library, as `docs/certificates.md` says. It has been checked.
+    /// Relative to a part from a file, or of the image of one, it is of two inputs: the file of the part is behind that of the model.
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::UnsupportedFormat`] if the checker does not read the file as this library does: it reads facet lists, chain complexes,
@@ -139,7 +140,8 @@ impl FoundDiagram<'_> {
         facets: Option<Vec<Vec<u32>>>,
     ) -> Result<String, Error> {
         if self.part == Some("groups") {
-            return Err(refused("the part is a group of a mesh, which the checker does not read")
+            let fault = "no certificate: the part is a group of a mesh, which the checker does not read";
+            return Err(Error::new(ErrorKind::UnsupportedFormat, fault)
                 .with_cure("write the cells of the group to a file, and name that file as the part"));
         }
         let expected = 1 + usize::from(self.part.is_some_and(|part| part == "file"));
