@@ -75,9 +75,9 @@ fn classes_of_parts_are_proved() {
         let words =
             ["persistence", argument(&input), option, of, "--certificate", argument(&certificate), "-q"];
         assert_eq!(coface(&[&words[..], others].concat()).status, 0);
-        let mut inputs = vec![&input[..]];
+        let mut inputs = vec![input.as_path()];
         if is_file {
-            inputs.push(&part);
+            inputs.push(part.as_path());
         }
         let files = inputs.iter().map(|path| argument(path));
         let words: Vec<&str> =
