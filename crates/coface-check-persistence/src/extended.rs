@@ -103,7 +103,7 @@ pub(crate) fn check(whole: &Value, complex: &Complex, input: &[u8]) -> Result<Ve
     if !claimed.iter().map(Value::as_u64).eq(betti.iter().map(|count| Some(*count))) {
         return Err(Fault::new("answer", format!("the Betti numbers over F_{prime} are {betti:?}")));
     }
-    let cells = Cells::of(complex);
+    let cells = Cells::of(complex, None);
     let claimed = list(field(answer, "diagram", "answer")?, "\"diagram\"", "answer")?;
     let claimed = claimed.iter().map(|class| claimed_class(&cells, &cone, class));
     let mut claimed = claimed.collect::<Result<Vec<Class>, Fault>>()?;

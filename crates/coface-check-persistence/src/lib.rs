@@ -11,6 +11,7 @@ mod cone;
 mod extended;
 mod image;
 mod pairs;
+mod parts;
 mod points;
 mod rips;
 mod values;
@@ -91,6 +92,9 @@ fn diagram(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     let complex = Complex::read(listed.as_ref().map_or(inputs[0], |text| text.as_bytes()))?;
     let (answer, proof) = (field(whole, "answer", "answer")?, field(whole, "proof", "proof")?);
     if optional(answer, "star").and_then(Value::as_str) == Some("extended") {
+        if optional(whole, "part").is_some() {
+            return Err(Fault::new("part", "extended persistence is of a whole complex"));
+        }
         return extended::check(whole, &complex, inputs[0]);
     }
     let prime = index(field(answer, "field", "answer")?, "\"field\"", "answer")?;
@@ -99,6 +103,7 @@ fn diagram(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     }
     let (values, of_function) =
         values::values(&complex, answer, field(proof, "values", "values")?, inputs[0])?;
+    let part = parts::part(whole, &complex, listed.is_some(), inputs)?;
     let of_function = match (&listed, optional(whole, "layout").and_then(Value::as_str)) {
         // With a layout the simplices and their values are those of the points.
         (Some(_), Some(layout)) if answer["function"] == "squared radii of the alpha complex" => {
@@ -109,10 +114,23 @@ fn diagram(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     };
     let is_of_input = listed.is_none() || of_function.is_some();
     let is_upper = optional(answer, "star").and_then(Value::as_str) == Some("upper");
+    // What is left of the complex relative to a part has its own numbers.
+    let cells = Cells::of(&complex, part.as_ref().filter(|part| !part.is_image));
+    let (complex, values) = match &part {
+        Some(part) if !part.is_image => part.left(&complex, &values),
+        _ => (complex, values),
+    };
     let orders = pairs::orders(&complex, &values, field(proof, "order", "order")?, is_upper)?;
     let mut pairs = pairs::pairs(&complex, &orders, field(proof, "chains", "chains")?, prime.into())?;
+    if let Some(part) = part.as_ref().filter(|part| part.is_image) {
+        pairs = part.image_pairs(&complex, &orders, &pairs, proof, prime.into())?;
+    }
     let mut betti = vec![0u64; complex.counts().len()];
     pairs.iter().filter(|pair| pair.2.is_none()).for_each(|pair| betti[pair.0] += 1);
+    if part.is_some() && complex.counts() == [0] {
+        // Without a point nothing has a degree.
+        betti.clear();
+    }
     let claimed = list(field(answer, "betti", "answer")?, "\"betti\"", "answer")?;
     // Complexes of points may lack simplices above a degree, and tell nothing there.
     if let (Some(_), Some(most)) = (&listed, optional(whole, "most_degree")) {
@@ -129,7 +147,6 @@ fn diagram(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
         death.map_or(f64::INFINITY, |cell| (values[k + 1][cell as usize] - values[*k][*birth as usize]).abs())
     };
     let mut expected: Vec<Pair> = pairs.into_iter().filter(|pair| length(pair) > least).collect();
-    let cells = Cells::of(&complex);
     let claimed = list(field(answer, "diagram", "answer")?, "\"diagram\"", "answer")?;
     let found = claimed.iter().map(|pair| claimed_pair(&cells, &values, pair));
     let mut found = found.collect::<Result<Vec<Pair>, Fault>>()?;
@@ -138,8 +155,12 @@ fn diagram(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     if expected != found {
         return Err(Fault::new("answer", "the pairs of the chains are others than those of the answer"));
     }
-    let known = [&KNOWN[..], if of_function.is_some() { &["function"] } else { &[] }].concat();
+    let mut known = [&KNOWN[..], if of_function.is_some() { &["function"] } else { &[] }].concat();
     let mut proved: Vec<String> = of_function.into_iter().collect();
+    if let Some(part) = part {
+        known.push(part.key());
+        proved.push(part.claim);
+    }
     if listed.is_some() {
         let counts = complex.counts();
         proved.push(format!(
@@ -175,13 +196,15 @@ fn shown(length: f64) -> String {
 struct Cells(Vec<HashMap<Vec<u32>, u32>>);
 
 impl Cells {
-    fn of(complex: &Complex) -> Self {
+    /// Those of a complex, or those that are left relative to a part, with the numbers that they have then.
+    fn of(complex: &Complex, without: Option<&parts::Part>) -> Self {
         let of_degree = |(k, &count): (usize, &usize)| {
             let name = |cell: usize| match complex.vertices(k, cell) {
                 Some(vertices) => sorted(vertices.to_vec()),
                 None => vec![cell as u32],
             };
-            (0..count).map(|cell| (name(cell), cell as u32)).collect()
+            let is_left = |cell: &usize| without.is_none_or(|part| !part.has(k, *cell));
+            (0..count).filter(is_left).zip(0..).map(|(cell, number)| (name(cell), number)).collect()
         };
         Self(complex.counts().iter().enumerate().map(of_degree).collect())
     }

@@ -10,9 +10,25 @@ pub(crate) type Pair = (usize, u32, Option<u32>);
 
 /// The cells of a degree as they enter.
 pub(crate) struct Order {
-    cells: Vec<u32>,
+    pub(crate) cells: Vec<u32>,
     /// For each cell its place among them.
     places: Vec<u32>,
+}
+
+impl Order {
+    /// That of some of the cells, with the numbers that they have among themselves.
+    pub(crate) fn restricted(&self, kept: &[usize]) -> Self {
+        let number = |cell: &u32| kept.binary_search(&(*cell as usize)).ok().map(|number| number as u32);
+        let cells: Vec<u32> = self.cells.iter().filter_map(number).collect();
+        let mut places = vec![0; cells.len()];
+        cells.iter().zip(0..).for_each(|(&cell, place)| places[cell as usize] = place);
+        Self { cells, places }
+    }
+
+    /// The place of a cell.
+    pub(crate) fn place(&self, cell: u32) -> u32 {
+        self.places[cell as usize]
+    }
 }
 
 /// The orders of all degrees, by value; no cell enters before a face of it.
@@ -80,28 +96,7 @@ pub(crate) fn pairs(
     let mut is_ended = is_owner.clone();
     for (k, of_degree) in (1..).zip(chains) {
         for chain in list(of_degree, "the chains of a degree", step)? {
-            let mut boundary: BTreeMap<u32, i128> = BTreeMap::new();
-            let mut last: Option<u32> = None;
-            for term in list(chain, "a chain", step)? {
-                let [coefficient, cell] = list(term, "a term", step)? else {
-                    return Err(Fault::new(step, "a term is not a coefficient and a cell"));
-                };
-                let cell = index(cell, "a cell", step)?;
-                let coefficient = coefficient.as_i64().map(|number| i128::from(number) % prime);
-                let Some(coefficient) = coefficient.filter(|c| *c != 0 && (cell as usize) < counts[k]) else {
-                    return Err(Fault::new(step, "a term is zero or of a cell that is not there"));
-                };
-                let place = |cell: u32| orders[k].places[cell as usize];
-                if last.is_some_and(|last| place(last) >= place(cell)) {
-                    return Err(Fault::new(step, "the cells of a chain do not rise"));
-                }
-                last = Some(cell);
-                for (face, incidence) in complex.boundary(k, cell as usize) {
-                    let entry = boundary.entry(orders[k - 1].places[*face as usize]).or_default();
-                    *entry = (*entry + coefficient * i128::from(*incidence)) % prime;
-                }
-            }
-            let owner = last.ok_or_else(|| Fault::new(step, "a chain is empty"))?;
+            let (owner, boundary) = read(complex, orders, k, chain, prime)?;
             let is_new = !std::mem::replace(&mut is_owner[k][owner as usize], true);
             let low = boundary.iter().rev().find(|(_, value)| **value != 0);
             match low.map(|(place, _)| orders[k - 1].cells[*place as usize]) {
@@ -122,4 +117,39 @@ pub(crate) fn pairs(
         }
     }
     Ok(pairs)
+}
+
+/// The last cell of a chain of a degree, and its boundary by the places of the faces.
+pub(crate) fn read(
+    complex: &Complex,
+    orders: &[Order],
+    k: usize,
+    chain: &Value,
+    prime: i128,
+) -> Result<(u32, BTreeMap<u32, i128>), Fault> {
+    let step = "chains";
+    let mut boundary: BTreeMap<u32, i128> = BTreeMap::new();
+    let mut last: Option<u32> = None;
+    for term in list(chain, "a chain", step)? {
+        let [coefficient, cell] = list(term, "a term", step)? else {
+            return Err(Fault::new(step, "a term is not a coefficient and a cell"));
+        };
+        let cell = index(cell, "a cell", step)?;
+        let coefficient = coefficient.as_i64().map(|number| i128::from(number) % prime);
+        let Some(coefficient) = coefficient.filter(|c| *c != 0 && (cell as usize) < complex.counts()[k])
+        else {
+            return Err(Fault::new(step, "a term is zero or of a cell that is not there"));
+        };
+        let place = |cell: u32| orders[k].places[cell as usize];
+        if last.is_some_and(|last| place(last) >= place(cell)) {
+            return Err(Fault::new(step, "the cells of a chain do not rise"));
+        }
+        last = Some(cell);
+        for (face, incidence) in complex.boundary(k, cell as usize) {
+            let entry = boundary.entry(orders[k - 1].places[*face as usize]).or_default();
+            *entry = (*entry + coefficient * i128::from(*incidence)) % prime;
+        }
+    }
+    let owner = last.ok_or_else(|| Fault::new(step, "a chain is empty"))?;
+    Ok((owner, boundary))
 }

@@ -184,6 +184,74 @@ fn forged_diagrams_of_images_are_refused() {
     }
 }
 
+/// A disk of one triangle, whose rim is a loop from 1 on, and bounds at 5, by hand.
+#[test]
+fn forged_images_of_parts_are_refused() {
+    let input = "[[0,1,2]]";
+    let pair = |degree: u32, birth: f64, death: Option<f64>, from: Value, to: Value| json!({"degree": degree, "birth": birth, "death": death, "birth_cell": from, "death_cell": to});
+    let answer = json!({
+        "file": "a.json", "field": 2, "function": "values.json", "star": null, "betti": [1, 0, 0], "image_of": "boundary",
+        "diagram": [
+            pair(0, 0.0, None, json!([0]), Value::Null), pair(0, 0.0, Some(1.0), json!([1]), json!([0, 1])),
+            pair(0, 0.0, Some(1.0), json!([2]), json!([0, 2])), pair(1, 1.0, Some(5.0), json!([1, 2]), json!([0, 1, 2])),
+        ],
+    });
+    let mut whole = certificate(input, "", &answer, &Value::Null);
+    whole["kind"] = json!("persistence");
+    whole["part"] = json!("boundary");
+    let edges = json!([[[1, 0]], [[1, 1]]]);
+    whole["proof"] = json!({
+        "values": [[0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [5.0]], "order": [[0, 1, 2], [0, 1, 2], [0]],
+        "chains": [edges, [[[1, 0]]]], "image_chains": [edges, [[[1, 0]]]],
+        "part_chains": [[[[1, 0]], [[1, 1]], [[1, 0], [1, 1], [1, 2]]], []],
+    });
+    let proved = verdict(input, &whole, "", &Value::Null).expect("the true one is verified");
+    assert_eq!(
+        proved[0],
+        "the diagram is of the image of a part in the whole, which is the boundary of the whole: [3, 3, 0] cells of degrees 0, 1, .."
+    );
+    for (place, value, step) in [
+        ("/answer/diagram/3/death", json!(4.0), "answer"),
+        ("/answer/diagram/3/death", Value::Null, "answer"),
+        ("/answer/diagram/3/birth_cell", json!([0, 1]), "answer"),
+        ("/answer/betti", json!([1, 1, 0]), "answer"),
+        ("/answer/image_of", json!("rim"), "part"),
+        ("/answer/image_of", Value::Null, "part"),
+        ("/part", json!("file"), "part"),
+        ("/part", Value::Null, "part"),
+        ("/proof/part_chains/0", json!([[[1, 0]], [[1, 1]]]), "chains"),
+        ("/proof/part_chains/0/2", json!([[1, 0], [1, 2]]), "chains"),
+        ("/proof/image_chains/1", json!([]), "image_chains"),
+        ("/proof/image_chains/1", json!([[[1, 0]], [[1, 0]]]), "image_chains"),
+        ("/proof/image_chains/0", json!([[[1, 0]], [[1, 2]]]), "image_chains"),
+        ("/proof/image_chains", json!([edges]), "image_chains"),
+        ("/proof/chains/1", json!([]), "chains"),
+    ] {
+        assert_eq!(verdict(input, &whole, place, &value), Err(step.to_owned()), "{place}: {value}");
+    }
+    // Relative to the rim only the triangle is left, alone in its degree.
+    let mut answer = answer.clone();
+    answer["image_of"] = Value::Null;
+    answer["relative_to"] = json!("boundary");
+    answer["betti"] = json!([0, 0, 1]);
+    answer["diagram"] = json!([pair(2, 5.0, None, json!([0, 1, 2]), Value::Null)]);
+    whole["answer"] = answer;
+    whole["proof"]["order"] = json!([[], [], [0]]);
+    whole["proof"]["chains"] = json!([[], [[[1, 0]]]]);
+    let proved = verdict(input, &whole, "", &Value::Null).expect("the true one is verified");
+    assert!(proved[0].contains("of the whole relative to a part"), "{proved:?}");
+    for (place, value, step) in [
+        ("/answer/diagram/0/birth", json!(1.0), "answer"),
+        ("/answer/diagram/0/birth_cell", json!([0, 1]), "answer"),
+        ("/answer/betti", json!([0, 1, 1]), "answer"),
+        ("/answer/relative_to", json!("other"), "part"),
+        ("/proof/order", json!([[0, 1, 2], [0, 1, 2], [0]]), "order"),
+        ("/proof/chains/1", json!([]), "chains"),
+    ] {
+        assert_eq!(verdict(input, &whole, place, &value), Err(step.to_owned()), "{place}: {value}");
+    }
+}
+
 #[test]
 fn arrays_and_grey_maps_are_read_as_they_are() {
     use coface_check_persistence::Image;

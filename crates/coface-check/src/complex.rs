@@ -230,6 +230,22 @@ impl Complex {
     /// assert_eq!(triangle.relative(Some(b"[[1]]")).expect("a vertex").counts(), [2, 3, 1]);
     /// ```
     pub fn relative(&self, part: Option<&[u8]>) -> Result<Self, Fault> {
+        let kept = self.part(part)?.into_iter();
+        let kept = kept.map(|is_in| (0..is_in.len()).filter(|cell| !is_in[*cell]).collect());
+        Ok(self.restricted(&kept.collect::<Vec<_>>()))
+    }
+
+    /// For each degree which cells lie in a subcomplex: as for [`Complex::relative`].
+    ///
+    /// # Errors
+    /// Those of [`Complex::relative`].
+    ///
+    /// # Examples
+    /// ```
+    /// let edge = coface_check::Complex::read(b"[[0, 1]]").expect("a facet list");
+    /// assert_eq!(edge.part(None).expect("its boundary"), [vec![true, true], vec![false]]);
+    /// ```
+    pub fn part(&self, part: Option<&[u8]>) -> Result<Vec<Vec<bool>>, Fault> {
         let mut is_in: Vec<Vec<bool>> = self.counts.iter().map(|count| vec![false; *count]).collect();
         let top = self.counts.len() - 1;
         match part {
@@ -253,12 +269,20 @@ impl Complex {
                     .for_each(|(face, _)| is_in[degree - 1][*face as usize] = true);
             }
         }
-        let kept = |degree: usize| (0..self.counts[degree]).filter(|cell| !is_in[degree][*cell]).collect();
-        Ok(self.restricted(&(0..=top).map(kept).collect::<Vec<_>>()))
+        Ok(is_in)
     }
 
-    /// The cells that are kept, in their order, with what is kept of their boundaries.
-    fn restricted(&self, kept: &[Vec<usize>]) -> Self {
+    /// The cells that are kept, which rise in each degree, with what is kept of their boundaries.
+    ///
+    /// # Panics
+    /// If a cell is not there.
+    ///
+    /// # Examples
+    /// ```
+    /// let edge = coface_check::Complex::read(b"[[0, 1]]").expect("a facet list");
+    /// assert_eq!(edge.restricted(&[vec![1], vec![0]]).boundary(1, 0), [(0, 1)]);
+    /// ```
+    pub fn restricted(&self, kept: &[Vec<usize>]) -> Self {
         let column = |degree: usize, cell: usize| -> Column {
             let place = |(face, incidence): &(u32, i64)| {
                 let place = kept[degree - 1].binary_search(&(*face as usize)).ok()?;

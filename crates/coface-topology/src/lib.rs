@@ -93,6 +93,6 @@ pub use homology::reduced_generators;
 pub use homology::{
     AbelianGroup, Bounding, CochainAlgebra, Cocycle, Coefficients, CupProductTable, Generator, Homology,
     HomologyBasis, HomologyClass, HomologyMap, IntersectionForm, LongExactSequence, MiddlePairing,
-    cohomology, cup_product_table, generators, generators_of_parts, homology, homology_with, induced_maps,
-    intersection_form,
+    cohomology, cup_product_table, generators, generators_of_parts, homology, homology_of_parts,
+    homology_with, induced_maps, intersection_form,
 };

@@ -51,7 +51,9 @@ pub use coefficient::Coefficient;
 pub use complex::{ChainComplex, WideComplex};
 pub use matching::{AcyclicMatching, MatchedPair};
 pub use morse::MorseComplex;
-pub use partition::{ChainById, Part, PartTree, Partition, Parts, ReducedPart, StratumHash, sum_of_chains};
+pub use partition::{
+    ChainById, Part, PartTree, Partition, Parts, ReducedPart, SettledParts, StratumHash, sum_of_chains,
+};
 pub use product::ProductComplex;
 #[doc(hidden)]
 pub use product::ProductNumbers;

@@ -1,11 +1,11 @@
 //! Volumes of voxels: their cells by name, and what is said of them.
 
 use super::report::{Answer, Kind, Report};
-use coface_algebra::chains::{ChainComplex, Part, PartTree, Parts};
+use coface_algebra::chains::{ChainComplex, Part, Parts};
 use coface_algebra::{Error, ErrorKind};
 use coface_complexes::cubical::{CubicalBlocks, CubicalVolume};
 use coface_geometry::Positions;
-use coface_topology::{Homology, homology};
+use coface_topology::{Homology, homology_of_parts};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 /// The cells of a volume, numbered as in its chain complex.
@@ -101,7 +101,7 @@ impl VolumeCells {
 /// [`ErrorKind::TooLarge`] for voxels that cannot be cut into blocks small enough.
 ///
 /// # Complexity
-/// Linear in the voxels and cells, in parallel; the cells of some blocks are held.
+/// Linear in the voxels and cells, in parallel; the cells of a block for each thread are held, and what blocks share. Classes are counted and forgotten.
 ///
 /// # Examples
 /// ```
@@ -131,18 +131,16 @@ pub fn homology_of_volume(volume: &CubicalVolume) -> Result<(Vec<usize>, Homolog
             Ok(part)
         }
     }
-    /// Each voxel has some 2^n cells, of some 40 bytes: a block is held for each thread.
-    const VOXELS_OF_BLOCK: usize = 1 << 20;
+    /// How many places for cells a block has, 2^n for each voxel: it is held for each thread, with some 40 bytes a cell. Small blocks stay in the caches.
+    const PLACES_OF_BLOCK: usize = 1 << 16;
     let axis_count = volume.shape().len();
-    let block_count = (volume.voxel_count() << axis_count).div_ceil(VOXELS_OF_BLOCK).min(1 << 24);
+    let block_count = (volume.voxel_count() << axis_count).div_ceil(PLACES_OF_BLOCK).min(1 << 24);
     let parts = Counted {
         blocks: CubicalBlocks::at_least(volume, block_count as u32)?,
         counts: Mutex::new(vec![0; axis_count + 1]),
     };
-    // The tree makes every part once.
-    let tree = PartTree::new(&parts, 8)?;
-    let found = homology(tree.root().complex());
-    drop(tree);
+    // Every part is made once.
+    let found = homology_of_parts(&parts, 8)?;
     Ok((parts.counts.into_inner().unwrap_or_else(PoisonError::into_inner), found))
 }
 

@@ -6,9 +6,10 @@ use crate::answer::PersistenceAnswer;
 use crate::homology::certificate::{Input, Number, checked, number, refused};
 use crate::producer::Cells;
 use coface_algebra::chains::ChainComplex;
-use coface_algebra::{CellId, Error, Integer, SparseMatrix};
+use coface_algebra::{CellId, Error, ErrorKind, Integer, SparseMatrix};
 use coface_topology::{Coefficients, Filtration, persistence, persistent_cycles};
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// A certificate of a diagram, as `docs/certificates.md` describes it.
 #[derive(Serialize)]
@@ -24,6 +25,9 @@ pub(super) struct Certificate<'a> {
     /// How the file has the points, where the checker finds the simplices and values.
     #[serde(skip_serializing_if = "Option::is_none")]
     layout: Option<&'static str>,
+    /// What the part is that the answer is relative to, or whose image it is about: the boundary, or the cells of the second input.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    part: Option<&'static str>,
     /// The highest degree of the answer, where the complex has others above.
     #[serde(skip_serializing_if = "Option::is_none")]
     most_degree: Option<usize>,
@@ -39,7 +43,16 @@ pub(super) struct Proof {
     /// For each degree the cells in the order in which they enter.
     pub(super) order: Vec<Vec<u32>>,
     /// For each degree from 1 on the chains that end classes, and the cycles of those that stay, with cells in the order in which they enter.
-    pub(super) chains: Vec<Vec<Vec<(Number, u32)>>>,
+    pub(super) chains: Vec<Vec<Terms>>,
+    /// Of the image of a part, the same of the part by itself, and chains whose boundaries have different last cells where those of the part come first.
+    #[serde(flatten)]
+    pub(super) of_image: Option<ImageProof>,
+}
+
+#[derive(Serialize)]
+pub(super) struct ImageProof {
+    part_chains: Vec<Vec<Terms>>,
+    image_chains: Vec<Vec<Terms>>,
 }
 
 impl<'a> Certificate<'a> {
@@ -59,6 +72,7 @@ impl<'a> Certificate<'a> {
             min_persistence,
             facets: None,
             layout: None,
+            part: None,
             most_degree: None,
             answer,
             proof,
@@ -69,6 +83,7 @@ impl<'a> Certificate<'a> {
 impl FoundDiagram<'_> {
     /// A certificate of the diagram, from the name and the bytes of the file that the model was read from: an answer without cycles, and chains that
     /// prove it, which [`coface_check_plane::check`] follows without any code of this library, as `docs/certificates.md` says. It has been checked.
+    /// Relative to a part from a file, or of the image of one, it is of two inputs: the file of the part is behind that of the model.
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::UnsupportedFormat`] if the checker does not read the file as this library does: it reads facet lists, chain complexes,
@@ -124,12 +139,18 @@ impl FoundDiagram<'_> {
         inputs: &[(&str, &[u8])],
         facets: Option<Vec<Vec<u32>>>,
     ) -> Result<String, Error> {
-        let [(_, bytes)] = inputs else {
-            return Err(Error::invalid("a certificate of persistence is of one input"));
-        };
-        if self.relative_to.is_some() || self.image_of.is_some() {
-            return Err(refused("persistence of a part of a model has no certificate"));
+        if self.part == Some("groups") {
+            let fault = "no certificate: the part is a group of a mesh, which the checker does not read";
+            return Err(Error::new(ErrorKind::UnsupportedFormat, fault)
+                .with_cure("write the cells of the group to a file, and name that file as the part"));
         }
+        let expected = 1 + usize::from(self.part.is_some_and(|part| part == "file"));
+        let Some((_, bytes)) = inputs.first().filter(|_| inputs.len() == expected) else {
+            return Err(Error::invalid(match expected {
+                1 => "a certificate of persistence is of one input",
+                _ => "a certificate of persistence of a part is of two inputs: the model, and the part",
+            }));
+        };
         let listed = facets.as_ref().map(crate::answer::to_json);
         let bytes = listed.as_ref().map_or(*bytes, |text| text.as_bytes());
         let read = coface_check::Complex::read(bytes).map_err(|fault| refused(&fault.to_string()))?;
@@ -144,8 +165,36 @@ impl FoundDiagram<'_> {
         let complex = renumbered(&read, &places)?;
         let order: Vec<Vec<u32>> =
             (0..places.len()).map(|degree| entering(&self.filtration, degree)).collect();
+        let prime = self.diagram.prime();
         let place = |degree: usize, cell: CellId| places[degree][cell.index()];
-        let chains = chains(&complex, &self.filtration, self.diagram.prime(), &order, place)?;
+        let of_whole = || chains(&complex, &self.filtration, prime, &order, place);
+        let (chains, placed_order, of_image) = match (&self.kept, &self.inside) {
+            (Some(kept), _) => {
+                // The checker numbers what is left of the whole among itself.
+                let numbers = numbers_among(kept, &places);
+                let place = |degree: usize, cell: CellId| numbers[degree][cell.index()];
+                let left = complex.relative(&complex.complement(kept)?)?;
+                let filtration = self.filtration.restricted(kept);
+                let order: Vec<Vec<u32>> =
+                    (0..kept.len()).map(|degree| entering(&filtration, degree)).collect();
+                let chains = chains(&left, &filtration, prime, &order, place)?;
+                (chains, placed(&order, &numbers), None)
+            }
+            (None, Some(inside)) => {
+                let numbers = numbers_among(inside, &places);
+                let own = |degree: usize, cell: CellId| numbers[degree][cell.index()];
+                let part = complex.subcomplex(inside)?;
+                let filtration = self.filtration.restricted(inside);
+                let part_order: Vec<Vec<u32>> =
+                    (0..inside.len()).map(|degree| entering(&filtration, degree)).collect();
+                let of_image = ImageProof {
+                    part_chains: chains(&part, &filtration, prime, &part_order, own)?,
+                    image_chains: image_chains(&complex, &self.filtration, prime, &order, inside, &places)?,
+                };
+                (of_whole()?, placed(&order, &places), Some(of_image))
+            }
+            (None, None) => (of_whole()?, placed(&order, &places), None),
+        };
         let there = |(degree, own): (usize, &Vec<u32>)| {
             let mut values = vec![0.0; own.len()];
             let given = self.filtration.values(degree);
@@ -154,12 +203,10 @@ impl FoundDiagram<'_> {
         };
         let degrees = if self.star.is_some() { 1 } else { places.len() };
         let values = places.iter().take(degrees).enumerate().map(there).collect();
-        let order = order.into_iter().zip(&places);
-        let order =
-            order.map(|(order, own)| order.into_iter().map(|cell| own[cell as usize]).collect()).collect();
-        let proof = Proof { values, order, chains };
+        let proof = Proof { values, order: placed_order, chains, of_image };
         let certificate = Certificate::new("persistence", inputs, self.min_persistence, &answer, proof);
-        let mut certificate = Certificate { facets, most_degree: self.most_degree, ..certificate };
+        let mut certificate =
+            Certificate { facets, part: self.part, most_degree: self.most_degree, ..certificate };
         if certificate.facets.is_some() && self.function.starts_with("squared radii") {
             // Where the checker does not find the alpha complex, such as one that ends at a value, it is listed alone.
             for layout in ["points", "vertices"] {
@@ -201,6 +248,109 @@ pub(super) fn chains(
         chains[below].push(terms.iter().map(term).collect());
     }
     Ok(chains)
+}
+
+/// Cells in this order, with their numbers.
+fn placed(order: &[Vec<u32>], numbers: &[Vec<u32>]) -> Vec<Vec<u32>> {
+    let of =
+        |(order, numbers): (&Vec<u32>, &Vec<u32>)| order.iter().map(|&cell| numbers[cell as usize]).collect();
+    order.iter().zip(numbers).map(of).collect()
+}
+
+/// For some of the cells of each degree their numbers among themselves, in the order of the checker.
+fn numbers_among(cells: &[Vec<CellId>], places: &[Vec<u32>]) -> Vec<Vec<u32>> {
+    let of = |(cells, places): (&Vec<CellId>, &Vec<u32>)| {
+        let mut there: Vec<(u32, usize)> =
+            cells.iter().enumerate().map(|(own, cell)| (places[cell.index()], own)).collect();
+        there.sort_unstable();
+        let mut numbers = vec![0; cells.len()];
+        there.iter().zip(0..).for_each(|(&(_, own), number)| numbers[own] = number);
+        numbers
+    };
+    cells.iter().zip(places).map(of).collect()
+}
+
+/// For each degree from 1 on a chain for each cell that ends a class of the whole: the boundaries have different last cells, where the cells of the part come
+/// first, and then the others.
+fn image_chains(
+    complex: &ChainComplex,
+    filtration: &Filtration,
+    prime: u32,
+    order: &[Vec<u32>],
+    inside: &[Vec<CellId>],
+    places: &[Vec<u32>],
+) -> Result<Vec<Vec<Terms>>, Error> {
+    let whole = persistence(complex, filtration, Coefficients::Modulo(prime.into()))?;
+    let field = u64::from(prime);
+    let mut chains = Vec::new();
+    for (degree, cells) in order.iter().enumerate().skip(1) {
+        let mut is_inside = vec![false; order[degree - 1].len()];
+        inside[degree - 1].iter().for_each(|cell| is_inside[cell.index()] = true);
+        let entered = &order[degree - 1];
+        let first = entered.iter().filter(|&&face| is_inside[face as usize]);
+        let then = entered.iter().filter(|&&face| !is_inside[face as usize]);
+        let mut ranks = vec![0; entered.len()];
+        first.chain(then).zip(0..).for_each(|(&face, rank)| ranks[face as usize] = rank);
+        let mut ends_class = vec![false; cells.len()];
+        let pairs = whole.pairs_of_degree(degree - 1);
+        pairs.iter().filter_map(|pair| pair.death_cell()).for_each(|cell| ends_class[cell.index()] = true);
+        let Some(matrix) = complex.boundary_matrix(degree) else {
+            chains.push(Vec::new());
+            continue;
+        };
+        // Boundary and chain of each, by the last face; cells of chains by when they enter.
+        let mut reduced: BTreeMap<u32, [BTreeMap<u32, u64>; 2]> = BTreeMap::new();
+        let mut of_degree: Vec<Terms> = Vec::new();
+        for (when, &cell) in (0..).zip(cells).filter(|&(_, &cell)| ends_class[cell as usize]) {
+            let residue = |entry: i32| i64::from(entry).rem_euclid(i64::from(prime)).unsigned_abs();
+            let boundary = matrix.column(cell as usize).iter();
+            let boundary = boundary.map(|(face, entry)| (ranks[face], residue(entry)));
+            let mut boundary: BTreeMap<u32, u64> = boundary.filter(|&(_, entry)| entry != 0).collect();
+            let mut chain = BTreeMap::from([(when, 1)]);
+            while let Some((&last, &entry)) = boundary.last_key_value()
+                && let Some([other, other_chain]) = reduced.get(&last)
+            {
+                let factor = field - entry * inverse(other[&last], field) % field;
+                add(&mut boundary, factor, other, field);
+                add(&mut chain, factor, other_chain, field);
+            }
+            let term = |(&when, &entry): (&u32, &u64)| {
+                let cell = cells[when as usize] as usize;
+                // Below 2^32.
+                (Number::Short(entry as i64), places[degree][cell])
+            };
+            of_degree.push(chain.iter().map(term).collect());
+            if let Some((&last, _)) = boundary.last_key_value() {
+                reduced.insert(last, [boundary, chain]);
+            }
+        }
+        chains.push(of_degree);
+    }
+    Ok(chains)
+}
+
+/// Adds a multiple of a vector over the field of p elements.
+fn add(sum: &mut BTreeMap<u32, u64>, factor: u64, other: &BTreeMap<u32, u64>, prime: u64) {
+    for (&at, &entry) in other {
+        let value = (sum.get(&at).copied().unwrap_or(0) + factor * entry) % prime;
+        match value {
+            0 => sum.remove(&at),
+            _ => sum.insert(at, value),
+        };
+    }
+}
+
+/// The inverse of a number that is not zero, by its power p - 2.
+fn inverse(number: u64, prime: u64) -> u64 {
+    let (mut power, mut base, mut exponent) = (1, number % prime, prime - 2);
+    while exponent > 0 {
+        if exponent % 2 == 1 {
+            power = power * base % prime;
+        }
+        base = base * base % prime;
+        exponent /= 2;
+    }
+    power
 }
 
 /// The cells of a degree in the order in which they enter.

@@ -152,7 +152,7 @@ impl PersistenceRequest {
             order.into_iter().map(|cell| place(degree, CellId::new(cell as usize))).collect()
         };
         let order = order.into_iter().enumerate().map(placed).collect();
-        let proof = Proof { values: vec![values], order, chains };
+        let proof = Proof { values: vec![values], order, chains, of_image: None };
         let certificate = Certificate::new("persistence", inputs, self.min_persistence, &answer, proof);
         checked(&certificate, inputs).map_err(|fault| refused(&fault.to_string()))
     }

@@ -4,6 +4,7 @@ use super::image::Axes;
 use super::{FoundImage, GreyImage, ImageRequest};
 use crate::Producer;
 use crate::answer::{ChainTerm, PersistenceAnswer, WholeNumber};
+use crate::producer::{CubeChain, picture_of_cubes};
 use coface_algebra::chains::{Chain, ChainComplex};
 use coface_algebra::progress::stage;
 use coface_algebra::{CellId, Error, Integer};
@@ -455,6 +456,49 @@ impl ImageCells {
         Ok(terms.iter().map(number).collect())
     }
 
+    /// A sum of cubes with the places of their corners, in the order of the cells of the volume.
+    fn cubes(&self, of_cycle: usize, degree: usize, terms: &[(u64, i64)]) -> Vec<(Integer, Vec<u64>)> {
+        let mut placed: Vec<(Vec<u64>, i64)> = Vec::with_capacity(terms.len());
+        for &(cube, x) in terms {
+            let mut place = Vec::new();
+            self.corners.place(cube, &mut place);
+            placed.push((place, x));
+        }
+        placed.sort_unstable();
+        let cube = |(place, x): (Vec<u64>, i64)| {
+            let mut corners = Vec::with_capacity(1 << degree);
+            self.corners.of_place(&place, |corner| corners.push(corner));
+            (Integer::from(self.turned(of_cycle, degree, x)), corners)
+        };
+        placed.into_iter().map(cube).collect()
+    }
+
+    /// The positions of corners by their places; none for more than three axes and for periodic ones.
+    fn positions(&self, corners: &[u64]) -> Result<Positions, Error> {
+        let axes = &self.around.axes;
+        if axes.len() > 3 || axes.iter().any(|&axis| self.around.is_periodic[axis]) {
+            return Ok(Positions::default());
+        }
+        // Where voxels are the vertices, they have their centers, and axes that cubes do not span too.
+        let are_centers = self.around.are_vertices && self.around.shape.len() <= 3;
+        let dimension = if are_centers { self.around.shape.len() } else { axes.len() };
+        let mut flat = Vec::with_capacity(corners.len() * dimension);
+        for &corner in corners {
+            let first = flat.len();
+            flat.resize(first + dimension, if are_centers { 0.5 } else { 0.0 });
+            let mut rest = corner;
+            for (rank, (&axis, &(_, count))) in axes.iter().zip(&self.corners.lengths).enumerate().rev() {
+                flat[first + if are_centers { axis } else { rank }] += (rest % count) as f64;
+                rest /= count;
+            }
+        }
+        let positions = Positions::from_flat(dimension, flat)?;
+        match self.frame.filter(|_| !corners.is_empty() && dimension == 3) {
+            Some(frame) => frame.place(&positions),
+            None => Ok(positions),
+        }
+    }
+
     /// How many places the cells of the volume have along its axes.
     fn volume_lengths(&self) -> Vec<u64> {
         let long = |(axis, &(length, _)): (&usize, &(u64, u64))| {
@@ -654,11 +698,14 @@ impl FoundImageCycles<'_> {
         self.found.torsion_primes()
     }
 
-    /// The cycles and bounding chains as a model on the vertices of [`ImageCells::producer`], a group for each: `H1_0_from_1_to_5` with the place of the class in its degree, its birth and
+    /// The cycles and bounding chains as a model on the vertices that they have, in the order of those of [`ImageCells::producer`], a group for each: `H1_0_from_1_to_5` with the place of the class in its degree, its birth and
     /// its death, and `filling_H1_0` for the chain that it bounds. With four axes or periodic ones cubes have no positions.
     ///
     /// # Errors
-    /// Those of [`Producer::picture`] and [`ImageCells::producer`].
+    /// Those of [`Producer::picture`].
+    ///
+    /// # Complexity
+    /// $O(m \log m)$ for m cubes in the chains: those of the image are not made.
     ///
     /// # Examples
     /// ```
@@ -671,8 +718,10 @@ impl FoundImageCycles<'_> {
     pub fn cycles_model(&self) -> Result<Model, Error> {
         let mut chains = Vec::new();
         let mut places = vec![0; self.image.diagram.degree_count()];
-        let chain = |of_cycle: usize, degree: usize, terms: &[(u64, i64)]| {
-            Chain::of_cells(degree, self.cells.cells_of(of_cycle, degree, terms)?)
+        let chain = |name: String, of_cycle: usize, degree: usize, terms: &[(u64, i64)]| CubeChain {
+            name,
+            degree,
+            terms: self.cells.cubes(of_cycle, degree, terms),
         };
         for class in self.cycles() {
             let pair = class.pair();
@@ -680,12 +729,12 @@ impl FoundImageCycles<'_> {
             places[degree] += 1;
             let death = pair.death().map_or("inf".to_owned(), |death| death.to_string());
             let name = format!("H{degree}_{place}_from_{}_to_{death}", pair.birth());
-            chains.push((name, chain(degree, degree, class.cycle())?));
+            chains.push(chain(name, degree, degree, class.cycle()));
             if let Some(bounding) = class.bounding_chain() {
-                chains.push((format!("filling_H{degree}_{place}"), chain(degree, degree + 1, bounding)?));
+                chains.push(chain(format!("filling_H{degree}_{place}"), degree, degree + 1, bounding));
             }
         }
-        self.cells.producer()?.picture(&chains)
+        picture_of_cubes(&chains, |corners| self.cells.positions(corners))
     }
 
     /// The answer as plain data: classes are born and die by voxels, and chains have the vertices of their cells.

@@ -420,13 +420,19 @@ impl PersistenceRequest {
             kept,
             relative_to: self.relative.as_ref().map(RelativeTo::name),
             image_of: self.image_of.as_ref().map(RelativeTo::name),
+            inside: None,
+            part: self.relative.as_ref().or(self.image_of.as_ref()).map(|part| match part {
+                RelativeTo::Boundary => "boundary",
+                RelativeTo::Part { .. } => "file",
+                RelativeTo::Groups(_) => "groups",
+            }),
         };
         if let Some(image) = image {
             let steps = stage("pairing cells", 0);
             let part = image.subcomplex(&complex)?;
             let whole = self.up_to(image_persistence(&complex, &filtration, &part, self.coefficients)?);
             drop(steps);
-            return Ok(found(filtration, None, &whole, (None, None)));
+            return Ok(FoundDiagram { inside: Some(part), ..found(filtration, None, &whole, (None, None)) });
         }
         let Some(pair) = relative else {
             let (whole, cycles, primes) = self.classes(&complex, &filtration)?;
@@ -558,6 +564,10 @@ pub struct FoundDiagram<'a> {
     kept: Option<Vec<Vec<CellId>>>,
     relative_to: Option<String>,
     image_of: Option<String>,
+    /// The cells of the part whose image it is, by degree.
+    inside: Option<Vec<Vec<CellId>>>,
+    /// How the part is given: as `boundary`, `file` or `groups`.
+    part: Option<&'static str>,
 }
 
 impl FoundDiagram<'_> {

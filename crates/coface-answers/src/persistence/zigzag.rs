@@ -385,7 +385,7 @@ impl PersistenceRequest {
         let order: Vec<Vec<u32>> =
             (0..cone.degree_count()).map(|degree| entering(&filtration, degree)).collect();
         let chains = chains(&cone, &filtration, answer.field, &order, |_, cell| cell.to_u32())?;
-        let proof = Proof { values: Vec::new(), order, chains };
+        let proof = Proof { values: Vec::new(), order, chains, of_image: None };
         let certificate = Certificate::new("zigzag", inputs, self.min_persistence, &answer, proof);
         checked(&certificate, inputs).map_err(|fault| refused(&fault.to_string()))
     }

@@ -135,8 +135,7 @@ impl Producer {
     pub fn picture(&self, chains: &[(String, Chain<Integer>)]) -> Result<Model, Error> {
         self.require_finite()?;
         if self.positions.dimension() == 0 || !self.names_cells_by_vertices() {
-            return Err(Error::invalid("the cells of the model have no positions to draw them at")
-                .with_cure("write the generators as .json"));
+            return Err(no_positions());
         }
         let mut model = ModelParts {
             vertex_count: self.positions.len(),
@@ -144,11 +143,12 @@ impl Producer {
             ..ModelParts::default()
         };
         for (name, chain) in chains {
-            let (kind, first) = match chain.degree() {
-                0 => (GroupKind::Vertices, model.points.len()),
-                1 => (GroupKind::Lines, model.lines.len()),
-                2 => (GroupKind::Polygons, model.polygons.len()),
-                _ => (GroupKind::Cells, model.cells.len()),
+            let kind = kind_of(chain.degree());
+            let first = match chain.degree() {
+                0 => model.points.len(),
+                1 => model.lines.len(),
+                2 => model.polygons.len(),
+                _ => model.cells.len(),
             };
             let mut members = Vec::new();
             if kind == GroupKind::Lines {
@@ -177,39 +177,9 @@ impl Producer {
         Ok(model)
     }
 
-    /// The edges of a chain of degree 1 as walks along them: from vertices where more begins than ends, then around.
+    /// The edges of a chain of degree 1 as [`walks`].
     fn polylines(&self, chain: &Chain<Integer>) -> Vec<Vec<u32>> {
-        /// Edges that are run through more often than this are drawn this often.
-        const MOST_TIMES: u64 = 64;
-        let mut next: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
-        let mut surplus: BTreeMap<u32, i64> = BTreeMap::new();
-        for (cell, x) in chain.terms() {
-            let ends = self.cell_vertices(1, *cell);
-            let (from, to) = if x.signum() > 0 { (ends[0], ends[1]) } else { (ends[1], ends[0]) };
-            let times = x.to_i64().map_or(MOST_TIMES, |x| x.unsigned_abs().min(MOST_TIMES));
-            for _ in 0..times {
-                next.entry(from).or_default().push(to);
-                *surplus.entry(from).or_default() += 1;
-                *surplus.entry(to).or_default() -= 1;
-            }
-        }
-        let starts = surplus.iter().filter(|&(_, &count)| count > 0);
-        let mut starts: Vec<u32> =
-            starts.flat_map(|(&vertex, &count)| std::iter::repeat_n(vertex, count as usize)).collect();
-        starts.extend(next.keys().copied().collect::<Vec<_>>());
-        let mut walks = Vec::new();
-        for start in starts {
-            let mut walk = vec![start];
-            let mut at = start;
-            while let Some(to) = next.get_mut(&at).and_then(Vec::pop) {
-                walk.push(to);
-                at = to;
-            }
-            if walk.len() > 1 {
-                walks.push(walk);
-            }
-        }
-        walks
+        walks(chain.terms().iter().map(|(cell, x)| (x, self.cell_vertices(1, *cell))))
     }
 
     fn draw(
@@ -226,21 +196,135 @@ impl Producer {
                 model.shapes.push(mesh.shapes()[cell.index()]);
                 model.cells.push(vertices);
             }
-            (3, Cells::Voxels(_)) => {
-                // The corners of a voxel come by rising places, those of a hexahedron around its bottom and its top.
-                model.shapes.push(CellShape::Hexahedron);
-                model.cells.push(&[0, 4, 6, 2, 1, 5, 7, 3].map(|corner| vertices[corner]));
-            }
+            (3, Cells::Voxels(_)) => draw_voxel(model, vertices),
             (3, _) => {
                 model.shapes.push(CellShape::Tetrahedron);
                 model.cells.push(vertices);
             }
-            _ => {
-                return Err(Error::invalid(format!("a cell of degree {degree} cannot be drawn"))
-                    .with_cure("write the generators as .json"));
-            }
+            _ => return Err(cannot_be_drawn(degree)),
         }
         Ok(())
+    }
+}
+
+/// Edges with their coefficients as walks along them: from vertices where more begins than ends, then around.
+fn walks<'x>(edges: impl Iterator<Item = (&'x Integer, Vec<u32>)>) -> Vec<Vec<u32>> {
+    /// Edges that are run through more often than this are drawn this often.
+    const MOST_TIMES: u64 = 64;
+    let mut next: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+    let mut surplus: BTreeMap<u32, i64> = BTreeMap::new();
+    for (x, ends) in edges {
+        let (from, to) = if x.signum() > 0 { (ends[0], ends[1]) } else { (ends[1], ends[0]) };
+        let times = x.to_i64().map_or(MOST_TIMES, |x| x.unsigned_abs().min(MOST_TIMES));
+        for _ in 0..times {
+            next.entry(from).or_default().push(to);
+            *surplus.entry(from).or_default() += 1;
+            *surplus.entry(to).or_default() -= 1;
+        }
+    }
+    let starts = surplus.iter().filter(|&(_, &count)| count > 0);
+    let mut starts: Vec<u32> =
+        starts.flat_map(|(&vertex, &count)| std::iter::repeat_n(vertex, count as usize)).collect();
+    starts.extend(next.keys().copied().collect::<Vec<_>>());
+    let mut walks = Vec::new();
+    for start in starts {
+        let mut walk = vec![start];
+        let mut at = start;
+        while let Some(to) = next.get_mut(&at).and_then(Vec::pop) {
+            walk.push(to);
+            at = to;
+        }
+        if walk.len() > 1 {
+            walks.push(walk);
+        }
+    }
+    walks
+}
+
+fn no_positions() -> Error {
+    Error::invalid("the cells of the model have no positions to draw them at")
+        .with_cure("write the generators as .json")
+}
+
+fn cannot_be_drawn(degree: usize) -> Error {
+    Error::invalid(format!("a cell of degree {degree} cannot be drawn"))
+        .with_cure("write the generators as .json")
+}
+
+/// The corners of a voxel come by rising places, those of a hexahedron around its bottom and its top.
+fn draw_voxel(model: &mut ModelParts, vertices: &[u32]) {
+    model.shapes.push(CellShape::Hexahedron);
+    model.cells.push(&[0, 4, 6, 2, 1, 5, 7, 3].map(|corner| vertices[corner]));
+}
+
+/// Cubes with coefficients, each with the places of its corners in the order of [`Producer::cell_vertices`].
+pub(crate) struct CubeChain {
+    pub(crate) name: String,
+    pub(crate) degree: usize,
+    pub(crate) terms: Vec<(Integer, Vec<u64>)>,
+}
+
+/// A picture as of [`Producer::picture`] of chains of cubes, of which nothing but these is known; `positions` gives those of corners at rising places.
+pub(crate) fn picture_of_cubes(
+    chains: &[CubeChain],
+    positions: impl FnOnce(&[u64]) -> Result<Positions, Error>,
+) -> Result<Model, Error> {
+    let corners = chains.iter().flat_map(|chain| &chain.terms).flat_map(|(_, corners)| corners);
+    let mut used: Vec<u64> = corners.copied().collect();
+    used.sort_unstable();
+    used.dedup();
+    let positions = positions(&used)?;
+    if positions.dimension() == 0 {
+        return Err(no_positions());
+    }
+    let place = |corner: &u64| used.binary_search(corner).map_or(u32::MAX, |place| place as u32);
+    let mut model = ModelParts { vertex_count: used.len(), positions, ..ModelParts::default() };
+    for CubeChain { name, degree, terms } in chains {
+        let vertices = |corners: &[u64]| corners.iter().map(place).collect::<Vec<u32>>();
+        let mut members = Vec::new();
+        if *degree == 1 {
+            for line in walks(terms.iter().map(|(x, corners)| (x, vertices(corners)))) {
+                members.push(model.lines.len() as u32);
+                model.lines.push(&line);
+            }
+            model.groups.push(Group::new(name, GroupKind::Lines, members));
+            continue;
+        }
+        for (x, corners) in terms {
+            let mut vertices = vertices(corners);
+            if x.signum() < 0 && *degree < 3 {
+                vertices.reverse();
+            }
+            match degree {
+                0 => {
+                    members.push(vertices[0]);
+                    model.points.push(VertexId::new(vertices[0] as usize));
+                }
+                2 => {
+                    members.push(model.polygons.len() as u32);
+                    model.polygons.push(&vertices);
+                }
+                3 => {
+                    members.push(model.cells.len() as u32);
+                    draw_voxel(&mut model, &vertices);
+                }
+                _ => return Err(cannot_be_drawn(*degree)),
+            }
+        }
+        model.groups.push(Group::new(name, kind_of(*degree), members));
+    }
+    let model = model.into_model();
+    model.check()?;
+    Ok(model)
+}
+
+/// The kind of the groups of cells of a degree.
+fn kind_of(degree: usize) -> GroupKind {
+    match degree {
+        0 => GroupKind::Vertices,
+        1 => GroupKind::Lines,
+        2 => GroupKind::Polygons,
+        _ => GroupKind::Cells,
     }
 }
 

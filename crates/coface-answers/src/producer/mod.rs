@@ -19,6 +19,7 @@ mod places;
 
 use bounded::bounded;
 pub use cycles::Term;
+pub(crate) use cycles::{CubeChain, picture_of_cubes};
 pub use groups::{group_chain, named_groups};
 pub(crate) use labels::Labels;
 pub use names::CellNames;

@@ -43,6 +43,43 @@ proptest! {
         prop_assert_eq!(verdict.proved().len(), found.groups().len() + 1);
     }
 
+    /// Pairs relative to a part, and of the image of a part, are what the chains prove.
+    #[test]
+    fn diagrams_of_parts_are_proved(
+        (facets, chosen) in (facets(), prop::collection::vec(0usize..14, 1..4)),
+        values in prop::collection::vec(-2i8..3, 8),
+        (prime, is_image, is_upper, is_file) in (prop::sample::select(vec![2u64, 3, 4_294_967_291]), any::<bool>(), any::<bool>(), any::<bool>()),
+    ) {
+        let input = format!("{facets:?}").into_bytes();
+        let chosen: Vec<&Vec<u32>> = chosen.iter().map(|&at| &facets[at % facets.len()]).collect();
+        // The facets themselves, or what is left of them without their first vertices.
+        let cells = chosen.iter().map(|facet| if facet.len() > 1 { &facet[1..] } else { &facet[..] });
+        let file = format!("{:?}", cells.collect::<Vec<_>>()).into_bytes();
+        let producer = Producer::of(model(&input)).expect("a complex");
+        let count = facets.iter().flatten().max().expect("facets have vertices") + 1;
+        let values: Vec<f64> = values[..count as usize].iter().map(|&value| f64::from(value)).collect();
+        let function = Some(VertexFunction::Values { place: "f.txt".to_owned(), values });
+        let growth = if is_upper { Growth::Upper(function) } else { Growth::Lower(function) };
+        let part = match is_file {
+            true => RelativeTo::Part { name: "part.json".to_owned(), model: Box::new(model(&file)) },
+            false => RelativeTo::Boundary,
+        };
+        let request = PersistenceRequest::new().coefficients(Coefficients::Modulo(prime)).growth(growth).min_persistence(-1.0);
+        let request = match is_image {
+            true => request.image_of(Some(part)),
+            false => request.relative(Some(part)),
+        };
+        let mut inputs = vec![("in.json", &input[..])];
+        if is_file {
+            inputs.push(("part.json", &file));
+        }
+        let found = request.found("in.json", &producer).expect("values for all vertices");
+        let certificate = found.certificate(&inputs).expect("the checker accepts the proof");
+        let bytes: Vec<&[u8]> = inputs.iter().map(|input| input.1).collect();
+        let verdict = coface_check_persistence::check(certificate.as_bytes(), &bytes).expect("it has been checked");
+        prop_assert_eq!(verdict.unchecked(), ["function"]);
+    }
+
     /// Pairs of any filtration over any field are what the chains prove.
     #[test]
     fn diagrams_are_proved(

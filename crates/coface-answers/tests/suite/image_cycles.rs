@@ -172,6 +172,45 @@ fn vertices_are_voxels() {
     }
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    /// The picture that is made of the cubes of chains alone is that of the volume with all its cubes.
+    #[test]
+    fn pictures_are_those_of_all_cubes(case in cases()) {
+        let numbers = case.numbers.iter().map(|x| if x.is_nan() { 0.0 } else { *x });
+        let image = GreyImage::new(&case.shape, numbers).unwrap();
+        let construction =
+            if case.is_v { ImageConstruction::Vertices } else { ImageConstruction::TopCells };
+        let request = ImageRequest::new().construction(construction).superlevel(case.is_superlevel);
+        let cells = request.coefficients(Coefficients::Modulo(case.prime)).cells("image", image).unwrap();
+        let found = cells.found().unwrap();
+        let mut chains = Vec::new();
+        for class in found.cycles() {
+            let degree = class.pair().degree();
+            let chain = |of: usize, terms: &[(u64, i64)]| cells.chain(degree, of, terms).unwrap();
+            chains.push((degree.to_string(), chain(degree, class.cycle())));
+            if let Some(filling) = class.bounding_chain() {
+                chains.push(("filling".to_owned(), chain(degree + 1, filling)));
+            }
+        }
+        let is_single = case.is_v && case.shape.iter().all(|&length| length == 1);
+        match (found.cycles_model(), cells.producer().unwrap().picture(&chains)) {
+            (Ok(model), Ok(whole)) => {
+                prop_assert_eq!(model.positions(), whole.positions());
+                prop_assert_eq!(model.lines(), whole.lines());
+                prop_assert_eq!(model.polygons(), whole.polygons());
+                prop_assert_eq!(model.cells(), whole.cells());
+                let members = |model: &coface_io::Model| -> Vec<Vec<u32>> {
+                    model.groups().iter().map(|group| group.members().to_vec()).collect()
+                };
+                prop_assert_eq!(members(&model), members(&whole));
+            }
+            (model, whole) => prop_assert!(is_single || model.is_err() && whole.is_err()),
+        }
+    }
+}
+
 /// A cavity is bounded by voxels, which are hexahedra around their bottoms and tops.
 #[test]
 fn cavities_are_drawn_as_hexahedra() {

@@ -79,11 +79,11 @@ pub(crate) struct Persistence {
     vineyard: Vec<String>,
     /// Relative to a part of the model, whose cells are left out: boundary, a group of the mesh by its name or number, several with commas between, or a file of cells by
     /// the same vertex numbers; groups may be given several times. A word that is a group and something else is the group
-    #[arg(long, value_name = "boundary|GROUP|FILE", conflicts_with_all = ["extended", "zigzag", "vineyard", "certificate"])]
+    #[arg(long, value_name = "boundary|GROUP|FILE", conflicts_with_all = ["extended", "zigzag", "vineyard"])]
     relative: Vec<PathBuf>,
     /// Image persistence: the classes of a part of the model, named as for --relative, as they are seen in the whole: they are born in the part, and die when they bound in the
     /// whole
-    #[arg(long, value_name = "boundary|GROUP|FILE", conflicts_with_all = ["extended", "zigzag", "vineyard", "certificate", "cycles", "relative"])]
+    #[arg(long, value_name = "boundary|GROUP|FILE", conflicts_with_all = ["extended", "zigzag", "vineyard", "cycles", "relative"])]
     image_of: Vec<PathBuf>,
     /// Collapse edges before, of --rips and --flag: the diagram is the same, found from fewer simplices, among which are the cells of the pairs; "collapsed" of the JSON has the
     /// numbers of edges before and after
@@ -98,7 +98,8 @@ pub(crate) struct Persistence {
     #[arg(long, value_name = "OUT", num_args = 0..=1)]
     cycles: Option<Option<PathBuf>>,
     /// A certificate of the pairs, which coface check verifies against the input; of a facet list, a chain complex, or a surface as plain OFF or OBJ; with --rips of
-    /// rows of points or distances; of other complexes of points, whose simplices it lists; of small volumes as .npy or .pgm; in the binary form if OUT ends in .bin
+    /// rows of points or distances; of other complexes of points, whose simplices it lists; of small volumes as .npy or .pgm; in the binary form if OUT ends in .bin. With
+    /// --relative or --image-of FILE it is of both files, and coface check takes FILE behind the input
     #[arg(long, value_name = "OUT")]
     certificate: Option<PathBuf>,
     #[command(flatten)]
@@ -416,7 +417,11 @@ impl Persistence {
     ) -> Result<(), Failure> {
         let Some(place) = &self.certificate else { return Ok(()) };
         progress.stage(format!("proving {}", place.display()));
-        certified::save(place, std::slice::from_ref(&self.input), certificate)
+        // The file of a part is an input too.
+        let parts = self.relative.iter().chain(&self.image_of);
+        let parts = parts.filter(|word| word.as_os_str() != "boundary" && word.exists());
+        let files: Vec<PathBuf> = std::iter::once(&self.input).chain(parts).cloned().collect();
+        certified::save(place, &files, certificate)
     }
 
     /// A volume whose values nothing chooses from has no function but its values.

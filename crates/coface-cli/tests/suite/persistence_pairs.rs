@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
-use crate::program::{coface_in, coface_reading};
+use crate::program::{argument, coface, coface_in, coface_reading};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -56,6 +56,39 @@ fn a_tent_relative_to_its_rim_and_the_rim_in_the_tent() {
     assert_eq!(run.status, 0, "{}", run.stderr);
 }
 
+/// The checker finds the part by itself, and what is left of the complex.
+#[test]
+fn classes_of_parts_are_proved() {
+    use crate::certificates::{BAND, PLANE, lie_about};
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let (input, part, certificate) = (path("in.json"), path("part.json"), path("in.cert"));
+    std::fs::write(&part, "[[0,1],[1,4]]").unwrap();
+    for (text, option, is_file, others) in [
+        (BAND, "--relative", false, &[][..]),
+        (BAND, "--image-of", false, &["--coefficients", "3"]),
+        (PLANE, "--relative", true, &["--coefficients", "5", "--min-persistence", "-1"]),
+        (PLANE, "--image-of", true, &["--upper-star", "--min-persistence", "-1"]),
+    ] {
+        std::fs::write(&input, text).unwrap();
+        let of = if is_file { argument(&part) } else { "boundary" };
+        let words =
+            ["persistence", argument(&input), option, of, "--certificate", argument(&certificate), "-q"];
+        assert_eq!(coface(&[&words[..], others].concat()).status, 0);
+        let mut inputs = vec![input.as_path()];
+        if is_file {
+            inputs.push(part.as_path());
+        }
+        let files = inputs.iter().map(|path| argument(path));
+        let words: Vec<&str> =
+            ["check", argument(&certificate)].into_iter().chain(files).chain(["--json"]).collect();
+        let verdict = coface(&words).json();
+        assert_eq!(verdict["unchecked"], json!([]), "{verdict}");
+        assert!(verdict["proved"][1].as_str().unwrap().starts_with("the diagram is of the"), "{verdict}");
+        lie_about(&certificate, &inputs);
+    }
+}
+
 #[test]
 fn what_parts_do_not_go_with_is_refused() {
     let folder = tempfile::tempdir().unwrap();
@@ -66,7 +99,8 @@ fn what_parts_do_not_go_with_is_refused() {
     run(&["tent.obj", "--image-of", "boundary", "--cycles"]).fails_with(2);
     run(&["tent.obj", "--image-of", "boundary", "--relative", "lid"]).fails_with(2);
     run(&["tent.obj", "--relative", "boundary", "--extended"]).fails_with(2);
-    run(&["tent.obj", "--relative", "boundary", "--certificate", "a.json"]).fails_with(2);
+    let said = run(&["tent.obj", "--relative", "lid", "--certificate", "a.json"]);
+    assert!(said.fails_with(1).contains("a group of a mesh"), "{}", said.stderr);
     run(&["tent.obj", "--relative", "nothing"]).fails_with(1);
     run(&["points.csv", "--rips", "--relative", "boundary"]).fails_with(1);
     run(&["points.csv", "--rips", "--collapse", "--cycles"]).fails_with(2);

@@ -9,7 +9,7 @@
 //!   the [`HomologyClass`] of any cycle, and a certificate ([`Bounding`]): a chain that the cycle bounds, the least
 //!   multiple that bounds, or a cocycle that proves that no multiple does.
 //! * [`generators`] gives the cycles alone. [`generators_of_parts`] finds them for a complex that is divided into
-//!   parts.
+//!   parts, and [`homology_of_parts`] the groups alone.
 //! * A chain map induces a [`HomologyMap`] in each degree ([`induced_maps`]); a subcomplex has a [`LongExactSequence`].
 //! * The **cup product** of cochains is that of a [`CochainAlgebra`]. A [`CupProductTable`] lists the products of
 //!   classes; the [`IntersectionForm`] is the product in the middle degree of a closed oriented manifold.
@@ -59,6 +59,6 @@ pub use generators::generators;
 pub use induced_maps::{HomologyMap, induced_maps};
 pub use intersection_form::{IntersectionForm, MiddlePairing, intersection_form};
 pub use long_exact_sequence::LongExactSequence;
-pub use parts::generators_of_parts;
 #[doc(hidden)]
 pub use parts::reduced_generators;
+pub use parts::{generators_of_parts, homology_of_parts};

@@ -1,11 +1,45 @@
-//! Generators of homology from a complex in parts.
+//! Homology and its generators from a complex in parts.
 
+use crate::homology::abelian_group::AbelianGroup;
 use crate::homology::adapted_basis::{AdaptedBasis, adapted_bases};
 use crate::homology::basis::to_chain;
 use crate::homology::class::Generator;
+use crate::homology::computation::{Homology, homology};
 use coface_algebra::Error;
-use coface_algebra::chains::{ChainById, ChainComplex, PartTree, Partition, WideComplex};
+use coface_algebra::chains::{
+    ChainById, ChainComplex, PartTree, Partition, Parts, SettledParts, WideComplex,
+};
 use coface_algebra::{Integer, SparseVector, WideMatrix};
+
+/// The integral homology of a complex in parts, where no cycles are asked for: classes are counted as soon as they are found, and forgotten.
+///
+/// # Errors
+/// What [`SettledParts::new`] says.
+///
+/// # Complexity
+/// As of [`SettledParts::new`], and the Smith normal forms of what is left at the root.
+///
+/// # Examples
+/// ```
+/// use coface_algebra::chains::Partition;
+/// use coface_complexes::known_spaces::klein_grid;
+/// use coface_topology::homology_of_parts;
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let bottle = klein_grid(6, 6)?.chain_complex()?;
+/// let found = homology_of_parts(&Partition::by_walk(&bottle, 5)?, 2)?;
+/// assert_eq!(found.groups()[1].to_string(), "Z + Z/2");
+/// # Ok(()) }
+/// ```
+pub fn homology_of_parts<P: Parts>(parts: &P, fan_in: u32) -> Result<Homology, Error> {
+    let found = SettledParts::new(parts, fan_in)?;
+    let left = homology(found.root());
+    let groups = found.settled().iter().enumerate().map(|(degree, settled)| {
+        let group = left.groups().get(degree);
+        let torsion = group.map_or(Vec::new(), |group| group.torsion().to_vec());
+        AbelianGroup::new(group.map_or(0, AbelianGroup::betti) + settled, torsion)
+    });
+    Ok(Homology::from_groups(groups.collect()))
+}
 
 /// Cycles on the cells of a complex whose classes generate its integral homology, found at the root of its tree of
 /// parts and taken down to the cells. Orders and counts are those of [`generators`](crate::homology::generators); the
@@ -66,8 +100,6 @@ pub fn reduced_generators(complex: &WideComplex) -> Vec<Vec<(Option<Integer>, Sp
 mod tests {
     use super::*;
     use crate::homology::basis::HomologyBasis;
-    use crate::homology::homology;
-    use coface_algebra::chains::Parts;
     use coface_algebra::samples::random_complexes;
     use coface_complexes::known_spaces as spaces;
     use proptest::prelude::*;
@@ -76,6 +108,7 @@ mod tests {
     fn check(complex: &ChainComplex, partition: &Partition<'_>, fan_in: u32) {
         let tree = PartTree::new(partition, fan_in).unwrap();
         assert_eq!(homology(tree.root().complex()), homology(complex));
+        assert_eq!(homology_of_parts(partition, fan_in).unwrap(), homology(complex));
         // Each cell is own to one part, and pairs cancel in neighboring degrees.
         let own = (0..partition.part_count()).map(|number| partition.part(number).unwrap().own_counts());
         let mut total = vec![0; complex.degree_count()];

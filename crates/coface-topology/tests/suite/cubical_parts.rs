@@ -7,7 +7,7 @@ use coface_complexes::cubical::{
 };
 use coface_complexes::grids::CuboidGrid;
 use coface_complexes::simplicial::FrozenComplex;
-use coface_topology::homology;
+use coface_topology::{homology, homology_of_parts};
 use proptest::prelude::*;
 
 fn betti(volume: &CubicalVolume) -> Vec<usize> {
@@ -48,6 +48,7 @@ fn check_parts(
     assert_eq!(own, complex.f_vector());
     let tree = PartTree::new(parts, fan_in).unwrap();
     assert_eq!(homology(tree.root().complex()), homology(complex));
+    assert_eq!(homology_of_parts(parts, fan_in).unwrap(), homology(complex));
 }
 
 /// The voxel of the cell at this place of a volume, given as one number, if it is a voxel.

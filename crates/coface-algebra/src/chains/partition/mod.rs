@@ -26,9 +26,11 @@ mod lifting;
 mod merging;
 mod owners;
 mod part;
+mod settled;
 mod tree;
 
 pub use lifting::{ChainById, sum_of_chains};
 pub use owners::{Partition, Parts};
 pub use part::{Part, ReducedPart, StratumHash};
+pub use settled::SettledParts;
 pub use tree::PartTree;

@@ -209,7 +209,7 @@ fn has_own_terms(part: &ReducedPart, degree: usize, chains: &[ChainById]) -> boo
     chains.iter().flatten().any(|(id, _)| is_own(id))
 }
 
-fn reduced_with_hashes<E: Entry>(part: &Part<E>) -> (ReducedPart, Vec<StratumHash>) {
+pub(super) fn reduced_with_hashes<E: Entry>(part: &Part<E>) -> (ReducedPart, Vec<StratumHash>) {
     let matching = part.matching();
     let strata = part.stratum_hashes(&matching);
     (part.reduced_by(matching), strata)
