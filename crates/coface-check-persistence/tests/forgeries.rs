@@ -230,7 +230,7 @@ fn forged_images_of_parts_are_refused() {
         assert_eq!(verdict(input, &whole, place, &value), Err(step.to_owned()), "{place}: {value}");
     }
     // Relative to the rim only the triangle is left, alone in its degree.
-    let mut answer = answer.clone();
+    let mut answer = answer;
     answer["image_of"] = Value::Null;
     answer["relative_to"] = json!("boundary");
     answer["betti"] = json!([0, 0, 1]);

@@ -9,7 +9,7 @@ use crate::remarks::say_read;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Args, Command, CommandFactory, FromArgMatches, Parser, Subcommand};
-use coface::io::check_output;
+use coface::io::{check_output, replace_together};
 use std::ffi::OsString;
 use std::path::Path;
 use std::time::Duration;
@@ -352,6 +352,31 @@ fn serve(arguments: &Arguments) -> Result<(), Failure> {
         // Before the work, not after it.
         check_output(output)?;
     }
+    if is_written_together(&arguments.verb) {
+        replace_together(|| run_verb(arguments))
+    } else {
+        run_verb(arguments)
+    }
+}
+
+/// Whether the files of a verb appear when all of them are complete. What is done in parts keeps the files of each part, and pictures that
+/// move have many.
+fn is_written_together(verb: &Verb) -> bool {
+    match verb {
+        Verb::Persistence(verb) => !verb.is_in_parts(),
+        Verb::Shard(_)
+        | Verb::Reduce(_)
+        | Verb::Merge(_)
+        | Verb::Batch(_)
+        | Verb::Render(_)
+        | Verb::Worker(_)
+        | Verb::Yin(_) => false,
+        _ => true,
+    }
+}
+
+fn run_verb(arguments: &Arguments) -> Result<(), Failure> {
+    let common = &arguments.common;
     match &arguments.verb {
         Verb::Info(verb) => verb.run(common),
         Verb::Homology(verb) => verb.run(common),

@@ -121,6 +121,7 @@ pub use feature_table::FeatureTable;
 #[doc(hidden)]
 pub use files::{
     FolderLock, MadeFolders, StagedFiles, TemporaryFolder, check_output, open_regular, replace_files,
+    replace_together,
 };
 pub use files::{abandon_files, content_hash, replace_file};
 pub use format::Format;

@@ -48,7 +48,7 @@ proptest! {
     fn diagrams_of_parts_are_proved(
         (facets, chosen) in (facets(), prop::collection::vec(0usize..14, 1..4)),
         values in prop::collection::vec(-2i8..3, 8),
-        (prime, is_image, is_upper, is_file) in (prop::sample::select(vec![2u64, 3, 4_294_967_291]), any::<bool>(), any::<bool>(), any::<bool>()),
+        (prime, is_image, is_upper, is_file) in (prop::sample::select(vec![2u64, 3, 2_147_483_647]), any::<bool>(), any::<bool>(), any::<bool>()),
     ) {
         let input = format!("{facets:?}").into_bytes();
         let chosen: Vec<&Vec<u32>> = chosen.iter().map(|&at| &facets[at % facets.len()]).collect();

@@ -158,9 +158,11 @@ impl SpatialArrangement {
         let paths = self.paths(face);
         let kept = paths.iter().map(|path| kept(path, is_left_out));
         let sides: Vec<[u32; 2]> = kept.flat_map(|path| pairs(&path)).collect();
-        if is_flat {
-            let is_planar = self.fold(face).is_none();
-            if let Ok(found) = self.triangles(&sides, self.view(face), is_planar) {
+        if is_flat && let Ok(found) = self.triangles(&sides, self.view(face), self.is_planar(face)) {
+            // What is in line as it is seen, or without a vertex, may be missing.
+            let is_exact =
+                self.is_planar(face) && sides.len() == paths.iter().map(|path| path.len() - 1).sum::<usize>();
+            if is_exact || is_boundary(sides.iter().copied(), &found) {
                 return Ok(found);
             }
         }
@@ -252,10 +254,6 @@ impl SpatialArrangement {
         let compare = |a: u32, b: u32| view.compare(&predicates, a, b);
         let turn = |a: u32, b: u32, c: u32| view.turn(&predicates, [a, b, c]);
         let mut found = triangulate_sides(sides, compare, turn)?;
-        // What is seen in line and is not leaves a gap.
-        if !is_boundary(sides.iter().copied(), &found) {
-            return Err(Error::invalid("a part of the face is seen as a line"));
-        }
         if is_planar {
             let flat = self.cut.positions().as_flat().as_chunks::<3>().0;
             flip_to_delaunay(&mut found, sides, |vertex| flat[vertex as usize], turn);

@@ -326,3 +326,26 @@ fn facets_are_checked_by_their_rings() {
     );
     assert!(codes(&bent).contains(&203), "{:?}", codes(&bent));
 }
+
+#[test]
+fn a_model_whose_certificate_or_provenance_fails_is_not_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let a = cube(folder.path(), "a.off", [0.0; 3], 1.0);
+    let b = cube(folder.path(), "b.off", [0.5; 3], 1.0);
+    let out = folder.path().join("out.off");
+    std::fs::write(&out, "an older file").unwrap();
+    let no_folder = folder.path().join("no").join("other.json");
+    for option in ["--certificate", "--provenance"] {
+        for verb in [&["boolean", "union"][..], &["arrange"]] {
+            let mut arguments: Vec<&str> = verb.to_vec();
+            let places = [&a, &b, &out, &no_folder].map(|path| path.to_str().unwrap());
+            arguments.extend([places[0], places[1], "-o", places[2], option, places[3]]);
+            let done = coface(&arguments);
+            assert_eq!(done.status, 1, "{arguments:?}: {}", done.stderr);
+            assert_eq!(std::fs::read_to_string(&out).unwrap(), "an older file", "{arguments:?}");
+        }
+    }
+    let left: Vec<_> =
+        std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    assert_eq!(left.len(), 3, "{left:?}");
+}

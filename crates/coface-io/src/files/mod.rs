@@ -21,6 +21,6 @@ pub(crate) use companion::Companions;
 pub use companion::open_regular;
 pub use fingerprint::content_hash;
 pub use lock::FolderLock;
-pub use output::{check_output, replace_file, replace_files};
+pub use output::{check_output, replace_file, replace_files, replace_together};
 pub use staged::StagedFiles;
 pub use temporary::{MadeFolders, TemporaryFolder, abandon_files};

@@ -3,6 +3,7 @@
 use super::temporary::TemporaryFile;
 use crate::counted_stream::{name_of, writing};
 use coface_algebra::{Error, ErrorKind};
+use std::cell::RefCell;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -33,8 +34,66 @@ pub fn replace_file(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> Result<(), Error>,
 ) -> Result<(), Error> {
-    let staged = || Staged::new(path, write)?.finish();
+    let staged = || hold_or_finish(Staged::new(path, write)?, path);
     staged().map_err(|error| error.in_file(path.display().to_string()))
+}
+
+thread_local! {
+    /// Files that are complete and wait until all others of [`replace_together`] are.
+    static HELD: RefCell<Option<Vec<(Staged, PathBuf)>>> = const { RefCell::new(None) };
+}
+
+/// Puts a file in its place, or keeps it until the others are complete.
+fn hold_or_finish(staged: Staged, path: &Path) -> Result<(), Error> {
+    let rest = HELD.with_borrow_mut(|held| match held {
+        Some(held) => {
+            held.push((staged, path.to_path_buf()));
+            None
+        }
+        None => Some(staged),
+    });
+    rest.map_or(Ok(()), Staged::finish)
+}
+
+/// Does some work; the files that [`replace_file`] writes in this thread meanwhile are put in their places when all of it is done, and
+/// none of them when it ends with an error.
+///
+/// What is no regular file is written to directly. The files are open until then: they should be few.
+///
+/// # Errors
+/// Those of the work; [`ErrorKind::Io`] with the path when a file cannot be put in its place, those before it are then.
+///
+/// # Examples
+/// ```
+/// use coface_algebra::Error;
+/// use coface_io::{replace_file, replace_together};
+/// let path = std::env::temp_dir().join("coface-replace-together.txt");
+/// let done: Result<(), Error> = replace_together(|| {
+///     replace_file(&path, |out| Ok(out.write_all(b"first")?))?;
+///     Err(Error::invalid("the second cannot be made"))
+/// });
+/// assert!(done.is_err() && !path.exists());
+/// ```
+pub fn replace_together<T, E: From<Error>>(work: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
+    /// Leaves nothing held behind, whatever ends the work.
+    struct Holding;
+    impl Drop for Holding {
+        fn drop(&mut self) {
+            HELD.take();
+        }
+    }
+    if HELD.with_borrow(Option::is_some) {
+        return work();
+    }
+    HELD.set(Some(Vec::new()));
+    let holding = Holding;
+    let done = work()?;
+    let held = HELD.take().unwrap_or_default();
+    drop(holding);
+    for (staged, path) in held {
+        staged.finish().map_err(|error| error.in_file(path.display().to_string()))?;
+    }
+    Ok(done)
 }
 
 /// Writes these files as [`replace_file`] does, and replaces none before all of them are complete and stored.
@@ -50,7 +109,10 @@ pub fn replace_files(files: &[(PathBuf, Vec<u8>)]) -> Result<(), Error> {
     for (path, bytes) in files {
         staged.push(Staged::new(path, |out| Ok(out.write_all(bytes)?)).map_err(in_path(path))?);
     }
-    staged.into_iter().zip(files).try_for_each(|(staged, (path, _))| staged.finish().map_err(in_path(path)))
+    staged
+        .into_iter()
+        .zip(files)
+        .try_for_each(|(staged, (path, _))| hold_or_finish(staged, path).map_err(in_path(path)))
 }
 
 /// A file that is complete, but not in its place.
