@@ -6,7 +6,7 @@ use std::io::Read;
 
 /// Reads all constellations that no other one names, with their objects where they place them, and the objects that none places as they
 /// stand. An object with a name is a [`Group`](crate::Group) of polygons; volumes of an object are put together. Triangles are flat: normals
-/// and edges that curve them are read over. The unit is that of the file.
+/// and edges that curve them are left out, which a remark says. The unit is that of the file.
 ///
 /// # Errors
 /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) for what is no XML or a number out of place;
@@ -51,10 +51,10 @@ pub fn read(_input: impl Read) -> Result<Model, Error> {
 
 #[cfg(feature = "xml")]
 mod reading {
-    use crate::Model;
     use crate::scanner::quoted;
     use crate::scene::{LooseMesh, Placement, Scene};
     use crate::xml_text::document;
+    use crate::{Model, Place, Remark, RemarkCode};
     use coface_algebra::Error;
     use roxmltree::Node;
     use std::collections::{BTreeMap, HashSet};
@@ -72,11 +72,12 @@ mod reading {
                 .with_cure("write it again in UTF-8")
         })?;
         let document = document(&text)?;
+        let mut curves = Curves::default();
         let mut things = BTreeMap::new();
         let mut order = Vec::new();
         for node in document.root_element().children() {
             let thing = match node.tag_name().name() {
-                "object" => Thing::Object(name(node), mesh(node)?),
+                "object" => Thing::Object(name(node), mesh(node, &mut curves)?),
                 "constellation" => Thing::Constellation(instances(node)?),
                 _ => continue,
             };
@@ -108,7 +109,49 @@ mod reading {
                 place(&things, id, Placement::IDENTITY, 0, &mut scene, &mut placed)?;
             }
         }
-        scene.finish()
+        let mut model = scene.finish()?;
+        model.remarks.extend(curves.remark());
+        Ok(model)
+    }
+
+    /// What curves triangles: they are read by their corners.
+    #[derive(Default)]
+    struct Curves {
+        edges: usize,
+        normals: usize,
+        /// Where the first of them is.
+        first: Option<u64>,
+    }
+
+    impl Curves {
+        /// Notes an edge with tangents or a normal.
+        fn note(&mut self, node: Node<'_, '_>) {
+            let is_edge = node.tag_name().name() == "edge";
+            *if is_edge { &mut self.edges } else { &mut self.normals } += 1;
+            let line = line(node);
+            self.first = Some(self.first.map_or(line, |first| first.min(line)));
+        }
+
+        fn remark(&self) -> Option<Remark> {
+            let first = self.first?;
+            let counted = |count: usize, one: &str, several: &str| match count {
+                0 => None,
+                1 => Some(format!("1 {one}")),
+                _ => Some(format!("{count} {several}")),
+            };
+            let what = [
+                counted(self.edges, "edge with tangents", "edges with tangents"),
+                counted(self.normals, "normal at a vertex", "normals at vertices"),
+            ];
+            let what = what.into_iter().flatten().collect::<Vec<_>>().join(" and ");
+            let count = self.edges + self.normals;
+            let (curves, is) = if count == 1 { ("curves", "is") } else { ("curve", "are") };
+            let message = format!(
+                "{what}, which {curves} triangles, {is} left out: triangles are flat here, with straight edges; the first is on \
+                 line {first}"
+            );
+            Some(Remark::new(RemarkCode::HigherOrder, message).at(count, [Place::line(first)]))
+        }
     }
 
     /// The file in an archive.
@@ -170,16 +213,19 @@ mod reading {
         }
     }
 
+    fn line(node: Node<'_, '_>) -> u64 {
+        u64::from(node.document().text_pos_at(node.range().start).row)
+    }
+
     fn at(node: Node<'_, '_>, message: String) -> Error {
-        let row = node.document().text_pos_at(node.range().start).row;
-        Error::parse(message).at_line(u64::from(row))
+        Error::parse(message).at_line(line(node))
     }
 
     fn missing(node: Node<'_, '_>, name: &str) -> Error {
         at(node, format!("a {} without {name}", node.tag_name().name())).with_cure("write the file again")
     }
 
-    fn mesh(object: Node<'_, '_>) -> Result<LooseMesh, Error> {
+    fn mesh(object: Node<'_, '_>, curves: &mut Curves) -> Result<LooseMesh, Error> {
         let mut mesh = LooseMesh::default();
         let meshes: Vec<Node<'_, '_>> = parts(object, "mesh").collect();
         let all = |list: &'static str, item: &'static str| {
@@ -192,18 +238,19 @@ mod reading {
                 *x = number(place, axis)?.ok_or_else(|| missing(place, axis))?;
             }
             mesh.points.push(point);
+            parts(vertex, "normal").for_each(|normal| curves.note(normal));
         }
+        all("vertices", "edge").for_each(|edge| curves.note(edge));
         let count = mesh.points.len();
         for triangle in all("volume", "triangle") {
             let mut corners = Vec::with_capacity(3);
             for corner in ["v1", "v2", "v3"] {
                 let vertex = number(triangle, corner)?.ok_or_else(|| missing(triangle, corner))?;
                 if !(vertex >= 0.0 && vertex < count as f64 && vertex.fract() == 0.0) {
-                    let row = triangle.document().text_pos_at(triangle.range().start).row;
                     return Err(Error::invalid(format!(
                         "a triangle names vertex {vertex}, but its object has {count} vertices, numbered from 0"
                     ))
-                    .at_line(u64::from(row))
+                    .at_line(line(triangle))
                     .with_cure("correct the index"));
                 }
                 corners.push(vertex as u32);
@@ -266,6 +313,50 @@ mod reading {
             }),
             None => Err(Error::invalid(format!("the object {} is not there", quoted(id.as_bytes())))
                 .with_cure("write the file again")),
+        }
+    }
+}
+
+#[cfg(all(test, feature = "xml"))]
+mod tests {
+    use crate::RemarkCode;
+
+    fn triangle(normals: [&str; 3], edges: &str) -> String {
+        let points = [(0, 0), (1, 0), (0, 1)].iter().zip(normals).map(|((x, y), normal)| {
+            format!("<vertex><coordinates><x>{x}</x><y>{y}</y><z>0</z></coordinates>{normal}</vertex>\n")
+        });
+        let points = points.collect::<String>();
+        format!(
+            "<amf><object id='1'><mesh><vertices>\n{points}{edges}</vertices>\
+             <volume><triangle><v1>0</v1><v2>1</v2><v3>2</v3></triangle></volume></mesh></object></amf>"
+        )
+    }
+
+    #[test]
+    fn curved_triangles_are_flat_and_told() {
+        let normal = "<normal><nx>0</nx><ny>0.6</ny><nz>0.8</nz></normal>";
+        let edge = "<edge><v1>0</v1><dx1>1</dx1><dy1>1</dy1><dz1>0</dz1>\
+             <v2>1</v2><dx2>1</dx2><dy2>-1</dy2><dz2>0</dz2></edge>";
+        let of = |normals, edges| super::read(triangle(normals, edges).as_bytes()).unwrap();
+        assert_eq!(of([""; 3], "").remarks().len(), 0);
+        for (normals, edges, count, message) in [
+            (
+                ["", normal, normal],
+                edge,
+                3,
+                "1 edge with tangents and 2 normals at vertices, which curve triangles, are",
+            ),
+            ([""; 3], edge, 1, "1 edge with tangents, which curves triangles, is left out"),
+            ([""; 3], &edge.repeat(2), 2, "2 edges with tangents, which curve triangles, are left out"),
+            (["", normal, ""], "", 1, "1 normal at a vertex, which curves triangles, is left out"),
+        ] {
+            let model = of(normals, edges);
+            assert_eq!((model.vertex_count(), model.polygons().list(0)), (3, &[0, 1, 2][..]));
+            let [remark] = model.remarks() else { panic!("{:?}", model.remarks()) };
+            assert_eq!((remark.code, remark.count), (RemarkCode::HigherOrder, count));
+            assert!(remark.message.starts_with(message), "{}", remark.message);
+            let line = if normals[1].is_empty() { 5 } else { 3 };
+            assert!(remark.message.ends_with(&format!("the first is on line {line}")), "{}", remark.message);
         }
     }
 }

@@ -85,7 +85,7 @@ impl Format {
             Self::Lines => Likeness::No,
             Self::GeoJson if geojson::is_geojson(start) => Likeness::Certain,
             // The type may come behind all coordinates.
-            Self::GeoJson if !whole && start.trim_ascii_start().starts_with(b"{") => Likeness::Possible,
+            Self::GeoJson if !whole && geojson::first_record(start).starts_with(b"{") => Likeness::Possible,
             Self::GeoJson => Likeness::No,
             Self::Wkt => certain_if(
                 wkt::is_geometry(first_line(start)) || is_text(start) && wkt_table::is_table(start),
@@ -496,6 +496,8 @@ mod tests {
             (b" { \"type\" : \"Feature\",", Format::GeoJson),
             (b"{\"crs\":{\"type\":\"name\"},\"type\":\"Point\"", Format::GeoJson),
             (b"[[[0, 1], [1, 2]]]", Format::GeoJson),
+            (b"\x1e{\"type\":\"Feature\",", Format::GeoJson),
+            (b"\n\x1e\x1e {\"id\":1,\"type\":\"Point\",", Format::GeoJson),
             (b"SRID=4326;POINT (1 2)", Format::Wkt),
             (b"polygon z((0 0 1,", Format::Wkt),
             (b"MULTIPOINT\n(1 2)", Format::Wkt),

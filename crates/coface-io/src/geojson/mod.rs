@@ -16,7 +16,8 @@
 //! The property `name` of a feature, in any case, or else its `id`, names a group of its lines or points. All
 //! properties of each feature, and its id, are kept as they stand in a [`FeatureTable`](crate::FeatureTable); a file
 //! that is written has them again, and so the reference system that `crs` names. Coordinates are taken as they stand.
-//! A file may hold several objects one after the other, such as a feature a line: they are one drawing.
+//! A file may hold several objects one after the other, such as a feature a line, or the records of a text sequence (RFC 8142, each behind a
+//! byte 0x1E): they are one drawing.
 //!
 //! What lies in several features, a face of an arrangement for instance, has the properties of all of them: a key
 //! with one value, or with equal ones, keeps it, a key with different values has the list of them, as
@@ -34,8 +35,8 @@ mod writing;
 #[doc(hidden)]
 pub use columns::{equal_text, property_pairs};
 pub use properties::MergedProperties;
-pub(super) use reading::is_geojson;
 pub use reading::read;
+pub(super) use reading::{first_record, is_geojson};
 pub use writing::write;
 #[doc(hidden)]
 pub use writing::{write_with, write_with_texts};

@@ -11,8 +11,10 @@ use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess,
 use serde_json::error::Category;
 use serde_json::value::RawValue;
 use std::fmt;
-use std::io::{BufReader, Read};
+use std::io::{BufRead, BufReader, Read};
 
+/// What stands before each record of a text sequence.
+const SEPARATOR: u8 = 0x1E;
 const CURE: &str = "the file must be GeoJSON (RFC 7946)";
 /// The types of geometries with coordinates, and how deep the lists of these are.
 const LEVELS: [(&str, usize); 6] = [
@@ -25,20 +27,21 @@ const LEVELS: [(&str, usize); 6] = [
 ];
 const OTHERS: [&str; 4] = ["GeometryCollection", "Feature", "FeatureCollection", "Topology"];
 
-/// Reads a drawing or map, GeoJSON or TopoJSON: see [what becomes of what](crate::geojson).
+/// Reads a drawing or map, GeoJSON or TopoJSON: see [what becomes of what](crate::geojson). Several texts that follow each other, such as a
+/// feature a line, or the records of a text sequence, are one drawing.
 ///
 /// A line whose positions are all equal is kept as a point; heights that are missing beside others are 0; both with a
 /// warning.
 ///
 /// # Errors
 /// [`ErrorKind::Parse`](coface_algebra::ErrorKind::Parse) for what is no GeoJSON; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for
-/// a ring that is not closed; both with the line. [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) beyond 2^32 - 2 corners.
+/// a ring that is not closed; both with the line, and in a text sequence the number of the record. [`ErrorKind::TooLarge`](coface_algebra::ErrorKind::TooLarge) beyond 2^32 - 2 corners.
 ///
 /// # Complexity
 /// $O(n \log n)$ for n positions, to find equal ones; memory is the model and the largest geometry.
 ///
 /// # References
-/// H. Butler et al., *The GeoJSON Format*, RFC 7946 (2016).
+/// H. Butler et al., *The GeoJSON Format*, RFC 7946 (2016); S. Gillies, *GeoJSON Text Sequences*, RFC 8142 (2017).
 ///
 /// # Examples
 /// ```
@@ -51,26 +54,86 @@ const OTHERS: [&str; 4] = ["GeometryCollection", "Feature", "FeatureCollection",
 /// # Ok(()) }
 /// ```
 pub fn read(input: impl Read) -> Result<Model, Error> {
-    let mut deserializer = serde_json::Deserializer::from_reader(BufReader::with_capacity(1 << 16, input));
+    let mut input = BufReader::with_capacity(1 << 16, input);
     let (mut drawing, faults) = (Drawing::default(), Faults::default());
+    let is_sequence = loop {
+        match input.fill_buf() {
+            // White space may come before the first separator.
+            Ok(start) => break start.trim_ascii_start().first() == Some(&SEPARATOR),
+            Err(error) if error.kind() == std::io::ErrorKind::Interrupted => {}
+            Err(error) => return Err(error.into()),
+        }
+    };
+    if is_sequence {
+        draw_records(input, &mut drawing, &faults)?;
+    } else {
+        draw_texts(input, &mut drawing, &faults).map_err(|error| located(error, 0, faults.take()))?;
+    }
+    drawing.finish()
+}
+
+/// Draws all texts of JSON that follow each other, such as a feature a line.
+fn draw_texts(input: impl Read, drawing: &mut Drawing, faults: &Faults) -> Result<(), serde_json::Error> {
+    let mut deserializer = serde_json::Deserializer::from_reader(input);
     loop {
-        Root(&mut Sink { drawing: &mut drawing, faults: &faults })
-            .deserialize(&mut deserializer)
-            .map_err(|error| located(error, faults.take()))?;
-        // Behind an object there may be more, such as a feature a line.
+        Root(&mut Sink { drawing, faults }).deserialize(&mut deserializer)?;
         if deserializer.end().is_ok() {
-            return drawing.finish();
+            return Ok(());
         }
     }
 }
 
+/// Draws the records of a text sequence (RFC 8142). Empty ones, of separators that follow each other, are passed over.
+fn draw_records(mut input: impl BufRead, drawing: &mut Drawing, faults: &Faults) -> Result<(), Error> {
+    let (mut record, mut number, mut lines_before) = (Vec::new(), 0u64, 0);
+    loop {
+        record.clear();
+        if input.read_until(SEPARATOR, &mut record)? == 0 {
+            break;
+        }
+        let is_last = record.pop_if(|last| *last == SEPARATOR).is_none();
+        let text = record.trim_ascii_end();
+        if !text.is_empty() {
+            number += 1;
+            draw_texts(text, drawing, faults).map_err(|error| {
+                let is_cut = error.is_eof();
+                let error = located(error, lines_before, faults.take());
+                let line = error.line().unwrap_or(lines_before + 1);
+                if is_cut {
+                    let what = if is_last { "the file ends" } else { "the next one begins" };
+                    let message = format!("record {number} is cut off: {what} within it");
+                    return Error::parse(message)
+                        .at_line(line)
+                        .with_cure("write the record again, or take it out with the byte 0x1E before it");
+                }
+                let message = format!("record {number}: {}", error.message());
+                let cure = error.cure().unwrap_or(CURE);
+                Error::new(error.kind(), message).at_line(line).with_cure(cure)
+            })?;
+        }
+        lines_before += record.iter().filter(|&&byte| byte == b'\n').count() as u64;
+    }
+    if number == 0 {
+        return Err(Error::parse("the text sequence has no record").with_cure(CURE));
+    }
+    Ok(())
+}
+
+/// The start of a file without the white space and the separators of records before the first one.
+pub(crate) fn first_record(start: &[u8]) -> &[u8] {
+    let is_before = |byte: &u8| *byte == SEPARATOR || byte.is_ascii_whitespace();
+    let before = start.iter().take_while(|byte| is_before(byte)).count();
+    &start[before..]
+}
+
 /// Whether the start of a file has a type of GeoJSON, or is a list of lists of lists.
 pub(crate) fn is_geojson(start: &[u8]) -> bool {
+    let start = first_record(start);
     let mut brackets = start.iter().filter(|byte| !byte.is_ascii_whitespace());
     if brackets.by_ref().take(3).eq(b"[[[") {
         return !has_facets(start);
     }
-    if start.trim_ascii_start().first() != Some(&b'{') {
+    if start.first() != Some(&b'{') {
         return false;
     }
     memchr::memmem::find_iter(start, b"\"type\"").any(|at| {
@@ -133,9 +196,10 @@ fn has_facets(start: &[u8]) -> bool {
     has_long
 }
 
-/// The fault that was raised, or the parser's own, with the line.
-fn located(error: serde_json::Error, fault: Option<Error>) -> Error {
-    let (line, column, category) = (error.line() as u64, error.column(), error.classify());
+/// The fault that was raised, or the parser's own, with the line; so many lines come before those that the parser counts.
+fn located(error: serde_json::Error, lines_before: u64, fault: Option<Error>) -> Error {
+    let (column, category) = (error.column(), error.classify());
+    let line = lines_before + error.line() as u64;
     if let Some(fault) = fault {
         return fault.at_line(line);
     }
@@ -143,7 +207,7 @@ fn located(error: serde_json::Error, fault: Option<Error>) -> Error {
         return std::io::Error::from(error).into();
     }
     let text = error.to_string();
-    let place = format!(" at line {line} column {column}");
+    let place = format!(" at line {} column {column}", error.line());
     let text = shortened(text.strip_suffix(&place).unwrap_or(&text));
     Error::parse(format!("{text} (column {column})")).at_line(line).with_cure(match category {
         Category::Eof => "the file was cut short: write it again",

@@ -363,3 +363,66 @@ fn the_member_crs_is_kept() {
         );
     }
 }
+
+#[test]
+fn text_sequences_are_read_as_a_feature_a_line() {
+    let features = [
+        json!({"type": "Feature", "properties": {"name": "a", "width": 3},
+            "geometry": {"type": "LineString", "coordinates": [[0, 0], [1, 1]]}}),
+        json!({"type": "Feature", "properties": {"name": "b", "width": 5},
+            "geometry": {"type": "LineString", "coordinates": [[1, 1], [2, 0]]}}),
+    ];
+    let [a, b] = features.map(|feature| feature.to_string());
+    let model = read(format!("{a}\n{b}\n").as_bytes()).unwrap();
+    assert_eq!((model.lines().len(), model.features().is_empty()), (2, false));
+    let sequence = format!("\x1e{a}\n\x1e{b}\n");
+    let empty_ones = format!("\n\x1e\x1e{a}\x1e \n\x1e{}\x1e", b.replace(',', ",\n"));
+    for text in [sequence.clone(), empty_ones, format!("\x1e{a}\x1e{b}")] {
+        assert_eq!(read(text.as_bytes()).unwrap(), model, "{text:?}");
+        assert_eq!(crate::read_unknown(text.as_bytes()).unwrap().format(), Some(Format::GeoJson));
+    }
+    // By the names too.
+    let folder = std::env::temp_dir().join(format!("coface-text-sequences-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    for name in ["a.geojsons", "a.json", "a.unknown", "a"] {
+        let path = folder.join(name);
+        std::fs::write(&path, &sequence).unwrap();
+        let found = crate::read_path(&path, None).unwrap();
+        assert_eq!((found.format(), found.features() == model.features()), (Some(Format::GeoJson), true));
+        assert_eq!(found.remarks(), []);
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
+#[test]
+fn records_that_are_cut_off_are_named_with_their_line() {
+    let record = r#"{"type":"LineString","coordinates":[[0,0],[1,1]]}"#;
+    // At every place, in the middle and at the end; with and without the line feed.
+    for at in 1..record.len() {
+        for end in ["", "\n"] {
+            let cut = &record[..at];
+            let error = read(format!("\x1e{record}\n\x1e{cut}{end}\x1e{record}\n").as_bytes()).unwrap_err();
+            let message = "record 2 is cut off: the next one begins within it";
+            assert_eq!(
+                (error.message(), error.line(), error.kind()),
+                (message, Some(2), ErrorKind::Parse),
+                "{cut}"
+            );
+            let error = read(format!("\x1e{record}\n\x1e{cut}{end}").as_bytes()).unwrap_err();
+            let message = "record 2 is cut off: the file ends within it";
+            assert_eq!(
+                (error.message(), error.line(), error.cure().is_some()),
+                (message, Some(2), true),
+                "{cut}"
+            );
+        }
+    }
+    for (second, message) in [
+        (record.replace("LineString", "Line"), "record 2: \"Line\" is not a type of geometry"),
+        (record.replace("[1,1]", "[1 1]"), "record 2: expected `,` or `]` (column"),
+    ] {
+        let error = read(format!("\x1e{record}\n\x1e\n{second}\n").as_bytes()).unwrap_err();
+        assert!(error.message().starts_with(message) && error.line() == Some(3), "{error}");
+    }
+    assert!(read(&b"\x1e\n"[..]).unwrap_err().message().contains("no record"));
+}
