@@ -363,6 +363,7 @@ fn serve(arguments: &Arguments) -> Result<(), Failure> {
 /// move have many.
 fn is_written_together(verb: &Verb) -> bool {
     match verb {
+        Verb::Homology(verb) => !verb.is_in_parts(),
         Verb::Persistence(verb) => !verb.is_in_parts(),
         Verb::Shard(_)
         | Verb::Reduce(_)

@@ -200,6 +200,11 @@ impl Homology {
             .certified(self.certificate.is_some()))
     }
 
+    /// Whether the complex is reduced in parts, which leave files of their own.
+    pub(crate) fn is_in_parts(&self) -> bool {
+        self.in_parts.are_given()
+    }
+
     /// What is asked of a complex in parts, if parts answer all of it.
     fn question_of_parts(&self) -> Result<Question, Failure> {
         let others = [
