@@ -6,7 +6,7 @@ use crate::answer::PersistenceAnswer;
 use crate::homology::certificate::{Input, Number, checked, number, refused};
 use crate::producer::Cells;
 use coface_algebra::chains::ChainComplex;
-use coface_algebra::{CellId, Error, ErrorKind, Integer, SparseMatrix};
+use coface_algebra::{CellId, Error, ErrorKind, Integer, Residue, SparseMatrix};
 use coface_topology::{Coefficients, Filtration, persistence, persistent_cycles};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -310,7 +310,9 @@ fn image_chains(
             while let Some((&last, &entry)) = boundary.last_key_value()
                 && let Some([other, other_chain]) = reduced.get(&last)
             {
-                let factor = field - entry * inverse(other[&last], field) % field;
+                let unit = Residue::new(other[&last] as i64, prime)?.inverse();
+                let unit = unit.expect("a number that is not zero has an inverse in a field");
+                let factor = field - entry * u64::from(unit.value()) % field;
                 add(&mut boundary, factor, other, field);
                 add(&mut chain, factor, other_chain, field);
             }
@@ -338,19 +340,6 @@ fn add(sum: &mut BTreeMap<u32, u64>, factor: u64, other: &BTreeMap<u32, u64>, pr
             _ => sum.insert(at, value),
         };
     }
-}
-
-/// The inverse of a number that is not zero, by its power p - 2.
-fn inverse(number: u64, prime: u64) -> u64 {
-    let (mut power, mut base, mut exponent) = (1, number % prime, prime - 2);
-    while exponent > 0 {
-        if exponent % 2 == 1 {
-            power = power * base % prime;
-        }
-        base = base * base % prime;
-        exponent /= 2;
-    }
-    power
 }
 
 /// The cells of a degree in the order in which they enter.

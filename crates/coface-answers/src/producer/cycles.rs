@@ -144,12 +144,7 @@ impl Producer {
         };
         for (name, chain) in chains {
             let kind = kind_of(chain.degree());
-            let first = match chain.degree() {
-                0 => model.points.len(),
-                1 => model.lines.len(),
-                2 => model.polygons.len(),
-                _ => model.cells.len(),
-            };
+            let first = drawn_count(&model, kind);
             let mut members = Vec::new();
             if kind == GroupKind::Lines {
                 for line in self.polylines(chain) {
@@ -190,18 +185,15 @@ impl Producer {
         vertices: &[u32],
     ) -> Result<(), Error> {
         match (degree, &self.cells) {
-            (0, _) => model.points.push(VertexId::new(vertices[0] as usize)),
-            (2, _) => model.polygons.push(vertices),
             (3, Cells::Solids(mesh)) => {
                 model.shapes.push(mesh.shapes()[cell.index()]);
                 model.cells.push(vertices);
             }
-            (3, Cells::Voxels(_)) => draw_voxel(model, vertices),
-            (3, _) => {
+            (3, cells) if !matches!(cells, Cells::Voxels(_)) => {
                 model.shapes.push(CellShape::Tetrahedron);
                 model.cells.push(vertices);
             }
-            _ => return Err(cannot_be_drawn(degree)),
+            _ => return draw_cube(model, degree, vertices),
         }
         Ok(())
     }
@@ -246,15 +238,32 @@ fn no_positions() -> Error {
         .with_cure("write the generators as .json")
 }
 
-fn cannot_be_drawn(degree: usize) -> Error {
-    Error::invalid(format!("a cell of degree {degree} cannot be drawn"))
-        .with_cure("write the generators as .json")
+/// Draws a cube, or another cell of degree 0 or 2.
+fn draw_cube(model: &mut ModelParts, degree: usize, vertices: &[u32]) -> Result<(), Error> {
+    match degree {
+        0 => model.points.push(VertexId::new(vertices[0] as usize)),
+        2 => model.polygons.push(vertices),
+        3 => {
+            // The corners of a voxel come by rising places, those of a hexahedron around its bottom and its top.
+            model.shapes.push(CellShape::Hexahedron);
+            model.cells.push(&[0, 4, 6, 2, 1, 5, 7, 3].map(|corner| vertices[corner]));
+        }
+        _ => {
+            return Err(Error::invalid(format!("a cell of degree {degree} cannot be drawn"))
+                .with_cure("write the generators as .json"));
+        }
+    }
+    Ok(())
 }
 
-/// The corners of a voxel come by rising places, those of a hexahedron around its bottom and its top.
-fn draw_voxel(model: &mut ModelParts, vertices: &[u32]) {
-    model.shapes.push(CellShape::Hexahedron);
-    model.cells.push(&[0, 4, 6, 2, 1, 5, 7, 3].map(|corner| vertices[corner]));
+/// The number of cells that a model has of a kind.
+fn drawn_count(model: &ModelParts, kind: GroupKind) -> usize {
+    match kind {
+        GroupKind::Vertices => model.points.len(),
+        GroupKind::Lines => model.lines.len(),
+        GroupKind::Polygons => model.polygons.len(),
+        _ => model.cells.len(),
+    }
 }
 
 /// Cubes with coefficients, each with the places of its corners in the order of [`Producer::cell_vertices`].
@@ -277,41 +286,29 @@ pub(crate) fn picture_of_cubes(
     if positions.dimension() == 0 {
         return Err(no_positions());
     }
-    let place = |corner: &u64| used.binary_search(corner).map_or(u32::MAX, |place| place as u32);
+    let place = |corner: &u64| used.binary_search(corner).expect("all corners are there") as u32;
     let mut model = ModelParts { vertex_count: used.len(), positions, ..ModelParts::default() };
     for CubeChain { name, degree, terms } in chains {
+        let kind = kind_of(*degree);
+        let first = drawn_count(&model, kind);
         let vertices = |corners: &[u64]| corners.iter().map(place).collect::<Vec<u32>>();
         let mut members = Vec::new();
-        if *degree == 1 {
+        if kind == GroupKind::Lines {
             for line in walks(terms.iter().map(|(x, corners)| (x, vertices(corners)))) {
                 members.push(model.lines.len() as u32);
                 model.lines.push(&line);
             }
-            model.groups.push(Group::new(name, GroupKind::Lines, members));
-            continue;
-        }
-        for (x, corners) in terms {
-            let mut vertices = vertices(corners);
-            if x.signum() < 0 && *degree < 3 {
-                vertices.reverse();
-            }
-            match degree {
-                0 => {
-                    members.push(vertices[0]);
-                    model.points.push(VertexId::new(vertices[0] as usize));
+        } else {
+            for (at, (x, corners)) in terms.iter().enumerate() {
+                let mut vertices = vertices(corners);
+                if x.signum() < 0 && *degree < 3 {
+                    vertices.reverse();
                 }
-                2 => {
-                    members.push(model.polygons.len() as u32);
-                    model.polygons.push(&vertices);
-                }
-                3 => {
-                    members.push(model.cells.len() as u32);
-                    draw_voxel(&mut model, &vertices);
-                }
-                _ => return Err(cannot_be_drawn(*degree)),
+                draw_cube(&mut model, *degree, &vertices)?;
+                members.push(if kind == GroupKind::Vertices { vertices[0] } else { (first + at) as u32 });
             }
         }
-        model.groups.push(Group::new(name, kind_of(*degree), members));
+        model.groups.push(Group::new(name, kind, members));
     }
     let model = model.into_model();
     model.check()?;

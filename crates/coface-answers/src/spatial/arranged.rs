@@ -249,7 +249,8 @@ impl Arranged {
 
     pub(super) fn volumes(&self) -> &[f64] {
         self.volumes.get_or_init(|| {
-            self.arrangement.volumes().expect("vertices of an arrangement are points in space")
+            let found = self.arrangement.fine().volumes(self.drawn_positions());
+            found.expect("vertices of an arrangement are points in space")
         })
     }
 
@@ -408,7 +409,8 @@ impl Arranged {
             Positions::from_flat(3, positions.as_flat().iter().map(|&x| precision.rounded(x)).collect())
         };
         let (of_vertices, of_drawn) = (rounded(self.positions())?, rounded(self.drawn_positions())?);
-        Ok(Self { coarse: Some(Arc::new(CoarsePositions { of_vertices, of_drawn })), ..self.clone() })
+        let coarse = Some(Arc::new(CoarsePositions { of_vertices, of_drawn }));
+        Ok(Self { coarse, volumes: OnceLock::new(), ..self.clone() })
     }
 
     /// What was put together.

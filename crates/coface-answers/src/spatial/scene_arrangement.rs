@@ -174,12 +174,7 @@ impl SceneArrangement {
         let inputs = Inputs::new(&self.scene, &arranged)?;
         let cells_apart = self.cells_apart.or(Some(self.complex().cell_count(3)));
         let thin_apart = self.thin_cells();
-        let unrounded = match self.request.precision {
-            CoordinatePrecision::Double => None,
-            CoordinatePrecision::Single => {
-                Some(self.unrounded.clone().unwrap_or_else(|| Box::new(self.clone())))
-            }
-        };
+        let unrounded = self.unrounded_of_single();
         let (scene, request, crossings) = (self.scene.clone(), self.request, OnceLock::new());
         let surface = None;
         Ok(Self { scene, arranged, inputs, request, cells_apart, thin_apart, unrounded, crossings, surface })
@@ -210,13 +205,30 @@ impl SceneArrangement {
             Err(error) if matches!(error.kind(), ErrorKind::InvalidInput | ErrorKind::NotACycle) => {
                 match self.request.precision {
                     CoordinatePrecision::Double => Ok(None),
-                    precision @ CoordinatePrecision::Single => {
-                        let arranged = self.arranged.coarsely_rounded(precision)?;
-                        Ok(Some(Self { arranged, crossings: OnceLock::new(), ..self.clone() }))
-                    }
+                    CoordinatePrecision::Single => self.coarsely_rounded().map(Some),
                 }
             }
             other => other.map(Some),
+        }
+    }
+
+    /// The same with the nearest numbers of 32 bits as coordinates: nothing is put together, and faces may cross.
+    ///
+    /// # Errors
+    /// [`ErrorKind::UnsupportedFormat`] where these are too coarse.
+    fn coarsely_rounded(&self) -> Result<Self, Error> {
+        let arranged = self.arranged.coarsely_rounded(self.request.precision)?;
+        let unrounded = self.unrounded_of_single();
+        Ok(Self { arranged, unrounded, crossings: OnceLock::new(), ..self.clone() })
+    }
+
+    /// What numbers of 32 bits are compared with: this arrangement, or what it was made of.
+    fn unrounded_of_single(&self) -> Option<Box<Self>> {
+        match self.request.precision {
+            CoordinatePrecision::Double => None,
+            CoordinatePrecision::Single => {
+                Some(self.unrounded.clone().unwrap_or_else(|| Box::new(self.clone())))
+            }
         }
     }
 
@@ -734,8 +746,7 @@ mod tests {
         let precision = CoordinatePrecision::Single;
         let request = SpatialRequest { precision, ..SpatialRequest::default() };
         let exact = SceneArrangement::of([("solid", &solid), ("notch", &notch)], &request).unwrap();
-        let arranged = exact.arranged.coarsely_rounded(precision).unwrap();
-        let coarse = SceneArrangement { arranged, crossings: OnceLock::new(), ..exact };
+        let coarse = exact.coarsely_rounded().unwrap();
         assert!(coarse.positions().as_flat().iter().all(|&x| precision.holds(x)));
         assert!(coarse.crossings().unwrap().count > 0);
         let answer = coarse.answer(InsideRule::default()).unwrap();
@@ -746,5 +757,28 @@ mod tests {
         assert!(result.positions().unwrap().as_flat().iter().all(|&x| precision.holds(x)));
         assert!(!result.is_valid().unwrap());
         assert!(!result.answer().unwrap().rounding.valid);
+    }
+
+    /// Two cubes of 100 m that overlap by 5 mm, 300 km away, where numbers of 32 bits are 3 cm apart.
+    #[test]
+    fn a_result_of_another_volume_is_refused() {
+        let cube = |low: f64| {
+            let mut text = String::new();
+            for i in 0..8 {
+                let [x, y, z] =
+                    [(low, 0), (3e5, 1), (0.0, 2)].map(|(low, axis)| low + f64::from(i >> axis & 1) * 100.0);
+                text += &format!("v {x:?} {y:?} {z:?}\n");
+            }
+            text += "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+            coface_io::read(text.as_bytes(), Format::Obj).unwrap()
+        };
+        let (a, b) = (cube(3e5), cube(3e5 + 99.995));
+        let request = SpatialRequest { precision: CoordinatePrecision::Single, ..SpatialRequest::default() };
+        let exact = SceneArrangement::of([("a", &a), ("b", &b)], &request).unwrap();
+        let coarse = exact.coarsely_rounded().unwrap();
+        let common = SolidRequest::of(BooleanFormula::parse("a & b", &[]).unwrap());
+        assert!(SolidBoolean::of(&exact, &common).is_ok());
+        let error = SolidBoolean::of(&coarse, &common).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::UnsupportedFormat);
     }
 }

@@ -21,8 +21,8 @@ const FIRST_ATTEMPTS: [(f64, usize); 3] = [(1.0, STEADY_ROUNDS), (4.0, 4), (32.0
 /// Such an attempt is given up where faces cross in so many times the places of the first round of all, and some more.
 const GROWTH_OF_PLACES: usize = 2;
 const GROWTH_OF_FEW_PLACES: usize = 1 << 6;
-/// Numbers of 32 bits are too coarse for a drawing in which features so far apart would be put together, as a part of its extent.
-const COARSE_PART: f64 = 1.0 / 16384.0;
+/// With numbers of 32 bits features farther apart than this part of the extent are not put together: that would be seen.
+const SEEN_PART: f64 = 1.0 / 16384.0;
 /// Where a tolerance is given, no point goes further than so many times that.
 const MOST_WAY: f64 = 2.0;
 
@@ -41,6 +41,7 @@ struct Attempt {
     is_rounding: bool,
     /// Whether the attempt is given up where faces cross in more and more places, since others follow.
     is_first: bool,
+    /// So many rounds at most.
     rounds: usize,
     /// The attempt is given up before features farther apart are put together.
     longest: f64,
@@ -271,7 +272,7 @@ impl Drawing {
         let diagonal = diagonal(&self.points);
         let longest = match options.precision {
             CoordinatePrecision::Double => f64::INFINITY,
-            CoordinatePrecision::Single => COARSE_PART * diagonal,
+            CoordinatePrecision::Single => SEEN_PART * diagonal,
         };
         let rounds = rounds_to_an_end(diagonal, tolerance);
         let attempt = Attempt { is_rounding: true, rounds, longest, ..Attempt::default() };
