@@ -178,6 +178,64 @@ fn a_narrow_tunnel_among_many_vertices() {
     assert_eq!(groups(balls.complex()), (vec![1, 1, 40], false));
 }
 
+/// Planes across the axes cut the wall of a slanted tube in rings, or take off its tip.
+#[test]
+fn the_wall_of_a_slanted_tube_is_a_solid_torus() {
+    const SIDES: u32 = 24;
+    let [along, u, v] = [[1.0, 2.0, 3.0], [2.0, -1.0, 0.0], [0.6, 1.2, -1.0]];
+    let corner = |side: u32, radius: f64, length: f64| {
+        let (sine, cosine) = (f64::from(side) * std::f64::consts::TAU / f64::from(SIDES)).sin_cos();
+        [0, 1, 2].map(|i| length * along[i] + radius * (cosine * u[i] + sine * v[i]))
+    };
+    // Rings of corners: inside and outside at one end, outside and inside at the other.
+    let rings = [(0.95, 0.0), (1.0, 0.0), (1.0, 9.0), (0.95, 9.0)];
+    let points: Vec<f64> = rings
+        .iter()
+        .flat_map(|&(radius, length)| (0..SIDES).flat_map(move |side| corner(side, radius, length)))
+        .collect();
+    let triangles = RaggedArray::from_lists((0..4 * SIDES).flat_map(|place| {
+        let (ring, side) = (place / SIDES, place % SIDES);
+        let at = |ring: u32, side: u32| ring % 4 * SIDES + side % SIDES;
+        let [a, b] = [at(ring, side), at(ring, side + 1)];
+        let [c, d] = [at(ring + 1, side + 1), at(ring + 1, side)];
+        [[a, b, c], [a, c, d]]
+    }));
+    let polygons: Vec<u32> = (0..8 * SIDES).collect();
+    let tube = SpatialPolygons::new(Positions::from_flat(3, points).unwrap(), triangles, polygons).unwrap();
+    let arrangement = SpatialArrangement::new(&tube, &SpatialOptions::default()).unwrap();
+    assert_eq!(arrangement.f_vector()[3], 1);
+    let found = arrangement.ball_complex().unwrap();
+    assert_eq!(found.parts_left(), [0u32; 0]);
+    assert_eq!(groups(found.complex()), (vec![1, 1], false));
+    // Cut along it in two.
+    assert_eq!(found.complex().f_vector()[3], 2);
+}
+
+/// A solid comes back to itself from above in a vertex, where its face below has a corner of three quarters of a turn.
+#[test]
+fn what_touches_in_a_corner_of_more_than_a_half_turn_is_cut_there() {
+    let outline = [[0., 0.], [4., 0.], [4., 2.], [2., 2.], [2., 4.], [0., 4.]];
+    let points: Vec<f64> =
+        [0.0, 1.0].iter().flat_map(|&z| outline.iter().flat_map(move |&[x, y]| [x, y, z])).collect();
+    let walls = (0..6).map(|i| vec![i, (i + 1) % 6, (i + 1) % 6 + 6, i + 6]);
+    let walks: Vec<Vec<u32>> = walls.chain([vec![5, 4, 3, 2, 1, 0], vec![6, 7, 8, 9, 10, 11]]).collect();
+    let corner = SpatialPolygons::from_polygons(
+        Positions::from_flat(3, points).unwrap(),
+        RaggedArray::from_lists(walks),
+    );
+    let column = cuboid([0.0, 0.0, 0.5], [1.0, 1.0, 5.0], |p| p);
+    let plate = cuboid([0.0, 0.0, 4.0], [4.0, 4.0, 5.0], |p| p);
+    let pyramid = [[2., 2., 1.], [1.5, 1.5, 4.5], [2.5, 1.5, 4.5], [2.5, 2.5, 4.5], [1.5, 2.5, 4.5]];
+    let sides = RaggedArray::from_lists([&[0, 2, 1][..], &[0, 3, 2], &[0, 4, 3], &[0, 1, 4], &[1, 2, 3, 4]]);
+    let pyramid = SpatialPolygons::from_polygons(Positions::from_flat(3, pyramid.concat()).unwrap(), sides);
+    let all = SpatialPolygons::joined(&[corner.unwrap(), column, plate, pyramid.unwrap()]).unwrap();
+    let arrangement = SpatialArrangement::new(&all, &SpatialOptions::default()).unwrap();
+    let parts = vec![Some(0); arrangement.fine().cell_count()];
+    let found = arrangement.ball_complex_of(&parts, BallRules::new()).unwrap();
+    assert_eq!(groups(found.complex()), (vec![1, 1], false));
+    assert_eq!(found.parts_left(), [0u32; 0]);
+}
+
 #[test]
 fn an_apex_and_a_ridge_inside_a_face_touch_it() {
     // A pyramid on its apex, and a roof on its ridge, each on the top of a cube.

@@ -2,6 +2,7 @@
 
 use crate::spatial::SpatialArrangement;
 use coface_algebra::{FaceId, UnionFind, VertexId};
+use coface_geometry::{cross, dot};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
@@ -10,10 +11,15 @@ use std::cmp::Ordering;
 const VERTICES_TRIED: [usize; 3] = [8, 64, 512];
 /// A piece with more tunnels is cut across each axis at once.
 const TUNNELS_FOR_ONE_CUT: i64 = 2;
+/// So many directions of facets are tried where no plane across an axis leaves fewer tunnels, nearly parallel ones once.
+const DIRECTIONS_TRIED: usize = 12;
+/// The cosine of the angle from which on two directions are nearly parallel.
+const NEARLY_PARALLEL: f64 = 0.995;
 
 /// Rectangles across a piece, which has these half-faces around it, at right angles to an axis, through a vertex of its
 /// boundary or between two: of all tried the one that leaves the fewest tunnels, with the fewest rims; for pieces with many
-/// tunnels that across each axis.
+/// tunnels that across each axis. The wall of a slanted tube has none that leaves fewer: planes along facets are tried then,
+/// and at last those across an axis near the middle.
 ///
 /// No plane is taken that is there already. A piece that lies between two parts of the faces at a vertex must be cut
 /// through that, so one can be given with an axis.
@@ -30,14 +36,12 @@ pub(super) fn best_cuts(
         let level = arrangement.positions().point(VertexId::from_u32(vertex))[axis];
         return surface.rectangle(axis, level).into_iter().collect();
     }
-    let is_new =
-        |axis: usize, level: f64| cuts.iter().all(|cut| cut.iter().any(|corner| corner[axis] != level));
     let tunnels = surface.tunnels();
     let mut best: Vec<Plane> = Vec::new();
     for most in VERTICES_TRIED {
         let planes: Vec<(usize, f64)> = (0..3)
             .flat_map(|axis| surface.levels(axis, most).into_iter().map(move |level| (axis, level)))
-            .filter(|&(axis, level)| is_new(axis, level))
+            .filter(|&(axis, level)| is_new(axis, level, cuts))
             .collect();
         let plane = |&(axis, level): &(usize, f64)| surface.cut_at(axis, level);
         let mut found: Vec<Plane> = planes.par_iter().filter_map(plane).collect();
@@ -47,6 +51,15 @@ pub(super) fn best_cuts(
             break;
         }
     }
+    if best.first().is_none_or(|plane| plane.tunnels >= tunnels) {
+        let slanted = surface.slanted_cuts(tunnels);
+        if !slanted.is_empty() {
+            return slanted;
+        }
+        best.sort_by(|a, b| {
+            a.tunnels.cmp(&b.tunnels).then(a.off.total_cmp(&b.off)).then_with(|| a.compare(b))
+        });
+    }
     let is_first = |axis: usize| best.iter().find(|plane| plane.axis == axis);
     let chosen: Vec<&Plane> = match tunnels > TUNNELS_FOR_ONE_CUT {
         true => (0..3).filter_map(is_first).filter(|plane| plane.tunnels < tunnels).collect(),
@@ -54,6 +67,55 @@ pub(super) fn best_cuts(
     };
     let chosen = if chosen.is_empty() { best.iter().take(1).collect() } else { chosen };
     chosen.into_iter().filter_map(|plane| surface.rectangle(plane.axis, plane.level)).collect()
+}
+
+/// A rectangle across a piece through a vertex, at right angles to the first axis that has none there yet. Two parts of the
+/// faces that touch in the vertex alone are connected by it, or what lies between them is cut in two.
+pub(super) fn new_cut_through(
+    arrangement: &SpatialArrangement,
+    halves: &[u32],
+    vertex: u32,
+    cuts: &[[[f64; 3]; 4]],
+) -> Option<[[f64; 3]; 4]> {
+    let point = arrangement.positions().point(VertexId::from_u32(vertex));
+    let axis = (0..3).find(|&axis| is_new(axis, point[axis], cuts))?;
+    Surface::new(arrangement, halves).rectangle(axis, point[axis])
+}
+
+/// Whether no rectangle is in a plane at right angles to an axis.
+fn is_new(axis: usize, level: f64, cuts: &[[[f64; 3]; 4]]) -> bool {
+    cuts.iter().all(|cut| cut.iter().any(|corner| corner[axis] != level))
+}
+
+/// A direction, and two at right angles to it and each other.
+fn frame(direction: [f64; 3]) -> [[f64; 3]; 3] {
+    let smallest = (0..3).min_by(|&a, &b| direction[a].abs().total_cmp(&direction[b].abs())).unwrap_or(0);
+    let mut axis = [0.0; 3];
+    axis[smallest] = 1.0;
+    let across = cross(direction, axis);
+    let length = dot(across, across).sqrt();
+    let across = across.map(|x| x / length);
+    [direction, across, cross(direction, across)]
+}
+
+/// The rectangle with these corners in a frame, rounded so that its corners lie in one plane exactly: all coordinates are
+/// multiples of one number, few enough that sums are exact. None where nothing would be left of it.
+fn turned_back(frame: &[[f64; 3]; 3], corners: &[[f64; 3]; 4]) -> Option<[[f64; 3]; 4]> {
+    let back = |corner: &[f64; 3]| [0, 1, 2].map(|i| (0..3).map(|axis| corner[axis] * frame[axis][i]).sum());
+    let corners: [[f64; 3]; 4] = [0, 1, 2, 3].map(|i| back(&corners[i]));
+    let largest = corners.as_flattened().iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
+    let step = 2.0_f64.powi(largest.log2().ceil() as i32 - 48);
+    if !step.is_normal() {
+        return None;
+    }
+    let rounded = |x: f64| (x / step).round() * step;
+    let [first, second, _, last] = corners;
+    let first = first.map(rounded);
+    let [right, up] = [second, last].map(|corner| [0, 1, 2].map(|i| rounded(corner[i] - first[i])));
+    let normal = cross(right, up);
+    let (length, cosine) = (dot(normal, normal).sqrt(), dot(normal, frame[0]));
+    let sum = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|i| a[i] + b[i]);
+    (cosine > 0.99 * length).then(|| [first, sum(first, right), sum(sum(first, right), up), sum(first, up)])
 }
 
 /// A plane at right angles to an axis, and what it does.
@@ -158,6 +220,60 @@ impl Surface {
             corner(across[0], up[1]),
         ];
         corners.as_flattened().iter().all(|x| x.is_finite()).then_some(corners)
+    }
+
+    /// The best planes along facets of the piece: one, or for many tunnels up to three that are not nearly parallel; none
+    /// if no plane leaves fewer tunnels.
+    fn slanted_cuts(&self, tunnels: i64) -> Vec<[[f64; 3]; 4]> {
+        for most in VERTICES_TRIED {
+            let best = |&direction: &[f64; 3]| {
+                let frame = frame(direction);
+                let turned = self.turned(&frame);
+                let planes = turned.levels(0, most).into_iter().filter_map(|level| turned.cut_at(0, level));
+                let plane = planes.filter(|plane| plane.tunnels < tunnels).min_by(Plane::compare)?;
+                let corners = turned.rectangle(0, plane.level)?;
+                Some((plane, turned_back(&frame, &corners)?))
+            };
+            let mut found: Vec<(Plane, [[f64; 3]; 4])> =
+                self.directions().par_iter().filter_map(best).collect();
+            if !found.is_empty() {
+                found.sort_by(|a, b| a.0.compare(&b.0));
+                found.truncate(if tunnels > TUNNELS_FOR_ONE_CUT { 3 } else { 1 });
+                return found.into_iter().map(|(_, cut)| cut).collect();
+            }
+        }
+        Vec::new()
+    }
+
+    /// Normals of facets, of those with the largest area first; none that is nearly parallel to an axis or another.
+    fn directions(&self) -> Vec<[f64; 3]> {
+        let mut normals: Vec<(f64, [f64; 3])> = Vec::with_capacity(self.triangles.len());
+        for corners in &self.triangles {
+            let [a, b, c] = corners.map(|corner| self.points[corner as usize]);
+            let from_a = |p: [f64; 3]| [0, 1, 2].map(|i| p[i] - a[i]);
+            let normal = cross(from_a(b), from_a(c));
+            let length = dot(normal, normal).sqrt();
+            if length.is_normal() {
+                normals.push((length, normal.map(|x| x / length)));
+            }
+        }
+        normals.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let mut found: Vec<[f64; 3]> = Vec::new();
+        for (_, normal) in normals {
+            let is_parallel = |other: &[f64; 3]| dot(normal, *other).abs() > NEARLY_PARALLEL;
+            // Along an axis the planes have been tried.
+            let is_across_axis = normal.iter().any(|x| x.abs() == 1.0);
+            if found.len() < DIRECTIONS_TRIED && !is_across_axis && !found.iter().any(is_parallel) {
+                found.push(normal);
+            }
+        }
+        found
+    }
+
+    /// The surface in the coordinates of a frame.
+    fn turned(&self, frame: &[[f64; 3]; 3]) -> Self {
+        let points = self.points.iter().map(|&point| frame.map(|axis| dot(axis, point))).collect();
+        Self { points, triangles: self.triangles.clone(), edges: self.edges.clone() }
     }
 
     fn characteristic(&self) -> i64 {

@@ -16,7 +16,7 @@ mod pieces;
 mod touching;
 
 use self::building::build;
-use self::cutting_planes::best_cuts;
+use self::cutting_planes::{best_cuts, new_cut_through};
 use self::matching::cells_of_cut;
 use self::pieces::{Kept, Pieces};
 use super::SpatialArrangement;
@@ -26,7 +26,7 @@ use coface_geometry::Positions;
 
 /// No number. The arrays that hold it have one entry a cell, and an `Option` would double their size.
 const NONE: u32 = u32::MAX;
-/// Each round cuts every piece that is no ball.
+/// Each round cuts every piece that is no ball, or not known to be one.
 const MOST_ROUNDS: usize = 64;
 
 /// Rectangles across pieces. Each is there in the piece that it was made for alone.
@@ -185,17 +185,22 @@ impl SpatialArrangement {
             let arrangement = with_cuts.as_ref().unwrap_or(self);
             let kept = Kept::new(arrangement, self.polygon_count(), &parts, &cuts, rules.keep_faces);
             let pieces = Pieces::new(arrangement, &kept, &parts);
-            let bad = pieces.no_balls();
+            let bad = pieces.doubtful();
             let round = cuts.rounds.len();
             let next: Vec<(u32, [[f64; 3]; 4])> = if round == MOST_ROUNDS {
                 Vec::new()
             } else {
                 let halves = kept.halves_of_pieces(arrangement);
                 let cut = |&piece: &u32| {
-                    let through = pieces.vertex_between(piece).filter(|_| round % 2 == 0);
-                    let through = through.map(|vertex| (vertex, round / 2 % 3));
                     let own = halves.list(piece as usize);
-                    let found = best_cuts(arrangement, own, through, &cuts.rectangles);
+                    let found = if pieces.is_ball(piece) {
+                        let through = |vertex| new_cut_through(arrangement, own, vertex, &cuts.rectangles);
+                        pieces.unknown_at(piece).find_map(through).into_iter().collect()
+                    } else {
+                        let through = pieces.vertex_between(piece).filter(|_| round % 2 == 0);
+                        let through = through.map(|vertex| (vertex, round / 2 % 3));
+                        best_cuts(arrangement, own, through, &cuts.rectangles)
+                    };
                     found.into_iter().map(move |cut| (piece, cut))
                 };
                 bad.iter().flat_map(cut).collect()

@@ -124,8 +124,8 @@ pub(super) struct Pieces {
     is_ball: Vec<bool>,
     /// The pieces that lie between two parts of the faces at a vertex, with the vertex.
     between: Vec<(u32, u32)>,
-    /// Whether it is known how the shells of a piece are joined.
-    is_known: Vec<bool>,
+    /// The pieces of which it is not known whether they lie between parts of the faces at a vertex, rising, with the vertex.
+    unknown: Vec<(u32, u32)>,
 }
 
 /// A corner of a shell at a vertex.
@@ -215,7 +215,7 @@ impl Pieces {
         // Twice the Euler characteristic of each shell, at its root.
         let mut characteristic = vec![0i64; 2 * complex.face_count()];
         let mut is_counted = vec![false; 4 * sides.item_count()];
-        let mut is_known = vec![true; kept.piece_count];
+        let mut unknown = Vec::new();
         let mut touching: Vec<Touch> = Vec::new();
         for half in halves() {
             let face = (half >> 1) as usize;
@@ -250,9 +250,11 @@ impl Pieces {
         let mut between = Vec::new();
         for at in touching.chunk_by(|x, y| x.vertex == y.vertex) {
             let joined =
-                join_at_vertex(arrangement, kept, at, &mut shells, &mut characteristic, &mut is_known);
+                join_at_vertex(arrangement, kept, at, &mut shells, &mut characteristic, &mut unknown);
             between.extend(joined.into_iter().map(|piece| (piece, at[0].vertex)));
         }
+        unknown.sort_unstable();
+        unknown.dedup();
         let shell_of_half: Vec<u32> =
             (0..2 * complex.face_count() as u32).map(|half| shells.find(half)).collect();
         let mut own_shells = vec![Vec::new(); kept.piece_count];
@@ -270,18 +272,24 @@ impl Pieces {
         for (cell, &piece) in kept.piece_of_cell.iter().enumerate() {
             part_of_piece[piece as usize] = parts[cell];
         }
-        Self { part_of_piece, shells: own_shells, shell_of_half, is_ball, between, is_known }
+        Self { part_of_piece, shells: own_shells, shell_of_half, is_ball, between, unknown }
     }
 
-    /// The pieces that are no balls, as far as is known.
-    pub(super) fn no_balls(&self) -> Vec<u32> {
-        (0..self.is_ball.len() as u32).filter(|&piece| !self.is_ball[piece as usize]).collect()
+    /// Whether a piece is a ball, as far as is known.
+    pub(super) fn is_ball(&self, piece: u32) -> bool {
+        self.is_ball[piece as usize]
     }
 
     /// The pieces that are no balls, or not known to be.
     pub(super) fn doubtful(&self) -> Vec<u32> {
-        let is_doubtful = |&piece: &u32| !self.is_ball[piece as usize] || !self.is_known[piece as usize];
+        let is_doubtful = |&piece: &u32| !self.is_ball(piece) || self.unknown_at(piece).next().is_some();
         (0..self.is_ball.len() as u32).filter(is_doubtful).collect()
+    }
+
+    /// The vertices at which it is not known whether a piece lies between parts of the faces.
+    pub(super) fn unknown_at(&self, piece: u32) -> impl Iterator<Item = u32> {
+        let begin = self.unknown.partition_point(|known| known.0 < piece);
+        self.unknown[begin..].iter().take_while(move |known| known.0 == piece).map(|known| known.1)
     }
 
     /// A vertex at which a piece lies between two parts of the faces.
@@ -381,7 +389,7 @@ fn join_at_vertex(
     at: &[Touch],
     shells: &mut UnionFind,
     characteristic: &mut [i64],
-    is_known: &mut [bool],
+    unknown: &mut Vec<(u32, u32)>,
 ) -> Vec<u32> {
     let mut faces: Vec<u32> = at.iter().map(|corner| corner.part).collect();
     faces.dedup();
@@ -425,7 +433,7 @@ fn join_at_vertex(
             }
             None => {
                 let own = at.iter().filter(|corner| (corner.region as usize) < kept.piece_count);
-                own.for_each(|corner| is_known[corner.region as usize] = false);
+                unknown.extend(own.map(|corner| (corner.region, corner.vertex)));
             }
         }
         return Vec::new();
