@@ -19,11 +19,9 @@ fn every_verb_tells_how_far_positions_move() {
         "convert IN -o OUT.gltf",
         "convert IN -o OUT.stl",
         "boolean union IN -o OUT.glb",
-        "boolean union IN -o OUT.stl",
         "arrange IN --dimension 3 -o OUT.gltf",
         "edit IN -o OUT.stl",
-        "cut IN --along 0,1 -o OUT.stl",
-        "boundary IN -o OUT.stl",
+        "closure IN --simplices 0,1,2 -o OUT.stl",
         "congruence IN --tolerance 0 -o OUT.stl",
     ] {
         for (input, is_rounded) in [("a.obj", true), ("b.obj", false)] {

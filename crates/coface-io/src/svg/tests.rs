@@ -316,7 +316,7 @@ fn paints_that_are_not_there_paint_nothing() {
         assert_eq!(own, [0, if is_filled { 0 } else { -1 }], "{attributes}");
         let said = model.remarks().iter().filter(|remark| remark.code == RemarkCode::DrawingAssumption);
         let said: Vec<u64> = said
-            .filter(|said| said.message.starts_with("nothing is drawn"))
+            .filter(|said| said.message.starts_with("these paint nothing"))
             .map(|said| said.count as u64)
             .collect();
         assert_eq!(said, if missing > 0 { vec![missing] } else { vec![] }, "{attributes}");

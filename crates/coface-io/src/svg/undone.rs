@@ -43,7 +43,7 @@ impl Undone {
         let parts: Vec<String> = parts.into_iter().flatten().collect();
         let count = self.paints + self.circles;
         (count > 0).then(|| {
-            let message = format!("nothing is drawn by these, as SVG says: {}", parts.join(", "));
+            let message = format!("these paint nothing, as SVG says: {}", parts.join(", "));
             Remark::new(RemarkCode::DrawingAssumption, message).at(count, [])
         })
     }
