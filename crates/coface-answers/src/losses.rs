@@ -54,7 +54,7 @@ pub fn losses_of(model: &Model, format: Format) -> Vec<Remark> {
                 && (matches!(data.name(), "polygon" | "ring")
                     || data.name() == "feature" && format != Format::Svg)
         }
-        Format::Obj => colors.is_some_and(|colors| colors.contains(&data)),
+        Format::Obj | Format::ThreeMf | Format::Amf => colors.is_some_and(|colors| colors.contains(&data)),
         _ => false,
     };
     let data_count = model.data().iter().filter(|data| !is_told(data)).count();

@@ -1,5 +1,6 @@
 //! The options that verbs share.
 
+use crate::failure::Failure;
 use crate::points::PointArguments;
 use clap::Args;
 use coface::complexes::cubical::CubicalVolume;
@@ -172,6 +173,31 @@ fn periodic_axes(text: &str) -> Result<PeriodicAxes, String> {
 }
 
 impl Common {
+    /// The first option that says how a model is read, if one is given.
+    fn input_option(&self) -> Option<&'static str> {
+        let given = [
+            ("--format", self.format.is_some()),
+            ("--flatten", self.flatten.is_some()),
+            ("--partial", self.partial),
+            ("--allow-outside", self.allow_outside),
+            ("--lod", self.lod.is_some()),
+            ("--pseudomanifold", self.pseudomanifold),
+            ("--periodic", self.voxels.periodic.is_some()),
+        ];
+        let other = given.into_iter().find(|&(_, is_given)| is_given).map(|(name, _)| name);
+        self.points.given().or(self.voxels.rule_given()).or(other)
+    }
+
+    /// Refuses options that say how a model is read, where none is.
+    pub(crate) fn refuse_input_options(&self) -> Result<(), Failure> {
+        match self.input_option() {
+            None => Ok(()),
+            Some(option) => Err(Failure::new(format!(
+                "{option} says how a model is read, and none is read here: leave it out"
+            ))),
+        }
+    }
+
     /// How inputs are read.
     pub(crate) fn reading(&self) -> ReadOptions {
         let options = ReadOptions::new()

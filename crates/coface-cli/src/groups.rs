@@ -7,10 +7,11 @@ use crate::output::{is_json, write_json};
 use crate::progress::Progress;
 use crate::remarks::{accept, say_remarks};
 use crate::surface::{self, Solid};
+use crate::target::write_model;
 use coface::algebra::{RaggedArray, Word};
 use coface::answers::answer::{ClosedPath, WalkAnswer, WalkPair};
 use coface::answers::{FoundGroups, GivenWalks, GroupsRequest, Producer};
-use coface::io::{Model, write_path};
+use coface::io::Model;
 use coface::{Error, ErrorKind};
 use serde::Serialize;
 use serde_json::Value;
@@ -72,7 +73,7 @@ impl Asked {
             )));
         }
         let lines = RaggedArray::from_lists(paths.iter().filter(|vertices| vertices.len() > 1));
-        Ok(write_path(&Model::from_lines(self.producer.positions().clone(), lines)?, place, None)?)
+        write_model(place, &Model::from_lines(self.producer.positions().clone(), lines)?)
     }
 
     /// Writes the short closed paths, or else the loops.

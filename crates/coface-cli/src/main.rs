@@ -25,6 +25,7 @@ mod surface;
 mod target;
 mod verbs;
 mod workers;
+mod written;
 
 use failure::Failure;
 use std::process::ExitCode;

@@ -6,12 +6,12 @@ use crate::input::{self, Loaded};
 use crate::output::{print_json, print_text};
 use crate::progress::Progress;
 use crate::remarks;
+use crate::target::write_model;
 use coface::Error;
 use coface::answers::answer::{Place, Remark, RemarkCode, SimplicesAnswer};
 use coface::answers::text;
 use coface::answers::{model_of_simplices, simplicial_complex};
 use coface::complexes::simplicial::{Simplex, SimplexSet, SimplicialComplex};
-use coface::io;
 use coface::io::{Format, Model};
 use std::path::Path;
 use std::str::FromStr;
@@ -103,7 +103,7 @@ impl Request<'_> {
             progress.stage(format!("writing {}", path.display()));
             let as_facets = Format::from_path(path) == Some(Format::Json);
             let model = model_of_simplices(&set, &loaded.model, as_facets)?;
-            io::write_path(&model, path, None)?;
+            write_model(path, &model)?;
         }
         drop(progress);
         if common.json {

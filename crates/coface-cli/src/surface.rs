@@ -5,10 +5,11 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::{is_json, write_json};
 use crate::progress::Progress;
+use crate::target::write_model;
 use coface::VertexId;
 use coface::algebra::RaggedArray;
 use coface::answers::{Producer, SurfaceModel};
-use coface::io::{Format, GroupKind, Model, Structure, write_path};
+use coface::io::{Format, GroupKind, Model, Structure};
 use coface::{Error, ErrorKind, Fault};
 use serde::Serialize;
 use std::path::Path;
@@ -201,7 +202,7 @@ pub(crate) fn save(
     if model.coordinate_count() == 0 && model.vertex_count() > 0 {
         return Err(Failure::new(format!("{}: the model has no positions; write .json", path.display())));
     }
-    write_path(model, path, None)?;
+    write_model(path, model)?;
     if let Some(format) = Format::from_path(path).filter(|format| !format.keeps_data() && !common.quiet) {
         crate::output::remark(&format!(
             "{} does not keep data on cells, such as what each vertex is a copy of; .ply and .vtk do",

@@ -2,8 +2,9 @@
 
 use crate::failure::Failure;
 use crate::output::write_file;
-use coface::io::{Format, Model};
-use coface::pictures::{GltfForm, Picture, PictureStyle, Scene, gltf};
+use crate::remarks;
+use coface::io::{Format, Model, RemarkCode, losses, never_written, write_path};
+use coface::pictures::{GltfForm, Picture, PictureStyle, Scene, gltf, gltf_rounding};
 use std::path::Path;
 
 /// What a file is, by its extension.
@@ -30,7 +31,7 @@ impl Target {
             Some("glb") => Self::Seen(Seen::Glb),
             Some("gltf") => Self::Seen(Seen::Gltf),
             Some("png") => Self::Seen(Seen::Png),
-            _ => Self::Model(Format::from_path(path).ok_or_else(|| unknown_extension(path, SEEN))?),
+            _ => Self::Model(written_format(path, SEEN)?),
         })
     }
 
@@ -57,15 +58,39 @@ pub(crate) fn unknown_extension(path: &Path, more: &str) -> Failure {
     Failure::new(format!("{}: {fault}; end it in one of {names}{more}", path.display()))
 }
 
-/// Refuses a file whose extension is no format, before the work whose result it is to hold; a name without an extension is JSON.
-pub(crate) fn check_extension(path: &Path) -> Result<(), Failure> {
-    match path.extension() {
-        Some(_) if Format::from_path(path).is_none() => Err(unknown_extension(path, "")),
-        _ => Ok(()),
+/// The format in which a model is written to this file; `more` are the extensions beyond those of models.
+pub(crate) fn written_format(path: &Path, more: &str) -> Result<Format, Failure> {
+    let format = Format::from_path(path).ok_or_else(|| unknown_extension(path, more))?;
+    match never_written(format) {
+        None => Ok(format),
+        Some(error) => Err(error.in_file(path.display().to_string()).into()),
     }
 }
 
-/// Writes what is seen of a model.
+/// Refuses a file whose extension is no format in which models are written, before the work whose result it is to hold; a name without an
+/// extension is JSON.
+pub(crate) fn check_extension(path: &Path) -> Result<(), Failure> {
+    match path.extension() {
+        Some(_) => written_format(path, "").map(drop),
+        None => Ok(()),
+    }
+}
+
+/// Writes a model in the format of the name, and says how far that rounds positions.
+pub(crate) fn write_model(path: &Path, model: &Model) -> Result<(), Failure> {
+    write_path(model, path, None)?;
+    take_rounding(path, model);
+    Ok(())
+}
+
+/// Notes how far a file of this name rounds the positions of a model.
+pub(crate) fn take_rounding(path: &Path, model: &Model) {
+    let mut lost = Format::from_path(path).map_or_else(Vec::new, |format| losses(model, format));
+    lost.retain(|lost| matches!(lost.code, RemarkCode::NumbersRounded | RemarkCode::RoundedInvalid));
+    remarks::take(&path.display().to_string(), &lost);
+}
+
+/// Writes what is seen of a model, and says how far that rounds positions.
 pub(crate) fn write_seen(path: &Path, model: &Model, seen: Seen) -> Result<(), Failure> {
     let title = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     let scene = Scene::of(&title, model)?;
@@ -76,5 +101,9 @@ pub(crate) fn write_seen(path: &Path, model: &Model, seen: Seen) -> Result<(), F
         Seen::Png => picture()?.png()?,
         Seen::Svg => picture()?.svg().into_bytes(),
     };
-    write_file(path, &bytes)
+    write_file(path, &bytes)?;
+    if matches!(seen, Seen::Glb | Seen::Gltf) {
+        remarks::take(&path.display().to_string(), gltf_rounding(&scene).as_slice());
+    }
+    Ok(())
 }

@@ -6,6 +6,7 @@ use crate::examples::with_examples;
 use crate::failure::Failure;
 use crate::output::end_with;
 use crate::remarks::say_read;
+use crate::written::Written;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Args, Command, CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -348,14 +349,73 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn serve(arguments: &Arguments) -> Result<(), Failure> {
     let common = &arguments.common;
     common.points.check(&common.voxels)?;
+    if !reads_models(&arguments.verb) {
+        common.refuse_input_options()?;
+    }
     if let Some(output) = &common.output {
         // Before the work, not after it.
         check_output(output)?;
     }
+    written_by(&arguments.verb).check_output(common)?;
     if is_written_together(&arguments.verb) {
         replace_together(|| run_verb(arguments))
     } else {
         run_verb(arguments)
+    }
+}
+
+/// Whether a verb reads models; [`WITHOUT_INPUTS`] has the names of those that never do.
+fn reads_models(verb: &Verb) -> bool {
+    match verb {
+        Verb::Check(_) | Verb::Diagram(_) | Verb::Completions(_) | Verb::Man(_) => false,
+        Verb::Generate(verb) => verb.reads_models(),
+        _ => true,
+    }
+}
+
+/// What a verb writes into the file of -o.
+fn written_by(verb: &Verb) -> Written {
+    match verb {
+        Verb::Simplify(_)
+        | Verb::Edit(_)
+        | Verb::Cut(_)
+        | Verb::Cover(_)
+        | Verb::Loops(_)
+        | Verb::Cycles(_) => Written::Model,
+        Verb::Star(_)
+        | Verb::Closure(_)
+        | Verb::Link(_)
+        | Verb::Boundary(_)
+        | Verb::Interior(_)
+        | Verb::Skeleton(_)
+        | Verb::Congruence(_) => Written::Model,
+        Verb::Cocycles(verb) => verb.written(),
+        Verb::Pi1(_)
+        | Verb::Subgroups(_)
+        | Verb::Isomorphic(_)
+        | Verb::Homotopic(_)
+        | Verb::Check(_)
+        | Verb::Merge(_) => Written::Answer,
+        // Each of these looks at the name before it reads.
+        Verb::Info(_)
+        | Verb::Homology(_)
+        | Verb::Persistence(_)
+        | Verb::Diagram(_)
+        | Verb::Euler(_)
+        | Verb::Incidence(_)
+        | Verb::Arrange(_)
+        | Verb::Boolean(_)
+        | Verb::Map(_)
+        | Verb::Yin(_)
+        | Verb::Generate(_)
+        | Verb::Batch(_)
+        | Verb::Convert(_)
+        | Verb::View(_)
+        | Verb::Render(_) => Written::Other,
+        // Folders, or nothing.
+        Verb::Shard(_) | Verb::Reduce(_) | Verb::Worker(_) | Verb::Completions(_) | Verb::Man(_) => {
+            Written::Other
+        }
     }
 }
 

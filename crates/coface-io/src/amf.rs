@@ -1,8 +1,10 @@
 //! AMF: meshes in XML, plain or in a ZIP archive, with constellations that place them.
 
 use crate::Model;
+use crate::decimal::{flush, push_f64};
+use crate::print_objects::{PrintObjects, color, escaped, point};
 use coface_algebra::Error;
-use std::io::Read;
+use std::io::{Read, Write};
 
 /// Reads all constellations that no other one names, with their objects where they place them, and the objects that none places as they
 /// stand. An object with a name is a [`Group`](crate::Group) of polygons; volumes of an object are put together. Triangles are flat: normals
@@ -47,6 +49,79 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
 #[cfg(not(feature = "xml"))]
 pub fn read(_input: impl Read) -> Result<Model, Error> {
     Err(crate::features::without_xml("AMF"))
+}
+
+/// Writes the polygons of a model in AMF, as triangles, in millimeters.
+///
+/// Coordinates are written so that they read back bit for bit; fewer than three are filled up with zeros. Parts that hang together by vertices
+/// and lie whole in a [`Group`](crate::Group) of polygons are an object of its name, and all others are one object. A polygon of more than three vertices is cut into triangles
+/// on its own vertices. Data `red`, `green` and `blue` on vertices, a byte each, are colors of vertices. [`losses`](crate::losses) says
+/// what a model loses.
+///
+/// # Errors
+/// [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat) if the model has lines, points, 3-cells, no positions or more than
+/// three coordinates a vertex, or is an abstract structure; [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for
+/// coordinates that are not finite; [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) if the stream fails.
+///
+/// # Complexity
+/// $O(n \log n)$ in the corners.
+///
+/// # Examples
+/// ```
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let triangle = coface_io::obj::read("v 0 0 0\nv 1 0 0\nv 0 0.1 0\nf 1 2 3\n".as_bytes())?;
+/// let mut written = Vec::new();
+/// coface_io::amf::write(&triangle, &mut written)?;
+/// assert!(String::from_utf8_lossy(&written).contains("<y>0.1</y>"));
+/// # Ok(()) }
+/// ```
+pub fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
+    let objects = PrintObjects::of(model, "AMF")?;
+    let mut text =
+        b"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<amf unit=\"millimeter\" version=\"1.1\">\n".to_vec();
+    let number = |text: &mut Vec<u8>, name: &str, value: f64| {
+        text.extend_from_slice(format!("<{name}>").as_bytes());
+        push_f64(text, value);
+        text.extend_from_slice(format!("</{name}>").as_bytes());
+    };
+    for (id, object) in objects.objects.iter().enumerate() {
+        text.extend_from_slice(format!("<object id=\"{}\">", id + 1).as_bytes());
+        if !object.name.is_empty() {
+            let name = escaped(&object.name);
+            text.extend_from_slice(format!("<metadata type=\"name\">{name}</metadata>").as_bytes());
+        }
+        text.extend_from_slice(b"<mesh>\n<vertices>\n");
+        for &vertex in &object.vertices {
+            text.extend_from_slice(b"<vertex><coordinates>");
+            for (axis, x) in ["x", "y", "z"].into_iter().zip(point(model, vertex)) {
+                number(&mut text, axis, x);
+            }
+            text.extend_from_slice(b"</coordinates>");
+            if let Some(color) = color(model, vertex) {
+                text.extend_from_slice(b"<color>");
+                for (part, byte) in ["r", "g", "b"].into_iter().zip(color) {
+                    number(&mut text, part, f64::from(byte) / 255.0);
+                }
+                text.extend_from_slice(b"</color>");
+            }
+            text.extend_from_slice(b"</vertex>\n");
+            flush(&mut text, &mut output)?;
+        }
+        text.extend_from_slice(b"</vertices>\n<volume>\n");
+        for triangle in &object.triangles {
+            text.extend_from_slice(b"<triangle>");
+            for (corner, vertex) in ["v1", "v2", "v3"].into_iter().zip(triangle) {
+                number(&mut text, corner, f64::from(*vertex));
+            }
+            text.extend_from_slice(b"</triangle>\n");
+            flush(&mut text, &mut output)?;
+        }
+        text.extend_from_slice(b"</volume>\n</mesh></object>\n");
+    }
+    text.extend_from_slice(b"</amf>\n");
+    output.write_all(&text)?;
+    output.flush()?;
+    Ok(())
 }
 
 #[cfg(feature = "xml")]

@@ -61,11 +61,11 @@ pub enum Format {
     Png,
     /// glTF and GLB: placed meshes, read only.
     Gltf,
-    /// 3MF: placed meshes, read only.
+    /// 3MF: placed meshes.
     ThreeMf,
     /// COLLADA: placed meshes, read only.
     Collada,
-    /// AMF: placed meshes, plain or in an archive, read only.
+    /// AMF: placed meshes, plain or in an archive.
     Amf,
     /// Abaqus input: nodes, elements and sets, read only.
     Abaqus,
@@ -284,7 +284,7 @@ impl Format {
     /// assert!(Format::Obj.keeps_groups() && !Format::Off.keeps_groups());
     /// ```
     pub const fn keeps_groups(self) -> bool {
-        matches!(self, Self::Obj | Self::Medit | Self::Msh | Self::GeoJson)
+        matches!(self, Self::Obj | Self::Medit | Self::Msh | Self::GeoJson | Self::ThreeMf | Self::Amf)
     }
 
     /// Whether [`crate::write`] writes the data on cells of a model in this format; the others leave them out.
@@ -349,9 +349,7 @@ impl Format {
         matches!(
             self,
             Self::Gltf
-                | Self::ThreeMf
                 | Self::Collada
-                | Self::Amf
                 | Self::Abaqus
                 | Self::TetGen
                 | Self::Points

@@ -9,7 +9,7 @@
 //! * `compression` (default): compressed files of all formats and compressed arrays of VTK XML are read.
 //! * `gltf` (default): glTF and GLB are read.
 //! * `images` (default): images as PNG are read.
-//! * `archives` (default): 3MF is read.
+//! * `archives` (default): 3MF is read and written.
 //!
 //! A reader that a build leaves out refuses its files and names the feature.
 //!
@@ -75,6 +75,7 @@ mod planar_facet;
 pub mod ply;
 mod points_table;
 pub mod points_text;
+mod print_objects;
 mod readers;
 mod reference_system;
 mod remark;
@@ -93,6 +94,7 @@ mod table_form;
 mod tail;
 pub mod tetgen;
 pub mod three_mf;
+mod triangles;
 mod unpacking;
 mod utf16;
 mod values;
@@ -103,6 +105,7 @@ pub mod wkb;
 pub mod wkt;
 mod wkt_table;
 mod word_columns;
+mod written;
 #[cfg(feature = "xml")]
 mod xml_text;
 pub mod yin;
@@ -128,6 +131,8 @@ pub use format::Format;
 pub use graph::FileGraph;
 pub use group::{Group, GroupKind, GroupRole};
 pub use isosig::{SignatureLine, SignatureLines};
+#[doc(hidden)]
+pub use losses::single_precision_remark;
 pub use losses::{losses, signature_losses, unread_remark};
 pub use mapper::{Lens, MapperPoints, MapperReading};
 pub use model::repeated_vertex;
@@ -155,3 +160,5 @@ pub use unpacking::unpacked_bytes;
 pub use volume::VoxelFrame;
 pub use volume::{VolumeReading, VolumeStream, VolumeWindows, VoxelRule};
 pub use witness::{WitnessPoints, WitnessReading};
+#[doc(hidden)]
+pub use written::{format_of_output, never_written};

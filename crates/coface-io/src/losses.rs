@@ -2,7 +2,7 @@
 
 use crate::drawing::{Shape, shapes, written_dimension};
 use crate::geometries::surface_of_faces;
-use crate::{Format, GroupKind, Model, Remark, RemarkCode, Structure, obj, stl};
+use crate::{Format, GroupKind, Model, Remark, RemarkCode, Structure, obj, print_objects, stl};
 use std::collections::HashSet;
 
 /// What a file of a format does not keep of this model, or keeps in another way: positions that are rounded, vertices that become one, faces of a
@@ -25,6 +25,7 @@ use std::collections::HashSet;
 pub fn losses(model: &Model, format: Format) -> Vec<Remark> {
     match format {
         Format::Stl => stl::losses(model),
+        Format::ThreeMf | Format::Amf => print_objects::losses(model, format),
         Format::Wkt | Format::Wkb | Format::WkbHex | Format::GeoJson | Format::Svg | Format::Lines => {
             of_drawing(model, format)
         }
@@ -141,6 +142,30 @@ fn merged_count(model: &Model, dimension: usize, has_surfaces: bool) -> usize {
     used.sort_unstable();
     used.dedup();
     used.windows(2).filter(|pair| (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1)).count()
+}
+
+/// That these positions are others in a file that holds numbers of 32 bits: each pair has a position and what is written. None where all
+/// are the same.
+///
+/// # Complexity
+/// Linear.
+#[doc(hidden)]
+pub fn single_precision_remark(points: impl IntoIterator<Item = [[f64; 3]; 2]>) -> Option<Remark> {
+    let (mut moved, mut farthest) = (0, 0.0f64);
+    for [point, written] in points {
+        let square: f64 = point.iter().zip(written).map(|(x, y)| (x - y).powi(2)).sum();
+        if square > 0.0 {
+            (moved, farthest) = (moved + 1, farthest.max(square.sqrt()));
+        }
+    }
+    let moves = match moved {
+        0 => return None,
+        1 => "1 vertex moves".to_owned(),
+        _ => format!("{moved} vertices move"),
+    };
+    let message =
+        format!("coordinates are rounded to single precision: {moves}, by up to about {farthest:.2e}");
+    Some(Remark::new(RemarkCode::NumbersRounded, message).at(moved, []))
 }
 
 /// What an isomorphism signature of the tetrahedra of this model leaves out: positions, groups, data, and what is no face of a tetrahedron.

@@ -7,8 +7,8 @@ use super::stream_start::{unpacked_start, without_mark};
 use super::tail::Tail;
 use super::{
     Format, Model, Remark, Structure, VolumeReading, VolumeStream, abaqus, amf, cityjson, collada,
-    complex_reading, container, detection, format, geojson, gltf, isosig, json, lines_text, matrix_market,
-    medit, msh, obj, off, parts, ply, points_text, stl, svg, tetgen, three_mf, volume, vtk, wkb, wkt, yin,
+    complex_reading, container, detection, geojson, gltf, isosig, json, lines_text, matrix_market, medit,
+    msh, obj, off, parts, ply, points_text, stl, svg, tetgen, three_mf, volume, vtk, wkb, wkt, written, yin,
 };
 use crate::complex_reading::ComplexReading;
 use crate::{ReferenceSystem, RemarkCode};
@@ -686,10 +686,8 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
         Format::WkbHex => wkb::write(model, out, wkb::Encoding::Digits),
         Format::Svg => svg::write(model, out),
         Format::Container => container::write(model, out),
-        Format::Dat => {
-            Err(Error::new(ErrorKind::UnsupportedFormat, ".dat holds sets of the plane, not models")
-                .with_cure("write another format; of a drawing coface yin info INPUT -o OUT.dat makes a set"))
-        }
+        Format::ThreeMf => three_mf::write(model, out),
+        Format::Amf => amf::write(model, out),
         Format::Npy => match model.structure() {
             Some(Structure::Volume(voxels)) => volume::write_npy(voxels, out),
             _ => Err(Error::new(
@@ -698,30 +696,20 @@ pub fn write(model: &Model, out: impl Write, format: Format) -> Result<(), Error
             )
             .with_cure("write a mesh format or JSON")),
         },
-        Format::Png => {
-            Err(Error::new(ErrorKind::UnsupportedFormat, "a PNG image is read as a volume, and not written")
-                .with_cure("draw the model by coface render INPUT -o OUT.png; a volume is written as .npy"))
-        }
-        Format::Nrrd | Format::Nifti | Format::MetaImage | Format::Pgm => {
-            Err(Error::new(ErrorKind::UnsupportedFormat, format!("{} is read, not written", format.title()))
-                .with_cure("write a volume as .npy"))
-        }
-        Format::MatrixMarket => {
-            let message = "Matrix Market holds a matrix, not a model";
-            Err(Error::new(ErrorKind::UnsupportedFormat, message).with_cure(
-                "write .json or .cfc; coface incidence INPUT VE --signed -o OUT.mtx writes a boundary matrix",
-            ))
-        }
-        Format::Gltf
-        | Format::ThreeMf
+        Format::Dat
+        | Format::Png
+        | Format::Nrrd
+        | Format::Nifti
+        | Format::MetaImage
+        | Format::Pgm
+        | Format::MatrixMarket
+        | Format::Gltf
         | Format::Collada
-        | Format::Amf
         | Format::Abaqus
         | Format::TetGen
         | Format::Points
         | Format::CityJson => {
-            Err(Error::new(ErrorKind::UnsupportedFormat, format!("{} is read, not written", format.title()))
-                .with_cure("write a mesh as OBJ, PLY, MSH or VTK"))
+            Err(written::never_written(format).expect("these hold no models that are written"))
         }
     }
 }
@@ -764,16 +752,9 @@ pub fn write_empty_polygon(
 /// ```
 pub fn write_path(model: &Model, path: impl AsRef<Path>, format: Option<Format>) -> Result<(), Error> {
     let path = path.as_ref();
-    let format = match format.or_else(|| Format::from_path(path)) {
+    let format = match format {
         Some(format) => format,
-        None => {
-            return Err(Error::new(
-                ErrorKind::UnsupportedFormat,
-                "the name belongs to no format that is written",
-            )
-            .with_cure(format!("end it in one of {}", format::names_of_written()))
-            .in_file(path.display().to_string()));
-        }
+        None => written::format_of_output(path)?,
     };
     replace_file(path, |out| write(model, out, format))
 }

@@ -229,6 +229,8 @@ pub enum RemarkCode {
     DuplicateCell,
     /// A vertex is in no cell.
     IsolatedVertex,
+    /// Vertices of the boundary are at the very position of others there.
+    CoincidentVertices,
     /// A cell of lower dimension is no face of a cell of the highest dimension.
     LooseCell,
     /// Faces in space cross, overlap, or are not as ISO 19107 asks; the message has its code.

@@ -2,7 +2,7 @@
 
 use crate::Model;
 use coface_algebra::Error;
-use std::io::Read;
+use std::io::{Read, Write};
 
 /// Reads all build items of a 3MF file, each at its place; without build items, all objects that are meshes. An object with a name is a
 /// [`Group`](crate::Group) of polygons. Beams are lines.
@@ -35,6 +35,174 @@ pub fn read(input: impl Read) -> Result<Model, Error> {
 #[cfg(not(feature = "archives"))]
 pub fn read(_input: impl Read) -> Result<Model, Error> {
     Err(crate::features::without_feature("3MF", "archives"))
+}
+
+/// Writes the polygons of a model in 3MF, as triangles, in millimeters.
+///
+/// Coordinates are written so that they read back bit for bit; fewer than three are filled up with zeros. Parts that hang together by vertices
+/// and lie whole in a [`Group`](crate::Group) of polygons are an object of its name, and all others are one object. Objects that are closed and coherently oriented are
+/// of the type `model`, others of the type `surface`. A polygon of more than three vertices is cut into triangles on its own vertices. Data
+/// `red`, `green` and `blue` on vertices, a byte each, are a group of colors. [`losses`](crate::losses) says what a model loses.
+///
+/// # Errors
+/// [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat) if the model has lines, points, 3-cells, no positions or more than
+/// three coordinates a vertex, or is an abstract structure, and in a build without the feature `archives`;
+/// [`ErrorKind::InvalidInput`](coface_algebra::ErrorKind::InvalidInput) for coordinates that are not finite;
+/// [`ErrorKind::Io`](coface_algebra::ErrorKind::Io) if the stream fails.
+///
+/// # Complexity
+/// $O(n \log n)$ in the corners. The archive is in memory until it is whole.
+///
+/// # References
+/// 3MF Consortium, *3D Manufacturing Format, core specification*, version 1.3, and *materials and properties extension*, version 1.2.1.
+///
+/// # Examples
+/// ```
+/// # #[cfg(feature = "archives")]
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let triangle = coface_io::obj::read("v 0 0 0\nv 1 0 0\nv 0 0.1 0\nf 1 2 3\n".as_bytes())?;
+/// let mut written = Vec::new();
+/// coface_io::three_mf::write(&triangle, &mut written)?;
+/// assert_eq!(coface_io::three_mf::read(&written[..])?, triangle);
+/// # Ok(()) }
+/// # #[cfg(not(feature = "archives"))]
+/// # fn main() {}
+/// ```
+#[cfg(feature = "archives")]
+pub fn write(model: &Model, output: impl Write) -> Result<(), Error> {
+    writing::write(model, output)
+}
+
+/// Refuses every model: this build lacks the feature `archives`.
+///
+/// # Errors
+/// [`ErrorKind::UnsupportedFormat`](coface_algebra::ErrorKind::UnsupportedFormat), always.
+#[cfg(not(feature = "archives"))]
+pub fn write(_model: &Model, _output: impl Write) -> Result<(), Error> {
+    Err(crate::features::without_feature("3MF", "archives"))
+}
+
+#[cfg(feature = "archives")]
+mod writing {
+    use crate::Model;
+    use crate::decimal::{flush, push_f64};
+    use crate::print_objects::{PrintObjects, color, escaped, point};
+    use coface_algebra::Error;
+    use std::collections::BTreeMap;
+    use std::io::{Cursor, Write};
+    use zip::ZipWriter;
+    use zip::write::SimpleFileOptions;
+
+    const TYPES: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+        <Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">\
+        <Default Extension=\"rels\" ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>\
+        <Default Extension=\"model\" ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>\
+        </Types>\n";
+    const RELATIONS: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+        <Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">\
+        <Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" \
+        Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>\n";
+    const OPEN: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+        <model unit=\"millimeter\" xml:lang=\"en-US\" \
+        xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" \
+        xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\">\n<resources>\n";
+
+    pub(super) fn write(model: &Model, mut output: impl Write) -> Result<(), Error> {
+        let objects = PrintObjects::of(model, "3MF")?;
+        let failed = |error: zip::result::ZipError| Error::from(std::io::Error::other(error));
+        // The same model is the same file: parts have no time.
+        let options = SimpleFileOptions::default()
+            .last_modified_time(zip::DateTime::default())
+            .large_file(model.polygons.items().len() > 1 << 24);
+        let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+        for (name, text) in [("[Content_Types].xml", TYPES), ("_rels/.rels", RELATIONS)] {
+            archive.start_file(name, options).map_err(failed)?;
+            archive.write_all(text.as_bytes())?;
+        }
+        archive.start_file("3D/3dmodel.model", options).map_err(failed)?;
+        write_model(model, &objects, &mut archive)?;
+        let whole = archive.finish().map_err(failed)?.into_inner();
+        output.write_all(&whole)?;
+        output.flush()?;
+        Ok(())
+    }
+
+    fn write_model(model: &Model, objects: &PrintObjects, output: &mut impl Write) -> Result<(), Error> {
+        let mut text = OPEN.as_bytes().to_vec();
+        let colors = Colors::of(model, objects);
+        if !colors.places.is_empty() {
+            text.extend_from_slice(b"<m:colorgroup id=\"1\">\n");
+            for [red, green, blue] in colors.places.keys() {
+                text.extend_from_slice(
+                    format!("<m:color color=\"#{red:02X}{green:02X}{blue:02X}\"/>\n").as_bytes(),
+                );
+                flush(&mut text, output)?;
+            }
+            text.extend_from_slice(b"</m:colorgroup>\n");
+        }
+        for (number, object) in objects.objects.iter().enumerate() {
+            let kind = if object.is_closed() { "model" } else { "surface" };
+            text.extend_from_slice(format!("<object id=\"{}\" type=\"{kind}\"", number + 2).as_bytes());
+            if !object.name.is_empty() {
+                text.extend_from_slice(format!(" name=\"{}\"", escaped(&object.name)).as_bytes());
+            }
+            if !colors.places.is_empty() {
+                text.extend_from_slice(b" pid=\"1\" pindex=\"0\"");
+            }
+            text.extend_from_slice(b"><mesh>\n<vertices>\n");
+            for &vertex in &object.vertices {
+                text.extend_from_slice(b"<vertex");
+                for (axis, x) in ["x", "y", "z"].into_iter().zip(point(model, vertex)) {
+                    text.extend_from_slice(format!(" {axis}=\"").as_bytes());
+                    push_f64(&mut text, x);
+                    text.push(b'"');
+                }
+                text.extend_from_slice(b"/>\n");
+                flush(&mut text, output)?;
+            }
+            text.extend_from_slice(b"</vertices>\n<triangles>\n");
+            for triangle in &object.triangles {
+                let [a, b, c] = triangle;
+                text.extend_from_slice(format!("<triangle v1=\"{a}\" v2=\"{b}\" v3=\"{c}\"").as_bytes());
+                if !colors.places.is_empty() {
+                    let [a, b, c] = triangle.map(|corner| colors.place(object.vertices[corner as usize]));
+                    text.extend_from_slice(format!(" pid=\"1\" p1=\"{a}\" p2=\"{b}\" p3=\"{c}\"").as_bytes());
+                }
+                text.extend_from_slice(b"/>\n");
+                flush(&mut text, output)?;
+            }
+            text.extend_from_slice(b"</triangles>\n</mesh></object>\n");
+        }
+        text.extend_from_slice(b"</resources>\n<build>\n");
+        for number in 0..objects.objects.len() {
+            text.extend_from_slice(format!("<item objectid=\"{}\"/>\n", number + 2).as_bytes());
+        }
+        text.extend_from_slice(b"</build>\n</model>\n");
+        output.write_all(&text)?;
+        Ok(())
+    }
+
+    /// The different colors of vertices, with their places in the list of all.
+    struct Colors<'a> {
+        model: &'a Model,
+        places: BTreeMap<[u8; 3], usize>,
+    }
+
+    impl<'a> Colors<'a> {
+        fn of(model: &'a Model, objects: &PrintObjects) -> Self {
+            let used = objects.objects.iter().flat_map(|object| &object.vertices);
+            let colors = used.filter_map(|&vertex| Some((color(model, vertex)?, 0)));
+            let mut places: BTreeMap<[u8; 3], usize> = colors.collect();
+            for (place, own) in places.values_mut().enumerate() {
+                *own = place;
+            }
+            Self { model, places }
+        }
+
+        fn place(&self, vertex: u32) -> usize {
+            color(self.model, vertex).map_or(0, |color| self.places[&color])
+        }
+    }
 }
 
 #[cfg(feature = "archives")]

@@ -49,12 +49,14 @@ fn refuse_drawing(format: Format) -> Result<(), Error> {
         | Format::Vtk
         | Format::VtkGrid
         | Format::VtkPolygons
+        | Format::ThreeMf
+        | Format::Amf
         | Format::Json => Ok(()),
         _ => Err(Error::new(
             ErrorKind::UnsupportedFormat,
             format!("a file of {} holds no polygons in space", format.title()),
         )
-        .with_cure("write .vtk, .vtu, .vtp, .ply, .obj, .off, .stl, .mesh, .msh or .json")),
+        .with_cure("write .vtk, .vtu, .vtp, .ply, .obj, .off, .stl, .3mf, .amf, .mesh, .msh or .json")),
     }
 }
 

@@ -1,7 +1,7 @@
 //! What holds for every model that was read.
 
 use coface::Model;
-use coface::io::{Format, read, write};
+use coface::io::{Format, losses, read, write};
 
 /// Checks the invariants of a model.
 pub(crate) fn check_model(model: &Model) {
@@ -17,8 +17,10 @@ pub(crate) fn check_round(model: &Model, format: Format) {
         again.unwrap_or_else(|error| panic!("what is written in {} is not read: {error}", format.title()));
     check_model(&again);
     let counts = |model: &Model| (model.polygons().len(), model.lines().len(), model.cells().len());
+    // Triangles with a corner twice are left out there.
+    let is_less = matches!(format, Format::ThreeMf | Format::Amf) && !losses(model, format).is_empty();
     // Meshes become lists of simplices in JSON.
-    if format != Format::Json || model.structure().is_some() {
+    if !is_less && (format != Format::Json || model.structure().is_some()) {
         assert_eq!(counts(&again), counts(model), "{} does not keep the cells", format.title());
     }
     let second = written(&again, format).expect("what was written once is written again");

@@ -383,6 +383,8 @@ fn ask(model: Model, question: &Question) {
                 if !matches!(
                     format,
                     Format::Stl
+                        | Format::ThreeMf
+                        | Format::Amf
                         | Format::Lines
                         | Format::GeoJson
                         | Format::Wkt

@@ -9,7 +9,7 @@ use coface_algebra::RaggedArray;
 use coface_algebra::{EdgeId, Error, FaceId, VertexId};
 use coface_complexes::surface::{PolygonMesh, SurfaceDefect, SurfaceOrientation, SurfaceSurvey};
 use coface_geometry::{Positions, enclosed_volume, polygon_area};
-use coface_io::StatedSurfaces;
+use coface_io::{Place, Remark, RemarkCode, StatedSurfaces};
 use coface_topology::homology;
 
 /// The report on a mesh, whose vertices have these labels in the file.
@@ -31,6 +31,7 @@ pub(crate) fn report(
         _ => of_faces(&mesh, &positions, labels, exponents),
     };
     report.geometry = GeometryFacts::of(&mesh, &positions, labels, geometry, stated)?;
+    report.remarks.extend(open_seams(&mesh, &positions, labels));
     drop(positions);
     report.kind = kind;
     duplicates(&mesh, labels, &mut report.problems);
@@ -367,6 +368,38 @@ fn isolated(degrees: &VertexDegrees, labels: &Labels, problems: &mut Vec<Problem
 pub(crate) fn isolated_vertices(vertices: &[u32]) -> Problem {
     let message = format!("{} isolated: in no edge", counted(vertices.len(), "vertex is", "vertices are"));
     Problem::at_vertices(ProblemKind::IsolatedVertex, message, vertices)
+}
+
+/// That vertices of the boundary have the very position of others there: faces that look joined are not, as where a mesh was split for texture
+/// coordinates or normals.
+fn open_seams(mesh: &PolygonMesh, positions: &Positions, labels: &Labels) -> Option<Remark> {
+    if positions.dimension() == 0 || positions.len() != mesh.vertex_count() {
+        return None;
+    }
+    let is_open = |&edge: &EdgeId| mesh.faces_of_edge(edge).count() == 1;
+    let open = (0..mesh.edge_count()).map(EdgeId::new).filter(is_open);
+    let mut vertices: Vec<VertexId> = open.flat_map(|edge| mesh.edge(edge)).collect();
+    vertices.sort_unstable();
+    vertices.dedup();
+    // Zeros of both signs are equal.
+    let key = |vertex: VertexId| -> Vec<u64> {
+        positions.point(vertex).iter().map(|x| (x + 0.0).to_bits()).collect()
+    };
+    let mut places: Vec<(Vec<u64>, VertexId)> = vertices.into_iter().map(|own| (key(own), own)).collect();
+    places.sort_unstable();
+    let twins = places.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[1].1);
+    let mut twins: Vec<u32> = twins.map(|twin| labels.of(twin.to_u32())).collect();
+    twins.sort_unstable();
+    if twins.is_empty() {
+        return None;
+    }
+    let message = format!(
+        "{} at the very position of another, so that faces which look joined there are not; \
+         coface convert INPUT --weld 0 -o OUT.off joins them",
+        counted(twins.len(), "vertex of the boundary is", "vertices of the boundary are")
+    );
+    let places = twins.iter().map(|&twin| Place::cell(&[twin]));
+    Some(Remark::new(RemarkCode::CoincidentVertices, message).at(twins.len(), places))
 }
 
 /// `1 edge lies`, `12 edges lie`.

@@ -92,3 +92,48 @@ fn a_full_verdict_is_that_of_the_usual_effort_on_small_complexes() {
     let full = Report::answering(model(), &ReportRequest::new().full_verdict(true)).unwrap();
     assert_eq!(full.manifold(), Report::of(model()).unwrap().manifold());
 }
+
+/// A surface split at its seams has vertices at one place: they are counted, by the positions of the boundary alone.
+#[test]
+fn open_seams_are_told() {
+    use coface_io::{Format, RemarkCode, read};
+    let seams = |text: &str| {
+        let report =
+            Report::of(read(text.as_bytes(), Format::Off).expect("it is a mesh")).expect("it has a report");
+        let counts: Vec<u64> = report
+            .remarks()
+            .iter()
+            .filter(|remark| remark.code == RemarkCode::CoincidentVertices)
+            .map(|remark| remark.count)
+            .collect();
+        counts
+    };
+    let halves = "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n1 1 0\n-0.0 1 0\n3 0 1 2\n3 3 4 5\n";
+    assert_eq!(seams(halves), [2]);
+    assert!(
+        seams(&halves.replace("-0.0 1 0", "1e-300 1 0").replace("\n1 0 0\n1 1", "\n1.5 0 0\n1 1")).is_empty()
+    );
+    let joined = "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3 2\n";
+    assert!(seams(joined).is_empty());
+    // Closed surfaces that touch at a vertex have no seam.
+    let faces = |at: u32| {
+        format!(
+            "3 {at} {} {}\n3 {at} {} {}\n3 {} {} {}\n3 {} {at} {}\n",
+            at + 2,
+            at + 1,
+            at + 1,
+            at + 3,
+            at + 1,
+            at + 2,
+            at + 3,
+            at + 2,
+            at + 3
+        )
+    };
+    let touching = format!(
+        "OFF\n8 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 0\n-1 0 0\n0 -1 0\n0 0 -1\n{}{}",
+        faces(0),
+        faces(4)
+    );
+    assert!(seams(&touching).is_empty());
+}

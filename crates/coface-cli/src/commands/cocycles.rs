@@ -8,6 +8,8 @@ use crate::failure::Failure;
 use crate::output::{is_json, print_json, print_text, write_json};
 use crate::progress::Progress;
 use crate::remarks::{accept, say_remarks};
+use crate::target::write_model;
+use crate::written::Written;
 use crate::{input, surface};
 use clap::{Args, ValueEnum};
 use coface::Error;
@@ -17,7 +19,7 @@ use coface::answers::answer::{
     RemarkCode,
 };
 use coface::answers::{CocyclesRequest, GivenCochain, tested_cochain, text};
-use coface::io::{Format, Model, write_path};
+use coface::io::{Format, Model};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -94,6 +96,11 @@ impl From<Method> for CocycleBasisMethod {
 }
 
 impl Cocycles {
+    /// What goes into the file of -o.
+    pub(crate) fn written(&self) -> Written {
+        if self.test.is_some() { Written::Answer } else { Written::Model }
+    }
+
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         if let Some(place) = &self.certificate {
             certified::check_place(place, std::slice::from_ref(&self.input), "cocycles", common)?;
@@ -132,10 +139,10 @@ impl Cocycles {
             } else if is_for_mesh {
                 let mesh =
                     found.mesh_with_cocycles().map_err(|error| error.in_file(path.display().to_string()))?;
-                write_path(&mesh, path, None)?;
+                write_model(path, &mesh)?;
             } else {
                 let model = found.model().map_err(|error| error.in_file(path.display().to_string()))?;
-                write_path(&model, path, None)?;
+                write_model(path, &model)?;
                 if let Some(format) = Format::from_path(path).filter(|format| !format.keeps_data()) {
                     let title = format.title();
                     let message =

@@ -8,7 +8,7 @@ use crate::input::{self, Loaded};
 use crate::output::{print_json, print_text};
 use crate::progress::Progress;
 use crate::remarks::{accept, say_remarks};
-use crate::target::unknown_extension;
+use crate::target::{take_rounding, written_format};
 use clap::{Args, ValueEnum};
 use coface::answers::answer::{CongruenceAnswer, Remark, RemarkCode};
 use coface::answers::text;
@@ -107,10 +107,7 @@ enum Within {
 impl Congruence {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let class_format = self.classes.as_deref().map(ClassFormat::of).transpose()?;
-        let output = common.output.as_deref().map(|path| {
-            let unknown = || unknown_extension(path, "");
-            Ok::<_, Failure>((path, Format::from_path(path).ok_or_else(unknown)?))
-        });
+        let output = common.output.as_deref().map(|path| Ok::<_, Failure>((path, written_format(path, "")?)));
         let output = output.transpose()?;
         if let Some(place) = &self.certificate {
             certified::check_place(place, &self.inputs, "congruence", common)?;
@@ -145,6 +142,9 @@ impl Congruence {
         match (&self.classes, class_format) {
             (Some(path), Some(format)) => write_classes(&congruence, path, format, write_model)?,
             _ => write_model()?,
+        }
+        if let (Some((path, _)), Some(model)) = (output, &model) {
+            take_rounding(path, model);
         }
         drop(progress);
         if left_out > 0 && output.is_some() {

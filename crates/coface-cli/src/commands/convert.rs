@@ -20,8 +20,8 @@ use coface::answers::{
 };
 use coface::complexes::surface::FacesAtEdge;
 use coface::io;
-use coface::io::{Format, GroupKind, Model, Structure};
-use coface::pictures::{Coloring, GltfForm, Scene, colored, gltf, vertex_colors};
+use coface::io::{Format, GroupKind, Model, Structure, never_written};
+use coface::pictures::{Coloring, GltfForm, Scene, colored, gltf, gltf_rounding, vertex_colors};
 use std::path::{Path, PathBuf};
 
 /// Convert a model to another format.
@@ -148,6 +148,16 @@ impl Convert {
                 None => Failure::new("no format to write: give -o OUT, or --to FORMAT for standard output"),
             });
         };
+        // Sets of the plane are written as .dat; nothing else is.
+        if let Target::Model(other) = format
+            && other != Format::Dat
+            && let Some(error) = never_written(other)
+        {
+            return Err(match target {
+                Some(path) => error.in_file(path.display().to_string()).into(),
+                None => error.into(),
+            });
+        }
         if target.is_none() && common.json {
             return Err(Failure::new("standard output cannot hold both the model and --json; give -o OUT"));
         }
@@ -212,7 +222,9 @@ impl Convert {
         };
         reshaped.extend(match format {
             Target::Model(format) => losses_of(&model, format),
-            Target::Scene(_) => scene.as_ref().map_or_else(Vec::new, |(scene, _)| scene.remarks()),
+            Target::Scene(_) => scene.as_ref().map_or_else(Vec::new, |(scene, _)| {
+                scene.remarks().into_iter().chain(gltf_rounding(scene)).collect()
+            }),
         });
         let losses: Vec<Remark> = unread
             .into_iter()
@@ -281,10 +293,10 @@ impl Convert {
             return Ok((model, Some((scene, colors))));
         }
         if let Target::Model(format) = target
-            && !(format.keeps_data() || format == Format::Obj)
+            && !(format.keeps_data() || matches!(format, Format::Obj | Format::ThreeMf | Format::Amf))
         {
             return Err(Failure::new(format!(
-                "a file of {} holds no colors; write obj, ply, vtk, vtu, vtp, glb or gltf",
+                "a file of {} holds no colors; write obj, ply, vtk, vtu, vtp, 3mf, amf, glb or gltf",
                 format.title()
             )));
         }

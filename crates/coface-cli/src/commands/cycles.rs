@@ -8,6 +8,7 @@ use crate::input;
 use crate::output::{is_json, print_json, print_text, write_json};
 use crate::progress::Progress;
 use crate::remarks::{accept, say_remarks};
+use crate::target::write_model;
 use clap::Args;
 use coface::algebra::RaggedArray;
 use coface::answers::answer::{
@@ -15,7 +16,7 @@ use coface::answers::answer::{
     LoopKind,
 };
 use coface::answers::{FillHandlesRequest, GroupsRequest, HandlesRequest, text};
-use coface::io::{Model, write_path};
+use coface::io::Model;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -140,7 +141,7 @@ impl Cycles {
         say_remarks(&answer.remarks, common);
         if let Some(path) = &common.output {
             progress.stage(format!("writing {}", path.display()));
-            write_path(&model, path, None)?;
+            write_model(path, &model)?;
         }
         drop(progress);
         match (common.json, &common.output) {
@@ -168,11 +169,7 @@ fn write_loops(handles: &[HandleAnswer], model: &Model, place: &Path) -> Result<
     if is_json(place) {
         return write_json(place, &Loops { loops, kinds });
     }
-    Ok(write_path(
-        &Model::from_lines(model.positions().clone(), RaggedArray::from_lists(loops))?,
-        place,
-        None,
-    )?)
+    write_model(place, &Model::from_lines(model.positions().clone(), RaggedArray::from_lists(loops))?)
 }
 
 fn fact(label: &str, value: impl Into<String>, gloss: impl Into<String>) -> Fact {

@@ -6,6 +6,7 @@ use crate::input::{self, Source};
 use crate::output::{give, print_json, print_text, write_file};
 use crate::progress::Progress;
 use crate::remarks::say_remarks;
+use crate::written::Written;
 use clap::{Args, Subcommand, ValueEnum};
 use coface::algebra::escaped;
 use coface::answers::answer::{
@@ -242,6 +243,7 @@ impl Distance {
                 DiagramMetric::Bottleneck
             }
         };
+        Written::Answer.check_output(common)?;
         let progress = Progress::start(common.quiet);
         progress.stage("reading");
         let (first, second) = (read(&self.first)?, read(&self.second)?);

@@ -6,12 +6,12 @@ use crate::input;
 use crate::output::{print_json, print_text, write_json};
 use crate::progress::Progress;
 use crate::remarks::{accept, say_remarks};
+use crate::target::write_model;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
 use coface::Error;
 use coface::answers::answer::{EditAnswer, Remark, RemarkCode};
 use coface::answers::{CellName, Edit, EditLog, SurfaceEditor, text};
-use coface::io::write_path;
 use std::path::{Path, PathBuf};
 
 /// Edit a surface step by step: flip, split and collapse edges, poke faces; each edit can be undone.
@@ -196,7 +196,7 @@ impl EditSurface {
         if let Some(path) = &common.output {
             progress.stage(format!("writing {}", path.display()));
             let model = editor.model().map_err(in_file)?;
-            write_path(&model, path, None)?;
+            write_model(path, &model)?;
         }
         if let Some(path) = &self.log {
             write_json(path, &editor.log())?;

@@ -15,7 +15,8 @@ use crate::input::{self, Source};
 use crate::output::{is_json, print_json, print_text, write_file, write_json};
 use crate::progress::Progress;
 use crate::remarks;
-use crate::target::check_extension;
+use crate::target::write_model;
+use crate::written::Written;
 use clap::Args;
 use coface::algebra::escaped;
 use coface::answers::answer::{PersistenceAnswer, PersistencePairAnswer};
@@ -25,7 +26,7 @@ use coface::answers::{
     VineyardRequest, write_diagram, write_kinds,
 };
 use coface::geometry::Positions;
-use coface::io::{Format, Model, write_path};
+use coface::io::{Format, Model};
 use coface::topology::Coefficients;
 use image::ImageArguments;
 use parts::{Asked, ImageParts};
@@ -157,7 +158,7 @@ impl Persistence {
         let output = output.transpose()?;
         if let Some(Some(place)) = &self.cycles {
             // Before the work, not after it.
-            check_extension(place)?;
+            Written::ModelOrJson.check(place)?;
             certified::check_other_output(place, std::slice::from_ref(&self.input), common)?;
         }
         if let Some(place) = &self.certificate {
@@ -615,7 +616,7 @@ fn save_cycles(
     if matches!(Format::from_path(place), None | Some(Format::Json)) {
         return write_json(place, answer);
     }
-    Ok(write_path(&picture()?, place, None)?)
+    write_model(place, &picture()?)
 }
 
 /// A cell by the names or numbers of its vertices.

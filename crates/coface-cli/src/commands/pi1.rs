@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::groups::{self, Asked, FEW};
 use crate::output::give;
 use crate::progress::Progress;
+use crate::written::Written;
 use clap::Args;
 use coface::answers::answer::{GroupCounts, Pi1Answer, Unrecognized};
 use coface::answers::text;
@@ -99,6 +100,9 @@ impl Pi1 {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         if let Some(place) = &self.certificate {
             certified::check_place(place, std::slice::from_ref(&self.input), "pi1", common)?;
+        }
+        if let Some(path) = &self.loops {
+            Written::Model.check(path)?;
         }
         let progress = Progress::start(common.quiet);
         let walks = self.walks.as_deref().map(groups::walks_in).transpose()?;

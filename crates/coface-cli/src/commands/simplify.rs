@@ -5,9 +5,9 @@ use crate::failure::Failure;
 use crate::input;
 use crate::output::{beginning, print_json, print_text};
 use crate::progress::Progress;
+use crate::target::write_model;
 use clap::Args;
 use coface::answers::{Census, SimplifiedManifold, text};
-use coface::io;
 use std::path::PathBuf;
 
 /// A triangulation of a 3-manifold with fewer tetrahedra, by moves that keep the space.
@@ -44,7 +44,7 @@ impl Simplify {
             }
         };
         if let Some(path) = &common.output {
-            io::write_path(found.model(), path, None)?;
+            write_model(path, found.model())?;
         }
         drop(progress);
         let answer = found.answer();

@@ -2,11 +2,11 @@
 
 use super::Encoding;
 use crate::decimal::flush;
-use crate::holed_faces::triangulated;
 use crate::limits::{require_dimension, require_mesh};
+use crate::losses::single_precision_remark;
+use crate::triangles::{Triangles, triangulated_remark};
 use crate::{GroupKind, Model, Remark, RemarkCode};
 use coface_algebra::{Error, ErrorKind, VertexId};
-use std::borrow::Cow;
 use std::io::Write;
 
 /// Writes the polygons of a model in STL, as triangles, in single precision.
@@ -35,7 +35,7 @@ use std::io::Write;
 pub fn write(model: &Model, mut output: impl Write, encoding: Encoding) -> Result<(), Error> {
     require_mesh(model, "STL", "MEDIT, MSH or VTK")?;
     require_dimension(model, "STL", 3)?;
-    let triangles = Triangles::of(model)?;
+    let triangles = Triangles::of(model, "STL")?;
     let coordinates = single(model)?;
     let corner = |vertex: u32| -> [f32; 3] {
         let at = 3 * vertex as usize;
@@ -49,115 +49,27 @@ pub fn write(model: &Model, mut output: impl Write, encoding: Encoding) -> Resul
     Ok(())
 }
 
-/// The polygons of a model as triangles.
-struct Triangles<'a> {
-    corners: Cow<'a, [u32]>,
-    /// The polygon of each triangle, unless all polygons are triangles.
-    polygons: Option<Vec<u32>>,
-}
-
-impl<'a> Triangles<'a> {
-    /// The triangles, if there is nothing else.
-    fn of(model: &'a Model) -> Result<Self, Error> {
-        let refuse = |what: String| {
-            Err(Error::new(
-                ErrorKind::UnsupportedFormat,
-                format!("STL holds triangles only, and the model has {what}"),
-            )
-            .with_cure("write OBJ, PLY or OFF, which keep polygons, lines and points"))
-        };
-        if !model.lines.is_empty() || !model.points.is_empty() {
-            let counts = [(model.lines.len(), "line"), (model.points.len(), "point")];
-            let parts = counts.iter().filter(|(count, _)| *count > 0).map(|(count, what)| match count {
-                1 => format!("1 {what}"),
-                _ => format!("{count} {what}s"),
-            });
-            return refuse(parts.collect::<Vec<String>>().join(" and "));
-        }
-        if model.polygons.is_empty() && model.vertex_count > 0 {
-            return refuse(format!("{} vertices and no triangle", model.vertex_count));
-        }
-        if model.polygons.iter().all(|polygon| polygon.len() == 3) {
-            return Ok(Self { corners: model.polygons.items().into(), polygons: None });
-        }
-        let dimension = model.coordinate_count();
-        let point = |vertex: u32| -> [f64; 3] {
-            let at = vertex as usize * dimension;
-            std::array::from_fn(|axis| if axis < dimension { model.coordinates()[at + axis] } else { 0.0 })
-        };
-        let (mut corners, mut polygons) = (Vec::new(), Vec::new());
-        for (i, polygon) in model.polygons.iter().enumerate() {
-            let is_finite = polygon.iter().all(|&vertex| point(vertex).iter().all(|x| x.is_finite()));
-            let cut = match polygon.len() {
-                3 => None,
-                _ if is_finite => triangulated(&mut [polygon.to_vec()], point),
-                _ => None,
-            };
-            // What is not simple is cut from its first vertex.
-            let cut = cut.unwrap_or_else(|| {
-                polygon[1..].windows(2).map(|pair| [polygon[0], pair[0], pair[1]]).collect()
-            });
-            polygons.resize(polygons.len() + cut.len(), i as u32);
-            corners.extend(cut.into_iter().flatten());
-        }
-        Ok(Self { corners: corners.into(), polygons: Some(polygons) })
-    }
-
-    fn len(&self) -> usize {
-        self.corners.len() / 3
-    }
-
-    fn iter(&self) -> impl Iterator<Item = &[u32]> {
-        self.corners.chunks_exact(3)
-    }
-
-    /// The polygon that a triangle is of.
-    fn polygon(&self, triangle: usize) -> usize {
-        self.polygons.as_ref().map_or(triangle, |polygons| polygons[triangle] as usize)
-    }
-}
-
 /// What a file of the model does not keep: nothing for a model that is refused.
 pub(crate) fn losses(model: &Model) -> Vec<Remark> {
     let is_held = require_mesh(model, "STL", "").and_then(|()| require_dimension(model, "STL", 3));
-    let (Ok(()), Ok(triangles), Ok(single)) = (is_held, Triangles::of(model), single(model)) else {
+    let (Ok(()), Ok(triangles), Ok(single)) = (is_held, Triangles::of(model, "STL"), single(model)) else {
         return Vec::new();
     };
-    let mut remarks = Vec::new();
+    let dimension = model.coordinate_count();
+    let point = |numbers: &[f64]| -> [f64; 3] {
+        std::array::from_fn(|axis| numbers.get(axis).copied().unwrap_or(0.0))
+    };
+    let points = model.coordinates().chunks_exact(dimension.max(1)).zip(single.as_chunks::<3>().0);
+    let rounding = single_precision_remark(points.map(|(own, rounded)| [point(own), rounded.map(f64::from)]));
+    let mut remarks: Vec<Remark> = triangulated_remark(model).into_iter().chain(rounding).collect();
     let mut add = |code: RemarkCode, count: usize, message: String| {
         if count > 0 {
             remarks.push(Remark::new(code, message).at(count, []));
         }
     };
     let [is, are] = ["is", "are"].map(str::to_owned);
-    let larger = model.polygons.iter().filter(|polygon| polygon.len() > 3).count();
-    add(
-        RemarkCode::FacesTriangulated,
-        larger,
-        match larger {
-            1 => "1 polygon of more than three vertices is written as triangles".to_owned(),
-            _ => format!("{larger} polygons of more than three vertices are written as triangles"),
-        },
-    );
-    let dimension = model.coordinate_count();
-    let (mut moved, mut farthest) = (0, 0.0f64);
-    for (point, rounded) in model.coordinates().chunks_exact(dimension.max(1)).zip(single.chunks_exact(3)) {
-        let square: f64 = point.iter().zip(rounded).map(|(x, &y)| (x - f64::from(y)).powi(2)).sum();
-        if square > 0.0 {
-            (moved, farthest) = (moved + 1, farthest.max(square.sqrt()));
-        }
-    }
     let vertices =
         |count: usize| if count == 1 { "1 vertex".to_owned() } else { format!("{count} vertices") };
-    add(
-        RemarkCode::NumbersRounded,
-        moved,
-        format!(
-            "coordinates are rounded to single precision: {} {}, by up to about {farthest:.2e}",
-            vertices(moved),
-            if moved == 1 { "moves" } else { "move" }
-        ),
-    );
     let mut used: Vec<u32> = triangles.corners.to_vec();
     used.sort_unstable();
     used.dedup();

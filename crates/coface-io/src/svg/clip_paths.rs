@@ -297,14 +297,18 @@ pub(super) fn shift_of(node: Node<'_, '_>, viewport: &Viewport) -> Result<Transf
     Ok(Transformation { e: at("x", Extent::Width)?, f: at("y", Extent::Height)?, ..Transformation::IDENTITY })
 }
 
-/// What a `use` names. What contains itself is nothing.
-pub(super) fn target_of<'a, 'input>(
+/// What a `use` names in this file.
+pub(super) fn named_by<'a, 'input>(
     node: Node<'_, '_>,
     whole: &Whole<'a, 'input>,
 ) -> Option<Node<'a, 'input>> {
     let link = node.attributes().find(|attribute| attribute.name() == "href")?;
-    let target = whole.ids.get(link.value().trim().strip_prefix('#')?).copied()?;
-    node.ancestors().all(|around| around != target).then_some(target)
+    whole.ids.get(link.value().trim().strip_prefix('#')?).copied()
+}
+
+/// What a `use` names. What contains itself is nothing.
+fn target_of<'a, 'input>(node: Node<'_, '_>, whole: &Whole<'a, 'input>) -> Option<Node<'a, 'input>> {
+    named_by(node, whole).filter(|&target| node.ancestors().all(|around| around != target))
 }
 
 /// More copies than are drawn.

@@ -268,7 +268,7 @@ fn masks_of_white_and_black_are_clips() {
     for mask in [
         "<mask id='m'><rect width='4' height='4' fill='grey'/></mask>",
         "<mask id='m'><rect width='4' height='4' fill='white' opacity='.5'/></mask>",
-        "<mask id='m'><rect width='4' height='4' fill='url(#g)'/></mask>",
+        "<linearGradient id='g'/><mask id='m'><rect width='4' height='4' fill='url(#g)'/></mask>",
         "<mask id='m'><rect width='4' height='4' fill='white' stroke='white'/></mask>",
         "<mask id='m'><text fill='white'>a</text></mask>",
         "<mask id='m' mask='url(#m)'/>",

@@ -105,7 +105,7 @@ impl Reader {
         let mut ancestors: Vec<Node<'_, '_>> = target.ancestors().filter(Node::is_element).collect();
         ancestors.reverse();
         for ancestor in ancestors {
-            painting = painting.within(&whole.sheet.style(ancestor));
+            painting = painting.within(&whole.sheet.style(ancestor), &|id| whole.is_paint_server(id));
         }
         let is_by_alpha = whole.sheet.style(target).of(Property::MaskType) == Some("alpha");
         let shown = self.clips.push(Clip::Any(Vec::new()));

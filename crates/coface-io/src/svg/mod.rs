@@ -9,6 +9,9 @@
 //! Whether a shape is filled and shown is said by attributes, by rules of `style` elements for elements, classes, identifiers and what is in them, and by its own `style`, in the order of
 //! CSS. What is hidden is not there. Shapes or places in styles, and other rules are not done: one remark counts them.
 //!
+//! As SVG 2 says, a paint `url(#id)` that is not in the file is the paint behind it, or else none, `context-fill` and `context-stroke` are the paints of the `use` that draws an element, and a `use` of what it is in draws
+//! nothing. Another remark counts paints that are not there and circles of uses.
+//!
 //! # Clipping
 //! What is seen of a shape is what is read. A filled shape becomes its exact intersection with all that clips it, rounded once: polygons with holes, each connected part of it one, of one feature; a line becomes its pieces. What
 //! lies inside of all clips stays as it is drawn. These clip:

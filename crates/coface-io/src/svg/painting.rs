@@ -1,5 +1,6 @@
 //! How shapes are painted.
 
+use super::clip_paths::local_url;
 use super::elements::FillRule;
 use super::style::{Property, Style};
 
@@ -15,6 +16,50 @@ pub(super) struct Painting {
     pub(super) has_stroke: bool,
     /// Whether something around it or of its own lets what is behind it shine through, or makes it soft.
     is_translucent: bool,
+    /// How the `use` is painted that draws it, if one does.
+    context: Option<Context>,
+}
+
+/// What `context-fill` and `context-stroke` mean.
+#[derive(Clone, Copy)]
+struct Context {
+    is_filled: bool,
+    color: Color,
+    has_stroke: bool,
+}
+
+/// What a value of `fill` or `stroke` says.
+enum Paint<'v> {
+    /// A color, a paint server of this file, or what is not known.
+    Stated(&'v str),
+    ContextFill,
+    ContextStroke,
+    /// A paint server of this file that is not there, without another paint behind it: as `none`.
+    Missing,
+}
+
+impl<'v> Paint<'v> {
+    /// The paint of a value, where `is_server` knows the paint servers of the file by their names.
+    fn of(value: &'v str, is_server: &dyn Fn(&str) -> bool) -> Self {
+        let value = value.trim();
+        if local_url(value).is_some_and(|name| !is_server(name)) {
+            let fallback = value.split_once(')').map_or("", |(_, rest)| rest.trim());
+            return if fallback.is_empty() { Self::Missing } else { Self::of(fallback, is_server) };
+        }
+        match value {
+            "context-fill" => Self::ContextFill,
+            "context-stroke" => Self::ContextStroke,
+            _ => Self::Stated(value),
+        }
+    }
+}
+
+/// How many of the paints that an element states itself are paint servers that are not there.
+pub(super) fn missing_paints(style: &Style<'_>, is_server: &dyn Fn(&str) -> bool) -> usize {
+    let is_missing = |property: &Property| {
+        style.of(*property).is_some_and(|value| matches!(Paint::of(value, is_server), Paint::Missing))
+    };
+    [Property::Fill, Property::Stroke].iter().filter(|property| is_missing(property)).count()
 }
 
 /// What shapes are filled with.
@@ -92,7 +137,14 @@ impl Painting {
             color: Color::Black,
             has_stroke: false,
             is_translucent: false,
+            context: None,
         }
+    }
+
+    /// That of what a `use` draws that is painted so.
+    pub(super) fn used(self) -> Self {
+        let Self { is_filled, color, has_stroke, .. } = self;
+        Self { context: Some(Context { is_filled, color, has_stroke }), ..self }
     }
 
     /// What a shape does in a mask, by its lightness or by its alpha.
@@ -109,17 +161,32 @@ impl Painting {
         }
     }
 
-    /// That of an element in another.
-    pub(super) fn within(self, style: &Style<'_>) -> Self {
+    /// That of an element in another, where `is_server` knows the paint servers of the file. `context-fill` where there is no context is `none`.
+    pub(super) fn within(self, style: &Style<'_>, is_server: &dyn Fn(&str) -> bool) -> Self {
         let is_inherited = |value: &str| matches!(value, "inherit" | "unset");
         let own = |property: Property| style.of(property).filter(|value| !is_inherited(value));
+        let paint = |property: Property| own(property).map(|value| Paint::of(value, is_server));
+        let (is_filled, color) = match (paint(Property::Fill), self.context) {
+            (None, _) => (self.is_filled, self.color),
+            (Some(Paint::Stated(paint)), _) => (!is_clear(paint), Color::of(paint)),
+            (Some(Paint::ContextFill), Some(context)) => (context.is_filled, context.color),
+            (Some(Paint::ContextStroke), Some(context)) => (context.has_stroke, Color::Unknown),
+            (Some(Paint::Missing), _) | (Some(_), None) => (false, Color::Unknown),
+        };
+        let has_stroke = match (paint(Property::Stroke), self.context) {
+            (None, _) => self.has_stroke,
+            (Some(Paint::Stated(paint)), _) => !matches!(paint, "none" | "transparent" | "initial"),
+            (Some(Paint::ContextFill), Some(context)) => context.is_filled,
+            (Some(Paint::ContextStroke), Some(context)) => context.has_stroke,
+            (Some(Paint::Missing), _) | (Some(_), None) => false,
+        };
         Self {
             rule: match own(Property::FillRule) {
                 Some("evenodd") => FillRule::EvenOdd,
                 Some("nonzero" | "initial") => FillRule::Nonzero,
                 _ => self.rule,
             },
-            is_filled: own(Property::Fill).map_or(self.is_filled, |paint| !is_clear(paint)),
+            is_filled,
             is_opaque: own(Property::FillOpacity).map_or(self.is_opaque, |opacity| {
                 opacity.trim_end_matches('%').trim().parse().map_or(true, |opacity: f64| opacity > 0.0)
             }),
@@ -128,14 +195,14 @@ impl Painting {
                 Some("visible" | "initial") => true,
                 _ => self.is_visible,
             },
-            color: own(Property::Fill).map_or(self.color, Color::of),
-            has_stroke: own(Property::Stroke)
-                .map_or(self.has_stroke, |paint| !matches!(paint, "none" | "transparent" | "initial")),
+            color,
+            has_stroke,
             is_translucent: self.is_translucent
                 || style.has(Property::Filter)
                 || [Property::Opacity, Property::FillOpacity].into_iter().any(|property| {
                     own(property).is_some_and(|opacity| !matches!(opacity, "1" | "1.0" | "100%" | "initial"))
                 }),
+            context: self.context,
         }
     }
 

@@ -1,11 +1,11 @@
 //! From a stream to a model.
 
-use super::clip_paths::{ClipKey, Referring, shift_of, target_of, too_many_copies, transform_of};
+use super::clip_paths::{ClipKey, Referring, named_by, shift_of, too_many_copies, transform_of};
 use super::clipping::{Clip, Clips, Part, Region, Seen, too_many};
 use super::curves::{Curves, FilledPath, Pen, Subpath};
 use super::elements::{self, FillRule};
 use super::masks::Masking;
-use super::painting::Painting;
+use super::painting::{Painting, missing_paints};
 use super::style::{Property, Sheet};
 use super::transformation::Transformation;
 use super::undone::Undone;
@@ -90,7 +90,7 @@ pub(crate) fn read_with(input: impl Read, tolerance: Option<f64>) -> Result<Mode
         model.remarks.push(flattening_remark(curve_count, tolerance));
     }
     model.remarks.extend(outlines_remark(outline_count));
-    model.remarks.extend(undone.remark());
+    model.remarks.extend(undone.remarks());
     if passed_over > 0 {
         let what = if passed_over == 1 { "element is" } else { "elements are" };
         let message = format!(
@@ -227,6 +227,19 @@ pub(super) struct Whole<'a, 'input> {
     pub(super) sheet: Sheet,
 }
 
+impl Whole<'_, '_> {
+    /// Whether an element of this name paints others.
+    pub(super) fn is_paint_server(&self, id: &str) -> bool {
+        self.ids.get(id).is_some_and(|node| {
+            let name = node.tag_name().name();
+            matches!(
+                name,
+                "linearGradient" | "radialGradient" | "meshgradient" | "pattern" | "hatch" | "solidcolor"
+            )
+        })
+    }
+}
+
 /// The text of all copies together may be so many times as long as the file, and this long in any file: copies of copies can be many.
 const COPIES_OF_FILE: usize = 64;
 const FEW_COPIES: usize = 1 << 20;
@@ -266,6 +279,8 @@ pub(super) struct Reader {
     /// The clip paths that have been read, by where they are used, and those that are being read.
     pub(super) known_clips: HashMap<ClipKey, Option<usize>>,
     pub(super) open_clips: Vec<NodeId>,
+    /// The `use` elements that are being drawn.
+    open_uses: Vec<NodeId>,
     /// The mask that is being read: its shapes are not drawn.
     pub(super) masking: Option<Masking>,
     pub(super) undone: Undone,
@@ -293,6 +308,7 @@ impl Reader {
             clips: Clips::default(),
             known_clips: HashMap::new(),
             open_clips: Vec::new(),
+            open_uses: Vec::new(),
             masking: None,
             undone: Undone::default(),
         }
@@ -363,7 +379,8 @@ impl Reader {
         if style.of(Property::Display) == Some("none") {
             return Ok(());
         }
-        let painting = painting.within(&style);
+        let is_server = |id: &str| whole.is_paint_server(id);
+        let painting = painting.within(&style, &is_server);
         if matches!(name, "text" | "image" | "foreignObject") {
             match &mut self.masking {
                 Some(masking) => masking.is_unknown |= painting.is_visible,
@@ -372,6 +389,7 @@ impl Reader {
             return Ok(());
         }
         self.undone.note(&style, depth == 0);
+        self.undone.paints += missing_paints(&style, &is_server);
         let viewport = viewport.within(style.of(Property::FontSize));
         let mut map = if is_in_place { map } else { map.after(&transform_of(node)?) };
         if name == "use" && !is_in_place {
@@ -389,11 +407,22 @@ impl Reader {
         let mut within =
             Around { map, painting, viewport, depth: depth + 1, is_copy, clip, is_in_place: false };
         if name == "use" {
-            let Some(target) = target_of(node, whole) else {
+            let Some(target) = named_by(node, whole) else {
                 self.passed_over += 1;
                 return Ok(());
             };
-            return self.element(target, whole, &Around { is_copy: true, ..within }, Some(node));
+            // What is drawn by the uses around it is in all of them.
+            let users =
+                self.open_uses.iter().filter_map(|&user| node.document().get_node(user)).chain([node]);
+            if users.into_iter().any(|user| user.ancestors().any(|around| around == target)) {
+                self.undone.circles += 1;
+                return Ok(());
+            }
+            self.open_uses.push(node.id());
+            let within = Around { is_copy: true, painting: painting.used(), ..within };
+            let drawn = self.element(target, whole, &within, Some(node));
+            self.open_uses.pop();
+            return drawn;
         }
         if is_symbol || name == "svg" && depth > 0 {
             let inner = viewport.inner(node, user).map_err(|text| fault(node, &text))?;

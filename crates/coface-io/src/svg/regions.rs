@@ -90,7 +90,7 @@ pub(crate) fn read_regions(input: impl Read) -> Result<BoundaryDrawing, Error> {
             "{passed_over} {what} not filled and passed over: lines, paths without fill, text, images or copies from other files"
         )));
     }
-    undone.remark().into_iter().for_each(|remark| drawing.remark(remark));
+    undone.remarks().for_each(|remark| drawing.remark(remark));
     Ok(drawing)
 }
 

@@ -287,8 +287,52 @@ fn copies_of_copies_end() {
     assert_eq!(error.kind(), ErrorKind::TooLarge, "{error}");
     let of_itself = parsed("<g id='g'><rect width='1' height='1'/><use href='#g'/></g>");
     assert_eq!((area(&of_itself), of_itself.remarks()[0].count), (1.0, 1));
-    let of_each_other = "<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g>";
-    assert_eq!(read(svg(of_each_other).as_bytes()).unwrap_err().kind(), ErrorKind::TooLarge);
+    let of_each_other =
+        "<g id='a'><rect width='1' height='1'/><use href='#b'/></g><g id='b'><use href='#a'/></g>";
+    let of_each_other = parsed(of_each_other);
+    // The use in b draws a, where the one of b is in a circle, and the one in a draws b, where the one of a is.
+    assert_eq!((of_each_other.lines().len(), of_each_other.remarks()[0].count), (2, 2));
+    assert!(of_each_other.remarks()[0].message.ends_with("2 uses of what they are in"));
+}
+
+/// SVG 2, section 13.2: a paint server that is not there is its fallback, or else none; the context of what a `use` draws is how that is painted.
+#[test]
+fn paints_that_are_not_there_paint_nothing() {
+    let square =
+        |attributes: &str| parsed(&format!("<pattern id='p'/><rect width='1' height='1' {attributes}/>"));
+    for (attributes, is_filled, missing) in [
+        ("fill='url(#p)'", true, 0),
+        ("fill='url(#nothing)'", false, 1),
+        ("fill='url(\"#nothing\") none'", false, 0),
+        ("fill='url(#nothing) red'", true, 0),
+        ("fill='red' stroke='url(#nothing)'", true, 1),
+        ("style='fill:url(#nothing) #00000000; stroke: red'", false, 0),
+        ("fill='context-fill'", false, 0),
+    ] {
+        let model = square(attributes);
+        let own = rules(&format!(
+            "<pattern id='p'/><path d='M0 0h9v9z'/><rect width='1' height='1' {attributes}/>"
+        ));
+        assert_eq!(own, [0, if is_filled { 0 } else { -1 }], "{attributes}");
+        let said = model.remarks().iter().filter(|remark| remark.code == RemarkCode::DrawingAssumption);
+        let said: Vec<u64> = said
+            .filter(|said| said.message.starts_with("these paint nothing"))
+            .map(|said| said.count as u64)
+            .collect();
+        assert_eq!(said, if missing > 0 { vec![missing] } else { vec![] }, "{attributes}");
+    }
+    for (paint, of_use, is_filled) in [
+        ("context-fill", "fill='red'", true),
+        ("context-fill", "fill='none'", false),
+        ("context-fill", "", true),
+        ("context-stroke", "fill='none' stroke='red'", true),
+        ("context-stroke", "fill='red'", false),
+    ] {
+        let text = format!(
+            "<path d='M0 0h9v9z'/><defs><rect id='r' width='1' height='1' fill='{paint}'/></defs><use href='#r' {of_use}/>"
+        );
+        assert_eq!(rules(&text), [0, if is_filled { 0 } else { -1 }], "{paint} {of_use}");
+    }
 }
 
 /// The rule of each line, -1 for one that is no ring.

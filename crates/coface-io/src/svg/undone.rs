@@ -14,6 +14,10 @@ pub(super) struct Undone {
     geometry: usize,
     /// Rules and style sheets.
     pub(super) rules: usize,
+    /// Paint servers that are not there.
+    pub(super) paints: usize,
+    /// Copies of what they are in themselves.
+    pub(super) circles: usize,
 }
 
 impl Undone {
@@ -22,13 +26,29 @@ impl Undone {
         self.geometry += usize::from(!is_root && style.has(Property::Geometry));
     }
 
-    /// One remark about all of it, if there is any.
-    pub(super) fn remark(&self) -> Option<Remark> {
-        let one_or = |count: usize, one: &str, many: &str| match count {
-            0 => None,
-            1 => Some(format!("1 {one}")),
-            _ => Some(format!("{count} {many}")),
-        };
+    /// One remark about all that is not done, and one about what is nothing by the rules of SVG, if there is any.
+    pub(super) fn remarks(&self) -> impl Iterator<Item = Remark> {
+        self.unknown_remark().into_iter().chain(self.void_remark())
+    }
+
+    fn void_remark(&self) -> Option<Remark> {
+        let parts = [
+            one_or(
+                self.paints,
+                "paint by url(#..) that is not in the file",
+                "paints by url(#..) that are not in the file",
+            ),
+            one_or(self.circles, "use of what it is in", "uses of what they are in"),
+        ];
+        let parts: Vec<String> = parts.into_iter().flatten().collect();
+        let count = self.paints + self.circles;
+        (count > 0).then(|| {
+            let message = format!("these paint nothing, as SVG says: {}", parts.join(", "));
+            Remark::new(RemarkCode::DrawingAssumption, message).at(count, [])
+        })
+    }
+
+    fn unknown_remark(&self) -> Option<Remark> {
         let parts = [
             one_or(self.clip_paths, "clip-path", "clip-paths"),
             one_or(self.masks, "mask", "masks"),
@@ -45,5 +65,13 @@ impl Undone {
             let message = format!("shapes are read as if there were none of these: {}", parts.join(", "));
             Remark::new(RemarkCode::DrawingAssumption, message).at(count, [])
         })
+    }
+}
+
+fn one_or(count: usize, one: &str, many: &str) -> Option<String> {
+    match count {
+        0 => None,
+        1 => Some(format!("1 {one}")),
+        _ => Some(format!("{count} {many}")),
     }
 }

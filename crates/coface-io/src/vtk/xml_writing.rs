@@ -4,6 +4,7 @@ use super::cell_types::WEDGE;
 use super::data;
 use super::writing::{cell_types, group_numbers};
 use crate::numbers::Numbers;
+use crate::print_objects::escaped;
 use crate::{CellData, GroupKind, Model, limits};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -175,12 +176,6 @@ impl<W: Write> File<W> {
         self.open_cells(element, lists)?;
         self.line(&format!("</{element}>"))
     }
-}
-
-/// Text that can stand in an attribute; control characters, which XML forbids, become blanks.
-fn escaped(text: &str) -> String {
-    let text: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]

@@ -542,7 +542,8 @@ fn every_format_converts_to_every_other_that_can_hold_it() {
                 assert!(complex(&back), "{context}: a container holds the chain complex");
                 continue;
             }
-            if format != Format::Json && format != Format::Stl && !draws {
+            let triangulates = matches!(format, Format::Stl | Format::ThreeMf | Format::Amf);
+            if format != Format::Json && !triangulates && !draws {
                 assert_eq!(back.vertex_count(), model.vertex_count(), "{context}");
                 assert_eq!(back.polygons().len(), model.polygons().len(), "{context}");
                 assert_eq!(back.cells().len(), model.cells().len(), "{context}");

@@ -5,4 +5,5 @@ mod files;
 mod formats;
 mod mesh_formats;
 mod nonfinite;
+mod print_formats;
 mod wild;

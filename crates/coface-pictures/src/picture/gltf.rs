@@ -6,6 +6,7 @@ use crate::Scene;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use coface_algebra::{Error, ErrorKind};
+use coface_io::{Remark, single_precision_remark};
 use serde_json::{Value, json};
 
 /// The two forms of glTF files.
@@ -107,6 +108,39 @@ pub fn gltf(scene: &Scene, colors: Option<&[[u8; 3]]>, form: GltfForm) -> Result
     file.finish(form)
 }
 
+/// What [`gltf`] rounds of the positions of a scene: how many vertices move, and how far. None where all are kept as they are.
+///
+/// # Complexity
+/// Linear in the vertices.
+///
+/// # Examples
+/// The vertices 0, 1 and 2^-60 have the middle one half, and near it 2^-60 is 0 in 32 bits.
+/// ```
+/// use coface_io::Format;
+/// use coface_pictures::{Scene, gltf_rounding};
+/// # fn main() -> Result<(), coface_algebra::Error> {
+/// let scene = |x: f64| {
+///     let text = format!("v 0 0 0\nv 1 0 0\nv {x} 1 0\nf 1 2 3\n");
+///     Scene::of("triangle", &coface_io::read(text.as_bytes(), Format::Obj)?)
+/// };
+/// assert!(gltf_rounding(&scene(0.25)?).is_none());
+/// let remark = gltf_rounding(&scene(0.5f64.powi(60))?).expect("a vertex moves");
+/// assert_eq!(remark.count, 1);
+/// # Ok(()) }
+/// ```
+pub fn gltf_rounding(scene: &Scene) -> Option<Remark> {
+    let middle = middle(scene.positions());
+    single_precision_remark(scene.positions().iter().map(|&point| {
+        let near = near(point, middle);
+        [point, [0, 1, 2].map(|axis| middle[axis] + f64::from(near[axis]))]
+    }))
+}
+
+/// A position around the middle in 32 bits.
+fn near(point: [f64; 3], middle: [f64; 3]) -> [f32; 3] {
+    [0, 1, 2].map(|axis| (point[axis] - middle[axis]) as f32)
+}
+
 /// The triangles that are not between two 3-cells.
 fn outer_triangles(scene: &Scene) -> Vec<[u32; 3]> {
     let sorted = |mut triangle: [u32; 3]| {
@@ -148,10 +182,7 @@ impl Builder {
 
     /// Adds positions; none if there are none.
     fn positions(&mut self, positions: &[[f64; 3]]) -> Option<usize> {
-        let near: Vec<[f32; 3]> = positions
-            .iter()
-            .map(|point| [0, 1, 2].map(|axis| (point[axis] - self.middle[axis]) as f32))
-            .collect();
+        let near: Vec<[f32; 3]> = positions.iter().map(|&point| near(point, self.middle)).collect();
         let extreme = |pick: fn(f32, f32) -> f32| {
             near.iter().copied().reduce(|a, b| [0, 1, 2].map(|axis| pick(a[axis], b[axis])))
         };

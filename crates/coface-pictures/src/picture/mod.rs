@@ -47,7 +47,7 @@ pub use coloring::{Coloring, colored, vertex_colors};
 pub use diagram::{DiagramPoint, diagram_picture};
 pub use flat::FlatPicture;
 pub(super) use flat::{Anchor, Step};
-pub use gltf::{GltfForm, gltf};
+pub use gltf::{GltfForm, gltf, gltf_rounding};
 pub use image::image_picture;
 pub use matrix::matrix_picture;
 pub use matrix_blocks::blocked_matrix_picture;

@@ -14,7 +14,7 @@ use crate::failure::Failure;
 use crate::input::{self, Loaded};
 
 use crate::progress::Progress;
-use crate::target::{Target, unknown_extension};
+use crate::target::{Target, written_format};
 use clap::{Args, ValueEnum};
 use coface::answers::{ArrangementMethod, RegionSource, are_planar, welded};
 use coface::arrange::boolean::InsideRule;
@@ -317,11 +317,14 @@ pub(crate) fn output_target(common: &Common) -> Result<Option<(&Path, Target)>, 
     Ok(Some((path, Target::of_path(path)?)))
 }
 
-/// The file of -o with its format.
+/// The file of -o with its format, which may be that of sets in the plane.
 pub(crate) fn output_format(common: &Common) -> Result<Option<(&Path, Format)>, Failure> {
     let Some(path) = common.output.as_deref() else { return Ok(None) };
-    let format = Format::from_path(path).ok_or_else(|| unknown_extension(path, ""));
-    Ok(Some((path, format?)))
+    let format = match Format::from_path(path) {
+        Some(Format::Dat) => Format::Dat,
+        _ => written_format(path, "")?,
+    };
+    Ok(Some((path, format)))
 }
 
 /// Refuses a file that is not named as JSON.

@@ -81,13 +81,19 @@ impl SpaceOptions {
 
     /// Whether faces are cut into triangles.
     pub(crate) fn triangles(&self, scene: &SpatialScene, output: Option<(&Path, Target)>) -> bool {
-        self.triangles || (!self.polygons && (is_stl(output) || scene.is_triangulated()))
+        self.triangles || (!self.polygons && (holds_triangles(output) || scene.is_triangulated()))
     }
 }
 
 /// Whether the result goes to an STL file, which holds triangles whose coordinates have 32 bits.
 pub(crate) fn is_stl(output: Option<(&Path, Target)>) -> bool {
     output.is_some_and(|(_, target)| target == Target::Model(Format::Stl))
+}
+
+/// Whether the result goes to a file that holds no other polygons than triangles.
+fn holds_triangles(output: Option<(&Path, Target)>) -> bool {
+    let format = output.and_then(|(_, target)| target.format());
+    matches!(format, Some(Format::Stl | Format::ThreeMf | Format::Amf))
 }
 
 /// The number of polygons that the format of the output has no elements for: it holds triangles and quadrangles. None where
@@ -160,9 +166,11 @@ pub(crate) fn in_space((path, target): (&Path, Target)) -> Result<(&Path, Target
         | Format::Vtk
         | Format::VtkGrid
         | Format::VtkPolygons
+        | Format::ThreeMf
+        | Format::Amf
         | Format::Json => Ok((path, target)),
         _ => Err(Failure::new(format!(
-            "{}: that format holds no polygons in space; write .vtk, .vtu, .vtp, .ply, .obj, .off, .stl, .mesh, .msh or .json, or .glb, .gltf, .png or .svg to look at",
+            "{}: that format holds no polygons in space; write .vtk, .vtu, .vtp, .ply, .obj, .off, .stl, .3mf, .amf, .mesh, .msh or .json, or .glb, .gltf, .png or .svg to look at",
             path.display()
         ))),
     }

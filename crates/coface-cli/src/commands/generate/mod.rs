@@ -10,14 +10,14 @@ use crate::failure::Failure;
 use crate::output::{print_bytes, print_json, print_text};
 use crate::progress::Progress;
 use crate::remarks::say_remarks;
-use crate::target::unknown_extension;
+use crate::target::written_format;
 use clap::{Args, Subcommand};
 use coface::answers::answer::GenerateAnswer;
 use coface::answers::losses_of;
 use coface::answers::text;
 use coface::complexes::families::FamilyModel;
 use coface::io;
-use coface::io::{Format, Model};
+use coface::io::{Format, Model, never_written};
 use construction::Construction;
 use member::Member;
 
@@ -121,12 +121,21 @@ impl Family {
 }
 
 impl Generate {
+    /// Whether the model is made of others.
+    pub(crate) fn reads_models(&self) -> bool {
+        matches!(self.family, Family::Construction(_))
+    }
+
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         let target = common.output.as_deref();
-        let format = self.to.or_else(|| target.and_then(Format::from_path));
-        if let (Some(path), None) = (target, format) {
-            return Err(unknown_extension(path, "; or say it with --to"));
-        }
+        let format = match (self.to, target) {
+            (Some(format), _) => match never_written(format) {
+                Some(error) => return Err(error.into()),
+                None => Some(format),
+            },
+            (None, Some(path)) => Some(written_format(path, "; or say it with --to")?),
+            (None, None) => None,
+        };
         if target.is_none() && self.to.is_some() && common.json {
             return Err(Failure::new("standard output cannot hold both the model and --json; give -o OUT"));
         }

@@ -14,12 +14,13 @@ use crate::output::{give, print_json, print_text, write_file, write_json};
 use crate::pictures::PictureFormat;
 use crate::progress::Progress;
 use crate::remarks::say_remarks;
-use crate::target::check_extension;
+use crate::target::write_model;
+use crate::written::Written;
 use clap::Args;
 use coface::answers::answer::GeneratorsFile;
 use coface::answers::text;
 use coface::answers::{FoundHomology, GivenChain, GivenRealCochain, GivenVertexMap, HomologyRequest};
-use coface::io::{Format, Model, ReadOptions, write_path};
+use coface::io::{Format, Model, ReadOptions};
 use coface::pictures::sequence_picture;
 use coface::topology::{AbelianGroup, Coefficients};
 use parts::PartsOptions;
@@ -94,6 +95,7 @@ pub(crate) struct Homology {
 impl Homology {
     pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
         if self.in_parts.are_given() {
+            Written::Answer.check_output(common)?;
             return self.in_parts.run(
                 self.input.as_deref().unwrap_or(Path::new("")),
                 &self.question_of_parts()?,
@@ -107,22 +109,25 @@ impl Homology {
             // The checker reads the file as it is.
             common.points.refuse("homology with a certificate")?;
         }
-        let progress = Progress::start(common.quiet);
-        let input = self.input.as_deref().ok_or_else(|| Failure::new("no model is named"))?;
-        let loaded = input::read(input, common.reading(), &progress)?;
         for place in self.generators.iter().flatten() {
             // Before the work, not after it.
-            check_extension(place)?;
+            Written::ModelOrJson.check(place)?;
             certified::check_other_output(place, self.input.as_slice(), common)?;
         }
         let mesh_output = common.output.as_deref().filter(|place| is_msh(place));
         let diagram = common.output.as_deref().and_then(|place| Some((place, PictureFormat::of(place)?)));
+        if mesh_output.is_none() && diagram.is_none() {
+            Written::Answer.check_output(common)?;
+        }
         if let Some((place, _)) = diagram.filter(|_| !self.sequence) {
             return Err(Failure::new(format!(
                 "{}: a picture of homology is the diagram of a long exact sequence; ask for it with --relative boundary --sequence",
                 place.display()
             )));
         }
+        let progress = Progress::start(common.quiet);
+        let input = self.input.as_deref().ok_or_else(|| Failure::new("no model is named"))?;
+        let loaded = input::read(input, common.reading(), &progress)?;
         let is_for_mesh =
             mesh_output.is_some() || self.generators.iter().flatten().any(|place| is_msh(place));
         let request = self.request(&loaded.model, &progress)?.for_mesh(is_for_mesh);
@@ -253,13 +258,13 @@ fn save_generators(place: &Path, found: &FoundHomology) -> Result<(), Failure> {
     if is_msh(place) {
         let mesh =
             found.mesh_with_generators().map_err(|error| error.in_file(place.display().to_string()))?;
-        return Ok(write_path(&mesh, place, None)?);
+        return write_model(place, &mesh);
     }
     if matches!(Format::from_path(place), None | Some(Format::Json)) {
         let generators = found.answer().generators.clone().unwrap_or_default();
         return write_json(place, &GeneratorsFile { generators });
     }
-    Ok(write_path(&found.generators_model()?, place, None)?)
+    write_model(place, &found.generators_model()?)
 }
 
 /// Pairs of a vertex and its image, from a list of pairs or under the key "vertices".

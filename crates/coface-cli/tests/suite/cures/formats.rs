@@ -53,7 +53,7 @@ pub(super) const CASES: &[Case] = &[
         .refused("coface boolean union hole.wkt --strict")
         .cured(&[&["coface boolean union hole.wkt"]]),
     Case::new(
-        "io/src/readers.rs",
+        "io/src/written.rs",
         "write another format; of a drawing coface yin info INPUT -o OUT.dat makes a set",
     )
     .files(&[("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))")])
@@ -62,7 +62,7 @@ pub(super) const CASES: &[Case] = &[
         &["coface boolean union square.wkt -o union.wkt"],
         &["coface boolean union square.wkt -o union.wkt", "coface yin info union.wkt -o union.dat"],
     ]),
-    Case::new("io/src/readers.rs", "draw the model by coface render INPUT -o OUT.png")
+    Case::new("io/src/written.rs", "draw the model by coface render INPUT -o OUT.png")
         .files(&[("square.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n")])
         .refused("coface convert square.off -o square.png")
         .cured(&[&["coface render square.off -o square.png"]]),

@@ -72,7 +72,7 @@ pub(super) const CASES: &[Case] = &[
         .files(WEIGHTS)
         .refused("coface persistence w.mtx --alpha")
         .cured(&[&["coface persistence w.mtx --flag"], &["coface persistence w.mtx --rips"]]),
-    Case::new("io/src/readers.rs", "coface incidence INPUT VE --signed -o OUT.mtx")
+    Case::new("io/src/written.rs", "coface incidence INPUT VE --signed -o OUT.mtx")
         .files(TETRAHEDRON)
         .refused("coface convert t.off -o t.mtx")
         .cured(&[&["coface incidence t.off VE --signed -o t.mtx"]]),

@@ -49,7 +49,19 @@ const CROSSED: Files = &[(
      3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 4 6 5\n3 4 5 7\n3 4 7 6\n3 5 6 7\n",
 )];
 
+/// Two triangles, each with vertices of its own.
+const HALVES: Files =
+    &[("halves.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n1 1 0\n-0.0 1 0\n3 0 1 2\n3 3 4 5\n")];
+
 pub(super) const CASES: &[Case] = &[
+    Case::new("facts/polygons.rs", "coface convert INPUT --weld 0 -o OUT.off joins them")
+        .files(HALVES)
+        .answered("coface info halves.off")
+        .cured(&[&["coface convert halves.off --weld 0 -o joined.off", "coface info joined.off"]])
+        .shows("4 vertices, 5 edges"),
+    Case::new("cli/src/arguments.rs", "says how a model is read, and none is read here: leave it out")
+        .refused("coface generate torus --rips -o torus.off")
+        .cured(&[&["coface generate torus -o torus.off"]]),
     Case::new(
         "handles/triangle_surface.rs",
         "close it first: coface convert INPUT --repair closed -o OUT.off",
