@@ -17,6 +17,7 @@ const PHRASES: [(&str, &str); 56] = [
         "read it as a graph (--flag) or as distances (--rips)",
         "read it by coface.flag(path), or by coface.rips(scipy.io.mmread(path))",
     ),
+    ("read a graph as one (--flag)", "read a graph by coface.flag(path)"),
     (
         "coface incidence INPUT VE --signed -o OUT.mtx writes",
         "scipy.io.mmwrite(\"out.mtx\", model.chain_complex().boundary(1)) writes",

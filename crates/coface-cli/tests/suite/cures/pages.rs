@@ -72,6 +72,10 @@ pub(super) const CASES: &[Case] = &[
         .files(WEIGHTS)
         .refused("coface persistence w.mtx --alpha")
         .cured(&[&["coface persistence w.mtx --flag"], &["coface persistence w.mtx --rips"]]),
+    Case::new("io/src/number_table.rs", "read a graph as one (--flag), or write rows of numbers")
+        .files(&[("g.graphml", "<graphml><graph><node id=\"a\"/></graph></graphml>")])
+        .refused("coface persistence g.graphml --rips")
+        .cured(&[&["coface persistence g.graphml --flag"]]),
     Case::new("io/src/readers.rs", "coface incidence INPUT VE --signed -o OUT.mtx")
         .files(TETRAHEDRON)
         .refused("coface convert t.off -o t.mtx")
