@@ -54,7 +54,7 @@ pub(crate) struct Persistence {
     /// A prime field: f2, f3, f5, ... or 2, 3, 5, ...
     #[arg(long, value_name = "FIELD", default_value = "f2", value_parser = field)]
     coefficients: Coefficients,
-    /// The function on vertices: a coordinate, or a file with one number a line for each vertex
+    /// The function on vertices: a coordinate, or a file with one number a line, or an array of NumPy (.npy), for each vertex
     #[arg(long, value_name = "x|y|z|FILE")]
     function: Option<String>,
     /// Values of cells as JSON: {"values":[[..],..]} with a list for each degree, or {"cells":[[[vertices..],value],..]}
