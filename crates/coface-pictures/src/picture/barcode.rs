@@ -55,8 +55,12 @@ pub fn barcode_picture(title: &str, points: &[DiagramPoint]) -> Result<FlatPictu
     let step = 0.96 * SIDE / bars.len().max(1) as f64;
     for (row, point) in bars.iter().enumerate() {
         let y = MARGIN + 0.02 * SIDE + step * (row as f64 + 0.5);
-        let end = point.death.map_or(never, place);
-        picture.stroke(line([place(point.birth), y], [end, y]), color(point.degree), (0.6 * step).min(6.0));
+        let ends = [place(point.birth), point.death.map_or(never, place)];
+        let (left, right) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+        // Short ones can be seen too.
+        let (width, height) = ((right - left).max(0.5), (0.6 * step).min(6.0));
+        let bar = rectangle([left, y - 0.5 * height], [width, height]);
+        picture.fill(bar.to_vec(), color(point.degree), 1.0);
     }
     picture.stroke(rectangle([MARGIN, MARGIN], [SIDE, SIDE]).to_vec(), ends, 1.0);
     let degrees = points.iter().map(|point| point.degree + 1).max().unwrap_or(0);
@@ -78,7 +82,7 @@ mod tests {
         let point = |degree, birth, death| DiagramPoint { degree, birth, death };
         assert!(barcode_picture("t", &[point(0, f64::NAN, None)]).is_err());
         assert!(barcode_picture("t", &[]).is_ok());
-        // A frame, ticks, and a bar each.
+        // A bar each, beside the frame and ticks.
         let strokes = |points: &[DiagramPoint]| {
             let text = barcode_picture("t", points).unwrap().svg(None).unwrap();
             text.matches("<path").count() + text.matches("<line").count()
