@@ -9,12 +9,14 @@
 mod alpha;
 mod cone;
 mod extended;
+mod groups;
 mod image;
 mod pairs;
 mod parts;
 mod points;
 mod rips;
 mod values;
+mod vineyard;
 mod zigzag;
 
 pub use image::Image;
@@ -72,6 +74,7 @@ pub fn check_opened(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
         "rips" => rips::check(whole, inputs),
         "image" => image::check(whole, inputs),
         "zigzag" => zigzag::check(whole, inputs[0]),
+        "vineyard" => vineyard::check(whole, inputs[0]),
         _ => coface_check_congruence::check_opened(whole, inputs),
     }
 }
@@ -158,7 +161,9 @@ fn diagram(whole: &Value, inputs: &[&[u8]]) -> Result<Verdict, Fault> {
     let mut known = [&KNOWN[..], if of_function.is_some() { &["function"] } else { &[] }].concat();
     let mut proved: Vec<String> = of_function.into_iter().collect();
     if let Some(part) = part {
-        known.push(part.key());
+        if part.is_named {
+            known.push(part.key());
+        }
         proved.push(part.claim);
     }
     if listed.is_some() {

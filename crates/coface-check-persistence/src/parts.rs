@@ -1,5 +1,6 @@
 //! Persistence of a pair: relative to a part of the complex, and of the image of a part in the whole.
 
+use crate::groups;
 use crate::pairs::{Order, Pair, pairs, read};
 use coface_check::json::{field, list, optional, text};
 use coface_check::{Complex, Fault};
@@ -12,11 +13,13 @@ pub(crate) struct Part {
     is_in: Vec<Vec<bool>>,
     /// Whether the diagram is of its image in the whole; otherwise it is relative to the part.
     pub(crate) is_image: bool,
+    /// Whether the part is the one that the answer names.
+    pub(crate) is_named: bool,
     /// What the part is.
     pub(crate) claim: String,
 }
 
-/// The part that a certificate is about: the boundary, or the cells of a second input.
+/// The part that a certificate is about: the boundary, the cells of a second input, or those that it lists as the ones of groups.
 pub(crate) fn part(
     whole: &Value,
     complex: &Complex,
@@ -37,9 +40,11 @@ pub(crate) fn part(
         return Err(Fault::new(step, "simplices that the certificate lists have no parts"));
     }
     let named = text(name, "the name of the part", step)?;
+    let listed = optional(whole, "part_cells").map(Value::to_string);
     let (file, expected) = match (kind, inputs) {
-        (Some("boundary"), [_]) => (None, "boundary"),
-        (Some("file"), [_, part]) => {
+        (Some("boundary"), [_]) if listed.is_none() => (None, "boundary"),
+        (Some("groups"), [_]) if listed.is_some() => (listed.as_ref().map(|cells| cells.as_bytes()), named),
+        (Some("file"), [_, part]) if listed.is_none() => {
             let name = whole["inputs"][1]["name"].as_str();
             (Some(*part), name.ok_or_else(|| Fault::new(step, "the file of the part has no name"))?)
         }
@@ -49,14 +54,27 @@ pub(crate) fn part(
         return Err(Fault::new(step, format!("the part is {expected}, and not {named}")));
     }
     let is_in = complex.part(file)?;
+    let of_groups = listed.as_ref().and_then(|_| groups::of_name(inputs[0], named));
+    if let Some(polygons) = &of_groups {
+        let cells = Value::from(polygons.iter().map(|cell| Value::from(cell.clone())).collect::<Vec<_>>());
+        if complex.part(Some(cells.to_string().as_bytes()))? != is_in {
+            return Err(Fault::new(
+                step,
+                format!("the cells that are listed are not those of {named:.200?}"),
+            ));
+        }
+    }
     let counts: Vec<usize> = is_in.iter().map(|own| own.iter().filter(|is_in| **is_in).count()).collect();
-    let what = match file {
-        None => "the boundary of the whole",
-        Some(_) => "the cells of the second input",
+    let what = match (file, &listed, &of_groups) {
+        (None, ..) => "the boundary of the whole".to_owned(),
+        (_, None, _) => "the cells of the second input".to_owned(),
+        (_, _, Some(_)) => format!("the polygons of the group {named}"),
+        (_, _, None) => "the cells that the certificate lists".to_owned(),
     };
+    let is_named = listed.is_none() || of_groups.is_some();
     let how = if is_image { "the image of a part in the whole" } else { "the whole relative to a part" };
     let claim = format!("the diagram is of {how}, which is {what}: {counts:?} cells of degrees 0, 1, ..");
-    Ok(Some(Part { is_in, is_image, claim }))
+    Ok(Some(Part { is_in, is_image, is_named, claim }))
 }
 
 impl Part {

@@ -112,6 +112,12 @@ impl NumberTable {
         input.by_ref().take(matrix_market::START).read_to_end(&mut start)?;
         let is_array = start.starts_with(NPY_MAGIC);
         let is_matrix = matrix_market::is_matrix_market(&start);
+        let is_markup =
+            ["<?xml", "<graphml"].iter().any(|tag| start.trim_ascii_start().starts_with(tag.as_bytes()));
+        if is_markup {
+            return Err(Error::invalid("a file of XML, such as GraphML, has no rows of numbers")
+                .with_cure("read a graph as one (--flag), or write rows of numbers"));
+        }
         let whole = std::io::Cursor::new(start).chain(input);
         if is_matrix {
             return Self::of_matrix(&Relation::read(whole)?);

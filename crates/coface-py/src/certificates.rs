@@ -12,7 +12,7 @@ use coface::answers::{
     GivenWalks, GivenZigzag, GreyImage, GroupsRequest, Growth, HomologyRequest, ImageRequest,
     ModelCongruence, PersistenceRequest, PlanarDrawing, PointFiltration, Producer, RegionBoolean,
     RegionSource, RelativeTo, Report, ReportRequest, RipsRequest, SceneArrangement, SolidBoolean,
-    SolidRequest, SpatialRequest, SurfaceLoops, SurfaceModel, VertexFunction, are_planar,
+    SolidRequest, SpatialRequest, SurfaceLoops, SurfaceModel, VertexFunction, are_planar, named_groups,
 };
 use coface::arrange::congruence::ClassRule;
 use coface::io::{
@@ -92,7 +92,7 @@ pub(crate) fn _certificate(
 
 /// The certificate of a persistence diagram of a complex in a file, as text.
 #[pyfunction]
-#[pyo3(signature = (path, coefficients, function, upper_star, min_persistence, extended=false, progress=None))]
+#[pyo3(signature = (path, coefficients, function, upper_star, min_persistence, extended=false, relative=None, image_of=None, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named arguments of Python")]
 pub(crate) fn _persistence_certificate(
     py: Python<'_>,
@@ -102,6 +102,8 @@ pub(crate) fn _persistence_certificate(
     upper_star: bool,
     min_persistence: f64,
     extended: bool,
+    relative: Option<PathBuf>,
+    image_of: Option<PathBuf>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<String> {
     let coefficients = ring(coefficients)?;
@@ -125,18 +127,43 @@ pub(crate) fn _persistence_certificate(
     let growth = if upper_star { Growth::Upper(function) } else { Growth::Lower(function) };
     run(py, progress, || {
         let name = path.display().to_string();
-        let producer = Producer::of(read_path(&path, None)?)?;
+        let model = read_path(&path, None)?;
         let bytes = content(&path)?;
+        let [relative, image_of] =
+            [relative, image_of].map(|word| word.map(|word| named_part(&model, &word)));
+        let (relative, image_of) = (relative.transpose()?, image_of.transpose()?);
+        let mut inputs: Vec<(&str, &[u8])> = vec![(&name, &bytes)];
+        for (part, bytes) in [&relative, &image_of].into_iter().flatten() {
+            if let (RelativeTo::Part { name, .. }, Some(bytes)) = (part, bytes) {
+                inputs.push((name, bytes));
+            }
+        }
         let request = PersistenceRequest::new()
             .coefficients(coefficients)
             .growth(growth)
-            .min_persistence(min_persistence);
-        let inputs: [(&str, &[u8]); 1] = [(&name, &bytes)];
+            .min_persistence(min_persistence)
+            .relative(relative.as_ref().map(|part| part.0.clone()))
+            .image_of(image_of.as_ref().map(|part| part.0.clone()));
+        let producer = Producer::of(model.clone())?;
         match extended {
             true => request.extended_certificate(&name, &producer, &inputs),
-            false => request.found(&name, &producer)?.certificate(&inputs),
+            false => request.found_in(&name, &producer, Some(&model))?.certificate(&inputs),
         }
     })
+}
+
+/// The part of a model that a word names: its boundary, a group of it, or the cells of a file, with the bytes of the file.
+fn named_part(model: &Model, word: &Path) -> Result<(RelativeTo, Option<Vec<u8>>), Error> {
+    let name = word.display().to_string();
+    if name == "boundary" {
+        return Ok((RelativeTo::Boundary, None));
+    }
+    let words = vec![name.clone()];
+    if named_groups(model, &words).is_ok() {
+        return Ok((RelativeTo::Groups(words), None));
+    }
+    let part = read_path(word, None)?;
+    Ok((RelativeTo::Part { name, model: Box::new(part) }, Some(content(word)?)))
 }
 
 /// The certificate of the persistence of a zigzag in a file, as text.

@@ -263,3 +263,18 @@ def test_what_no_certificate_proves_is_said(tmp_path: Path) -> None:
     with pytest.raises(coface.FileError, match="folder that is there"):
         coface.homology(CUBE).certificate(tmp_path / "nowhere" / "x.json")
     assert not list(tmp_path.iterdir())
+
+
+def test_parts_are_proved(tmp_path: Path) -> None:
+    """The boundary, a file of cells, and a group of the mesh."""
+    whole, part = tmp_path / "fan.obj", tmp_path / "part.json"
+    whole.write_text("v 0 0 0\nv 2 0 1\nv 2 2 2\nv 0 2 3\nv 1 1 4\ng lid\nf 1 2 5\nf 2 3 5\ng rim\nf 3 4 5\nf 4 1 5\n")
+    part.write_text("[[0,1,4],[1,2,4]]")
+    for word, files in (("boundary", [whole]), (part, [whole, part]), ("lid", [whole])):
+        for proof in (coface.certificate(whole, "persistence", relative=word), coface.certificate(whole, "persistence", image_of=word)):
+            verdict = coface.check(proof, *files)
+            assert verdict["unchecked"] == [] and any("a part" in line for line in verdict["proved"])
+    with pytest.raises(coface.Error, match="give one of both"):
+        coface.certificate(whole, "persistence", relative="lid", image_of="rim")
+    with pytest.raises(coface.Error, match="of a whole complex"):
+        coface.certificate(whole, "persistence", relative="lid", extended=True)

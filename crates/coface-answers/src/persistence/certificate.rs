@@ -6,7 +6,7 @@ use crate::answer::PersistenceAnswer;
 use crate::homology::certificate::{Input, Number, checked, number, refused};
 use crate::producer::Cells;
 use coface_algebra::chains::ChainComplex;
-use coface_algebra::{CellId, Error, ErrorKind, Integer, Residue, SparseMatrix};
+use coface_algebra::{CellId, Error, Integer, Residue, SparseMatrix};
 use coface_topology::{Coefficients, Filtration, persistence, persistent_cycles};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -25,9 +25,12 @@ pub(super) struct Certificate<'a> {
     /// How the file has the points, where the checker finds the simplices and values.
     #[serde(skip_serializing_if = "Option::is_none")]
     layout: Option<&'static str>,
-    /// What the part is that the answer is relative to, or whose image it is about: the boundary, or the cells of the second input.
+    /// What the part is that the answer is relative to, or whose image it is about: the boundary, the cells of the second input, or groups.
     #[serde(skip_serializing_if = "Option::is_none")]
     part: Option<&'static str>,
+    /// The cells of groups of a mesh, but for faces of each other, by their vertices.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    part_cells: Option<Vec<Vec<u32>>>,
     /// The highest degree of the answer, where the complex has others above.
     #[serde(skip_serializing_if = "Option::is_none")]
     most_degree: Option<usize>,
@@ -73,6 +76,7 @@ impl<'a> Certificate<'a> {
             facets: None,
             layout: None,
             part: None,
+            part_cells: None,
             most_degree: None,
             answer,
             proof,
@@ -83,7 +87,8 @@ impl<'a> Certificate<'a> {
 impl FoundDiagram<'_> {
     /// A certificate of the diagram, from the name and the bytes of the file that the model was read from: an answer without cycles, and chains that
     /// prove it, which [`coface_check_plane::check`] follows without any code of this library, as `docs/certificates.md` says. It has been checked.
-    /// Relative to a part from a file, or of the image of one, it is of two inputs: the file of the part is behind that of the model.
+    /// Relative to a part from a file, or of the image of one, it is of two inputs: the file of the part is behind that of the model. Of groups of a mesh it lists the cells;
+    /// the checker finds them in OBJ, and otherwise leaves open which these are.
     ///
     /// # Errors
     /// [`coface_algebra::ErrorKind::UnsupportedFormat`] if the checker does not read the file as this library does: it reads facet lists, chain complexes,
@@ -139,11 +144,6 @@ impl FoundDiagram<'_> {
         inputs: &[(&str, &[u8])],
         facets: Option<Vec<Vec<u32>>>,
     ) -> Result<String, Error> {
-        if self.part == Some("groups") {
-            let fault = "no certificate: the part is a group of a mesh, which the checker does not read";
-            return Err(Error::new(ErrorKind::UnsupportedFormat, fault)
-                .with_cure("write the cells of the group to a file, and name that file as the part"));
-        }
         let expected = 1 + usize::from(self.part.is_some_and(|part| part == "file"));
         let Some((_, bytes)) = inputs.first().filter(|_| inputs.len() == expected) else {
             return Err(Error::invalid(match expected {
@@ -205,8 +205,13 @@ impl FoundDiagram<'_> {
         let values = places.iter().take(degrees).enumerate().map(there).collect();
         let proof = Proof { values, order: placed_order, chains, of_image };
         let certificate = Certificate::new("persistence", inputs, self.min_persistence, &answer, proof);
+        let part_cells = match (self.part, &self.kept, &self.inside) {
+            (Some("groups"), Some(kept), _) => Some(self.cells_of(&complex, &complex.complement(kept)?)),
+            (Some("groups"), _, Some(inside)) => Some(self.cells_of(&complex, inside)),
+            _ => None,
+        };
         let mut certificate =
-            Certificate { facets, part: self.part, most_degree: self.most_degree, ..certificate };
+            Certificate { facets, part_cells, part: self.part, most_degree: self.most_degree, ..certificate };
         if certificate.facets.is_some() && self.function.starts_with("squared radii") {
             // Where the checker does not find the alpha complex, such as one that ends at a value, it is listed alone.
             for layout in ["points", "vertices"] {
@@ -218,6 +223,44 @@ impl FoundDiagram<'_> {
             certificate.layout = None;
         }
         checked(&certificate, inputs).map_err(|fault| refused(&fault.to_string()))
+    }
+}
+
+/// The proof of the diagram of a function that grows by lower stars.
+pub(super) fn proof_of_star(
+    producer: &Producer,
+    read: &coface_check::Complex,
+    filtration: &Filtration,
+    prime: u32,
+) -> Result<Proof, Error> {
+    let degrees = 0..read.counts().len();
+    let cell_counts: Vec<usize> = degrees.map(|degree| filtration.values(degree).len()).collect();
+    let places = producer.places_on(read, &cell_counts)?;
+    let complex = renumbered(read, &places)?;
+    let order: Vec<Vec<u32>> = (0..places.len()).map(|degree| entering(filtration, degree)).collect();
+    let place = |degree: usize, cell: CellId| places[degree][cell.index()];
+    let chains = chains(&complex, filtration, prime, &order, place)?;
+    let mut values = vec![0.0; cell_counts[0]];
+    places[0].iter().zip(filtration.values(0)).for_each(|(&place, &value)| values[place as usize] = value);
+    Ok(Proof { values: vec![values], order: placed(&order, &places), chains, of_image: None })
+}
+
+impl FoundDiagram<'_> {
+    /// The cells of a subcomplex that are no faces of others in it, by their vertices.
+    fn cells_of(&self, complex: &ChainComplex, part: &[Vec<CellId>]) -> Vec<Vec<u32>> {
+        let mut is_face: Vec<Vec<bool>> =
+            complex.f_vector().iter().map(|&count| vec![false; count]).collect();
+        for (degree, cells) in part.iter().enumerate().skip(1) {
+            let Some(matrix) = complex.boundary_matrix(degree) else { continue };
+            for (face, _) in cells.iter().flat_map(|cell| matrix.column(cell.index()).iter()) {
+                is_face[degree - 1][face] = true;
+            }
+        }
+        let of_degree = |(degree, cells): (usize, &Vec<CellId>)| {
+            let own = cells.iter().filter(|cell| !is_face[degree][cell.index()]);
+            own.map(|&cell| self.producer.cell_vertices(degree, cell)).collect::<Vec<_>>()
+        };
+        part.iter().enumerate().flat_map(of_degree).collect()
     }
 }
 

@@ -311,14 +311,6 @@ impl ImageRequest {
         filtration: ImageFiltration,
     ) -> Result<(ImageFiltration, Vec<bool>), Error> {
         let is_periodic = self.periodic.periodic_axes(axes.shape.len())?;
-        let mut along = axes.shape.iter().zip(&is_periodic);
-        if let Some(axis) = along.position(|(&length, &is_periodic)| is_periodic && length == 1) {
-            return Err(Error::new(
-                ErrorKind::Shape,
-                format!("axis {axis} is periodic and has a single voxel, which would meet itself"),
-            )
-            .with_cure("leave it out of --periodic"));
-        }
         let filtration = filtration
             .construction(self.construction)
             .superlevel(self.is_superlevel)

@@ -211,13 +211,13 @@ struct Around {
     shape: Vec<u32>,
     is_periodic: Vec<bool>,
     are_vertices: bool,
-    /// The axes along which cells extend: of corners those with more than one voxel, or a single one.
+    /// The axes along which cells extend: of corners those with more than one voxel and periodic ones, or a single one.
     axes: Vec<usize>,
 }
 
 impl Around {
     fn new(shape: &[usize], is_periodic: Vec<bool>, are_vertices: bool) -> Self {
-        let is_long = |&axis: &usize| !are_vertices || shape[axis] != 1;
+        let is_long = |&axis: &usize| !are_vertices || shape[axis] != 1 || is_periodic[axis];
         let mut axes: Vec<usize> = (0..shape.len()).filter(is_long).collect();
         if axes.is_empty() {
             axes.push(0);
@@ -501,9 +501,9 @@ impl ImageCells {
 
     /// How many places the cells of the volume have along its axes.
     fn volume_lengths(&self) -> Vec<u64> {
-        let long = |(axis, &(length, _)): (&usize, &(u64, u64))| {
+        let long = |(_, &(length, _)): (&usize, &(u64, u64))| {
             // A single voxel, which is a vertex, has an edge behind it.
-            if self.around.are_vertices && self.around.shape[*axis] == 1 { 3 } else { length }
+            if length == 1 { 3 } else { length }
         };
         self.around.axes.iter().zip(&self.corners.lengths).map(long).collect()
     }

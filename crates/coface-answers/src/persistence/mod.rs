@@ -27,6 +27,7 @@ mod image_cycles;
 mod points;
 mod points_certificate;
 mod vineyard;
+mod vineyard_certificate;
 mod zigzag;
 
 pub use curves::{CurveValues, DiagramCurveKind, DiagramCurvesRequest, DiagramImageRequest};

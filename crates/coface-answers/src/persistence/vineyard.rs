@@ -24,7 +24,7 @@ use std::io::Write;
 #[derive(Clone, Debug)]
 pub struct VineyardRequest {
     coefficients: Coefficients,
-    min_persistence: f64,
+    pub(super) min_persistence: f64,
 }
 
 impl Default for VineyardRequest {

@@ -127,6 +127,57 @@ proptest! {
     }
 }
 
+/// A square of four triangles around its middle, of which two are the group `lid` and one is `rim`.
+const FAN: &str = "v 0 0 0\nv 2 0 1\nv 2 2 2\nv 0 2 3\nv 1 1 4\ng lid\nf 1 2 5\nf 2 3 5\ng rim edge\nusemtl red\nf 3 4 5\ng\nf 4 1 5\n";
+
+#[test]
+fn groups_of_a_mesh_are_proved_and_lies_about_them_are_refused() {
+    let bytes = FAN.as_bytes();
+    let model = coface_io::read(bytes, coface_io::Format::Obj).expect("a mesh");
+    let producer = Producer::of(model.clone()).expect("a complex");
+    let certificate = |word: &str, is_image: bool| -> serde_json::Value {
+        let part = Some(RelativeTo::Groups(vec![word.to_owned()]));
+        let request = PersistenceRequest::new().min_persistence(-1.0);
+        let request = if is_image { request.image_of(part) } else { request.relative(part) };
+        let found = request.found_in("fan.obj", &producer, Some(&model)).expect("a diagram");
+        let text = found.certificate(&[("fan.obj", bytes)]).expect("the checker accepts the proof");
+        serde_json::from_str(&text).expect("JSON")
+    };
+    let verdict =
+        |value: &serde_json::Value| coface_check_persistence::check(value.to_string().as_bytes(), &[bytes]);
+    for is_image in [false, true] {
+        let key = if is_image { "image_of" } else { "relative_to" };
+        // Names behind g are found in the file; that of a material, or a list of both, is not looked for.
+        for word in ["lid", "edge", "lid,rim"] {
+            let found = verdict(&certificate(word, is_image)).expect("it has been checked");
+            assert!(found.unchecked().is_empty(), "{word}: {:?}", found.unchecked());
+            assert!(found.proved().iter().any(|line| line.contains(word)), "{:?}", found.proved());
+        }
+        for word in ["red", "lid,red"] {
+            let found = verdict(&certificate(word, is_image)).expect("it has been checked");
+            assert_eq!(found.unchecked(), [key], "{word}");
+        }
+        let honest = certificate("lid", is_image);
+        let refused = |change: &dyn Fn(&mut serde_json::Value), part: &str| {
+            let mut lie = honest.clone();
+            change(&mut lie);
+            let fault = verdict(&lie).expect_err("a lie").to_string();
+            assert!(fault.contains(part), "{fault}");
+        };
+        refused(&|lie| lie["answer"][key] = "rim".into(), "not those of");
+        refused(&|lie| lie["part_cells"] = serde_json::json!([[0, 1, 4]]), "not those of");
+        refused(&|lie| lie["part_cells"] = serde_json::json!([[0, 1, 2]]), "relative");
+        refused(&|lie| lie["part_cells"] = serde_json::json!(7), "facet list");
+        refused(
+            &|lie| drop(lie.as_object_mut().expect("an object").remove("part_cells")),
+            "not those of such a part",
+        );
+        refused(&|lie| lie["part"] = "boundary".into(), "not those of such a part");
+        refused(&|lie| lie["part"] = "file".into(), "not those of such a part");
+        refused(&|lie| drop(lie["answer"]["diagram"].as_array_mut().expect("pairs").pop()), "answer");
+    }
+}
+
 /// A polygon of WKT with an outer ring and perhaps a hole, of corners on a coarse grid or of any numbers: both cross themselves and each
 /// other, and have edges in common.
 fn polygon() -> impl Strategy<Value = String> {

@@ -32,7 +32,7 @@ pub(crate) struct Euler {
     /// The model or volume; - is standard input
     #[arg(value_name = "INPUT")]
     input: PathBuf,
-    /// The function on vertices: a coordinate, or a file with one number a line for each vertex
+    /// The function on vertices: a coordinate, or a file with one number a line, or an array of NumPy (.npy), for each vertex
     #[arg(long, value_name = "x|y|z|FILE", conflicts_with_all = ["values_of_cells", "directions"])]
     function: Option<String>,
     /// Values of cells as JSON, as for coface persistence

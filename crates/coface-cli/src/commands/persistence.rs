@@ -55,7 +55,7 @@ pub(crate) struct Persistence {
     /// A prime field: f2, f3, f5, ... or 2, 3, 5, ...
     #[arg(long, value_name = "FIELD", default_value = "f2", value_parser = field)]
     coefficients: Coefficients,
-    /// The function on vertices: a coordinate, or a file with one number a line for each vertex
+    /// The function on vertices: a coordinate, or a file with one number a line, or an array of NumPy (.npy), for each vertex
     #[arg(long, value_name = "x|y|z|FILE")]
     function: Option<String>,
     /// Values of cells as JSON: {"values":[[..],..]} with a list for each degree, or {"cells":[[[vertices..],value],..]}
@@ -76,7 +76,7 @@ pub(crate) struct Persistence {
     zigzag: bool,
     /// The paths of the points of the diagram while the first function becomes the second one, and so on, each vertex along a line. -o writes them as .json, or
     /// as .csv with lines vine,degree,parameter,birth,death; the JSON has "functions", and "vines", a list of {"degree","points"} with points `[parameter,birth,death]`
-    #[arg(long, value_name = "x|y|z|FILE", num_args = 1.., conflicts_with_all = ["function", "values", "upper_star", "extended", "cycles", "certificate", "zigzag"])]
+    #[arg(long, value_name = "x|y|z|FILE", num_args = 1.., conflicts_with_all = ["function", "values", "upper_star", "extended", "cycles", "zigzag"])]
     vineyard: Vec<String>,
     /// Relative to a part of the model, whose cells are left out: boundary, a group of the mesh by its name or number, several with commas between, or a file of cells by
     /// the same vertex numbers; groups may be given several times. A word that is a group and something else is the group
@@ -270,7 +270,16 @@ impl Persistence {
         if is_moving {
             let request = VineyardRequest::new().coefficients(self.coefficients);
             let request = request.min_persistence(self.min_persistence);
-            return vineyard::give(common, &request, (&name, &producer), &self.vineyard, progress);
+            let functions = self.vineyard.iter().map(|name| read_function(name));
+            let functions = functions.collect::<Result<Vec<_>, Failure>>()?;
+            let answer = request.answer(&name, &producer, &functions)?;
+            if self.certificate.is_some() {
+                common.points.refuse("persistence with a certificate")?;
+            }
+            self.save_certificate(&progress, |inputs| {
+                request.certificate(&answer, &producer, &functions, inputs)
+            })?;
+            return vineyard::give(common, &answer, progress);
         }
         let growth = match &self.values {
             Some(path) => read_values(path)?,

@@ -163,7 +163,7 @@ pub(crate) fn lie_about(certificate: &Path, inputs: &[&Path]) {
     // Another bound between the same pairs, another tolerance with the same classes, or another threshold with the same simplices is another true claim, and another path may leave the same
     // pieces; other walks are another question.
     let other_claims = ["/min_persistence", "/answer/tolerance", "/answer/threshold"];
-    let has_points = ["rips", "image", "zigzag"].contains(&honest["kind"].as_str().unwrap())
+    let has_points = ["rips", "image", "zigzag", "vineyard"].contains(&honest["kind"].as_str().unwrap())
         || !honest["facets"].is_null()
         || !honest["part"].is_null()
         || honest["answer"]["star"] == "extended";
@@ -458,6 +458,50 @@ fn holes_of_polygons_without_area_bound_nothing() {
 pub(crate) const TORUS: &str = "OFF\n9 18 0\n3 0 0\n2 0 1\n2 0 -1\n-1.5 2.6 0\n-1 1.7 1\n-1 1.7 -1\n-1.5 -2.6 0\n-1 -1.7 1\n-1 -1.7 -1\n\
     3 0 3 1\n3 3 4 1\n3 1 4 2\n3 4 5 2\n3 2 5 0\n3 5 3 0\n3 3 6 4\n3 6 7 4\n3 4 7 5\n3 7 8 5\n3 5 8 3\n3 8 6 3\n\
     3 6 0 7\n3 0 1 7\n3 7 1 8\n3 1 2 8\n3 8 2 6\n3 2 0 6\n";
+
+/// At each function the points of vines are proved to be the diagram, and lies about them are refused.
+#[test]
+fn vineyards_are_proved_at_their_functions() {
+    let folder = tempfile::tempdir().unwrap();
+    let (input, certificate) = (folder.path().join("torus.off"), folder.path().join("torus.cert"));
+    fs::write(&input, TORUS).unwrap();
+    let values = folder.path().join("values.txt");
+    fs::write(&values, "3\n1\n4\n1\n5\n9\n2\n6\n5\n").unwrap();
+    let words = ["persistence", argument(&input), "--certificate", argument(&certificate), "--json"];
+    coface(&[&words[..], &["--vineyard", "x", "y", "--coefficients", "3"]].concat()).json();
+    let verdict = coface(&["check", argument(&certificate), argument(&input), "--json"]).json();
+    assert_eq!(verdict["proved"][0], "function 0: the values of the vertices are x");
+    assert_eq!(verdict["unchecked"].as_array().map(Vec::len), Some(1), "{verdict}");
+    coface(&[&words[..], &["--vineyard", "x", argument(&values), "z"]].concat()).json();
+    let verdict = coface(&["check", argument(&certificate), argument(&input), "--json"]).json();
+    assert_eq!(verdict["unchecked"][0], "functions");
+    // Each kind of lie.
+    let honest: Value = serde_json::from_slice(&fs::read(&certificate).unwrap()).unwrap();
+    let bytes = fs::read(&input).unwrap();
+    let refused = |change: &dyn Fn(&mut Value), part: &str| {
+        let mut lie = honest.clone();
+        change(&mut lie);
+        let fault = coface_check_binary::check(lie.to_string().as_bytes(), &[&bytes]).expect_err("a lie");
+        assert!(fault.to_string().contains(part), "{fault}");
+    };
+    let at = "the points of the vines at function";
+    refused(&|lie| drop(lie["answer"]["vines"].as_array_mut().unwrap().pop()), at);
+    refused(&|lie| lie["answer"]["vines"][0]["degree"] = json!(1), at);
+    refused(&|lie| lie["answer"]["vines"][0]["points"][0][1] = json!(-99.0), at);
+    refused(&|lie| lie["answer"]["functions"][0] = json!("y"), "are not y");
+    refused(
+        &|lie| drop(lie["answer"]["functions"].as_array_mut().unwrap().pop()),
+        "a proof for each function",
+    );
+    refused(&|lie| drop(lie["proof"].as_array_mut().unwrap().pop()), "a proof for each function");
+    refused(&|lie| lie["proof"][1]["values"][0][2] = json!(-4.0), "");
+    refused(&|lie| drop(lie["proof"][2]["chains"][0].as_array_mut().unwrap().pop()), "chains");
+    refused(&|lie| lie["answer"]["vines"][0]["points"] = json!([]), "a vine has no point");
+    refused(&|lie| lie["answer"]["vines"][0]["points"].as_array_mut().unwrap().reverse(), "do not rise");
+    refused(&|lie| lie["answer"]["vines"][0]["color"] = json!(1), "color");
+    let named = |lie: &mut Value| lie["answer"]["vines"][0]["points"][0][0] = json!(7.0);
+    refused(&named, "at no function");
+}
 
 #[test]
 fn diagrams_are_proved_and_lies_about_them_are_not() {

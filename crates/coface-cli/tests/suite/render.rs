@@ -215,6 +215,11 @@ fn matrices_diagrams_and_forests_are_drawn() {
         assert_eq!(again.matches("<circle").count(), svg.matches("<circle").count());
     }
     assert!(count(&drawn(&folder, &json, &["--diagram"]), WHITE) < 120 * 90 - 200);
+    let bars = drawn_as_svg(&json, &["--barcode"]);
+    assert!(bars.contains("H_0: 1") && bars.contains("H_2: 1"), "{bars}");
+    assert!(count(&drawn(&folder, &pers, &["--barcode"]), WHITE) < 120 * 90 - 200);
+    let both = coface(&["render", argument(&cube), "--diagram", "--barcode", "-o", "x.svg"]);
+    assert!(both.fails_with(2).contains("cannot be used with"), "{}", both.stderr);
     let falling = drawn_as_svg(&cube, &["--diagram", "--upper-star", "--function", "x"]);
     assert!(falling.contains("H_2: 1"));
 

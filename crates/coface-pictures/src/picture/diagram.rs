@@ -39,19 +39,7 @@ pub struct DiagramPoint {
 /// # Ok(()) }
 /// ```
 pub fn diagram_picture(title: &str, points: &[DiagramPoint]) -> Result<FlatPicture, Error> {
-    let values = || points.iter().flat_map(|point| [Some(point.birth), point.death]).flatten();
-    if let Some(value) = values().find(|value| !value.is_finite()) {
-        return Err(Error::invalid(format!("{value} is no value of a birth or death that can be drawn"))
-            .with_cure("leave the death out where a class stays"));
-    }
-    let (low, high) = values().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
-    let (low, high) = if low < high {
-        (low, high)
-    } else if low == high {
-        (low - 0.5, high + 0.5)
-    } else {
-        (0.0, 1.0)
-    };
+    let (low, high) = range_of(points)?;
     let is_falling = points.iter().any(|point| point.death.is_some_and(|death| death < point.birth));
     let size = [SIDE + 2.0 * MARGIN, SIDE + 2.0 * MARGIN];
     let mut picture = FlatPicture::new(title, size, LIGHT.background);
@@ -99,8 +87,25 @@ pub fn diagram_picture(title: &str, points: &[DiagramPoint]) -> Result<FlatPictu
     Ok(picture)
 }
 
+/// The least and the greatest value of births and deaths, which are finite, or what is drawn where these are none or equal.
+pub(super) fn range_of(points: &[DiagramPoint]) -> Result<(f64, f64), Error> {
+    let values = || points.iter().flat_map(|point| [Some(point.birth), point.death]).flatten();
+    if let Some(value) = values().find(|value| !value.is_finite()) {
+        return Err(Error::invalid(format!("{value} is no value of a birth or death that can be drawn"))
+            .with_cure("leave the death out where a class stays"));
+    }
+    let (low, high) = values().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+    Ok(if low < high {
+        (low, high)
+    } else if low == high {
+        (low - 0.5, high + 0.5)
+    } else {
+        (0.0, 1.0)
+    })
+}
+
 /// Round numbers in a range, some five of them.
-fn ticks(low: f64, high: f64) -> Vec<f64> {
+pub(super) fn ticks(low: f64, high: f64) -> Vec<f64> {
     let rough = (high - low) / 5.0;
     let power = 10f64.powi(rough.log10().floor() as i32);
     let step = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power).into_iter().find(|&step| step >= rough);

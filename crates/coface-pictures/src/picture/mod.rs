@@ -9,6 +9,7 @@
 //! * A **facet** is a triangle in the picture. A **flat picture** has no depth: one part is painted over the other.
 //! * PNG needs no fonts: letters are strokes. The same picture has the same bytes on every machine.
 
+mod barcode;
 mod camera;
 mod canvas;
 mod coloring;
@@ -42,6 +43,7 @@ mod svg_text;
 #[cfg(feature = "png")]
 mod webp_file;
 
+pub use barcode::barcode_picture;
 pub use camera::Camera;
 pub use coloring::{Coloring, colored, vertex_colors};
 pub use diagram::{DiagramPoint, diagram_picture};

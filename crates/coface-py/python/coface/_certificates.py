@@ -32,6 +32,7 @@ def certificate(
     cohomology: bool = False,
     reduced: bool = False,
     relative: _Path | None = None,
+    image_of: _Path | None = None,
     generators: bool = False,
     function: str | Sequence[float] | None = None,
     upper_star: bool = False,
@@ -77,7 +78,9 @@ def certificate(
         As for :func:`homology` and :func:`cohomology`; with generators it is proved that they generate the groups. ``None`` are the integers, for
         persistence the field of two elements.
     relative
-        ``"boundary"``, or the file of a part that is divided out.
+        ``"boundary"``, or the file of a part that is divided out; of persistence also a group of the mesh.
+    image_of
+        Of persistence: a part in the same way, whose classes are taken as they are seen in the whole.
     function, upper_star, extended, zigzag, min_persistence
         Of persistence: ``"x"``, ``"y"`` or ``"z"``, or a number for each vertex, by default the last coordinate; whether cells enter from high values
         to low ones; whether it is :func:`extended_persistence`; whether the file has the steps of a :func:`zigzag`; pairs whose persistence is not greater are left out.
@@ -150,7 +153,11 @@ def certificate(
             return _coface._zigzag_certificate(path, field, min_persistence, progress)
         if extended and upper_star:
             raise _coface.InvalidInputError("extended persistence has sublevel sets and superlevel sets; leave upper_star out")
-        return _coface._persistence_certificate(path, field, function, upper_star, min_persistence, extended, progress)
+        if relative is not None and image_of is not None:
+            raise _coface.InvalidInputError("persistence is relative to a part, or of its image in the whole; give one of both")
+        if extended and (relative is not None or image_of is not None):
+            raise _coface.InvalidInputError("extended persistence is of a whole complex; leave relative and image_of out")
+        return _coface._persistence_certificate(path, field, function, upper_star, min_persistence, extended, relative, image_of, progress)
     return _coface._certificate(path, of, "z" if coefficients is None else coefficients, cohomology, reduced, relative, generators, progress)
 
 

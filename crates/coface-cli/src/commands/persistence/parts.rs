@@ -152,13 +152,6 @@ impl ImageParts {
     ) -> Result<ImageBlocks, Failure> {
         let mut shape: Vec<usize> = stream.shape().iter().map(|&length| length as usize).collect();
         let mut is_periodic = common.voxels.reading().periodic_axes(shape.len())?;
-        let mut along = shape.iter().zip(&is_periodic);
-        if let Some(axis) = along.position(|(&length, &is_periodic)| is_periodic && length == 1) {
-            return Err(Failure::new(format!(
-                "{}: axis {axis} is periodic and has a single voxel, which would meet itself; leave it out of --periodic",
-                input::name(asked.input)
-            )));
-        }
         if stream.fastest_axis() == 0 {
             shape.reverse();
             is_periodic.reverse();

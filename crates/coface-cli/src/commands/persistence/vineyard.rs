@@ -2,13 +2,12 @@
 
 use crate::arguments::Common;
 use crate::failure::Failure;
-use crate::filtration::read_function;
 use crate::output::{is_json, print_json, print_text, write_file, write_json};
 use crate::progress::Progress;
 use coface::algebra::escaped;
 use coface::answers::answer::{VineAnswer, VineyardAnswer};
 use coface::answers::text;
-use coface::answers::{Producer, VineyardRequest, write_vines};
+use coface::answers::write_vines;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -27,34 +26,26 @@ fn is_csv(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"))
 }
 
-/// Finds the vines of functions of these names, writes and prints them.
-pub(super) fn give(
-    common: &Common,
-    request: &VineyardRequest,
-    (name, producer): (&str, &Producer),
-    functions: &[String],
-    progress: Progress,
-) -> Result<(), Failure> {
-    let functions = functions.iter().map(|name| read_function(name)).collect::<Result<Vec<_>, Failure>>()?;
-    let answer = request.answer(name, producer, &functions)?;
+/// Writes and prints vines.
+pub(super) fn give(common: &Common, answer: &VineyardAnswer, progress: Progress) -> Result<(), Failure> {
     progress.stage("writing");
     match common.output.as_deref() {
         Some(path) if is_csv(path) => {
             let mut bytes = Vec::new();
-            write_vines(&answer, &mut bytes)?;
+            write_vines(answer, &mut bytes)?;
             write_file(path, &bytes)?;
         }
-        Some(path) => write_json(path, &answer)?,
+        Some(path) => write_json(path, answer)?,
         None => {}
     }
     drop(progress);
     if common.json {
-        return print_json(&answer);
+        return print_json(answer);
     }
     if common.output.is_some() {
         return Ok(());
     }
-    print_text(&page(&answer))
+    print_text(&page(answer))
 }
 
 /// The vines for people: of each degree those that last longest.

@@ -25,7 +25,7 @@ use coface::complexes::simplicial::SimplexSet;
 use coface::io;
 use coface::io::Format;
 use coface::pictures::{
-    Camera, DiagramPoint, FlatPicture, Pane, Picture, PictureStyle, Scene, SetPicture,
+    Camera, DiagramPoint, FlatPicture, Pane, Picture, PictureStyle, Scene, SetPicture, barcode_picture,
     blocked_matrix_picture, diagram_picture, image_picture, interface_picture, matrix_picture, pane_picture,
     schema_picture, set_picture,
 };
@@ -37,7 +37,7 @@ use std::path::{Path, PathBuf};
 ///
 /// The picture is shaded, with edges where there is room for them, and with what --with gives drawn over it: generators, seams, loops, cocycles,
 /// sets of simplices. What is hidden is left out; hidden parts of lines given by --with are thin and faint. Sets of the plane are drawn with
-/// their curves, knots and kinks. --matrix, --diagram, --schema and --forest draw other pictures of the input; --word draws a polygon.
+/// their curves, knots and kinks. --matrix, --diagram, --barcode, --schema and --forest draw other pictures of the input; --word draws a polygon.
 ///
 /// An image, that is a volume of two axes, is drawn by its grey values; with --threshold and the like, or options of pictures in space, the pixels that
 /// are set are squares. An interface is what coface yin interface -o wrote.
@@ -57,7 +57,7 @@ pub(crate) struct Render {
     /// [vertices..]],..]; may be given several times
     #[arg(long, value_name = "RESULT.json")]
     with: Vec<PathBuf>,
-    /// Width and height in pixels [default: 1200x900; that of its content for SVG of --matrix, --diagram, --schema, --forest and sets]
+    /// Width and height in pixels [default: 1200x900; that of its content for SVG of --matrix, --diagram, --barcode, --schema, --forest and sets]
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<[usize; 2]>,
     /// The direction from the model to the eye
@@ -120,23 +120,26 @@ pub(crate) struct Render {
     #[arg(long, value_name = "BLOCKS", requires = "matrix")]
     blocks: Option<Blocks>,
     /// Draw the persistence diagram of the input: what `coface persistence` wrote (.json, .pers), or a model that grows as --function says
-    #[arg(long, conflicts_with_all = SCENE_OPTIONS, conflicts_with = "matrix")]
+    #[arg(long, group = "classes", conflicts_with_all = SCENE_OPTIONS, conflicts_with = "matrix")]
     diagram: bool,
-    /// With --diagram: the function on vertices, a coordinate or a file with one number a line for each vertex
-    #[arg(long, value_name = "x|y|z|FILE", requires = "diagram")]
+    /// Draw the barcode instead: a bar for each class, from its birth to its death
+    #[arg(long, group = "classes", conflicts_with_all = SCENE_OPTIONS, conflicts_with = "matrix")]
+    barcode: bool,
+    /// With --diagram and --barcode: the function on vertices, a coordinate or a file with one number a line, or an array of NumPy (.npy), for each vertex
+    #[arg(long, value_name = "x|y|z|FILE", requires = "classes")]
     function: Option<String>,
-    /// With --diagram: grow by superlevel sets, from high values to low ones
-    #[arg(long, requires = "diagram")]
+    /// With --diagram and --barcode: grow by superlevel sets, from high values to low ones
+    #[arg(long, requires = "classes")]
     upper_star: bool,
     /// Draw the canonical polygon of each component of a surface: 4g sides of genus g, two for each cross-cap, with the sides that are glued in one
     /// color, their letters and arrows
-    #[arg(long, conflicts_with_all = SCENE_OPTIONS, conflicts_with_all = ["matrix", "diagram"])]
+    #[arg(long, conflicts_with_all = SCENE_OPTIONS, conflicts_with_all = ["matrix", "classes"])]
     schema: bool,
     /// Draw the polygon with these letters at its sides instead of a model: "a b a^-1 b^-1", "abAB", "a1 a1 a2 a2"
-    #[arg(long, value_name = "WORD", conflicts_with_all = SCENE_OPTIONS, conflicts_with_all = ["input", "matrix", "diagram", "forest"])]
+    #[arg(long, value_name = "WORD", conflicts_with_all = SCENE_OPTIONS, conflicts_with_all = ["input", "matrix", "classes", "forest"])]
     word: Option<String>,
     /// Draw a set of the plane and the forest of its curves: which lies in which
-    #[arg(long, conflicts_with_all = SCENE_OPTIONS, conflicts_with_all = ["matrix", "diagram", "schema"])]
+    #[arg(long, conflicts_with_all = SCENE_OPTIONS, conflicts_with_all = ["matrix", "classes", "schema"])]
     forest: bool,
 }
 
@@ -305,6 +308,10 @@ impl Render {
                 return Ok(Some(matrix_picture(&format!("boundary matrices of {}", self.title()), &complex)));
             }
             None => {}
+        }
+        if self.barcode {
+            let points = self.diagram_points(source, common, progress)?;
+            return Ok(Some(barcode_picture(&format!("barcode of {}", self.title()), &points)?));
         }
         if self.diagram {
             let points = self.diagram_points(source, common, progress)?;

@@ -45,10 +45,6 @@ pub(super) const CASES: &[Case] = &[
         .files(VOXELS)
         .refused("coface persistence voxels.nrrd --parts 2 --memory 1M")
         .cured(&[&["coface persistence voxels.nrrd --parts 2 --memory 96M"]]),
-    Case::new("persistence/parts.rs", "which would meet itself; leave it out of --periodic")
-        .files(&[("row.pgm", "P2\n4 1\n9\n1 2 4 3\n")])
-        .refused("coface persistence row.pgm --parts 2 --periodic x,y")
-        .cured(&[&["coface persistence row.pgm --parts 2 --periodic x"]]),
     Case::new("commands/merge.rs", "leave --coefficients and --cohomology away")
         .files(BOOK)
         .before(&[SHARDED, "coface reduce parts"])

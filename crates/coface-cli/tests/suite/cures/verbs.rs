@@ -92,13 +92,6 @@ pub(super) const CASES: &[Case] = &[
         .files(TRIANGLE)
         .refused("coface batch triangle.off -o rows.csv --with pi1")
         .cured(&[&["coface pi1 triangle.off"]]),
-    Case::new("persistence/image.rs", "leave it out of --periodic")
-        .files(&[(
-            "row.nrrd",
-            "NRRD0004\ntype: double\ndimension: 2\nsizes: 3 1\nencoding: ascii\n\n1 2 3\n",
-        )])
-        .refused("coface persistence row.nrrd --periodic x,y")
-        .cured(&[&["coface persistence row.nrrd --periodic x"]]),
     Case::new("repair/triangulation.rs", "convert the model without --triangulate")
         .files(TRIANGLE)
         .refused("coface convert triangle.off --triangulate -o a.obj")

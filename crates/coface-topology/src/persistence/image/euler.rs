@@ -42,8 +42,11 @@ impl ImageFiltration {
         let is_odd =
             (0..codes.count()).map(|code| u128::from((own + codes.degree(code as u8)) % 2 == 1) << code);
         let odd = is_odd.fold(0, |mask, bit| mask | bit);
+        // A circle has as many edges as vertices, and so has what is multiplied by it.
+        let is_even = !self.circles().is_empty();
         let change = |vertex: usize| match ranks[vertex] {
             OUTSIDE | NEVER => 0,
+            _ if is_even => 0,
             _ => {
                 let owned = lower_star(&grid, &ranks, vertex);
                 owned.count_ones() as i16 - 2 * (owned & odd).count_ones() as i16

@@ -1,5 +1,6 @@
 //! Images whose sublevel or superlevel sets grow.
 
+use super::circles::Circles;
 use super::diagram::{ImageDiagram, ImagePair};
 use super::gradient::{Cell, Gradient, NEVER, OUTSIDE};
 use super::grid::{Grid, MOST_AXES};
@@ -233,16 +234,18 @@ impl ImageFiltration {
         self
     }
 
-    /// Which axes are periodic, so that their last voxels meet their first.
+    /// Which axes are periodic, so that their last voxels meet their first. A single voxel meets itself, and goes around a loop.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] unless there is one truth value for each axis, and for a periodic axis with fewer than two voxels.
+    /// [`ErrorKind::Shape`] unless there is one truth value for each axis.
     ///
     /// # Examples
     /// ```
     /// use coface_topology::{Coefficients, ImageFiltration};
     /// # fn main() -> Result<(), coface_algebra::Error> {
     /// let torus = ImageFiltration::new(&[2, 3], [0.0; 6])?.periodic(&[true, true])?;
+    /// assert_eq!(torus.persistence(Coefficients::Modulo(2))?.betti_numbers(), [1, 2, 1]);
+    /// let torus = ImageFiltration::new(&[1, 1], [0.0])?.periodic(&[true, true])?;
     /// assert_eq!(torus.persistence(Coefficients::Modulo(2))?.betti_numbers(), [1, 2, 1]);
     /// # Ok(()) }
     /// ```
@@ -253,14 +256,6 @@ impl ImageFiltration {
                 format!("{} truth values for {} axes", is_periodic.len(), self.shape.len()),
             )
             .with_cure("say of each axis whether it is periodic"));
-        }
-        let mut axes = self.shape.iter().zip(is_periodic);
-        if let Some(axis) = axes.position(|(&length, &is_periodic)| is_periodic && length == 1) {
-            return Err(Error::new(
-                ErrorKind::Shape,
-                format!("axis {axis} is periodic and has a single voxel, which would meet itself"),
-            )
-            .with_cure("take it from the periodic axes"));
         }
         self.is_periodic = is_periodic.to_vec();
         Ok(self)
@@ -330,17 +325,25 @@ impl ImageFiltration {
         Grid::vertex_count_of(&shape, &is_periodic).unwrap_or(usize::MAX) as u64
     }
 
-    /// The axes that are longer than 1, or the first one if none is.
+    /// The axes that are longer than 1, or one of a single voxel with ends if none is.
     fn long_axes(&self) -> (Vec<usize>, Vec<bool>) {
         let axes = self.shape.iter().copied().zip(self.is_periodic.iter().copied());
         let long: (Vec<usize>, Vec<bool>) = axes.filter(|&(length, _)| length != 1).unzip();
         if long.0.is_empty() { (vec![1], vec![false]) } else { long }
     }
 
-    /// The numbers of the axes that are longer than 1, or that of the first one if none is.
+    /// The numbers of the axes that are longer than 1. If none is, that of the first one with ends; if all are circles, the first one.
     pub(super) fn long_axis_numbers(&self) -> Vec<usize> {
         let long: Vec<usize> = (0..self.shape.len()).filter(|&axis| self.shape[axis] != 1).collect();
-        if long.is_empty() { vec![0] } else { long }
+        if !long.is_empty() {
+            return long;
+        }
+        vec![self.is_periodic.iter().position(|is_periodic| !is_periodic).unwrap_or(0)]
+    }
+
+    /// The axes that are periodic and have a single voxel.
+    pub(super) fn circles(&self) -> Circles {
+        Circles::new(&self.shape, &self.is_periodic)
     }
 
     /// The number of voxels along each axis.
@@ -480,7 +483,9 @@ impl ImageFiltration {
     }
 
     pub(super) fn is_dual(&self) -> bool {
-        self.construction == ImageConstruction::TopCells
+        // Where all axes are circles both constructions have the same cells: one vertex of the grid is enough.
+        let is_torus = || self.shape.iter().zip(&self.is_periodic).all(|axis| axis == (&1, &true));
+        self.construction == ImageConstruction::TopCells && !is_torus()
     }
 
     pub(super) fn gradient(&self) -> Gradient {
@@ -516,6 +521,7 @@ impl ImageFiltration {
         let voxel = |cell: Cell| gradient.grid.voxel_of_vertex(gradient.vertex(cell.rank()));
         // Rising with the order in which cells enter.
         let moment = |cell: Cell| if self.is_dual() { u32::MAX - cell.rank() } else { cell.rank() };
+        let rises = self.circles().rises();
         let mut pairs = Vec::new();
         for (below, classes) in classes.iter().enumerate() {
             for &(birth, death) in classes {
@@ -532,7 +538,11 @@ impl ImageFiltration {
                     death_voxel: death.map(voxel),
                 };
                 if pair.death != Some(pair.birth) {
-                    pairs.push((degree, moment(birth), death.map(moment), pair));
+                    let moments = (moment(birth), death.map(moment));
+                    pairs.extend(rises.iter().map(|rise| {
+                        let pair = ImagePair { degree: degree + rise, ..pair };
+                        (pair.degree, moments.0, moments.1, pair)
+                    }));
                 }
             }
         }

@@ -11,10 +11,12 @@
 //!   owns are its **lower star**. A cell of a star has a **code**: for each axis whether it lies before, at or behind the owner.
 //! * In each lower star cells are matched with faces by coreduction. The matching is acyclic and pairs cells of one value, so persistence depends
 //!   on the **critical** cells alone: those that are left, in the order (rank, degree, code).
+//! * A periodic axis of a single voxel is a **circle** that the image is multiplied by: each class is there once more, a degree higher. The grid leaves such axes out.
 //! * Vertices are paired with edges, and top cells with their facets, by union-find. Between them the boundaries of critical cells are reduced,
 //!   with clearing; a matched cell in a column is replaced by the rest of the boundary of its partner as soon as it leads the column.
 
 mod blocks;
+mod circles;
 mod cycles;
 mod descent;
 mod diagram;

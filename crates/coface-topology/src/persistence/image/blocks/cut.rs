@@ -1,5 +1,6 @@
 //! How an image is cut into blocks.
 
+use super::super::circles::Circles;
 use super::super::filtration::{ImageConstruction, require_axes};
 use super::super::grid::MOST_AXES;
 use crate::homology::Coefficients;
@@ -179,7 +180,7 @@ impl ImageBlocks {
     /// Which axes are periodic, so that their last voxels meet their first.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] unless there is one truth value for each axis, and for a periodic axis with a single voxel.
+    /// [`ErrorKind::Shape`] unless there is one truth value for each axis.
     ///
     /// # Examples
     /// The window of a block goes around.
@@ -197,14 +198,6 @@ impl ImageBlocks {
                 format!("{} truth values for {} axes", is_periodic.len(), self.shape.len()),
             )
             .with_cure("say of each axis whether it is periodic"));
-        }
-        let mut axes = self.shape.iter().zip(is_periodic);
-        if let Some(axis) = axes.position(|(&length, &is_periodic)| is_periodic && length == 1) {
-            return Err(Error::new(
-                ErrorKind::Shape,
-                format!("axis {axis} is periodic and has a single voxel, which would meet itself"),
-            )
-            .with_cure("take it from the periodic axes"));
         }
         self.is_periodic = is_periodic.to_vec();
         Ok(self)
@@ -291,9 +284,14 @@ impl ImageBlocks {
         vertices.saturating_mul((1 << self.long_axes().len()) + 12 + 48)
     }
 
-    /// Whether blocks are as long as an axis that is periodic.
+    /// Whether blocks are as long as an axis that is periodic, and no circle.
     pub(super) fn closes(&self, axis: usize) -> bool {
-        self.is_periodic[axis] && self.sides[axis] == self.shape[axis]
+        self.is_periodic[axis] && self.sides[axis] == self.shape[axis] && self.shape[axis] != 1
+    }
+
+    /// The axes that are periodic and have a single voxel.
+    pub(super) fn circles(&self) -> Circles {
+        Circles::new(&self.shape, &self.is_periodic)
     }
 
     /// The voxels of a block along an axis with those of the layer around it, of which those beyond an end of the axis are none.

@@ -68,6 +68,7 @@ impl ImagePart {
             let cells = cells.keys.iter().zip(&cells.names);
             pairs.extend(cells.map(|(&key, &name)| pair(degree, (key, owner(name)), None)));
         }
+        let mut pairs = self.cut.circles().multiplied(pairs);
         // Rising with the order in which cells enter.
         let moment = |value: f64, voxel: usize| {
             let (key, voxel) = (self.cut.key(value), voxel as u64);

@@ -62,8 +62,7 @@ fn images() -> impl Strategy<Value = Image> {
         (prop::sample::select(vec![2i32, 9, 1000]), prop::sample::select(vec![0u8, 30, 120]), any::<bool>());
     (shapes, kinds).prop_flat_map(|((shape, periodic, sides), (most, missing, is_smooth))| {
         let count: usize = shape.iter().product();
-        let is_periodic: Vec<bool> =
-            shape.iter().zip(periodic).map(|(&length, periodic)| periodic && length > 1).collect();
+        let is_periodic: Vec<bool> = periodic.into_iter().take(shape.len()).collect();
         let block: Vec<usize> =
             shape.iter().zip(sides).map(|(&length, side)| usize::from(side) % (length + 1) + 1).collect();
         prop::collection::vec((0..most, any::<u8>()), count).prop_map(move |numbers| {

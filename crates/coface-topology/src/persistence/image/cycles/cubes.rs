@@ -15,22 +15,29 @@ pub(super) struct Cubes<'a> {
     /// For each row of vertices along the last axis of the grid the number of the cube at the first one, modulo 2^64; empty if an axis is periodic.
     rows: Vec<u64>,
     row_length: usize,
-    /// What is added to a cube for each side of the axes of a single voxel, to which the grid does not extend.
+    /// What is added to a cube for each side of the axes of a single voxel that have ends, to which the grid does not extend.
     sides: Vec<u64>,
+}
+
+/// The steps between the numbers of cubes along axes with so many places.
+pub(super) fn steps(lengths: &[u64]) -> Vec<u64> {
+    let mut steps = vec![1; lengths.len()];
+    for axis in (1..lengths.len()).rev() {
+        steps[axis - 1] = steps[axis] * lengths[axis];
+    }
+    steps
 }
 
 impl<'a> Cubes<'a> {
     pub(super) fn new(image: &ImageFiltration, gradient: &'a Gradient) -> Self {
         let lengths = image.doubled_shape();
         let long = image.long_axis_numbers();
-        let mut steps = vec![1; lengths.len()];
-        for axis in (1..lengths.len()).rev() {
-            steps[axis - 1] = steps[axis] * lengths[axis];
-        }
+        let steps = steps(&lengths);
         let along: Vec<(u64, u64)> = long.iter().map(|&axis| (steps[axis], lengths[axis])).collect();
         let mut sides = vec![0];
         if image.is_dual() {
-            for axis in (0..lengths.len()).filter(|axis| !long.contains(axis)) {
+            let circles = image.circles();
+            for axis in (0..lengths.len()).filter(|axis| !long.contains(axis) && !circles.contains(*axis)) {
                 sides.extend(sides.iter().map(|side| side + 2 * steps[axis]).collect::<Vec<_>>());
             }
         }
@@ -78,7 +85,7 @@ impl<'a> Cubes<'a> {
         (cube, is_turned)
     }
 
-    /// What is added to a cube to have it on each side of the axes of a single voxel: cochains are the same there.
+    /// What is added to a cube to have it on each side of the axes of a single voxel that have ends: cochains are the same there.
     pub(super) fn sides(&self) -> &[u64] {
         &self.sides
     }

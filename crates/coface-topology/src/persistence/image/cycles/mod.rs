@@ -3,6 +3,7 @@
 //! The complex of the critical cells has cycles, which [`persistent_cycles`] finds. They are grown along the gradient to those of all cubes, of the classes that
 //! are wanted alone; no complex of cubes is made.
 
+mod circles;
 mod cubes;
 mod flow;
 mod morse;
@@ -18,6 +19,7 @@ use crate::homology::Coefficients;
 use crate::persistence::reduction::{persistence, prime};
 use crate::persistence::torsion::torsion_primes;
 use crate::persistence::{PersistencePair, PersistentCycle, persistent_cycles};
+use circles::Multiplied;
 use coface_algebra::progress::stage;
 use coface_algebra::{Binary, CellId, Error, Field, Integer, Odd, memory};
 use cubes::Cubes;
@@ -239,8 +241,14 @@ impl ImageFiltration {
         let morse = Morse::new(self, &gradient)?;
         let whole = persistence(&morse.complex, &morse.filtration, coefficients)?;
         let found = Found { image: self, gradient: &gradient, morse: &morse };
+        let rises = self.circles().rises();
+        let multiplied = |pair: &PersistencePair| {
+            let (key, pair) = found.pair(pair);
+            let of_rise = |rise: &usize| ImagePair { degree: pair.degree + rise, ..pair };
+            rises.iter().map(of_rise).map(|pair| ((pair.degree, key.1, key.2), pair)).collect::<Vec<_>>()
+        };
         let mut pairs: Vec<Sorted<ImagePair>> =
-            whole.longer_than(0.0).pairs().iter().map(|pair| found.pair(pair)).collect();
+            whole.longer_than(0.0).pairs().iter().flat_map(multiplied).collect();
         pairs.sort_by_key(|pair| pair.0);
         let cycles = persistent_cycles(&morse.complex, &morse.filtration, &whole, length.max(0.0))?;
         let torsion_primes = torsion_primes(&morse.complex, &morse.filtration)?;
@@ -303,15 +311,19 @@ impl Found<'_> {
         cycles: &[PersistentCycle],
     ) -> Vec<ImageCycle> {
         let steps = stage("growing cycles", cycles.len());
+        let multiplied = Multiplied::new(self.image);
         let growing = Growing { found: self, field, integer, cubes: Cubes::new(self.image, self.gradient) };
         let grown = cycles.par_iter().with_max_len(1).map_init(
             || Flow::new(field, self.gradient),
             |flow, one| {
                 steps.advance(1);
-                growing.grown(flow, one)
+                let (key, class) = growing.grown(flow, one);
+                let classes = multiplied.classes(class, field.unit(2).is_some()).into_iter();
+                classes.map(|class| ((class.pair.degree, key.1, key.2), class)).collect()
             },
         );
-        let mut grown: Vec<Sorted<ImageCycle>> = grown.collect();
+        let grown: Vec<Vec<Sorted<ImageCycle>>> = grown.collect();
+        let mut grown: Vec<Sorted<ImageCycle>> = grown.into_iter().flatten().collect();
         grown.sort_by_key(|class| class.0);
         grown.into_iter().map(|class| class.1).collect()
     }
