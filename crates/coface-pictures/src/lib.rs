@@ -10,15 +10,10 @@ mod set_picture;
 
 pub use interface_picture::interface_picture;
 pub use picture::{
-<<<<<<< HEAD
-    Camera, Coloring, DiagramPoint, FlatPicture, GltfForm, Picture, PictureStyle, blocked_matrix_picture,
-    colored, diagram_picture, gltf, gltf_rounding, image_picture, matrix_picture, palette_color,
-=======
     Camera, Coloring, DiagramPoint, FlatPicture, GltfForm, Picture, PictureStyle, barcode_picture,
-    blocked_matrix_picture, colored, diagram_picture, gltf, image_picture, matrix_picture, palette_color,
->>>>>>> cbf74de44f4f92576bee8d0b15401be74e3d37e2
-    pane_picture, schema_picture, sequence_picture, spin_frames, spin_gif, spin_png, spin_webp,
-    vertex_colors,
+    blocked_matrix_picture, colored, diagram_picture, gltf, gltf_rounding, image_picture, matrix_picture,
+    palette_color, pane_picture, schema_picture, sequence_picture, spin_frames, spin_gif, spin_png,
+    spin_webp, vertex_colors,
 };
 pub use scene::{
     LabelDocument, Layer, LayerDocument, PackedLists, PackedTriangles, Pane, PaneDocument, Scene,

@@ -2,10 +2,7 @@
 
 /// What the program does by a command, and Python by a function.
 const PHRASES: [(&str, &str); 57] = [
-<<<<<<< HEAD
     ("coface convert INPUT --weld 0 -o OUT.off joins", "model.welded(0.0) joins"),
-=======
->>>>>>> cbf74de44f4f92576bee8d0b15401be74e3d37e2
     ("coface view MODEL --with ANSWER shows both", "coface.view([model, answer]) shows both"),
     ("by ChainComplex::of_points", "by coface.ChainComplex.of_points(n)"),
     ("ask with HomologyRequest::certified(true)", "ask with generators=True"),

@@ -72,15 +72,11 @@ pub(super) const CASES: &[Case] = &[
         .files(WEIGHTS)
         .refused("coface persistence w.mtx --alpha")
         .cured(&[&["coface persistence w.mtx --flag"], &["coface persistence w.mtx --rips"]]),
-<<<<<<< HEAD
-    Case::new("io/src/written.rs", "coface incidence INPUT VE --signed -o OUT.mtx")
-=======
     Case::new("io/src/number_table.rs", "read a graph as one (--flag), or write rows of numbers")
         .files(&[("g.graphml", "<graphml><graph><node id=\"a\"/></graph></graphml>")])
         .refused("coface persistence g.graphml --rips")
         .cured(&[&["coface persistence g.graphml --flag"]]),
-    Case::new("io/src/readers.rs", "coface incidence INPUT VE --signed -o OUT.mtx")
->>>>>>> cbf74de44f4f92576bee8d0b15401be74e3d37e2
+    Case::new("io/src/written.rs", "coface incidence INPUT VE --signed -o OUT.mtx")
         .files(TETRAHEDRON)
         .refused("coface convert t.off -o t.mtx")
         .cured(&[&["coface incidence t.off VE --signed -o t.mtx"]]),
