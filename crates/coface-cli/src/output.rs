@@ -107,12 +107,12 @@ pub(crate) fn is_json(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"))
 }
 
-/// Refuses the name of a file for text whose extension is that of models, tables or pictures.
+/// Refuses the name of a file for text or JSON whose extension is that of models, tables or pictures.
 pub(crate) fn check_text(path: &Path) -> Result<(), Failure> {
     const NO_MODELS: [&str; 7] = ["pdf", "gif", "webp", "html", "htm", "parquet", "arrow"];
     let Some(extension) = path.extension().and_then(|extension| extension.to_str()) else { return Ok(()) };
     let is_other = NO_MODELS.iter().any(|other| extension.eq_ignore_ascii_case(other))
-        || Format::from_path(path).is_some();
+        || Format::from_path(path).is_some_and(|format| format != Format::Json);
     match is_other {
         true => Err(Failure::new(format!(
             "{}: this answer is written as text or JSON; end the name in .txt or .json",

@@ -53,7 +53,7 @@ pub fn read(_input: impl Read) -> Result<Model, Error> {
 
 /// Writes the polygons of a model in AMF, as triangles, in millimeters.
 ///
-/// Coordinates are written so that they read back bit for bit; fewer than three are filled up with zeros. Parts that hang together by vertices
+/// Coordinates are written so that they read back bit for bit; fewer than three are filled up with zeros. Parts that are connected by vertices
 /// and lie whole in a [`Group`](crate::Group) of polygons are an object of its name, and all others are one object. A polygon of more than three vertices is cut into triangles
 /// on its own vertices. Data `red`, `green` and `blue` on vertices, a byte each, are colors of vertices. [`losses`](crate::losses) says
 /// what a model loses.

@@ -3,7 +3,7 @@
 use crate::limits::{require_dimension, require_mesh};
 use crate::triangles::{Triangles, triangulated_remark};
 use crate::{Format, GroupKind, GroupRole, Model, Remark, RemarkCode};
-use coface_algebra::Error;
+use coface_algebra::{Error, UnionFind};
 use std::collections::BTreeMap;
 
 /// Triangles that are an object.
@@ -39,7 +39,7 @@ pub(crate) struct PrintObjects {
 }
 
 impl PrintObjects {
-    /// The objects of a model that a format of this title is to hold: what hangs together by vertices stays together. Parts that
+    /// The objects of a model that a format of this title is to hold: what is connected by vertices stays together. Parts that
     /// lie whole in a group of polygons are an object of its name, and all others are one object without a name.
     ///
     /// # Errors
@@ -87,7 +87,7 @@ impl PrintObjects {
     }
 }
 
-/// The parts that hang together by vertices.
+/// The parts that are connected by vertices.
 struct Parts {
     of_polygon: Vec<usize>,
     /// How many polygons each has.
@@ -96,26 +96,18 @@ struct Parts {
 
 impl Parts {
     fn of(model: &Model) -> Self {
-        fn root(above: &mut [u32], mut vertex: u32) -> u32 {
-            while above[vertex as usize] != vertex {
-                above[vertex as usize] = above[above[vertex as usize] as usize];
-                vertex = above[vertex as usize];
-            }
-            vertex
-        }
-        let mut above: Vec<u32> = (0..model.vertex_count as u32).collect();
+        let mut vertices = UnionFind::new(model.vertex_count);
         for polygon in model.polygons.iter() {
-            for &vertex in &polygon[1..] {
-                let [a, b] = [polygon[0], vertex].map(|vertex| root(&mut above, vertex));
-                above[a.max(b) as usize] = a.min(b);
-            }
+            polygon.windows(2).for_each(|pair| {
+                vertices.unite(pair[0], pair[1]);
+            });
         }
-        let mut numbers = BTreeMap::new();
+        let mut part_of_class = vec![None; vertices.class_count()];
+        let classes = vertices.class_numbers();
         let mut parts = Self { of_polygon: Vec::with_capacity(model.polygons.len()), sizes: Vec::new() };
         for polygon in model.polygons.iter() {
-            let next = parts.sizes.len();
-            let part = *numbers.entry(root(&mut above, polygon[0])).or_insert(next);
-            if part == next {
+            let part = *part_of_class[classes[polygon[0] as usize] as usize].get_or_insert(parts.sizes.len());
+            if part == parts.sizes.len() {
                 parts.sizes.push(0);
             }
             parts.sizes[part] += 1;

@@ -39,7 +39,7 @@ pub fn read(_input: impl Read) -> Result<Model, Error> {
 
 /// Writes the polygons of a model in 3MF, as triangles, in millimeters.
 ///
-/// Coordinates are written so that they read back bit for bit; fewer than three are filled up with zeros. Parts that hang together by vertices
+/// Coordinates are written so that they read back bit for bit; fewer than three are filled up with zeros. Parts that are connected by vertices
 /// and lie whole in a [`Group`](crate::Group) of polygons are an object of its name, and all others are one object. Objects that are closed and coherently oriented are
 /// of the type `model`, others of the type `surface`. A polygon of more than three vertices is cut into triangles on its own vertices. Data
 /// `red`, `green` and `blue` on vertices, a byte each, are a group of colors. [`losses`](crate::losses) says what a model loses.

@@ -1,7 +1,7 @@
 //! Cures in the words of Python: the library names commands and options of the program, and users of Python have functions and parameters.
 
 /// What the program does by a command, and Python by a function.
-const PHRASES: [(&str, &str); 57] = [
+const PHRASES: [(&str, &str); 58] = [
     ("coface convert INPUT --weld 0 -o OUT.off joins", "model.welded(0.0) joins"),
     ("coface view MODEL --with ANSWER shows both", "coface.view([model, answer]) shows both"),
     ("by ChainComplex::of_points", "by coface.ChainComplex.of_points(n)"),

@@ -9,7 +9,7 @@ use crate::answer::{Place, Remark};
 use crate::producer::{Cells, Producer};
 use coface_algebra::Error;
 use coface_complexes::simplicial::LINK_BUDGET;
-use coface_io::{Model, StatedSurfaces, Structure};
+use coface_io::{GroupKind, Model, RemarkCode, StatedSurfaces, Structure};
 
 /// What a report says beside the usual, and how hard it tries.
 ///
@@ -201,6 +201,8 @@ impl Report {
         let stated = model.stated_surfaces().cloned();
         let mut model = model.into_parts();
         let mut remarks = std::mem::take(&mut model.remarks);
+        let has_seams =
+            model.data.iter().any(|data| data.name() == "seam" && data.kind() == GroupKind::Lines);
         let data = std::mem::take(&mut model.data).iter().map(DataSummary::of).collect();
         let groups = model.groups.iter().map(GroupSummary::of).collect();
         // Nothing of a volume is made whole but its voxels.
@@ -228,7 +230,11 @@ impl Report {
             Remark::new(problem.kind().into(), problem.message())
                 .at(problem.count(), problem.cells().iter().map(Place::cell))
         }));
-        report.remarks.retain(|own| !remarks.contains(own));
+        // What was cut on purpose has seams.
+        report.remarks.retain(|own| {
+            let is_meant = has_seams && own.code == RemarkCode::CoincidentVertices;
+            !(is_meant || remarks.contains(own))
+        });
         remarks.append(&mut report.remarks);
         if let Some(geometry) = report.geometry.take() {
             remarks.extend(geometry.remarks());

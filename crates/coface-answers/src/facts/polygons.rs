@@ -11,6 +11,7 @@ use coface_complexes::surface::{PolygonMesh, SurfaceDefect, SurfaceOrientation, 
 use coface_geometry::{Positions, enclosed_volume, polygon_area};
 use coface_io::{Place, Remark, RemarkCode, StatedSurfaces};
 use coface_topology::homology;
+use std::cmp::Ordering;
 
 /// The report on a mesh, whose vertices have these labels in the file.
 ///
@@ -382,13 +383,16 @@ fn open_seams(mesh: &PolygonMesh, positions: &Positions, labels: &Labels) -> Opt
     vertices.sort_unstable();
     vertices.dedup();
     // Zeros of both signs are equal.
-    let key = |vertex: VertexId| -> Vec<u64> {
-        positions.point(vertex).iter().map(|x| (x + 0.0).to_bits()).collect()
+    let compare = |&a: &VertexId, &b: &VertexId| {
+        let pairs = positions.point(a).iter().zip(positions.point(b));
+        pairs
+            .map(|(x, y)| (x + 0.0).total_cmp(&(y + 0.0)))
+            .find(|order| order.is_ne())
+            .unwrap_or(Ordering::Equal)
     };
-    let mut places: Vec<(Vec<u64>, VertexId)> = vertices.into_iter().map(|own| (key(own), own)).collect();
-    places.sort_unstable();
-    let twins = places.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[1].1);
-    let mut twins: Vec<u32> = twins.map(|twin| labels.of(twin.to_u32())).collect();
+    vertices.sort_by(compare);
+    let twins = vertices.windows(2).filter(|pair| compare(&pair[0], &pair[1]).is_eq());
+    let mut twins: Vec<u32> = twins.map(|pair| labels.of(pair[1].to_u32())).collect();
     twins.sort_unstable();
     if twins.is_empty() {
         return None;

@@ -660,7 +660,7 @@ fn complexes_of_points_have_no_certificates_of_their_files() {
 #[test]
 fn certificates_stand_beside_their_inputs() {
     let folder = tempfile::tempdir().unwrap();
-    let (input, certificate) = (folder.path().join("disk.off"), folder.path().join("disk.cert"));
+    let (input, certificate) = (folder.path().join("disk.off"), folder.path().join("disk.json"));
     let text = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
     fs::write(&input, text).unwrap();
     for verb in ["homology", "info", "pi1", "cut"] {

@@ -77,3 +77,16 @@ fn the_name_of_an_output_is_looked_at_before_the_input() {
     }
     assert_eq!(std::fs::read_dir(folder.path()).expect("the folder is there").count(), 0);
 }
+
+/// Where no model is read, what says how to read one is a mistake.
+#[test]
+fn options_of_models_are_refused_where_none_is_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lines = ["generate torus --rips", "check a.json --rips", "diagram betti a.pers --format off"];
+    for line in lines {
+        let run = coface_in(folder.path(), &line.split(' ').collect::<Vec<_>>());
+        let option = line.split(' ').find(|word| word.starts_with("--")).expect("an option");
+        let expected = format!("{option} says how a model is read, and none is read here: leave it out");
+        assert!(run.fails_with(1).contains(&expected), "coface {line}: {}", run.stderr);
+    }
+}

@@ -50,7 +50,11 @@ fn three_mf_and_amf_are_written_and_read() {
     for name in ["a.3mf", "a.amf"] {
         assert_eq!(coface_in(folder.path(), &["convert", "a.obj", "-o", name]).status, 0);
         let report = coface_in(folder.path(), &["info", name, "--json"]).json();
-        assert_eq!((&report["closed"], &report["f_vector"][2]), (&true.into(), &4.into()), "{report}");
+        assert_eq!(
+            (&report["manifold"]["closed"], &report["f_vector"][2]),
+            (&true.into(), &4.into()),
+            "{report}"
+        );
         assert_eq!(coface_in(folder.path(), &["convert", name, "-o", "again.obj"]).status, 0);
         let again = std::fs::read_to_string(folder.path().join("again.obj")).expect("it is there");
         assert!(again.contains("v 0.1 0 0\n"), "{again}");

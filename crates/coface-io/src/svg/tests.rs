@@ -317,7 +317,7 @@ fn paints_that_are_not_there_paint_nothing() {
         let said = model.remarks().iter().filter(|remark| remark.code == RemarkCode::DrawingAssumption);
         let said: Vec<u64> = said
             .filter(|said| said.message.starts_with("these paint nothing"))
-            .map(|said| said.count as u64)
+            .map(|said| said.count)
             .collect();
         assert_eq!(said, if missing > 0 { vec![missing] } else { vec![] }, "{attributes}");
     }

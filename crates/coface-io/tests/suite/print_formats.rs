@@ -1,4 +1,5 @@
 //! 3MF and AMF, written and read again.
+#![allow(clippy::unwrap_used, reason = "a helper of a test that cannot go on is the test failing")]
 
 use coface_io::{self as io, CellData, Format, Group, GroupKind, Model, RemarkCode};
 use proptest::prelude::*;
@@ -74,7 +75,7 @@ fn what_is_not_kept_is_told() {
     let square = io::read(text.as_bytes(), Format::Obj).unwrap();
     for format in FORMATS {
         let codes: Vec<(RemarkCode, u64)> =
-            io::losses(&square, format).iter().map(|remark| (remark.code, remark.count as u64)).collect();
+            io::losses(&square, format).iter().map(|remark| (remark.code, remark.count)).collect();
         assert_eq!(codes, [(RemarkCode::FacesTriangulated, 1), (RemarkCode::FormatKeepsLess, 1)]);
         let again = io::read(&written(&square, format)[..], format).unwrap();
         assert_eq!((again.vertex_count(), again.polygons().len()), (5, 3));

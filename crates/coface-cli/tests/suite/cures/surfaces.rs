@@ -59,9 +59,6 @@ pub(super) const CASES: &[Case] = &[
         .answered("coface info halves.off")
         .cured(&[&["coface convert halves.off --weld 0 -o joined.off", "coface info joined.off"]])
         .shows("4 vertices, 5 edges"),
-    Case::new("cli/src/arguments.rs", "says how a model is read, and none is read here: leave it out")
-        .refused("coface generate torus --rips -o torus.off")
-        .cured(&[&["coface generate torus -o torus.off"]]),
     Case::new(
         "handles/triangle_surface.rs",
         "close it first: coface convert INPUT --repair closed -o OUT.off",
