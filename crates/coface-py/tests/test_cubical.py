@@ -113,7 +113,6 @@ def test_answers_are_values() -> None:
         ([0.0, -np.inf], {}, "is at -inf"),
         ([0.0, 1.0], {"construction": "u"}, "construction"),
         ([0.0, 1.0], {"periodic": [1]}, "axis|axes"),
-        ([[0.0, 1.0]], {"periodic": [0]}, "meet itself"),
         (["a"], {}, "numbers"),
     ],
 )
