@@ -136,7 +136,6 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
     ("view", "coface view torus.off --with loops.json -o loops.html", "with the cycles of another answer"),
     ("render", "coface render mesh.obj --edges --size 800x600 -o mesh.png", "a picture with its edges"),
     ("render", "coface render torus.off --with loops.json -o loops.svg", "with the cycles of another answer"),
-    ("render", "coface render torus.off --barcode -o bars.svg", "a bar for each class of its persistence"),
     ("completions", "coface completions bash", "the script, to be put where the shell looks for it"),
     ("man", "coface man -o man1", "a page for each verb in the folder man1"),
 ];
