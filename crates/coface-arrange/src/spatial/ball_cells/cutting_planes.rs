@@ -30,6 +30,7 @@ pub(super) fn best_cuts(
     halves: &[u32],
     through: Option<(u32, usize)>,
     cuts: &[[[f64; 3]; 4]],
+    tries_slanted: bool,
 ) -> Vec<[[f64; 3]; 4]> {
     let surface = Surface::new(arrangement, halves);
     if let Some((vertex, axis)) = through {
@@ -52,7 +53,7 @@ pub(super) fn best_cuts(
         }
     }
     if best.first().is_none_or(|plane| plane.tunnels >= tunnels) {
-        let slanted = surface.slanted_cuts(tunnels);
+        let slanted = if tries_slanted { surface.slanted_cuts(tunnels) } else { Vec::new() };
         if !slanted.is_empty() {
             return slanted;
         }

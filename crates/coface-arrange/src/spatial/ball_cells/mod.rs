@@ -181,6 +181,7 @@ impl SpatialArrangement {
         let mut parts: Vec<u32> = part_of_cell.iter().map(|part| part.unwrap_or(NONE)).collect();
         let mut cuts = Cuts::default();
         let mut with_cuts: Option<Self> = None;
+        let mut tries_slanted = true;
         loop {
             let arrangement = with_cuts.as_ref().unwrap_or(self);
             let kept = Kept::new(arrangement, self.polygon_count(), &parts, &cuts, rules.keep_faces);
@@ -199,7 +200,7 @@ impl SpatialArrangement {
                     } else {
                         let through = pieces.vertex_between(piece).filter(|_| round % 2 == 0);
                         let through = through.map(|vertex| (vertex, round / 2 % 3));
-                        best_cuts(arrangement, own, through, &cuts.rectangles)
+                        best_cuts(arrangement, own, through, &cuts.rectangles, tries_slanted)
                     };
                     found.into_iter().map(move |cut| (piece, cut))
                 };
@@ -211,10 +212,16 @@ impl SpatialArrangement {
             let all: Vec<[[f64; 3]; 4]> =
                 cuts.rectangles.iter().copied().chain(next.iter().map(|own| own.1)).collect();
             let further = self.with_cuts(&all)?;
-            // Where cells cannot be told in the arrangement with more cuts, the parts that have tunnels are named.
             let Some(cells) = cells_of_cut(arrangement, &further) else {
+                if tries_slanted {
+                    // Slanted cuts may divide all edges of a cell where others do not.
+                    tries_slanted = false;
+                    continue;
+                }
+                // Where cells cannot be told in the arrangement with more cuts, the parts that have tunnels are named.
                 return build(self, arrangement, &kept, &pieces, rules.triangles);
             };
+            tries_slanted = true;
             cuts.add(next, kept.piece_of_cell);
             cuts.follow(&cells);
             parts = through(&cells, &parts);
